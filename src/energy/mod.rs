@@ -1,0 +1,7 @@
+//! Energies: functions of connectivity and positions with value and gradient.
+//!
+//! One file or folder an energy; none knows a flow.
+
+pub mod circle;
+pub mod conformal;
+pub mod p_willmore;

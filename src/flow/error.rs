@@ -1,0 +1,109 @@
+//! Why a flow cannot start or cannot go on.
+
+use crate::linalg::LinalgError;
+use crate::mesh::error::and_others;
+use thiserror::Error;
+
+/// Refusals and failures of a flow. The positions are those before the failed step.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum FlowError {
+    /// The method is defined on triangles only.
+    #[error("face {face} has {corners} corners; this flow works on triangles")]
+    NotTriangular {
+        /// The first such face.
+        face: u32,
+        /// Its degree.
+        corners: usize,
+    },
+    /// Two vertices joined by an edge lie at the same point.
+    #[error("the edge between vertices {a} and {b} has no length{}", and_others(*others))]
+    ZeroLengthEdge {
+        /// One end.
+        a: u32,
+        /// The other end.
+        b: u32,
+        /// How many more.
+        others: usize,
+    },
+    /// Every vertex is held.
+    #[error("no vertex is free to move")]
+    NothingFree,
+    /// A selection names a vertex that does not exist.
+    #[error("the selection names vertex {vertex}, but there are only {vertices} vertices")]
+    SelectionOutOfRange {
+        /// The index.
+        vertex: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// An option has a value it cannot have.
+    #[error("{name} cannot be {value}")]
+    BadOption {
+        /// The option.
+        name: &'static str,
+        /// What was given.
+        value: String,
+        /// What it may be.
+        allowed: &'static str,
+    },
+    /// The energy or its gradient is not a number.
+    #[error("the energy is not a finite number at step {step}")]
+    NonFiniteEnergy {
+        /// The step that was to be taken.
+        step: usize,
+    },
+    /// The linear system could not be solved.
+    #[error("the linear system could not be solved: {0}")]
+    Linear(#[from] LinalgError),
+}
+
+impl FlowError {
+    /// The variant's name.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::NotTriangular { .. } => "NotTriangular",
+            Self::ZeroLengthEdge { .. } => "ZeroLengthEdge",
+            Self::NothingFree => "NothingFree",
+            Self::SelectionOutOfRange { .. } => "SelectionOutOfRange",
+            Self::BadOption { .. } => "BadOption",
+            Self::NonFiniteEnergy { .. } => "NonFiniteEnergy",
+            Self::Linear(error) => error.kind(),
+        }
+    }
+
+    /// What the user can do.
+    pub fn hint(&self) -> String {
+        match self {
+            Self::NotTriangular { .. } => "Triangulate the mesh first.".into(),
+            Self::ZeroLengthEdge { .. } => {
+                "Merge the two vertices in a mesh editor (merge by distance), then load again."
+                    .into()
+            }
+            Self::NothingFree => {
+                "With a clamped boundary the vertices within one edge of it are held too: choose a \
+                 fixed or free boundary, a finer mesh, or a larger selection."
+                    .into()
+            }
+            Self::SelectionOutOfRange { .. } => {
+                "Vertex indices count from 0 in the order of the file.".into()
+            }
+            Self::BadOption { allowed, .. } => format!("It may be {allowed}."),
+            Self::NonFiniteEnergy { .. } => {
+                "Go back a step, choose a smaller step size or the recommended scheme, and look \
+                 for a folded or collapsed triangle."
+                    .into()
+            }
+            Self::Linear(error) => error.hint(),
+        }
+    }
+
+    /// The elements at fault, for highlighting.
+    pub fn detail(&self) -> Vec<(&'static str, Vec<u32>)> {
+        match self {
+            Self::NotTriangular { face, .. } => vec![("faces", vec![*face])],
+            Self::ZeroLengthEdge { a, b, .. } => vec![("vertices", vec![*a, *b])],
+            Self::SelectionOutOfRange { vertex, .. } => vec![("vertices", vec![*vertex])],
+            _ => Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! What a user may choose about a flow; every field has a default.
+
+use super::FlowError;
+use crate::energy::circle::Boundary;
+use serde::Deserialize;
+
+/// Which flow runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FlowName {
+    /// Bobenko & Schröder's circle-angle Willmore flow.
+    #[default]
+    Circle,
+}
+
+/// Recommended treatment or the paper's own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Scheme {
+    /// Smoothed angles, semi-definite K, automatic step size: needs no tuning.
+    #[default]
+    Auto,
+    /// Constant dt, exact energy, K as it is, uniform mass, no test for descent.
+    Paper,
+}
+
+/// How time is discretised.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Integrator {
+    /// (M/dt + K) Δx = −∇E, the paper's choice.
+    #[default]
+    SemiImplicit,
+    /// Δx = −dt M⁻¹ ∇E.
+    ForwardEuler,
+    /// M Δx/dt = −∇E(x + Δx), by Newton's method with the full Hessian.
+    BackwardEuler,
+    /// No flow but the fastest way to its end: L-BFGS preconditioned by M/dt + K.
+    #[serde(rename = "l-bfgs")]
+    Lbfgs,
+}
+
+/// What the run is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Goal {
+    /// As far down as possible, with growing steps.
+    #[default]
+    Relax,
+    /// A set amount of smoothing, in equal steps.
+    Smooth,
+}
+
+/// The metric the gradient is taken in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum MassChoice {
+    /// Uniform for relaxing, area for smoothing.
+    #[default]
+    Auto,
+    /// Every vertex weighs 1: the paper's metric; the rate depends on vertex density.
+    Uniform,
+    /// Vertex area over mean vertex area: the rate does not depend on vertex density.
+    Area,
+}
+
+/// Options of a flow. Unknown names are refused.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct FlowOptions {
+    /// Which flow.
+    pub flow: FlowName,
+    /// Recommended or the paper's.
+    pub scheme: Scheme,
+    /// Time discretisation.
+    pub integrator: Integrator,
+    /// What happens at the boundary.
+    pub boundary: Boundary,
+    /// Relax or smooth.
+    pub goal: Goal,
+    /// Smoothing: wavelengths below this many mean edge lengths are at least halved.
+    pub detail: Option<f64>,
+    /// Smoothing: in so many steps.
+    pub smooth_steps: usize,
+    /// Raw step size; overrides `tau` and `detail`.
+    pub dt: Option<f64>,
+    /// Step size over h², h the mean edge length at the start; overrides `detail`.
+    pub tau: Option<f64>,
+    /// Metric.
+    pub mass: MassChoice,
+    /// ε of the angle smoothing, in radians.
+    pub epsilon: f64,
+    /// Whether ε goes to 0 at the end of relaxing.
+    pub sharpen: bool,
+    /// Harmonic pre-fill of the free vertices before the first step.
+    pub prefill: bool,
+    /// Only these vertices move.
+    pub free: Option<Vec<u32>>,
+    /// These vertices never move.
+    pub fixed: Option<Vec<u32>>,
+    /// Budget of steps.
+    pub max_steps: usize,
+}
+
+impl Default for FlowOptions {
+    fn default() -> Self {
+        Self {
+            flow: FlowName::default(),
+            scheme: Scheme::default(),
+            integrator: Integrator::default(),
+            boundary: Boundary::default(),
+            goal: Goal::default(),
+            detail: None,
+            smooth_steps: 10,
+            dt: None,
+            tau: None,
+            mass: MassChoice::default(),
+            epsilon: 0.1,
+            sharpen: true,
+            prefill: false,
+            free: None,
+            fixed: None,
+            max_steps: 200,
+        }
+    }
+}
+
+/// Wavelength in edge lengths that a unit of total τ halves: λ h² ≈ 2025 (h/L)⁴ on an
+/// equilateral mesh, so Nτ λh² = ln 2 gives L ≈ 6.7 (Nτ)^¼, less 9 % for many steps.
+const HALVED_WAVELENGTH: f64 = 6.7;
+
+impl FlowOptions {
+    /// τ = (L/6.7)⁴/N: N steps of it halve the wavelength of L mean edge lengths.
+    pub fn tau_for_detail(detail: f64, steps: usize) -> f64 {
+        (detail / HALVED_WAVELENGTH).powi(4) / steps.max(1) as f64
+    }
+
+    /// Refuses values that make no sense.
+    ///
+    /// # Errors
+    /// [`FlowError::BadOption`] naming the option.
+    pub fn check(&self) -> Result<(), FlowError> {
+        let positive = [("dt", self.dt), ("tau", self.tau), ("detail", self.detail)];
+        for (name, value) in positive {
+            if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
+                let (value, allowed) = (value.to_string(), "any positive number");
+                return Err(FlowError::BadOption {
+                    name,
+                    value,
+                    allowed,
+                });
+            }
+        }
+        if !(0.0..=1.0).contains(&self.epsilon) {
+            let (name, value) = ("epsilon", self.epsilon.to_string());
+            return Err(FlowError::BadOption {
+                name,
+                value,
+                allowed: "a number from 0 to 1",
+            });
+        }
+        if self.smooth_steps == 0 {
+            let (name, value) = ("smoothSteps", "0".into());
+            return Err(FlowError::BadOption {
+                name,
+                value,
+                allowed: "1 or more",
+            });
+        }
+        Ok(())
+    }
+
+    /// The first step's τ: given, or from the detail to remove, or the scheme's own.
+    pub fn first_tau(&self) -> f64 {
+        match (self.tau, self.detail, self.goal, self.scheme) {
+            (Some(tau), ..) => tau,
+            (None, Some(detail), Goal::Smooth, _) => {
+                Self::tau_for_detail(detail, self.smooth_steps)
+            }
+            (None, _, Goal::Relax, Scheme::Auto) => 1.0,
+            _ => 0.01,
+        }
+    }
+}

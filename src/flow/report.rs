@@ -1,0 +1,80 @@
+//! What a step tells.
+
+use serde::Serialize;
+
+/// Where a run stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Default)]
+#[serde(rename_all = "camelCase")]
+pub enum Status {
+    /// Steps can be taken.
+    #[default]
+    Ready,
+    /// Nothing is left to gain.
+    Converged,
+    /// The budget of steps is used up.
+    StepLimit,
+    /// Going on would gain nothing or do harm.
+    Stalled,
+    /// A step failed; the last good state is kept.
+    Failed,
+}
+
+impl Status {
+    /// Whether the run is over.
+    pub fn is_final(self) -> bool {
+        self != Self::Ready
+    }
+}
+
+/// One accepted step. Keys in JSON are the field names in camel case.
+#[derive(Clone, Debug, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct StepReport {
+    /// Number of the step, from 1.
+    pub step: usize,
+    /// Flow time after it, Σ dt; for the circle flow with uniform mass unit length².
+    pub time: f64,
+    /// Raw step size.
+    pub dt: f64,
+    /// The flow's own reading: W = Σ W_i as printed.
+    pub energy: f64,
+    /// What this step had to decrease, before.
+    pub objective_before: f64,
+    /// The same after.
+    pub objective: f64,
+    /// Frobenius norm of the objective's gradient over the free vertices, after.
+    pub gradient_norm: f64,
+    /// Total area.
+    pub area: f64,
+    /// Signed volume of a closed oriented surface.
+    pub volume: Option<f64>,
+    /// Smallest corner angle.
+    pub min_angle_degrees: f64,
+    /// Trial steps refused before this one.
+    pub rejected: usize,
+    /// Inner iterations: of the linear solver, or of Newton's method.
+    pub iterations: usize,
+    /// Wall-clock time of the step.
+    pub milliseconds: f64,
+    /// dt / h², h the mean edge length at the start.
+    pub tau: f64,
+    /// Angle smoothing ε.
+    pub epsilon: f64,
+    /// Negative eigenvalues of the system matrix, where it was factored.
+    pub negative_pivots: usize,
+    /// Angles left out of the gradient.
+    pub skipped_angles: usize,
+    /// Faces that folded over in this step: turned by more than a right angle, against
+    /// their neighbours.
+    pub flipped_faces: usize,
+    /// Largest displacement of a vertex from the start, in units of h.
+    pub max_displacement: f64,
+    /// Time for energy, gradient and matrix.
+    pub assemble_milliseconds: f64,
+    /// Time for factorisations.
+    pub factor_milliseconds: f64,
+    /// Time for triangular solves and iterations.
+    pub solve_milliseconds: f64,
+    /// Worth telling the user.
+    pub warnings: Vec<String>,
+}

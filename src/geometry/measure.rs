@@ -1,0 +1,119 @@
+//! Edge lengths, areas, volume, angles.
+
+use crate::mesh::{Edge, Face, HalfedgeMesh, Vertex};
+use glam::DVec3;
+
+/// Position of a vertex.
+fn at(x: &[DVec3], v: Vertex) -> DVec3 {
+    x[v.index()]
+}
+
+/// Length of an edge.
+pub fn edge_length(mesh: &HalfedgeMesh, x: &[DVec3], e: Edge) -> f64 {
+    let [a, b] = mesh.ends(e);
+    at(x, a).distance(at(x, b))
+}
+
+/// Mean length of all edges; 0 without edges.
+pub fn mean_edge_length(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
+    let total: f64 = mesh.edges().map(|e| edge_length(mesh, x, e)).sum();
+    total / mesh.n_edges().max(1) as f64
+}
+
+/// Vector area of a face, Σ ½ x_i × x_{i+1}: normal to the face, as long as its area;
+/// for a polygon that is not planar, the area of its projection along that normal.
+pub fn face_vector_area(mesh: &HalfedgeMesh, x: &[DVec3], f: Face) -> DVec3 {
+    let mut corners = mesh.face_vertices(f).map(|v| at(x, v));
+    let Some(origin) = corners.next() else {
+        return DVec3::ZERO;
+    };
+    let mut last = None;
+    let mut sum = DVec3::ZERO;
+    for p in corners {
+        let q = p - origin;
+        if let Some(r) = last.replace(q) {
+            sum += DVec3::cross(r, q);
+        }
+    }
+    0.5 * sum
+}
+
+/// Total area.
+pub fn area(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
+    mesh.faces()
+        .map(|f| face_vector_area(mesh, x, f).length())
+        .sum()
+}
+
+/// Signed volume, positive with outward normals; `None` unless closed and oriented.
+pub fn volume(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<f64> {
+    if !mesh.is_closed() || !mesh.is_oriented() || x.is_empty() {
+        return None;
+    }
+    // Relative to a point of the surface, against cancellation far from the origin.
+    let origin = x[0];
+    let mut total = 0.0;
+    for f in mesh.faces() {
+        let mut corners = mesh.face_vertices(f).map(|v| at(x, v) - origin);
+        let (Some(a), Some(mut b)) = (corners.next(), corners.next()) else {
+            continue;
+        };
+        for c in corners {
+            total += a.dot(b.cross(c));
+            b = c;
+        }
+    }
+    Some(total / 6.0)
+}
+
+/// Interior angle at each corner of a triangle, in the order of its vertices.
+pub fn triangle_angles([a, b, c]: [DVec3; 3]) -> [f64; 3] {
+    let angle = |u: DVec3, v: DVec3| u.cross(v).length().atan2(u.dot(v));
+    [
+        angle(b - a, c - a),
+        angle(c - b, a - b),
+        angle(a - c, b - c),
+    ]
+}
+
+/// Positions of a triangle's corners.
+pub fn triangle_points(mesh: &HalfedgeMesh, x: &[DVec3], f: Face) -> [DVec3; 3] {
+    mesh.triangle(f).map(|v| at(x, v))
+}
+
+/// Smallest corner angle of the mesh in degrees, over corners of any polygon.
+pub fn min_angle_degrees(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
+    let mut smallest = f64::INFINITY;
+    for h in mesh.halfedges().filter(|&h| !mesh.is_boundary_halfedge(h)) {
+        let v = at(x, mesh.tail(h));
+        let (u, w) = (at(x, mesh.tip(h)) - v, at(x, mesh.tail(mesh.prev(h))) - v);
+        smallest = smallest.min(u.cross(w).length().atan2(u.dot(w)));
+    }
+    smallest.to_degrees()
+}
+
+/// A third of the area of the triangles at each vertex; unit length².
+pub fn vertex_areas(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<f64> {
+    let mut areas = vec![0.0; mesh.n_vertices()];
+    for f in mesh.faces() {
+        let share = face_vector_area(mesh, x, f).length() / 3.0;
+        for v in mesh.triangle(f) {
+            areas[v.index()] += share;
+        }
+    }
+    areas
+}
+
+/// Length of the diagonal of the axis-aligned bounding box.
+pub fn bounding_diagonal(x: &[DVec3]) -> f64 {
+    let (low, high) = x
+        .iter()
+        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), &p| {
+            (l.min(p), h.max(p))
+        });
+    if x.is_empty() {
+        0.0
+    } else {
+        (high - low).length()
+    }
+}

@@ -1,0 +1,10 @@
+//! Lengths, angles, areas, normals and curvatures of a surface with positions.
+//!
+//! Conventions: outward normals on closed surfaces; H = (κ₁+κ₂)/2, positive on a
+//! sphere; K Gaussian. Names say `integrated_` or `pointwise_` where both exist.
+
+pub mod curvature;
+pub mod frame;
+pub mod measure;
+pub mod quality;
+pub mod survey;

@@ -1,0 +1,159 @@
+//! The part every reader shares: a soup that grows, and the checks on what it takes in.
+
+use glam::DVec3;
+
+use super::{Format, Place, Read, ReadError};
+use crate::soup::PolygonSoup;
+
+/// A soup being read.
+pub(super) struct Assembly {
+    soup: PolygonSoup,
+    /// Vertices and corners are counted in 32 bits.
+    limit: usize,
+    dropped: Tally,
+}
+
+impl Assembly {
+    pub(super) fn new() -> Self {
+        Self {
+            soup: PolygonSoup::default(),
+            limit: u32::MAX as usize,
+            dropped: Tally::default(),
+        }
+    }
+
+    /// Makes room; callers ask only for what the file's bytes can hold.
+    pub(super) fn reserve(&mut self, vertices: usize, faces: usize) {
+        self.soup.positions.reserve_exact(vertices);
+        self.soup.face_starts.reserve_exact(faces);
+    }
+
+    pub(super) fn n_vertices(&self) -> usize {
+        self.soup.positions.len()
+    }
+
+    /// Appends a vertex.
+    ///
+    /// # Errors
+    /// [`ReadError::NonFiniteVertex`], and [`ReadError::CountTooLarge`] past 2³² vertices.
+    pub(super) fn vertex(&mut self, position: DVec3, place: Place) -> Result<(), ReadError> {
+        let vertex = self.n_vertices();
+        if !position.is_finite() {
+            return Err(ReadError::NonFiniteVertex { vertex, place });
+        }
+        self.check_limit("vertices", vertex + 1, place)?;
+        self.soup.positions.push(position);
+        Ok(())
+    }
+
+    /// Appends a face whose indices the reader has checked, unless it has too few corners.
+    ///
+    /// # Errors
+    /// [`ReadError::CountTooLarge`] past 2³² corners.
+    pub(super) fn face(&mut self, corners: &[u32], place: Place) -> Result<(), ReadError> {
+        if corners.len() < 3 {
+            self.dropped.count(place);
+            return Ok(());
+        }
+        self.check_limit("corners", self.soup.corners.len() + corners.len(), place)?;
+        self.soup.push_face(corners);
+        Ok(())
+    }
+
+    fn check_limit(&self, what: &'static str, n: usize, place: Place) -> Result<(), ReadError> {
+        if n <= self.limit {
+            return Ok(());
+        }
+        Err(ReadError::CountTooLarge {
+            place,
+            what,
+            count: n as u64,
+            at_most: self.limit as u64,
+        })
+    }
+
+    /// The finished soup.
+    ///
+    /// # Errors
+    /// [`ReadError::NoFaces`].
+    pub(super) fn finish(self, format: Format) -> Result<Read, ReadError> {
+        if self.soup.n_faces() == 0 {
+            return Err(ReadError::NoFaces {
+                vertices: self.soup.positions.len(),
+            });
+        }
+        let warnings = self
+            .dropped
+            .sentence("Faces of fewer than three corners were dropped");
+        Ok(Read {
+            soup: self.soup,
+            format,
+            warnings: warnings.into_iter().collect(),
+        })
+    }
+}
+
+/// How often something was met, and where first.
+#[derive(Default)]
+pub(super) struct Tally {
+    count: usize,
+    first: Option<Place>,
+}
+
+impl Tally {
+    pub(super) fn count(&mut self, place: Place) {
+        self.count += 1;
+        self.first.get_or_insert(place);
+    }
+
+    /// "{what}: 3, the first at line 7."
+    pub(super) fn sentence(&self, what: &str) -> Option<String> {
+        let first = self.first?;
+        Some(format!("{what}: {}, the first at {first}.", self.count))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_than_indices_can_count_is_refused() {
+        let place = Place::Line(9);
+        let too_large = |what| {
+            Err(ReadError::CountTooLarge {
+                place,
+                what,
+                count: 4,
+                at_most: 3,
+            })
+        };
+        let mut assembly = Assembly {
+            limit: 3,
+            ..Assembly::new()
+        };
+        for _ in 0..3 {
+            assert_eq!(assembly.vertex(DVec3::ZERO, place), Ok(()));
+        }
+        assert_eq!(assembly.vertex(DVec3::ZERO, place), too_large("vertices"));
+        assert_eq!(assembly.face(&[0, 1, 2, 0], place), too_large("corners"));
+        assert_eq!(assembly.face(&[0, 1, 2], place), Ok(()));
+    }
+
+    #[test]
+    fn short_faces_are_counted_once() {
+        let mut assembly = Assembly::new();
+        for line in 1..4 {
+            assembly.vertex(DVec3::ZERO, Place::Line(line)).unwrap();
+        }
+        assembly.face(&[0, 1], Place::Line(5)).unwrap();
+        assembly.face(&[0, 1, 2], Place::Line(6)).unwrap();
+        assembly.face(&[], Place::Line(7)).unwrap();
+        let read = assembly.finish(Format::Off).unwrap();
+        assert_eq!(read.soup.n_faces(), 1);
+        assert_eq!(
+            read.warnings,
+            ["Faces of fewer than three corners were dropped: 2, the first at line 5."]
+        );
+    }
+}

@@ -1,0 +1,112 @@
+//! Mesh files: bytes to [`PolygonSoup`] and back.
+//!
+//! | format | read | written as |
+//! | --- | --- | --- |
+//! | OBJ | `v`, `f` of any degree, negative indices, groups | text, polygons kept |
+//! | OFF | plain and the C, N, ST variants, ASCII | text, polygons kept |
+//! | PLY | ASCII and binary of both byte orders | `double` positions, polygons kept |
+//! | STL | ASCII and binary, corners welded | triangles; binary in single precision |
+//! | GLB | no | triangles in single precision, optional normals |
+//!
+//! Readers keep the file's vertex order, unused vertices and repeated faces, so that
+//! a download matches the upload; what such a soup means as a surface is decided by
+//! [`crate::mesh`]. They refuse what has no meaning at all (an index past the last
+//! vertex, a coordinate that is not finite, a file cut short) and say on which line or
+//! at which byte. Counts promised by a file are checked against the bytes that could
+//! hold them before anything is reserved, so memory stays within a small multiple of the
+//! file's size.
+//!
+//! ```
+//! use umbilic::io::{self, Format};
+//!
+//! let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -1\n";
+//! let read = io::read(text, "triangle.obj")?;
+//! assert_eq!(read.soup.face(0), [0, 1, 2]);
+//! let bytes = io::write(&read.soup, Format::PlyAscii, "one triangle")?;
+//! assert_eq!(io::read(&bytes, "")?.soup, read.soup);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod assembly;
+mod error;
+mod format;
+pub mod glb;
+mod obj;
+mod off;
+mod ply;
+mod stl;
+mod text;
+
+pub use error::{Place, ReadError, WriteError};
+pub use format::Format;
+
+use crate::soup::PolygonSoup;
+
+/// What a file held.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Read {
+    /// Positions in the file's order (for STL: by first use), and the faces.
+    pub soup: PolygonSoup,
+    /// The format found in the bytes, whatever the file is called.
+    pub format: Format,
+    /// Oddities that did not stop the reader, one sentence each.
+    pub warnings: Vec<String>,
+}
+
+/// Reads a mesh file.
+///
+/// The bytes decide the format; `file_name` is asked only where they do not, and may be
+/// empty. Faces of fewer than three corners are dropped with a warning; faces that repeat
+/// a vertex are kept.
+///
+/// # Errors
+/// [`ReadError`] names what is wrong and where. Nothing is returned of a file in error.
+pub fn read(bytes: &[u8], file_name: &str) -> Result<Read, ReadError> {
+    let (bytes, transcoded) = text::without_byte_order_mark(bytes);
+    let format = format::detect(&bytes, file_name)?;
+    let mut read = match format {
+        Format::Obj => obj::read(&bytes),
+        Format::Off => off::read(&bytes),
+        Format::Ply | Format::PlyAscii | Format::PlyBigEndian => ply::read(&bytes),
+        Format::StlAscii => stl::read_ascii(&bytes),
+        Format::Stl => stl::read_binary(&bytes),
+        Format::Glb => Err(ReadError::Unsupported { what: "glTF" }),
+    }?;
+    if transcoded {
+        read.warnings
+            .push("The text is UTF-16; it was read as such.".to_owned());
+    }
+    if let Some(named) = Format::from_extension(file_name)
+        && named.extension() != read.format.extension()
+    {
+        read.warnings.push(format!(
+            "The name ends in .{}, the contents are {}.",
+            named.extension(),
+            read.format
+        ));
+    }
+    Ok(read)
+}
+
+/// Writes a mesh file.
+///
+/// OBJ, OFF and PLY keep vertices, polygons and every bit of the positions. STL and GLB
+/// hold triangles, cut by [`PolygonSoup::fan_triangles`]; binary STL and GLB round
+/// positions to single precision. `comment` goes where the format has room for one.
+///
+/// # Errors
+/// [`WriteError`] for a soup without faces, with a corner past the last vertex, or with a
+/// position the format cannot hold.
+pub fn write(soup: &PolygonSoup, format: Format, comment: &str) -> Result<Vec<u8>, WriteError> {
+    error::check_writable(soup)?;
+    match format {
+        Format::Obj => Ok(obj::write(soup, comment)),
+        Format::Off => Ok(off::write(soup, comment)),
+        Format::Ply | Format::PlyAscii | Format::PlyBigEndian => {
+            Ok(ply::write(soup, format, comment))
+        }
+        Format::StlAscii => Ok(stl::write_ascii(soup, comment)),
+        Format::Stl => stl::write_binary(soup, comment),
+        Format::Glb => glb::write(soup, None, comment),
+    }
+}

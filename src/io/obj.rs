@@ -1,0 +1,224 @@
+//! Wavefront OBJ: `v` and `f`, as a polygon mesh uses them.
+//!
+//! Groups, objects, smoothing groups and materials do not divide the mesh: whatever
+//! shares an index shares the vertex. Texture and normal indices are not looked at.
+
+use std::fmt::Write as _;
+
+use super::assembly::{Assembly, Tally};
+use super::text::{Lines, Words, comment_lines, parse_integer};
+use super::{Format, Read, ReadError};
+use crate::soup::PolygonSoup;
+
+/// Reads an OBJ file; a face may name vertices that come after it.
+pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
+    let lines = || Lines::new(Format::Obj, bytes).with_continuation();
+    // The number of vertices first, so that every index is judged where it stands.
+    let vertices = Lines::of_text(Format::Obj, bytes)?
+        .with_continuation()
+        .filter_map(|mut words| words.next())
+        .filter(|&word| word == b"v")
+        .count();
+
+    let mut assembly = Assembly::new();
+    assembly.reserve(vertices, 0);
+    let mut skipped = Tally::default();
+    let mut corners = Vec::new();
+    for mut words in lines() {
+        match words.next() {
+            None => {}
+            // Whatever follows x, y, z is a weight or a colour.
+            Some(b"v") => assembly.vertex(words.point()?, words.place())?,
+            Some(b"f") => {
+                let place = words.place();
+                corners.clear();
+                while let Some(word) = words.next() {
+                    corners.push(corner(word, &words, assembly.n_vertices(), vertices)?);
+                }
+                assembly.face(&corners, place)?;
+            }
+            Some(
+                b"vt" | b"vn" | b"vp" | b"o" | b"g" | b"s" | b"mg" | b"usemtl" | b"mtllib"
+                | b"usemap" | b"maplib" | b"bevel" | b"c_interp" | b"d_interp" | b"lod"
+                | b"shadow_obj" | b"trace_obj",
+            ) => {}
+            Some(_) => skipped.count(words.place()),
+        }
+    }
+    let mut read = assembly.finish(Format::Obj)?;
+    read.warnings
+        .extend(skipped.sentence("Lines that are no part of a polygon mesh were skipped"));
+    Ok(read)
+}
+
+/// The vertex of one corner, written `v`, `v/vt`, `v//vn` or `v/vt/vn`; `v` counts from 1,
+/// or backwards from the `before` vertices already read.
+fn corner(word: &[u8], line: &Words<'_>, before: usize, vertices: usize) -> Result<u32, ReadError> {
+    let written = word.split(|&b| b == b'/').next().unwrap_or(word);
+    let index = parse_integer(written)
+        .ok_or_else(|| line.error(Some(word), "a vertex index such as 7, 7/1 or 7//2"))?;
+    let (resolved, available) = if index < 0 {
+        (index + before as i64, before)
+    } else {
+        (index - 1, vertices)
+    };
+    match u32::try_from(resolved) {
+        Ok(vertex) if (vertex as usize) < available => Ok(vertex),
+        _ => Err(ReadError::IndexOutOfRange {
+            format: Format::Obj,
+            place: line.place(),
+            index,
+            vertices: available,
+        }),
+    }
+}
+
+/// Writes positions in the shortest form that reads back to the same bits.
+pub(super) fn write(soup: &PolygonSoup, comment: &str) -> Vec<u8> {
+    let mut out = String::with_capacity(64 * soup.positions.len() + 8 * soup.corners.len());
+    for line in comment_lines(comment) {
+        out += &format!("# {line}\n");
+    }
+    for p in &soup.positions {
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "v {:?} {:?} {:?}", p.x, p.y, p.z);
+    }
+    for face in soup.faces() {
+        out.push('f');
+        for corner in face {
+            let _ = write!(out, " {}", u64::from(*corner) + 1);
+        }
+        out.push('\n');
+    }
+    out.into_bytes()
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::super::Place;
+    use super::*;
+
+    fn faces(text: &str) -> Vec<Vec<u32>> {
+        read(text.as_bytes())
+            .unwrap()
+            .soup
+            .faces()
+            .map(<[u32]>::to_vec)
+            .collect()
+    }
+
+    const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+    #[test]
+    fn corners_in_every_notation() {
+        let text =
+            format!("{SQUARE}f 1 2 3 4\nf 1/1 2/9 3/x\nf 1//1 2//1 3//1\nf 1/2/3 3/2/1 4/\n");
+        assert_eq!(
+            faces(&text),
+            [
+                vec![0, 1, 2, 3],
+                vec![0, 1, 2],
+                vec![0, 1, 2],
+                vec![0, 2, 3]
+            ]
+        );
+    }
+
+    #[test]
+    fn negative_indices_count_from_where_they_stand() {
+        let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n";
+        assert_eq!(faces(text), [[0, 1, 2], [0, 2, 3]]);
+        let text = "v 0 0 0\nv 1 0 0\nf -3 1 2\nv 1 1 0\n";
+        assert_eq!(
+            read(text.as_bytes()),
+            Err(ReadError::IndexOutOfRange {
+                format: Format::Obj,
+                place: Place::Line(3),
+                index: -3,
+                vertices: 2
+            })
+        );
+    }
+
+    #[test]
+    fn groups_share_vertices_and_faces_may_come_first() {
+        let text = format!("o a\nf 1 2 3\ng b c\nusemtl\ns off\nf 1 3 4\n{SQUARE}");
+        assert_eq!(faces(&text), [[0, 1, 2], [0, 2, 3]]);
+    }
+
+    #[test]
+    fn weights_and_colours_are_left_aside() {
+        let read = read(b"v 1 2 3 0.5\nv 4 5 6 1 0 0\nv 7 8 9 # corner\nf 1 2 3\n").unwrap();
+        assert_eq!(
+            read.soup.positions,
+            [
+                DVec3::new(1., 2., 3.),
+                DVec3::new(4., 5., 6.),
+                DVec3::new(7., 8., 9.)
+            ]
+        );
+    }
+
+    #[test]
+    fn continued_lines_and_bytes_of_another_encoding() {
+        let mut text = b"# caf\xE9\ng \xFF\xFE\n".to_vec();
+        text.extend(SQUARE.replace('\n', "\r\n").bytes());
+        text.extend(b"f 1 2 \\\r\n 3\\\r\n 4");
+        let read = read(&text).unwrap();
+        assert_eq!(read.soup.face(0), [0, 1, 2, 3]);
+        assert!(read.warnings.is_empty());
+    }
+
+    #[test]
+    fn curves_and_points_are_skipped_with_a_warning() {
+        let text = format!("{SQUARE}p 1\nl 1 2\nf 1 2 3\ncurv 0 1 1 2\n");
+        assert_eq!(
+            read(text.as_bytes()).unwrap().warnings,
+            ["Lines that are no part of a polygon mesh were skipped: 3, the first at line 5."]
+        );
+    }
+
+    #[test]
+    fn errors_name_the_line() {
+        let syntax = |text: &str| match read(text.as_bytes()) {
+            Err(ReadError::Syntax { place, found, .. }) => (place, found),
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(
+            syntax("v 0 0\nf 1 1 1"),
+            (Place::Line(1), "end of line".to_owned())
+        );
+        assert_eq!(syntax("\nv 0 1,5 0"), (Place::Line(2), "`1,5`".to_owned()));
+        assert_eq!(
+            syntax("v 0 0 0\nf 1 1 1.5"),
+            (Place::Line(2), "`1.5`".to_owned())
+        );
+        assert_eq!(
+            syntax("v 0 0 0\nf 1 /1 1"),
+            (Place::Line(2), "`/1`".to_owned())
+        );
+        for beyond in [0, 5] {
+            let text = format!("{SQUARE}f 1 2 {beyond}\n");
+            assert_eq!(
+                read(text.as_bytes()),
+                Err(ReadError::IndexOutOfRange {
+                    format: Format::Obj,
+                    place: Place::Line(5),
+                    index: beyond,
+                    vertices: 4
+                })
+            );
+        }
+        let text = format!("{SQUARE}f 1 2 99999999999999999999\n");
+        assert!(matches!(
+            read(text.as_bytes()),
+            Err(ReadError::IndexOutOfRange {
+                place: Place::Line(5),
+                index: i64::MAX,
+                ..
+            })
+        ));
+    }
+}

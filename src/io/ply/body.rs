@@ -1,0 +1,211 @@
+//! The body of a PLY file, text or binary, behind one interface.
+
+use super::super::text::{Lines, Words};
+use super::super::{Format, Place, ReadError};
+use super::header::{Element, Header, Scalar};
+
+/// Values of an element's records, in the header's order.
+pub(super) trait Body {
+    /// The encoding.
+    fn format(&self) -> Format;
+
+    /// How many records of an element to read, once it is sure that the bytes left could
+    /// hold them. Records without properties take no room and are none.
+    fn check_count(&self, element: &Element) -> Result<usize, ReadError>;
+
+    /// Goes to the next record.
+    fn begin(&mut self, expected: &'static str) -> Result<(), ReadError>;
+
+    /// Where the record, or the value to be read, begins.
+    fn place(&self) -> Place;
+
+    /// The next value; every type but `double` fits an `f64` exactly, and so does that.
+    fn value(&mut self, scalar: Scalar, expected: &'static str) -> Result<f64, ReadError>;
+
+    /// Makes sure that a list of such length could follow.
+    fn check_list(&self, scalar: Scalar, length: u64) -> Result<(), ReadError>;
+
+    /// Steps over so many values.
+    fn skip(&mut self, scalar: Scalar, count: u64) -> Result<(), ReadError>;
+}
+
+/// A body in text: a record a line.
+pub(super) struct Text<'a> {
+    lines: Lines<'a>,
+    record: Words<'a>,
+}
+
+impl<'a> Text<'a> {
+    pub(super) fn new(header: &Header, bytes: &'a [u8]) -> Result<Self, ReadError> {
+        // Checked from the start, for the offset in the error.
+        Lines::of_text(header.format, bytes)?;
+        let lines = Lines::new(header.format, &bytes[header.body..])
+            .starting_at(header.line_end, header.lines);
+        Ok(Self {
+            lines,
+            record: Words::none(header.format),
+        })
+    }
+}
+
+impl Body for Text<'_> {
+    fn format(&self) -> Format {
+        Format::PlyAscii
+    }
+
+    fn check_count(&self, element: &Element) -> Result<usize, ReadError> {
+        if element.properties.is_empty() {
+            return Ok(0);
+        }
+        // A number and a blank for each property at least.
+        let at_most = (self.lines.rest().len() as u64 + 1) / (2 * element.properties.len() as u64);
+        checked(element, at_most)
+    }
+
+    fn begin(&mut self, expected: &'static str) -> Result<(), ReadError> {
+        self.record = self.lines.next_filled(expected)?;
+        Ok(())
+    }
+
+    fn place(&self) -> Place {
+        self.record.place()
+    }
+
+    fn value(&mut self, scalar: Scalar, expected: &'static str) -> Result<f64, ReadError> {
+        if scalar.is_integer() {
+            self.record.integer(expected).map(|value| value as f64)
+        } else {
+            self.record.float(expected)
+        }
+    }
+
+    fn check_list(&self, _: Scalar, _: u64) -> Result<(), ReadError> {
+        // The line's end stops the list.
+        Ok(())
+    }
+
+    fn skip(&mut self, _: Scalar, count: u64) -> Result<(), ReadError> {
+        for _ in 0..count {
+            self.record.word("a number")?;
+        }
+        Ok(())
+    }
+}
+
+/// A body in binary, big or little endian.
+pub(super) struct Binary<'a, const BIG: bool> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+impl<'a, const BIG: bool> Binary<'a, BIG> {
+    pub(super) fn new(header: &Header, bytes: &'a [u8]) -> Self {
+        Self {
+            bytes,
+            at: header.body,
+        }
+    }
+
+    fn left(&self) -> &'a [u8] {
+        &self.bytes[self.at..]
+    }
+
+    fn check_left(&self, needed: u64) -> Result<(), ReadError> {
+        let available = self.left().len();
+        if needed <= available as u64 {
+            return Ok(());
+        }
+        Err(ReadError::Truncated {
+            offset: self.at,
+            needed,
+            available,
+        })
+    }
+
+    fn take<const N: usize>(&mut self) -> Result<[u8; N], ReadError> {
+        match self.left().first_chunk::<N>() {
+            Some(chunk) => {
+                let mut chunk = *chunk;
+                self.at += N;
+                if BIG {
+                    chunk.reverse();
+                }
+                Ok(chunk)
+            }
+            None => {
+                let available = self.left().len();
+                Err(ReadError::Truncated {
+                    offset: self.at,
+                    needed: N as u64,
+                    available,
+                })
+            }
+        }
+    }
+}
+
+impl<const BIG: bool> Body for Binary<'_, BIG> {
+    fn format(&self) -> Format {
+        if BIG {
+            Format::PlyBigEndian
+        } else {
+            Format::Ply
+        }
+    }
+
+    fn check_count(&self, element: &Element) -> Result<usize, ReadError> {
+        let size = element.least_size();
+        if size == 0 {
+            return Ok(0);
+        }
+        // Where all records are alike the file must hold them to the last byte; with
+        // lists this is the least, and each list is checked on its own.
+        self.check_left(element.count.saturating_mul(size as u64))?;
+        checked(element, u64::MAX)
+    }
+
+    fn begin(&mut self, _: &'static str) -> Result<(), ReadError> {
+        Ok(())
+    }
+
+    fn place(&self) -> Place {
+        Place::Byte(self.at)
+    }
+
+    fn value(&mut self, scalar: Scalar, _: &'static str) -> Result<f64, ReadError> {
+        Ok(match scalar {
+            Scalar::I8 => i8::from_le_bytes(self.take()?).into(),
+            Scalar::U8 => u8::from_le_bytes(self.take()?).into(),
+            Scalar::I16 => i16::from_le_bytes(self.take()?).into(),
+            Scalar::U16 => u16::from_le_bytes(self.take()?).into(),
+            Scalar::I32 => i32::from_le_bytes(self.take()?).into(),
+            Scalar::U32 => u32::from_le_bytes(self.take()?).into(),
+            Scalar::F32 => f32::from_le_bytes(self.take()?).into(),
+            Scalar::F64 => f64::from_le_bytes(self.take()?),
+        })
+    }
+
+    fn check_list(&self, scalar: Scalar, length: u64) -> Result<(), ReadError> {
+        self.check_left(length.saturating_mul(scalar.size() as u64))
+    }
+
+    fn skip(&mut self, scalar: Scalar, count: u64) -> Result<(), ReadError> {
+        let size = count.saturating_mul(scalar.size() as u64);
+        self.check_left(size)?;
+        // No more than is left, so it fits.
+        self.at += size as usize;
+        Ok(())
+    }
+}
+
+fn checked(element: &Element, at_most: u64) -> Result<usize, ReadError> {
+    match usize::try_from(element.count) {
+        Ok(count) if element.count <= at_most => Ok(count),
+        _ => Err(ReadError::CountTooLarge {
+            place: element.place,
+            what: element.kind.plural(),
+            count: element.count,
+            at_most,
+        }),
+    }
+}

@@ -1,0 +1,276 @@
+//! The header of a PLY file: which elements follow, how many, made of what.
+
+use super::super::text::{Lines, Words};
+use super::super::{Format, Place, ReadError};
+
+/// The numeric types of PLY.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Scalar {
+    /// The type of that name, old style or new.
+    fn from_name(name: &[u8]) -> Option<Self> {
+        Some(match name {
+            b"char" | b"int8" => Self::I8,
+            b"uchar" | b"uint8" => Self::U8,
+            b"short" | b"int16" => Self::I16,
+            b"ushort" | b"uint16" => Self::U16,
+            b"int" | b"int32" => Self::I32,
+            b"uint" | b"uint32" => Self::U32,
+            b"float" | b"float32" => Self::F32,
+            b"double" | b"float64" => Self::F64,
+            _ => return None,
+        })
+    }
+
+    pub(super) fn is_integer(self) -> bool {
+        !matches!(self, Self::F32 | Self::F64)
+    }
+
+    /// Bytes in a binary file.
+    pub(super) fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+}
+
+/// What a property is to the reader.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    /// `x`, `y` or `z` of a vertex: 0, 1 or 2.
+    Coordinate(usize),
+    /// The list of a face's vertices.
+    Corners,
+    /// Nothing.
+    Other,
+}
+
+/// One property of an element.
+#[derive(Debug)]
+pub(super) struct Property {
+    pub(super) role: Role,
+    /// Type of the value, or of a list's values.
+    pub(super) scalar: Scalar,
+    /// Type of a list's length.
+    pub(super) length: Option<Scalar>,
+}
+
+impl Property {
+    fn from_words(kind: Kind, words: &mut Words<'_>) -> Result<Self, ReadError> {
+        let is_list = words.clone().next() == Some(b"list");
+        let length = if is_list {
+            words.next();
+            let (length, word) = read_type(words)?;
+            if !length.is_integer() {
+                return Err(words.error(Some(word), "an integer type for the length of a list"));
+            }
+            Some(length)
+        } else {
+            None
+        };
+        let (scalar, _) = read_type(words)?;
+        let role = match (kind, words.word("the property's name")?) {
+            (Kind::Vertex, b"x") if !is_list => Role::Coordinate(0),
+            (Kind::Vertex, b"y") if !is_list => Role::Coordinate(1),
+            (Kind::Vertex, b"z") if !is_list => Role::Coordinate(2),
+            (Kind::Face, b"vertex_indices" | b"vertex_index") if is_list && scalar.is_integer() => {
+                Role::Corners
+            }
+            _ => Role::Other,
+        };
+        Ok(Self {
+            role,
+            scalar,
+            length,
+        })
+    }
+}
+
+fn read_type<'a>(words: &mut Words<'a>) -> Result<(Scalar, &'a [u8]), ReadError> {
+    const EXPECTED: &str = "a type such as float or uchar";
+    let word = words.word(EXPECTED)?;
+    let scalar = Scalar::from_name(word).ok_or_else(|| words.error(Some(word), EXPECTED))?;
+    Ok((scalar, word))
+}
+
+/// What the reader does with an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Vertex,
+    Face,
+    Other,
+}
+
+impl Kind {
+    /// What its records are called.
+    pub(super) fn plural(self) -> &'static str {
+        match self {
+            Self::Vertex => "vertices",
+            Self::Face => "faces",
+            Self::Other => "elements",
+        }
+    }
+}
+
+/// One element: so many records of the same properties.
+#[derive(Debug)]
+pub(super) struct Element {
+    pub(super) kind: Kind,
+    pub(super) count: u64,
+    /// The header line that announces it.
+    pub(super) place: Place,
+    pub(super) properties: Vec<Property>,
+}
+
+impl Element {
+    fn from_words(words: &mut Words<'_>) -> Result<Self, ReadError> {
+        let kind = match words.word("the element's name")? {
+            b"vertex" => Kind::Vertex,
+            b"face" => Kind::Face,
+            _ => Kind::Other,
+        };
+        let count = words.how_many("the number of elements")?;
+        Ok(Self {
+            kind,
+            count,
+            place: words.place(),
+            properties: Vec::new(),
+        })
+    }
+
+    /// The fewest bytes one record takes in a binary file.
+    pub(super) fn least_size(&self) -> usize {
+        self.properties
+            .iter()
+            .map(|p| p.length.unwrap_or(p.scalar).size())
+            .sum()
+    }
+
+    fn is_complete(&self) -> bool {
+        let has = |role| self.properties.iter().filter(|p| p.role == role).count() == 1;
+        match self.kind {
+            Kind::Vertex => (0..3).all(|axis| has(Role::Coordinate(axis))),
+            Kind::Face => has(Role::Corners),
+            Kind::Other => true,
+        }
+    }
+}
+
+/// The header.
+#[derive(Debug)]
+pub(super) struct Header {
+    pub(super) format: Format,
+    pub(super) elements: Vec<Element>,
+    /// How many vertices are announced.
+    pub(super) vertices: u64,
+    /// Where the body begins: its first byte,
+    pub(super) body: usize,
+    /// the header's last line,
+    pub(super) lines: usize,
+    /// and the byte that ends lines.
+    pub(super) line_end: u8,
+}
+
+impl Header {
+    /// Reads the header of the file `bytes`.
+    pub(super) fn read(bytes: &[u8]) -> Result<Self, ReadError> {
+        // The body may be binary, so the first line alone tells how lines end.
+        let line_end = match bytes.iter().position(|b| matches!(b, b'\r' | b'\n')) {
+            Some(at) if bytes[at] == b'\r' && bytes.get(at + 1) != Some(&b'\n') => b'\r',
+            _ => b'\n',
+        };
+        let mut lines = Lines::new(Format::Ply, bytes).starting_at(line_end, 0);
+        let mut words = lines.next_filled("ply")?;
+        match words.word("ply")? {
+            b"ply" => {}
+            word => return Err(words.error(Some(word), "ply")),
+        }
+        let format = read_format(&mut lines)?;
+        let mut elements: Vec<Element> = Vec::new();
+        loop {
+            let mut words = lines.next_filled("end_header")?;
+            match words.word("end_header")? {
+                b"comment" | b"obj_info" => {}
+                b"element" => {
+                    let element = Element::from_words(&mut words)?;
+                    let kind = element.kind;
+                    if kind != Kind::Other && elements.iter().any(|e| e.kind == kind) {
+                        let found = Some(b"element".as_slice());
+                        return Err(words.error(found, "vertices and faces in one element each"));
+                    }
+                    elements.push(element);
+                }
+                b"property" => match elements.last_mut() {
+                    Some(element) => {
+                        element
+                            .properties
+                            .push(Property::from_words(element.kind, &mut words)?);
+                    }
+                    None => return Err(words.error(Some(b"property"), "element")),
+                },
+                b"end_header" => {
+                    check_complete(&elements, &words)?;
+                    break;
+                }
+                word => return Err(words.error(Some(word), "element, property or end_header")),
+            }
+        }
+        let vertices = elements
+            .iter()
+            .find(|e| e.kind == Kind::Vertex)
+            .map_or(0, |e| e.count);
+        Ok(Self {
+            format,
+            elements,
+            vertices,
+            body: bytes.len() - lines.rest().len(),
+            lines: lines.number(),
+            line_end,
+        })
+    }
+}
+
+fn read_format(lines: &mut Lines<'_>) -> Result<Format, ReadError> {
+    const EXPECTED: &str = "format ascii, binary_little_endian or binary_big_endian";
+    loop {
+        let mut words = lines.next_filled(EXPECTED)?;
+        match words.word(EXPECTED)? {
+            b"comment" | b"obj_info" => {}
+            b"format" => {
+                return match words.word(EXPECTED)? {
+                    b"ascii" => Ok(Format::PlyAscii),
+                    b"binary_little_endian" => Ok(Format::Ply),
+                    b"binary_big_endian" => Ok(Format::PlyBigEndian),
+                    word => Err(words.error(Some(word), EXPECTED)),
+                };
+            }
+            word => return Err(words.error(Some(word), EXPECTED)),
+        }
+    }
+}
+
+/// Refuses a header without positions or without a way to tell faces.
+fn check_complete(elements: &[Element], end: &Words<'_>) -> Result<(), ReadError> {
+    let missing = match elements.iter().find(|element| !element.is_complete()) {
+        Some(Element {
+            kind: Kind::Face, ..
+        }) => "one list `vertex_indices` of integers in element face",
+        Some(_) => "one property each `x`, `y` and `z` in element vertex",
+        None if elements.iter().all(|e| e.kind != Kind::Vertex) => "element vertex",
+        None => return Ok(()),
+    };
+    Err(end.error(Some(b"end_header"), missing))
+}

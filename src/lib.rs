@@ -1,0 +1,58 @@
+//! Willmore-type geometric flows on polygon meshes, for the browser and the command line.
+//!
+//! # The mathematics on one page
+//!
+//! The Willmore energy of a surface, ∫ (H² − K) dA = ¼ ∫ (κ₁ − κ₂)² dA, measures how far
+//! it is from being umbilic, that is from being a sphere at every point. Bobenko &
+//! Schröder's discrete version sums the intersection angles β of the circumcircles of
+//! neighbouring triangles:
+//!
+//! ```text
+//! W_i = Σ_{edges at i} β − 2π,       W = Σ_i W_i.
+//! ```
+//!
+//! Like the smooth energy it is invariant under Möbius transformations, never negative,
+//! and zero on a sphere. Its gradient flow, dx/dt = −∇W, is stepped semi-implicitly with
+//! the matrix K for which ∇W = K x.
+//!
+//! # Conventions
+//!
+//! | quantity | convention |
+//! | --- | --- |
+//! | orientation | outward normals on closed surfaces |
+//! | mean curvature | H = (κ₁ + κ₂)/2, positive on a sphere with outward normal; Δx = −2Hn |
+//! | Gaussian curvature | K; the matrix of the circle flow is also called K, as in the paper |
+//! | circle energy | W = Σ W_i as printed; W/2 tends to ∫(H² − K) dA on curvature-aligned lattices only |
+//! | p-Willmore readings | ∫\|H\|^p dA; with the paper's Y = 2Hn, W^p is 2^p times that |
+//! | Laplacian | positive semi-definite cotangent stiffness |
+//! | step size | raw dt, and scale-free τ = dt/h² with h the mean edge length at the start |
+//! | indices | vertices and faces count from 0, in the order of the file |
+//!
+//! # Modules
+//!
+//! Dependencies point one way: `mesh ← geometry ← energy ← flow ← session ← web`; `io` and
+//! `viewer` stand beside and know no flow; `soup` is what `io` and `mesh` share; `linalg`
+//! knows vectors only.
+//!
+//! # References
+//!
+//! - A. I. Bobenko, P. Schröder: *Discrete Willmore Flow*. Symposium on Geometry
+//!   Processing 2005.
+//! - A. Gruber, E. Aulisa: *Computational p-Willmore Flow with Conformal Penalty*. ACM
+//!   Transactions on Graphics 39 (2020).
+
+#[cfg(feature = "solver")]
+pub mod energy;
+#[cfg(feature = "solver")]
+pub mod flow;
+#[cfg(feature = "solver")]
+pub mod geometry;
+pub mod io;
+#[cfg(feature = "solver")]
+pub mod linalg;
+pub mod mesh;
+#[cfg(feature = "solver")]
+pub mod session;
+pub mod soup;
+pub mod viewer;
+pub mod web;

@@ -1,0 +1,205 @@
+//! Numeric factorisation `L D Lᵀ` into memory that is allocated once.
+
+use super::error::LinalgError;
+use super::symbolic::Symbolic;
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltParams, LdltRegularization};
+use faer::sparse::linalg::cholesky::supernodal::{
+    SupernodalLdltRef, factorize_supernodal_numeric_ldlt, factorize_supernodal_numeric_ldlt_scratch,
+};
+use faer::sparse::{FaerError, SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Spec};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// Signs of the eigenvalues, by Sylvester's law of inertia those of the pivots.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Inertia {
+    /// Number of positive eigenvalues.
+    pub positive: usize,
+    /// Number of negative eigenvalues; 0 means positive definite.
+    pub negative: usize,
+}
+
+/// Factor `P A Pᵀ = L D Lᵀ` of a sparse symmetric matrix; D is diagonal.
+///
+/// There is no pivoting and no regularisation: an indefinite matrix is factored all the
+/// same, and the [`Inertia`] of D tells. Rounding then grows with L, so its solutions
+/// deserve a look at the residual.
+pub struct Ldlt {
+    symbolic: Arc<Symbolic>,
+    /// Entries of `P A Pᵀ`.
+    matrix: Vec<f64>,
+    /// L below the diagonal and D on it, supernode by supernode.
+    factor: Vec<f64>,
+    is_factored: bool,
+    /// Permuted right-hand sides, column by column.
+    columns: Vec<f64>,
+    scratch: MemBuffer,
+}
+
+impl Ldlt {
+    /// Allocates a factor of that structure, and the memory to compute it and to solve
+    /// for one field.
+    ///
+    /// # Errors
+    /// [`LinalgError::OutOfMemory`].
+    pub fn new(symbolic: Arc<Symbolic>) -> Result<Self, LinalgError> {
+        Self::try_new(symbolic.clone()).map_err(|error| LinalgError::from_faer(error, symbolic.n()))
+    }
+
+    fn try_new(symbolic: Arc<Symbolic>) -> Result<Self, FaerError> {
+        Ok(Self {
+            matrix: zeroed(symbolic.slots.len())?,
+            factor: zeroed(symbolic.factor_len())?,
+            is_factored: false,
+            columns: zeroed(3 * symbolic.n())?,
+            scratch: MemBuffer::try_new(scratch(&symbolic, 3))?,
+            symbolic,
+        })
+    }
+
+    /// Makes room to solve for that many fields at once, which costs less than one
+    /// after the other: the factor is read once.
+    ///
+    /// # Errors
+    /// [`LinalgError::OutOfMemory`].
+    pub fn reserve_fields(&mut self, n_fields: usize) -> Result<(), LinalgError> {
+        let n = self.symbolic.n();
+        if self.columns.len() < 3 * n * n_fields {
+            let grow = || {
+                let scratch = scratch(&self.symbolic, 3 * n_fields);
+                Ok((zeroed(3 * n * n_fields)?, MemBuffer::try_new(scratch)?))
+            };
+            (self.columns, self.scratch) =
+                grow().map_err(|error| LinalgError::from_faer(error, n))?;
+        }
+        Ok(())
+    }
+
+    /// Structure this is a factor of.
+    pub fn symbolic(&self) -> &Arc<Symbolic> {
+        &self.symbolic
+    }
+
+    /// Bytes held besides the shared structure.
+    pub fn allocated_bytes(&self) -> usize {
+        let numbers = self.matrix.capacity() + self.factor.capacity() + self.columns.capacity();
+        numbers * size_of::<f64>() + self.scratch.len()
+    }
+
+    /// Factors the matrix with these values, one a slot of the pattern. Allocates nothing.
+    ///
+    /// # Errors
+    /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`]; there is then no
+    /// factor until a later call succeeds.
+    ///
+    /// # Panics
+    /// If `values` has not one value a slot.
+    pub fn factor(&mut self, values: &[f64]) -> Result<Inertia, LinalgError> {
+        let symbolic = &*self.symbolic;
+        let n = symbolic.n();
+        assert_eq!(values.len(), symbolic.slots.len(), "one value a slot");
+        self.is_factored = false;
+        for (entry, &slot) in self.matrix.iter_mut().zip(&symbolic.slots) {
+            *entry = values[slot as usize];
+        }
+        if let Some(k) = self.matrix.iter().position(|entry| !entry.is_finite()) {
+            let column = symbolic
+                .column_starts
+                .partition_point(|&start| start as usize <= k)
+                - 1;
+            return Err(LinalgError::NonFiniteEntry {
+                column: symbolic.order[column] as usize,
+            });
+        }
+        let (starts, rows) = (&symbolic.column_starts, &symbolic.rows);
+        let structure = SymbolicSparseColMatRef::new_unsorted_checked(n, n, starts, None, rows);
+        factorize_supernodal_numeric_ldlt(
+            &mut self.factor,
+            SparseColMatRef::new(structure, &self.matrix),
+            LdltRegularization::default(),
+            &symbolic.supernodes,
+            Par::Seq,
+            MemStack::new(&mut self.scratch),
+            Spec::default(),
+        )
+        .map_err(|LdltError::ZeroPivot { index }| LinalgError::ZeroPivot {
+            row: symbolic.order[index] as usize,
+        })?;
+        self.is_factored = true;
+        Ok(self.inertia())
+    }
+
+    /// Counts the signs on the diagonals of the supernodes, where D is stored.
+    fn inertia(&self) -> Inertia {
+        let factor = SupernodalLdltRef::new(&self.symbolic.supernodes, &self.factor);
+        let blocks =
+            (0..self.symbolic.supernodes.n_supernodes()).map(|s| factor.supernode(s).val());
+        let pivots = blocks.flat_map(|block| (0..block.ncols()).map(move |k| block[(k, k)]));
+        let negative = pivots.filter(|pivot| *pivot < 0.0).count();
+        Inertia {
+            positive: self.symbolic.n() - negative,
+            negative,
+        }
+    }
+
+    /// Replaces right-hand sides by solutions, for one or more fields end to end.
+    ///
+    /// O(entries of L) a column; as many fields go together as
+    /// [room was made for](Self::reserve_fields).
+    ///
+    /// # Panics
+    /// If there is no factor, or `rhs` is not whole fields.
+    pub fn solve_in_place(&mut self, rhs: &mut [DVec3]) {
+        let n = self.symbolic.n();
+        assert!(self.is_factored, "no factor to solve with");
+        assert!(rhs.len().is_multiple_of(n.max(1)), "whole fields");
+        let room = self.columns.len() / 3;
+        if room > 0 {
+            rhs.chunks_mut(room)
+                .for_each(|fields| self.solve_together(fields));
+        }
+    }
+
+    fn solve_together(&mut self, fields: &mut [DVec3]) {
+        let n = self.symbolic.n();
+        let order = &self.symbolic.order;
+        let columns = &mut self.columns[..3 * fields.len()];
+        for (field, columns) in fields.chunks_exact(n).zip(columns.chunks_exact_mut(3 * n)) {
+            let (x, yz) = columns.split_at_mut(n);
+            let (y, z) = yz.split_at_mut(n);
+            for (k, &i) in order.iter().enumerate() {
+                (x[k], y[k], z[k]) = field[i as usize].into();
+            }
+        }
+        let n_columns = columns.len() / n;
+        SupernodalLdltRef::new(&self.symbolic.supernodes, &self.factor).solve_in_place_with_conj(
+            Conj::No,
+            MatMut::from_column_major_slice_mut(columns, n, n_columns),
+            Par::Seq,
+            MemStack::new(&mut self.scratch),
+        );
+        for (field, columns) in fields.chunks_exact_mut(n).zip(columns.chunks_exact(3 * n)) {
+            for (k, &i) in order.iter().enumerate() {
+                field[i as usize] = DVec3::new(columns[k], columns[n + k], columns[2 * n + k]);
+            }
+        }
+    }
+}
+
+/// Scratch memory for a factorisation and for solving with that many columns.
+fn scratch(symbolic: &Symbolic, n_columns: usize) -> StackReq {
+    let supernodes = &symbolic.supernodes;
+    let parameters = Spec::<LdltParams, f64>::default();
+    factorize_supernodal_numeric_ldlt_scratch::<u32, f64>(supernodes, Par::Seq, parameters)
+        .or(supernodes.solve_in_place_scratch::<f64>(n_columns, Par::Seq))
+}
+
+/// That many zeros, or an error instead of the end of the program.
+fn zeroed(len: usize) -> Result<Vec<f64>, FaerError> {
+    let mut numbers = Vec::new();
+    numbers.try_reserve_exact(len)?;
+    numbers.resize(len, 0.0);
+    Ok(numbers)
+}

@@ -1,0 +1,263 @@
+//! Preconditioned conjugate gradients and iterative refinement.
+
+use super::pattern::Pattern;
+use glam::DVec3;
+
+/// A system `A X = B` for one or more fields.
+#[derive(Clone, Copy)]
+pub(super) struct System<'a> {
+    pub(super) pattern: &'a Pattern,
+    pub(super) values: &'a [f64],
+    pub(super) rhs: &'a [DVec3],
+}
+
+impl System<'_> {
+    /// Writes `B − A X` and returns its size relative to B: the largest `‖b − A x‖ / ‖b‖`
+    /// of a field, all its coordinates together.
+    pub(super) fn residual(&self, x: &[DVec3], residual: &mut [DVec3]) -> f64 {
+        self.pattern.multiply(self.values, x, residual);
+        for (r, b) in residual.iter_mut().zip(self.rhs) {
+            *r = b - *r;
+        }
+        largest(&self.relative_sizes(residual))
+    }
+
+    /// Size of each field of a residual relative to the right-hand side; that of a
+    /// field whose right-hand side is zero, and so its solution, is zero.
+    fn relative_sizes(&self, residual: &[DVec3]) -> Vec<f64> {
+        let n = self.pattern.n().max(1);
+        let fields = residual.chunks_exact(n).zip(self.rhs.chunks_exact(n));
+        fields
+            .map(|(r, b)| {
+                let (r, b) = (dot(r, r), dot(b, b));
+                if r == 0.0 { 0.0 } else { (r / b).sqrt() }
+            })
+            .collect()
+    }
+}
+
+/// Vectors the iteration works in, kept from one solve to the next.
+#[derive(Default)]
+pub(super) struct Workspace {
+    pub(super) residual: Vec<DVec3>,
+    /// The preconditioned residual, then the image `A p` of the direction.
+    pub(super) image: Vec<DVec3>,
+    direction: Vec<DVec3>,
+}
+
+impl Workspace {
+    /// Makes every vector that long.
+    pub(super) fn resize(&mut self, len: usize) {
+        for vector in [&mut self.residual, &mut self.image, &mut self.direction] {
+            vector.resize(len, DVec3::ZERO);
+        }
+    }
+}
+
+/// How far an iteration came.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outcome {
+    pub(super) iterations: usize,
+    pub(super) relative_residual: f64,
+}
+
+/// Conjugate gradients for `A X = B` from `X = P⁻¹ B`.
+///
+/// The coordinates of a field are one system with the matrix `A ⊗ I₃`, so the iteration
+/// commutes with rotations; fields have steps of their own. Costs one preconditioning
+/// and one product with A an iteration, and one of each at the start.
+///
+/// Ends when the relative residual of every field is at most `tolerance`, after
+/// `max_iterations`, once the rate so far shows that these will not do, or when A or P
+/// turns out not to be positive definite. The caller compares the outcome's residual
+/// with the tolerance.
+pub(super) fn conjugate_gradients(
+    system: System<'_>,
+    x: &mut [DVec3],
+    mut precondition: impl FnMut(&mut [DVec3]),
+    tolerance: f64,
+    max_iterations: usize,
+    workspace: &mut Workspace,
+) -> Outcome {
+    let n = system.pattern.n().max(1);
+    let Workspace {
+        residual,
+        image,
+        direction,
+    } = workspace;
+    x.copy_from_slice(system.rhs);
+    precondition(x);
+    let initial = system.residual(x, residual);
+    direction.fill(DVec3::ZERO);
+    let mut rho = vec![1.0; x.len() / n];
+
+    let mut outcome = Outcome {
+        iterations: 0,
+        relative_residual: initial,
+    };
+    loop {
+        let Outcome {
+            iterations,
+            relative_residual,
+        } = outcome;
+        if relative_residual <= tolerance || !relative_residual.is_finite() {
+            return outcome;
+        }
+        let left = max_iterations - iterations;
+        let rate = (relative_residual / initial).powf(1.0 / iterations.max(1) as f64);
+        let expected = relative_residual * rate.powi(left as i32);
+        // The first iteration says little about the rate.
+        if left == 0 || (iterations > 1 && expected > tolerance) {
+            return outcome;
+        }
+
+        let sizes = system.relative_sizes(residual);
+        image.copy_from_slice(residual);
+        precondition(image);
+        let preconditioned = residual.chunks_exact(n).zip(image.chunks_exact(n));
+        for ((p, rho), (r, z)) in direction
+            .chunks_exact_mut(n)
+            .zip(&mut rho)
+            .zip(preconditioned)
+        {
+            let rho_before = std::mem::replace(rho, dot(r, z));
+            let beta = *rho / rho_before;
+            p.iter_mut().zip(z).for_each(|(p, z)| *p = z + beta * *p);
+        }
+        system.pattern.multiply(system.values, direction, image);
+        for (f, (x, r)) in x
+            .chunks_exact_mut(n)
+            .zip(residual.chunks_exact_mut(n))
+            .enumerate()
+        {
+            // A field that is done would go on to divide zero by zero.
+            if sizes[f] <= tolerance {
+                continue;
+            }
+            let range = f * n..(f + 1) * n;
+            let (p, q) = (&direction[range.clone()], &image[range]);
+            let curvature = dot(p, q);
+            if !(curvature > 0.0 && rho[f] > 0.0) {
+                return outcome;
+            }
+            let alpha = rho[f] / curvature;
+            for (((x, r), p), q) in x.iter_mut().zip(r).zip(p).zip(q) {
+                *x += alpha * p;
+                *r -= alpha * q;
+            }
+        }
+        outcome.iterations += 1;
+        outcome.relative_residual = largest(&system.relative_sizes(residual));
+    }
+}
+
+/// Iterative refinement `x ← x + P⁻¹ (b − A x)` from `x = P⁻¹ b`, for P = A but for
+/// rounding; A may be indefinite. Returns the number of steps that helped.
+pub(super) fn refine(
+    system: System<'_>,
+    x: &mut [DVec3],
+    mut precondition: impl FnMut(&mut [DVec3]),
+    tolerance: f64,
+    max_steps: usize,
+    workspace: &mut Workspace,
+) -> usize {
+    let Workspace {
+        residual,
+        image: correction,
+        ..
+    } = workspace;
+    x.copy_from_slice(system.rhs);
+    precondition(x);
+    let mut size = system.residual(x, residual);
+    for step in 0..max_steps {
+        if size <= tolerance {
+            return step;
+        }
+        correction.copy_from_slice(residual);
+        precondition(correction);
+        x.iter_mut().zip(&*correction).for_each(|(x, d)| *x += d);
+        let refined = system.residual(x, residual);
+        if refined.is_nan() || refined >= size {
+            x.iter_mut().zip(&*correction).for_each(|(x, d)| *x -= d);
+            return step;
+        }
+        size = refined;
+    }
+    max_steps
+}
+
+/// Largest of the numbers, or NaN if one is.
+fn largest(numbers: &[f64]) -> f64 {
+    numbers
+        .iter()
+        .fold(0.0, |m: f64, &x| if x > m || x.is_nan() { x } else { m })
+}
+
+fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn iterations_are_as_many_as_there_are_eigenvalues() {
+        let n = 60;
+        let pattern = Pattern::from_cliques(n, std::iter::empty::<[u32; 2]>());
+        let values: Vec<f64> = (0..n)
+            .map(|i| [2.0, 3.0, 10.0, 40.0, 99.0][i % 5])
+            .collect();
+        let rhs: Vec<DVec3> = (0..n).map(|i| DVec3::new(1.0, i as f64, -0.5)).collect();
+        let system = System {
+            pattern: &pattern,
+            values: &values,
+            rhs: &rhs,
+        };
+        let (mut x, mut workspace) = (vec![DVec3::NAN; n], Workspace::default());
+        workspace.resize(n);
+        let mut run = |max| conjugate_gradients(system, &mut x, |_| (), 1e-9, max, &mut workspace);
+        let outcome = run(500);
+        assert_eq!(outcome.iterations, 5);
+        assert!(outcome.relative_residual < 1e-9);
+        assert!(run(4).relative_residual > 1e-9);
+        assert!(run(0).iterations == 0);
+    }
+
+    #[test]
+    fn an_indefinite_matrix_is_noticed() {
+        let pattern = Pattern::from_cliques(2, std::iter::empty::<[u32; 2]>());
+        let (values, rhs) = ([1.0, -1.0], [DVec3::X, DVec3::X]);
+        let system = System {
+            pattern: &pattern,
+            values: &values,
+            rhs: &rhs,
+        };
+        let (mut x, mut workspace) = ([DVec3::ZERO; 2], Workspace::default());
+        workspace.resize(2);
+        let outcome = conjugate_gradients(system, &mut x, |_| (), 1e-12, 9, &mut workspace);
+        assert!(outcome.relative_residual > 0.1 && outcome.iterations < 9);
+    }
+
+    #[test]
+    fn refinement_keeps_only_steps_that_help() {
+        let pattern = Pattern::from_cliques(1, std::iter::empty::<[u32; 2]>());
+        let (values, rhs) = ([2.0], [DVec3::ONE]);
+        let system = System {
+            pattern: &pattern,
+            values: &values,
+            rhs: &rhs,
+        };
+        let (mut x, mut workspace) = ([DVec3::ZERO], Workspace::default());
+        workspace.resize(1);
+        let mut run = |inverse: f64, x: &mut [DVec3]| {
+            refine(system, x, |r| r[0] *= inverse, 2e-3, 9, &mut workspace)
+        };
+        // The error shrinks to a tenth each step.
+        assert_eq!(run(0.45, &mut x), 2);
+        assert!((x[0] - 0.5).length() < 1e-3);
+        // It doubles: the first solution stays.
+        assert_eq!(run(1.5, &mut x), 0);
+        assert!((x[0] - 1.5).length() < 1e-12);
+    }
+}

@@ -1,0 +1,288 @@
+//! Solves with the cheapest preconditioner that will do: the diagonal, the factor of an
+//! earlier matrix or a new one.
+
+use super::error::LinalgError;
+use super::ldlt::Ldlt;
+use super::ledger::{FLOPS_PER_ENTRY, Ledger, Patience};
+use super::pattern::Pattern;
+use super::pcg::{System, Workspace, conjugate_gradients, refine};
+use super::symbolic::Symbolic;
+use glam::DVec3;
+use std::sync::Arc;
+use web_time::Instant;
+
+/// Number of rows from which iterations are tried before a factorisation. Below, a
+/// factorisation takes a fifth of a second at most, and a direct solve is more accurate
+/// and knows the inertia.
+const ITERATIVE_FROM: usize = 30_000;
+
+/// Operations of a factorisation that take as long as an iteration with the diagonal
+/// spends on one row: 35 ns in wasm.
+const FLOPS_PER_ROW: f64 = 250.0;
+
+/// Steps of iterative refinement with a new factor, at most.
+const REFINEMENTS: usize = 3;
+
+/// When a new matrix is factored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Refactor {
+    /// In every solve.
+    Always,
+    /// When conjugate gradients with what is at hand would cost more; on meshes below
+    /// 30,000 vertices, unless [set otherwise](Solver::set_iterative_from), in every
+    /// solve.
+    #[default]
+    WhenCheaper,
+}
+
+/// What conjugate gradients were preconditioned with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Preconditioner {
+    /// The diagonal of the matrix: enough when it outweighs the rest, as with short steps.
+    Diagonal,
+    /// The factor of an earlier matrix.
+    KeptFactor,
+    /// The factor of this matrix: a direct solve.
+    #[default]
+    NewFactor,
+}
+
+/// What a solve did.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SolveInfo {
+    /// How the matrix was met; it was factored if this is a new factor.
+    pub preconditioner: Preconditioner,
+    /// Iterations after the preconditioner was applied for the first time. With a new
+    /// factor: steps of iterative refinement.
+    pub iterations: usize,
+    /// Number of negative eigenvalues if the matrix was factored, else 0: conjugate
+    /// gradients usually fail on an indefinite matrix, which is then factored, but they
+    /// prove nothing.
+    pub negative_pivots: usize,
+    /// Seconds spent on the factorisation.
+    pub factor_seconds: f64,
+    /// Seconds spent on everything else.
+    pub solve_seconds: f64,
+    /// Largest `‖b − A x‖ / ‖b‖` of a field, computed from the solution returned.
+    pub relative_residual: f64,
+}
+
+/// Solver for matrices of one pattern that change from call to call.
+///
+/// The choice of preconditioner counts operations, not seconds, and is the same on every
+/// machine. Cheaper ones are tried first and given up as soon as their rate of
+/// convergence shows that they would cost more than the next. A factor is replaced once
+/// a solve costs more than the average one since it was made, its own cost included:
+/// that is when the average is least.
+///
+/// The diagonal is not only cheaper where it does: the factor of a matrix it dominates
+/// decays so fast that on large meshes its entries become subnormal numbers, which slow
+/// some processors down tenfold.
+pub struct Solver {
+    pattern: Pattern,
+    symbolic: Arc<Symbolic>,
+    iterative_from: usize,
+    factor: Option<Ldlt>,
+    ledger: Ledger,
+    diagonal: Patience,
+    kept: Patience,
+    workspace: Workspace,
+}
+
+impl Solver {
+    /// Analyses the pattern; `points`, one a row, help the order of elimination.
+    ///
+    /// # Errors
+    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
+    pub fn new(pattern: Pattern, points: Option<&[DVec3]>) -> Result<Self, LinalgError> {
+        let symbolic = Arc::new(Symbolic::analyse(&pattern, points)?);
+        Ok(Self {
+            pattern,
+            iterative_from: ITERATIVE_FROM,
+            factor: None,
+            ledger: Ledger::new(&symbolic),
+            symbolic,
+            diagonal: Patience::default(),
+            kept: Patience::default(),
+            workspace: Workspace::default(),
+        })
+    }
+
+    /// Sets the number of rows from which [`Refactor::WhenCheaper`] tries iterations.
+    pub fn set_iterative_from(&mut self, n: usize) {
+        self.iterative_from = n;
+    }
+
+    /// Pattern of the matrices.
+    pub fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+
+    /// Order of elimination and structure of the factor.
+    pub fn symbolic(&self) -> &Arc<Symbolic> {
+        &self.symbolic
+    }
+
+    /// Solves `A X = B` for one or more fields stored end to end.
+    ///
+    /// `values` has one value a slot of the pattern; `x` receives the solution. Several
+    /// fields in one call cost less than one call each. `tolerance` bounds the relative
+    /// residual aimed at. With a matrix too ill-conditioned for it the solution is the
+    /// best that was found, and [`SolveInfo::relative_residual`] tells.
+    ///
+    /// # Errors
+    /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`],
+    /// [`LinalgError::NonFiniteRightHandSide`], [`LinalgError::OutOfMemory`]; `x` is then
+    /// of no use.
+    ///
+    /// # Panics
+    /// If a slice has the wrong length.
+    pub fn solve(
+        &mut self,
+        values: &[f64],
+        rhs: &[DVec3],
+        x: &mut [DVec3],
+        tolerance: f64,
+        policy: Refactor,
+    ) -> Result<SolveInfo, LinalgError> {
+        let n = self.pattern.n();
+        assert!(
+            rhs.len() == x.len() && rhs.len().is_multiple_of(n.max(1)),
+            "whole fields"
+        );
+        if let Some(row) = rhs.iter().position(|b| !b.is_finite()) {
+            return Err(LinalgError::NonFiniteRightHandSide { row: row % n });
+        }
+        let start = Instant::now();
+        self.workspace.resize(rhs.len());
+        let may_iterate = policy == Refactor::WhenCheaper && n >= self.iterative_from.max(1);
+        let iterated = if may_iterate {
+            self.iterate(values, rhs, x, tolerance)
+        } else {
+            None
+        };
+        let mut info = match iterated {
+            Some(info) => info,
+            None => self.solve_directly(values, rhs, x, tolerance)?,
+        };
+        // The residual the iteration keeps is only updated, and drifts.
+        let system = System {
+            pattern: &self.pattern,
+            values,
+            rhs,
+        };
+        info.relative_residual = system.residual(x, &mut self.workspace.residual);
+        info.solve_seconds = start.elapsed().as_secs_f64() - info.factor_seconds;
+        Ok(info)
+    }
+
+    /// Conjugate gradients with the diagonal or the kept factor; `None` if neither
+    /// reaches the tolerance for less than a new factor costs.
+    fn iterate(
+        &mut self,
+        values: &[f64],
+        rhs: &[DVec3],
+        x: &mut [DVec3],
+        tolerance: f64,
+    ) -> Option<SolveInfo> {
+        let Self {
+            pattern,
+            ledger,
+            workspace,
+            ..
+        } = self;
+        let system = System {
+            pattern,
+            values,
+            rhs,
+        };
+        let factor = self.factor.as_mut().filter(|_| ledger.is_worth_keeping());
+
+        if self.diagonal.is_due() {
+            let alternative = if factor.is_some() {
+                ledger.last
+            } else {
+                ledger.price + 1.0
+            };
+            let per_row =
+                (self.symbolic.factor_len() as f64 / pattern.n() as f64) * FLOPS_PER_ENTRY;
+            let limit = (alternative * per_row / FLOPS_PER_ROW) as usize;
+            let slots = pattern.diagonal_slots();
+            let inverse: Vec<f64> = slots.iter().map(|&s| values[s as usize].recip()).collect();
+            let precondition = |fields: &mut [DVec3]| {
+                for field in fields.chunks_exact_mut(inverse.len()) {
+                    field.iter_mut().zip(&inverse).for_each(|(v, d)| *v *= *d);
+                }
+            };
+            let outcome = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
+            if self.diagonal.learn(outcome.relative_residual <= tolerance) {
+                let iterations = outcome.iterations;
+                let preconditioner = Preconditioner::Diagonal;
+                return Some(SolveInfo {
+                    preconditioner,
+                    iterations,
+                    ..SolveInfo::default()
+                });
+            }
+        }
+        if let Some(factor) = factor
+            && self.kept.is_due()
+        {
+            let precondition = |fields: &mut [DVec3]| factor.solve_in_place(fields);
+            let limit = ledger.price as usize + ledger.fresh_iterations;
+            let outcome = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
+            if self.kept.learn(outcome.relative_residual <= tolerance) {
+                let iterations = outcome.iterations;
+                ledger.book(iterations);
+                let preconditioner = Preconditioner::KeptFactor;
+                return Some(SolveInfo {
+                    preconditioner,
+                    iterations,
+                    ..SolveInfo::default()
+                });
+            }
+        }
+        None
+    }
+
+    /// Factors the matrix, solves and refines.
+    fn solve_directly(
+        &mut self,
+        values: &[f64],
+        rhs: &[DVec3],
+        x: &mut [DVec3],
+        tolerance: f64,
+    ) -> Result<SolveInfo, LinalgError> {
+        let start = Instant::now();
+        self.ledger.forget();
+        let factor = match &mut self.factor {
+            Some(factor) => factor,
+            None => self.factor.insert(Ldlt::new(self.symbolic.clone())?),
+        };
+        factor.reserve_fields((rhs.len() / self.pattern.n().max(1)).max(1))?;
+        let inertia = factor.factor(values)?;
+        let factor_seconds = start.elapsed().as_secs_f64();
+        let system = System {
+            pattern: &self.pattern,
+            values,
+            rhs,
+        };
+        let precondition = |fields: &mut [DVec3]| factor.solve_in_place(fields);
+        let iterations = refine(
+            system,
+            x,
+            precondition,
+            tolerance,
+            REFINEMENTS,
+            &mut self.workspace,
+        );
+        self.ledger.open(inertia, iterations);
+        let negative_pivots = inertia.negative;
+        Ok(SolveInfo {
+            iterations,
+            negative_pivots,
+            factor_seconds,
+            ..SolveInfo::default()
+        })
+    }
+}

@@ -1,0 +1,260 @@
+//! Repairs that are safe: what they drop or split changes no surface. Each leaves a
+//! warning.
+
+use super::counted;
+use super::sides::{Side, face_adjacency, interior_edges};
+use crate::soup::PolygonSoup;
+use glam::DVec3;
+
+/// Drops degenerate and duplicate faces.
+pub(super) fn clean_faces(soup: &PolygonSoup, warnings: &mut Vec<String>) -> PolygonSoup {
+    let mut clean = PolygonSoup {
+        positions: soup.positions.clone(),
+        ..PolygonSoup::default()
+    };
+    clean.corners.reserve(soup.corners.len());
+    clean.face_starts.reserve(soup.n_faces());
+    let (mut degenerate, mut first_degenerate) = (0usize, 0usize);
+    let mut corners: Vec<u32> = Vec::new();
+    let mut sorted: Vec<u32> = Vec::new();
+    for (f, face) in soup.faces().enumerate() {
+        corners.clear();
+        corners.extend_from_slice(face);
+        corners.dedup();
+        if corners.len() > 1 && corners.first() == corners.last() {
+            corners.pop();
+        }
+        sorted.clear();
+        sorted.extend_from_slice(&corners);
+        sorted.sort_unstable();
+        if corners.len() < 3 || sorted.windows(2).any(|w| w[0] == w[1]) {
+            if degenerate == 0 {
+                first_degenerate = f;
+            }
+            degenerate += 1;
+            continue;
+        }
+        clean.push_face(&corners);
+    }
+    if degenerate > 0 {
+        warnings.push(format!(
+            "Dropped {}, the first being face {first_degenerate}.",
+            counted(
+                degenerate,
+                "degenerate face (a corner repeated)",
+                "degenerate faces (a corner repeated)"
+            )
+        ));
+    }
+    let duplicate = duplicate_faces(&clean);
+    let n_duplicates = duplicate.iter().filter(|&&d| d).count();
+    if n_duplicates > 0 {
+        warnings.push(format!(
+            "Dropped {} on the same vertices as an earlier face.",
+            counted(n_duplicates, "face", "faces")
+        ));
+        retain_faces(&mut clean, |f| !duplicate[f]);
+    }
+    clean
+}
+
+/// Marks every face whose vertex set an earlier face has.
+fn duplicate_faces(soup: &PolygonSoup) -> Vec<bool> {
+    let key = |f: usize| {
+        let mut corners = soup.face(f).to_vec();
+        corners.sort_unstable();
+        corners
+    };
+    // A hash in the upper half, the face in the lower: whole vertex sets are compared only
+    // where hashes agree.
+    let hash = |f: usize| {
+        let mix = |v: &u32| (u64::from(*v) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 7;
+        soup.face(f).iter().map(mix).fold(0, u64::wrapping_add) << 32
+    };
+    let mut order: Vec<u64> = (0..soup.n_faces()).map(|f| hash(f) | f as u64).collect();
+    order.sort_unstable();
+    let mut duplicate = vec![false; soup.n_faces()];
+    for group in order
+        .chunk_by(|a, b| a >> 32 == b >> 32)
+        .filter(|g| g.len() > 1)
+    {
+        let mut seen = Vec::new();
+        for f in group.iter().map(|entry| *entry as u32 as usize) {
+            let corners = key(f);
+            duplicate[f] = seen.contains(&corners);
+            if !duplicate[f] {
+                seen.push(corners);
+            }
+        }
+    }
+    duplicate
+}
+
+fn retain_faces(soup: &mut PolygonSoup, keep: impl Fn(usize) -> bool) {
+    let old = std::mem::take(soup);
+    soup.positions = old.positions;
+    for f in (0..old.face_starts.len() - 1).filter(|&f| keep(f)) {
+        let range = old.face_starts[f] as usize..old.face_starts[f + 1] as usize;
+        soup.push_face(&old.corners[range]);
+    }
+}
+
+fn find(parent: &mut [u32], mut i: u32) -> u32 {
+    while parent[i as usize] != i {
+        parent[i as usize] = parent[parent[i as usize] as usize];
+        i = parent[i as usize];
+    }
+    i
+}
+
+/// Gives every fan of faces its own vertex. Answers the soup vertex of each vertex:
+/// the first fan keeps the vertex, further fans get copies at the end.
+pub(super) fn split_vertices(
+    soup: &mut PolygonSoup,
+    sides: &[Side],
+    warnings: &mut Vec<String>,
+) -> Vec<u32> {
+    // Corners of one fan are joined across interior edges.
+    let mut parent: Vec<u32> = (0..soup.corners.len() as u32).collect();
+    let next = |s: Side| {
+        let [from, to] = [s.face as usize, s.face as usize + 1].map(|f| soup.face_starts[f]);
+        if s.corner + 1 == to {
+            from
+        } else {
+            s.corner + 1
+        }
+    };
+    for (s, t) in interior_edges(sides) {
+        let (mut p, mut q) = ([s.corner, next(s)], [t.corner, next(t)]);
+        if soup.corners[p[0] as usize] != soup.corners[q[0] as usize] {
+            q.swap(0, 1);
+        }
+        for (a, b) in p.iter_mut().zip(q) {
+            let (a, b) = (find(&mut parent, *a), find(&mut parent, b));
+            parent[a.max(b) as usize] = a.min(b);
+        }
+    }
+    let mut origin: Vec<u32> = (0..soup.positions.len() as u32).collect();
+    let mut fan_of_vertex = vec![u32::MAX; soup.positions.len()];
+    // A fan is named by one of its corners.
+    let mut copy_of_fan = vec![None; soup.corners.len()];
+    let mut split = Vec::new();
+    for c in 0..soup.corners.len() {
+        let v = soup.corners[c];
+        let fan = find(&mut parent, c as u32);
+        if fan_of_vertex[v as usize] == u32::MAX {
+            fan_of_vertex[v as usize] = fan;
+        }
+        if fan_of_vertex[v as usize] != fan {
+            let copy = *copy_of_fan[fan as usize].get_or_insert_with(|| {
+                soup.positions.push(soup.positions[v as usize]);
+                origin.push(v);
+                split.push(v);
+                origin.len() as u32 - 1
+            });
+            soup.corners[c] = copy;
+        }
+    }
+    if !split.is_empty() {
+        split.sort_unstable();
+        split.dedup();
+        let names: Vec<String> = split.iter().take(5).map(u32::to_string).collect();
+        warnings.push(format!(
+            "Split {}, where several sheets touch in a point, into one vertex a sheet ({}{}).",
+            counted(split.len(), "non-manifold vertex", "non-manifold vertices"),
+            names.join(", "),
+            if split.len() > 5 { ", …" } else { "" }
+        ));
+    }
+    origin
+}
+
+/// Drops components that have no area at all: they are debris, and no curvature is
+/// defined anywhere on them.
+pub(super) fn drop_flat_components(
+    soup: &mut PolygonSoup,
+    sides: &[Side],
+    warnings: &mut Vec<String>,
+) {
+    let (start, list) = face_adjacency(soup, sides);
+    let (low, high) = soup
+        .positions
+        .iter()
+        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), &p| {
+            (l.min(p), h.max(p))
+        });
+    let negligible = 1e-14 * (high - low).length_squared();
+    let area = |f: usize| {
+        let x = |v: u32| soup.positions[v as usize];
+        let face = soup.face(f);
+        face[1..]
+            .windows(2)
+            .map(|w| (x(w[0]) - x(face[0])).cross(x(w[1]) - x(face[0])).length())
+            .sum::<f64>()
+    };
+    let mut flat = vec![None; soup.n_faces()];
+    for seed in 0..soup.n_faces() {
+        if flat[seed].is_some() {
+            continue;
+        }
+        let mut component = vec![seed as u32];
+        flat[seed] = Some(true);
+        let (mut at, mut total) = (0, 0.0f64);
+        while at < component.len() {
+            let f = component[at] as usize;
+            at += 1;
+            total += area(f);
+            for &(g, _) in &list[start[f] as usize..start[f + 1] as usize] {
+                if flat[g as usize].is_none() {
+                    flat[g as usize] = Some(true);
+                    component.push(g);
+                }
+            }
+        }
+        if total > negligible {
+            for &f in &component {
+                flat[f as usize] = Some(false);
+            }
+        }
+    }
+    let dropped = flat.iter().filter(|&&f| f == Some(true)).count();
+    if dropped > 0 {
+        warnings.push(format!(
+            "Dropped {} in pieces without any area.",
+            counted(dropped, "face", "faces")
+        ));
+        retain_faces(soup, |f| flat[f] != Some(true));
+    }
+}
+
+/// Removes vertices of no face; answers the soup vertex of each that is left.
+pub(super) fn drop_unused_vertices(
+    soup: &mut PolygonSoup,
+    origin: &[u32],
+    input: &PolygonSoup,
+    warnings: &mut Vec<String>,
+) -> Vec<u32> {
+    let mut name = vec![u32::MAX; soup.positions.len()];
+    for &v in &soup.corners {
+        name[v as usize] = 0;
+    }
+    let mut kept = Vec::new();
+    for (v, name) in name.iter_mut().enumerate().filter(|(_, name)| **name == 0) {
+        *name = kept.len() as u32;
+        kept.push(v);
+    }
+    let n_unused = {
+        let mut used = vec![false; input.positions.len()];
+        kept.iter().for_each(|&v| used[origin[v] as usize] = true);
+        used.iter().filter(|&&u| !u).count()
+    };
+    if n_unused > 0 {
+        warnings.push(format!(
+            "Dropped {} that no face uses.",
+            counted(n_unused, "vertex", "vertices")
+        ));
+    }
+    soup.corners.iter_mut().for_each(|v| *v = name[*v as usize]);
+    soup.positions = kept.iter().map(|&v| soup.positions[v]).collect();
+    kept.into_iter().map(|v| origin[v]).collect()
+}

@@ -1,0 +1,324 @@
+//! The table of sample shapes: names, limits and who builds them.
+
+use glam::DVec3;
+
+use super::{Parameter, Sample, Shape};
+use super::{blocks, hole, knot, one_sided, patch, platonic, scan, scar, sphere, torus};
+use crate::mesh::subdivide::linear_levels;
+use crate::soup::PolygonSoup;
+
+const fn count(
+    name: &'static str,
+    label: &'static str,
+    default: u32,
+    low: u32,
+    high: u32,
+) -> Parameter {
+    let (default, low, high) = (default as f64, low as f64, high as f64);
+    Parameter {
+        name,
+        label,
+        default,
+        low,
+        high,
+        integer: true,
+    }
+}
+
+const fn real(
+    name: &'static str,
+    label: &'static str,
+    default: f64,
+    low: f64,
+    high: f64,
+) -> Parameter {
+    Parameter {
+        name,
+        label,
+        default,
+        low,
+        high,
+        integer: false,
+    }
+}
+
+/// Levels of 1-to-4 subdivision.
+const fn level(default: u32, high: u32) -> Parameter {
+    count("level", "Subdivisions", default, 0, high)
+}
+
+const SEED: Parameter = count("seed", "Seed", 1, 0, 1_000_000);
+const RINGS: Parameter = count("rings", "Rings", 16, 1, 500);
+const HEIGHT: Parameter = real("height", "Height", 0.5, -5.0, 5.0);
+
+pub(super) static SHAPES: &[Shape] = &[
+    Shape {
+        name: "icosphere",
+        label: "Sphere",
+        parameters: &[level(4, 8)],
+        build: |v| sample(sphere::icosphere(n(v[0]))),
+    },
+    Shape {
+        name: "icosahedron",
+        label: "Icosahedron",
+        parameters: &[level(4, 8)],
+        build: |v| sample(linear_levels(platonic::icosahedron(), n(v[0]))),
+    },
+    Shape {
+        name: "octahedron",
+        label: "Octahedron",
+        parameters: &[level(4, 8)],
+        build: |v| sample(linear_levels(platonic::octahedron(), n(v[0]))),
+    },
+    Shape {
+        name: "tetrahedron",
+        label: "Tetrahedron",
+        parameters: &[level(4, 9)],
+        build: |v| sample(linear_levels(platonic::tetrahedron(), n(v[0]))),
+    },
+    Shape {
+        name: "uv-sphere",
+        label: "Sphere by latitude",
+        parameters: &[
+            count("rings", "Bands", 24, 3, 1000),
+            count("segments", "Segments", 48, 3, 1000),
+        ],
+        build: |v| Ok(sphere::uv_sphere(n(v[0]), n(v[1])).into()),
+    },
+    Shape {
+        name: "ellipsoid",
+        label: "Ellipsoid",
+        parameters: &[
+            real("a", "Semi-axis x", 1.5, 0.05, 20.0),
+            real("b", "Semi-axis y", 1.0, 0.05, 20.0),
+            real("c", "Semi-axis z", 0.7, 0.05, 20.0),
+            level(4, 8),
+        ],
+        build: |v| sample(sphere::ellipsoid(DVec3::new(v[0], v[1], v[2]), n(v[3]))),
+    },
+    Shape {
+        name: "bumpy-sphere",
+        label: "Bumpy sphere",
+        parameters: &[
+            level(5, 8),
+            real("amplitude", "Bump height", 0.12, 0.0, 0.3),
+            real("frequency", "Bumps around", 6.0, 1.0, 40.0),
+            SEED,
+        ],
+        build: |v| sample(sphere::bumpy_sphere(n(v[0]), v[1], v[2], v[3] as u64)),
+    },
+    Shape {
+        name: "dumbbell",
+        label: "Dumbbell",
+        parameters: &[level(4, 8), real("waist", "Waist radius", 0.15, 0.01, 0.99)],
+        build: |v| sample(sphere::dumbbell(n(v[0]), v[1])),
+    },
+    Shape {
+        name: "hemisphere",
+        label: "Hemisphere",
+        parameters: &[RINGS],
+        build: |v| Ok(sphere::hemisphere(n(v[0])).into()),
+    },
+    Shape {
+        name: "torus",
+        label: "Torus",
+        parameters: &[
+            real("major", "Axis radius", 1.0, 0.01, 100.0),
+            real("minor", "Tube radius", 0.35, 0.01, 100.0),
+            count("around", "Steps around", 48, 3, 1000),
+            count("tube", "Steps of the tube", 24, 3, 1000),
+        ],
+        build: |v| {
+            if v[1] >= v[0] {
+                return Err(format!("minor = {} is not below major = {}", v[1], v[0]));
+            }
+            Ok(torus::torus(v[0], v[1], n(v[2]), n(v[3])).into())
+        },
+    },
+    Shape {
+        name: "clifford-torus",
+        label: "Clifford torus",
+        parameters: &[
+            count("around", "Steps around", 32, 3, 1000),
+            count("tube", "Steps of the tube", 32, 3, 1000),
+        ],
+        build: |v| Ok(torus::clifford_torus(n(v[0]), n(v[1])).into()),
+    },
+    Shape {
+        name: "lattice-torus",
+        label: "Clifford torus, any lattice",
+        parameters: &[
+            count("columns", "Columns", 26, 3, 1000),
+            count("rows", "Rows", 30, 3, 1000),
+            real("shear", "Shear", 0.5, -2.0, 2.0),
+        ],
+        build: |v| {
+            let turn = v[1] * v[2];
+            if (turn - turn.round()).abs() > 1e-9 * v[1] {
+                return Err(format!("shear x rows = {turn} is not a whole number"));
+            }
+            Ok(torus::lattice_torus(n(v[0]), n(v[1]), v[2]).into())
+        },
+    },
+    Shape {
+        name: "coarse-torus",
+        label: "Coarse torus",
+        parameters: &[level(2, 6)],
+        build: |v| sample(torus::coarse_torus(n(v[0]))),
+    },
+    Shape {
+        name: "double-torus",
+        label: "Double torus",
+        parameters: &[count("genus", "Holes", 2, 1, 8), level(3, 6)],
+        build: |v| sample(blocks::handles(n(v[0]), n(v[1]))),
+    },
+    Shape {
+        name: "letter-c",
+        label: "Letter C",
+        parameters: &[level(3, 6)],
+        build: |v| sample(blocks::letter_c(n(v[0]))),
+    },
+    Shape {
+        name: "trefoil",
+        label: "Trefoil knot",
+        parameters: &[
+            real("tube", "Tube radius", 0.5, 0.05, 0.9),
+            count("along", "Steps along", 120, 12, 4000),
+            count("around", "Steps around", 12, 3, 200),
+        ],
+        build: |v| Ok(knot::trefoil(v[0], n(v[1]), n(v[2])).into()),
+    },
+    Shape {
+        name: "torus-knot",
+        label: "Torus knot",
+        parameters: &[
+            count("p", "Turns about the axis", 2, 1, 12),
+            count("q", "Turns through the hole", 5, 1, 12),
+            real("tube", "Tube radius", 0.35, 0.02, 0.9),
+            count("along", "Steps along", 240, 12, 4000),
+            count("around", "Steps around", 16, 3, 200),
+        ],
+        build: |v| {
+            if greatest_common_divisor(n(v[0]), n(v[1])) != 1 {
+                return Err(format!(
+                    "p = {} and q = {} have a common divisor",
+                    v[0], v[1]
+                ));
+            }
+            Ok(knot::torus_knot(n(v[0]), n(v[1]), v[2], n(v[3]), n(v[4])).into())
+        },
+    },
+    Shape {
+        name: "klein-bottle",
+        label: "Klein bottle",
+        parameters: &[
+            count("along", "Steps along", 96, 12, 2000),
+            count("around", "Steps around", 32, 4, 400),
+        ],
+        build: |v| {
+            if n(v[1]) % 2 == 1 {
+                return Err(format!(
+                    "around = {} is odd and cannot meet itself reversed",
+                    v[1]
+                ));
+            }
+            Ok(one_sided::klein_bottle(n(v[0]), n(v[1])).into())
+        },
+    },
+    Shape {
+        name: "moebius",
+        label: "Möbius strip",
+        parameters: &[
+            real("width", "Width", 0.8, 0.01, 1.9),
+            count("around", "Steps around", 96, 5, 2000),
+            count("across", "Steps across", 12, 1, 400),
+        ],
+        build: |v| Ok(one_sided::moebius(v[0], n(v[1]), n(v[2])).into()),
+    },
+    Shape {
+        name: "pipe",
+        label: "Pipe",
+        parameters: &[level(2, 6)],
+        build: |v| sample(torus::pipe(n(v[0]))),
+    },
+    Shape {
+        name: "six-sided-hole",
+        label: "Six-sided hole",
+        parameters: &[real("height", "Height of the rim", 0.366, 0.0, 2.0)],
+        build: |v| Ok(hole::six_sided_hole(v[0])),
+    },
+    Shape {
+        name: "scar",
+        label: "Scarred stone",
+        parameters: &[
+            level(5, 8),
+            real("depth", "Depth in edge lengths", 2.7, 0.0, 6.0),
+            SEED,
+        ],
+        build: |v| scar::scar(n(v[0]), v[1], v[2] as u64).map_err(|error| error.to_string()),
+    },
+    Shape {
+        name: "scan",
+        label: "Range scan",
+        parameters: &[
+            RESOLUTION,
+            real("noise", "Noise in edge lengths", 0.14, 0.0, 1.0),
+            LOOPS,
+            SEED,
+        ],
+        build: |v| Ok(scan::scan(n(v[0]), v[1], n(v[2]), v[3] as u64)?.into()),
+    },
+    Shape {
+        name: "scan-clean",
+        label: "Range scan without noise",
+        parameters: &[RESOLUTION, LOOPS, SEED],
+        build: |v| Ok(scan::scan(n(v[0]), 0.0, n(v[1]), v[2] as u64)?.into()),
+    },
+    Shape {
+        name: "cylinder",
+        label: "Cylinder",
+        parameters: &[
+            real("length", "Length", 2.0, 0.01, 100.0),
+            count("around", "Steps around", 48, 3, 1000),
+            count("along", "Steps along", 16, 1, 1000),
+        ],
+        build: |v| Ok(patch::cylinder(v[0], n(v[1]), n(v[2])).into()),
+    },
+    Shape {
+        name: "disk",
+        label: "Disk",
+        parameters: &[RINGS],
+        build: |v| Ok(patch::disk(n(v[0])).into()),
+    },
+    Shape {
+        name: "hyperbolic-paraboloid",
+        label: "Hyperbolic paraboloid",
+        parameters: &[count("cells", "Cells a side", 24, 1, 1000), HEIGHT],
+        build: |v| Ok(patch::hyperbolic_paraboloid(n(v[0]), v[1]).into()),
+    },
+    Shape {
+        name: "monkey-saddle",
+        label: "Monkey saddle",
+        parameters: &[RINGS, HEIGHT],
+        build: |v| Ok(patch::monkey_saddle(n(v[0]), v[1]).into()),
+    },
+];
+
+const RESOLUTION: Parameter = count("resolution", "Rows", 285, 60, 1000);
+const LOOPS: Parameter = count("loops", "Boundary loops", 88, 1, 500);
+
+fn n(value: f64) -> usize {
+    value as usize
+}
+
+fn sample<E: ToString>(soup: Result<PolygonSoup, E>) -> Result<Sample, String> {
+    soup.map(Sample::from).map_err(|error| error.to_string())
+}
+
+fn greatest_common_divisor(a: usize, b: usize) -> usize {
+    if b == 0 {
+        a
+    } else {
+        greatest_common_divisor(b, a % b)
+    }
+}

@@ -1,0 +1,159 @@
+//! The mesh a session works on, as loaded and as flowed.
+
+use super::fault::Fault;
+use super::readings::Info;
+use crate::geometry::frame::Frame;
+use crate::geometry::measure;
+use crate::mesh::shape::Sample;
+use crate::mesh::{self, Built, HalfedgeMesh, counted};
+use crate::soup::PolygonSoup;
+use glam::DVec3;
+use std::rc::Rc;
+
+/// Edges below this share of the mean are worth a warning: such a pair of vertices never
+/// separates, the flow being nearly normal there.
+const NEARLY_COINCIDENT: f64 = 1e-6;
+
+/// A loaded mesh: connectivity as in the file, a triangulated copy, positions.
+pub(super) struct Document {
+    /// Base name without extension.
+    pub(super) name: String,
+    /// Faces as in the file, of any degree.
+    pub(super) polygons: HalfedgeMesh,
+    /// The same vertices with triangles only.
+    pub(super) triangles: Rc<HalfedgeMesh>,
+    /// Where the file's coordinates lie.
+    pub(super) frame: Frame,
+    /// Positions at step 0, in the frame.
+    pub(super) start: Vec<DVec3>,
+    /// What was repaired.
+    pub(super) warnings: Vec<String>,
+    /// Vertices to hold or to move, of a sample that suggests them.
+    pub(super) fixed: Option<Vec<u32>>,
+    /// See `fixed`.
+    pub(super) free: Option<Vec<u32>>,
+}
+
+impl Document {
+    /// From a file.
+    pub(super) fn from_file(bytes: &[u8], file_name: &str) -> Result<Self, Fault> {
+        let read = crate::io::read(bytes, file_name)?;
+        let base = file_name.rsplit(['/', '\\']).next().unwrap_or(file_name);
+        let name = base.rsplit_once('.').map_or(base, |(stem, _)| stem);
+        Self::new(
+            if name.is_empty() { "mesh" } else { name },
+            read.soup,
+            read.warnings,
+        )
+    }
+
+    /// From a sample shape.
+    pub(super) fn from_sample(name: &str, sample: Sample) -> Result<Self, Fault> {
+        let document = Self::new(name, sample.soup, Vec::new())?;
+        Ok(Self {
+            fixed: sample.fixed,
+            free: sample.free,
+            ..document
+        })
+    }
+
+    fn new(name: &str, soup: PolygonSoup, mut warnings: Vec<String>) -> Result<Self, Fault> {
+        let Built {
+            mesh: polygons,
+            positions: mut start,
+            warnings: repairs,
+            ..
+        } = mesh::build(&soup)?;
+        drop(soup);
+        warnings.extend(repairs);
+        let triangles = if polygons.is_triangular() {
+            polygons.clone()
+        } else {
+            let larger = polygons
+                .faces()
+                .filter(|&f| polygons.face_vertices(f).count() > 3)
+                .count();
+            let cut = mesh::triangulate(&polygons.to_soup(&start));
+            warnings.push(format!(
+                "The mesh has {} of more than three corners: this flow works on a triangulated \
+                 copy; files are written with the original faces.",
+                counted(larger, "face", "faces")
+            ));
+            mesh::build(&cut)?.mesh
+        };
+        let frame = Frame::of(&start);
+        frame.enter(&mut start);
+        let document = Self {
+            name: name.into(),
+            polygons,
+            triangles: Rc::new(triangles),
+            frame,
+            start,
+            warnings,
+            fixed: None,
+            free: None,
+        };
+        Ok(document.with_shape_warnings())
+    }
+
+    /// Adds warnings about triangles that are hard on any flow.
+    fn with_shape_warnings(mut self) -> Self {
+        let (mesh, x) = (&self.triangles, &self.start);
+        let flat = mesh
+            .faces()
+            .filter(|&f| {
+                let [a, b, c] = measure::triangle_points(mesh, x, f);
+                crate::geometry::quality::triangle_quality([a, b, c]) < 1e-12
+            })
+            .count();
+        if flat > 0 {
+            self.warnings.push(format!(
+                "The mesh has {} without area (collinear corners).",
+                counted(flat, "triangle", "triangles")
+            ));
+        }
+        let shortest = NEARLY_COINCIDENT * measure::mean_edge_length(mesh, x);
+        let near = mesh
+            .edges()
+            .filter(|&e| measure::edge_length(mesh, x, e) < shortest);
+        let mut near = near.peekable();
+        if let Some(&e) = near.peek() {
+            let [a, b] = mesh.ends(e);
+            self.warnings.push(format!(
+                "The mesh has {} shorter than a millionth of the mean, the first between vertices {} \
+                 and {}: merge such vertices (merge by distance) for a better flow.",
+                counted(near.count(), "edge", "edges"),
+                a.0,
+                b.0
+            ));
+        }
+        self
+    }
+
+    /// Diagnosis at given positions.
+    pub(super) fn info(&self, x: &[DVec3]) -> Info {
+        Info::of(&self.polygons, x, &self.warnings)
+    }
+
+    /// Faces of the file at given positions, in the file's coordinates.
+    pub(super) fn soup(&self, x: &[DVec3]) -> PolygonSoup {
+        self.polygons.to_soup(&self.frame.leave(x))
+    }
+
+    /// Corner indices of the triangles.
+    pub(super) fn triangle_indices(&self) -> Vec<u32> {
+        let mesh = &self.triangles;
+        mesh.faces()
+            .flat_map(|f| mesh.triangle(f).map(|v| v.0))
+            .collect()
+    }
+
+    /// Ends of the file's own edges, or of those on the boundary only.
+    pub(super) fn edge_indices(&self, boundary_only: bool) -> Vec<u32> {
+        let mesh = &self.polygons;
+        mesh.edges()
+            .filter(|&e| !boundary_only || mesh.is_boundary_edge(e))
+            .flat_map(|e| mesh.ends(e).map(|v| v.0))
+            .collect()
+    }
+}

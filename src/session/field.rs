@@ -1,0 +1,147 @@
+//! Scalar fields to colour the surface by.
+
+use crate::energy::circle::angle::Smoothing;
+use crate::energy::circle::{CircleEnergy, Evaluation};
+use crate::geometry::curvature;
+use crate::mesh::HalfedgeMesh;
+use glam::DVec3;
+use serde::Serialize;
+
+/// What a surface can be coloured by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FieldName {
+    /// Pointwise H.
+    MeanCurvature,
+    /// Pointwise K.
+    GaussCurvature,
+    /// W_i.
+    Willmore,
+    /// |∇W| at each vertex.
+    Gradient,
+    /// Distance from the start.
+    Displacement,
+}
+
+impl FieldName {
+    /// All of them with their names.
+    pub const ALL: [(Self, &'static str); 5] = [
+        (Self::MeanCurvature, "mean-curvature"),
+        (Self::GaussCurvature, "gauss-curvature"),
+        (Self::Willmore, "willmore"),
+        (Self::Gradient, "gradient"),
+        (Self::Displacement, "displacement"),
+    ];
+
+    /// From the name used by the page.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|(_, n)| *n == name)
+            .map(|(field, _)| field)
+    }
+
+    fn label(self) -> &'static str {
+        match self {
+            Self::MeanCurvature => "Mean curvature H",
+            Self::GaussCurvature => "Gaussian curvature K",
+            Self::Willmore => "Willmore energy W_i",
+            Self::Gradient => "Gradient size |∇W|",
+            Self::Displacement => "Displacement from the start",
+        }
+    }
+
+    fn is_signed(self) -> bool {
+        matches!(self, Self::MeanCurvature | Self::GaussCurvature)
+    }
+}
+
+/// A value per vertex and how to show it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// Which field.
+    pub name: FieldName,
+    /// For people.
+    pub label: &'static str,
+    /// One value a vertex.
+    pub values: Vec<f32>,
+    /// Lower end of the robust range; −`high` when signed.
+    pub low: f32,
+    /// Upper end of the robust range.
+    pub high: f32,
+    /// Whether the sign matters: diverging colours about 0.
+    pub signed: bool,
+}
+
+/// Share of the values left out at each end of the range: single slivers have curvatures
+/// that would drown the rest.
+const TAIL: f64 = 0.02;
+
+impl Field {
+    /// Computes a field on a triangle mesh; `start` are the positions at step 0.
+    pub fn compute(
+        name: FieldName,
+        mesh: &HalfedgeMesh,
+        energy: &CircleEnergy,
+        x: &[DVec3],
+        start: &[DVec3],
+    ) -> Self {
+        let values: Vec<f64> = match name {
+            FieldName::MeanCurvature => curvature::pointwise_mean_curvature(mesh, x),
+            FieldName::GaussCurvature => curvature::pointwise_gauss_curvature(mesh, x),
+            FieldName::Willmore => energy.vertex_energies(x),
+            FieldName::Gradient => {
+                let mut evaluation = Evaluation::default();
+                energy.evaluate(x, Smoothing::EXACT, &mut evaluation);
+                evaluation.gradient.iter().map(|g| g.length()).collect()
+            }
+            FieldName::Displacement => x.iter().zip(start).map(|(p, q)| p.distance(*q)).collect(),
+        };
+        let (low, high) = robust_range(&values, name.is_signed());
+        let values = values.into_iter().map(|v| v as f32).collect();
+        let (label, signed) = (name.label(), name.is_signed());
+        Self {
+            name,
+            label,
+            values,
+            low: low as f32,
+            high: high as f32,
+            signed,
+        }
+    }
+}
+
+/// The 2nd and 98th percentile, symmetric about 0 when signed, never empty.
+fn robust_range(values: &[f64], signed: bool) -> (f64, f64) {
+    // As integers that sort like the numbers: one sorting routine less to download.
+    let key = |v: f64| {
+        let bits = v.to_bits();
+        bits ^ if v.is_sign_negative() {
+            u64::MAX
+        } else {
+            1 << 63
+        }
+    };
+    let value = |key: u64| f64::from_bits(key ^ if key >> 63 == 0 { u64::MAX } else { 1 << 63 });
+    let mut keys: Vec<u64> = values
+        .iter()
+        .filter(|v| v.is_finite())
+        .map(|&v| key(v))
+        .collect();
+    if keys.is_empty() {
+        return (if signed { -1.0 } else { 0.0 }, 1.0);
+    }
+    keys.sort_unstable();
+    let tail = (TAIL * keys.len() as f64) as usize;
+    let (low, high) = (value(keys[tail]), value(keys[keys.len() - 1 - tail]));
+    if signed {
+        let reach = low.abs().max(high.abs());
+        let reach = if reach > 0.0 { reach } else { 1.0 };
+        return (-reach, reach);
+    }
+    if high > low {
+        (low, high)
+    } else {
+        (low, low + low.abs().max(1.0) * 1e-6)
+    }
+}

@@ -1,0 +1,46 @@
+//! Earlier states, bounded in number and memory.
+
+use super::readings::State;
+use crate::flow::circle::Pace;
+use glam::DVec3;
+use std::collections::VecDeque;
+
+/// States kept at most …
+const MAX_MOMENTS: usize = 500;
+/// … and bytes of positions: a wasm heap of 4 GiB also holds the factor.
+const MAX_BYTES: usize = 192 << 20;
+
+/// A state to go back to.
+pub(super) struct Moment {
+    pub(super) x: Vec<DVec3>,
+    pub(super) pace: Pace,
+    pub(super) state: State,
+    /// How many reports there were.
+    pub(super) n_reports: usize,
+}
+
+/// A stack that forgets its oldest entries.
+#[derive(Default)]
+pub(super) struct History {
+    moments: VecDeque<Moment>,
+}
+
+impl History {
+    pub(super) fn push(&mut self, moment: Moment) {
+        let bytes = size_of_val(moment.x.as_slice()).max(1);
+        self.moments.push_back(moment);
+        // At least one step back is always kept.
+        let most = (MAX_BYTES / bytes).clamp(1, MAX_MOMENTS);
+        while self.moments.len() > most {
+            self.moments.pop_front();
+        }
+    }
+
+    pub(super) fn pop(&mut self) -> Option<Moment> {
+        self.moments.pop_back()
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.moments.is_empty()
+    }
+}

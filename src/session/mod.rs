@@ -1,0 +1,315 @@
+//! The application without a browser: load, configure, step, go back, export, report.
+//!
+//! Knows no wasm; `web::session` only converts. A failed request changes nothing: the
+//! mesh, its positions and its history stay as they were.
+
+mod document;
+mod fault;
+mod field;
+mod history;
+mod readings;
+mod work;
+
+pub use crate::flow::Progress;
+pub use fault::Fault;
+pub use field::{Field, FieldName};
+pub use readings::{EnergyReadings, Info, State};
+pub use work::Configured;
+
+use crate::energy::circle::CircleEnergy;
+use crate::flow::options::FlowOptions;
+use crate::flow::{StepReport, boundary};
+use crate::io::Format;
+use crate::mesh::shape;
+use document::Document;
+use glam::DVec3;
+use work::Work;
+
+/// What is known after a mesh was loaded, and everything a viewer needs to draw it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loaded {
+    /// Base name without extension, for downloads.
+    pub name: String,
+    /// Diagnosis card.
+    pub info: Info,
+    /// Three coordinates a vertex, relative to the mesh's frame.
+    pub positions: Vec<f32>,
+    /// Three corners a triangle.
+    pub triangles: Vec<u32>,
+    /// Two ends an edge of the file's own faces.
+    pub wire_edges: Vec<u32>,
+    /// Two ends a boundary edge.
+    pub boundary_edges: Vec<u32>,
+    /// Whether the file has triangles only.
+    pub triangles_only: bool,
+    /// Vertices a sample suggests to hold.
+    pub fixed: Option<Vec<u32>>,
+    /// Vertices a sample suggests to move.
+    pub free: Option<Vec<u32>>,
+}
+
+/// One mesh, one flow, its history.
+#[derive(Default)]
+pub struct Session {
+    work: Option<Work>,
+    progress: Option<Progress>,
+}
+
+impl Session {
+    /// A session without a mesh.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets or clears the callback for progress within long steps.
+    pub fn set_progress(&mut self, progress: Option<Progress>) {
+        self.progress = progress;
+        if let Some(flow) = self.work.as_mut().and_then(|w| w.flow.as_mut()) {
+            flow.set_progress(self.progress.clone());
+        }
+    }
+
+    fn work(&self) -> Result<&Work, Fault> {
+        self.work.as_ref().ok_or_else(Fault::no_mesh)
+    }
+
+    fn work_mut(&mut self) -> Result<&mut Work, Fault> {
+        self.work.as_mut().ok_or_else(Fault::no_mesh)
+    }
+
+    /// Loads a mesh file; the format is found from its content.
+    ///
+    /// # Errors
+    /// What is wrong with the file and where; the mesh loaded before stays.
+    pub fn load(&mut self, bytes: &[u8], file_name: &str) -> Result<Loaded, Fault> {
+        let document = Document::from_file(bytes, file_name)?;
+        Ok(self.open(document))
+    }
+
+    /// Loads a sample shape by name; parameters not given take their defaults.
+    ///
+    /// # Errors
+    /// Unknown names and values out of range; the mesh loaded before stays.
+    pub fn sample(&mut self, name: &str, values: &[(String, f64)]) -> Result<Loaded, Fault> {
+        let document = Document::from_sample(name, shape::make(name, values)?)?;
+        Ok(self.open(document))
+    }
+
+    fn open(&mut self, document: Document) -> Loaded {
+        let x = document.start.clone();
+        let loaded = Loaded {
+            name: document.name.clone(),
+            info: document.info(&x),
+            positions: as_f32(&x),
+            triangles: document.triangle_indices(),
+            wire_edges: document.edge_indices(false),
+            boundary_edges: document.edge_indices(true),
+            triangles_only: document.polygons.is_triangular(),
+            fixed: document.fixed.clone(),
+            free: document.free.clone(),
+        };
+        self.work = Some(Work::new(document, x));
+        loaded
+    }
+
+    /// Chooses flow and parameters and goes back to the start.
+    ///
+    /// A sample's own selection is used unless `options` has one.
+    ///
+    /// # Errors
+    /// See [`crate::flow::FlowError`]; the flow configured before stays.
+    pub fn configure(&mut self, options: FlowOptions) -> Result<Configured, Fault> {
+        let progress = self.progress.clone();
+        self.work_mut()?.configure(options, progress)
+    }
+
+    fn ensure_configured(&mut self) -> Result<&mut Work, Fault> {
+        if self.work()?.flow.is_none() {
+            self.configure(FlowOptions::default())?;
+        }
+        self.work_mut()
+    }
+
+    /// Takes one step; `None` if there was none to take, and then the state says why.
+    ///
+    /// # Errors
+    /// Numerical failures; the state is that before the step, with status `failed`.
+    pub fn step(&mut self) -> Result<Option<StepReport>, Fault> {
+        self.ensure_configured()?.step()
+    }
+
+    /// Steps until the run is over or `limit` steps were taken; answers their number.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn run(&mut self, limit: usize) -> Result<usize, Fault> {
+        for taken in 0..limit {
+            if self.step()?.is_none() {
+                return Ok(taken);
+            }
+            if self.state()?.status.is_final() {
+                return Ok(taken + 1);
+            }
+        }
+        Ok(limit)
+    }
+
+    /// Goes one step back, if an earlier state is stored.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn back(&mut self) -> Result<State, Fault> {
+        Ok(self.work_mut()?.back())
+    }
+
+    /// Goes back to the start with the options in force.
+    ///
+    /// # Errors
+    /// As [`configure`](Self::configure).
+    pub fn reset(&mut self) -> Result<State, Fault> {
+        let options = self.work()?.options.clone();
+        Ok(self.configure(options)?.state)
+    }
+
+    /// Puts positions from outside in place, as after a crash; the history starts anew.
+    ///
+    /// # Errors
+    /// If there are not three finite coordinates a vertex.
+    pub fn restore(&mut self, positions: &[f32], step: usize, time: f64) -> Result<State, Fault> {
+        self.ensure_configured()?.restore(positions, step, time)
+    }
+
+    /// Where the session stands.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn state(&self) -> Result<State, Fault> {
+        Ok(self.work()?.state.clone())
+    }
+
+    /// Positions for drawing, relative to the mesh's frame.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn positions(&self) -> Result<Vec<f32>, Fault> {
+        Ok(as_f32(&self.work()?.x))
+    }
+
+    /// Triangles that folded over in the last step.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn flipped_triangles(&self) -> Result<Vec<u32>, Fault> {
+        let flow = self.work()?.flow.as_ref();
+        Ok(flow.map(|f| f.flipped_faces().to_vec()).unwrap_or_default())
+    }
+
+    /// Which vertices are held: 1, or 0 where they move. Empty before `configure`.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn held_vertices(&self) -> Result<Vec<u8>, Fault> {
+        let work = self.work()?;
+        let Some(flow) = &work.flow else {
+            return Ok(Vec::new());
+        };
+        Ok((0..work.x.len())
+            .map(|v| u8::from(!flow.is_free(v)))
+            .collect())
+    }
+
+    /// A field to colour by; `None` for the name `none`.
+    ///
+    /// # Errors
+    /// Unknown names.
+    pub fn field(&self, name: &str) -> Result<Option<Field>, Fault> {
+        let work = self.work()?;
+        if name == "none" {
+            return Ok(None);
+        }
+        let Some(name) = FieldName::from_name(name) else {
+            let known: Vec<&str> = FieldName::ALL.iter().map(|(_, n)| *n).collect();
+            let hint = format!("It may be none, {}.", known.join(", "));
+            return Err(Fault::new(
+                "UnknownField",
+                format!("there is no field `{name}`"),
+                hint,
+            ));
+        };
+        let mesh = &work.document.triangles;
+        let own;
+        let energy = match &work.flow {
+            Some(flow) => flow.energy(),
+            None => {
+                own = CircleEnergy::new(mesh, work.options.boundary);
+                &own
+            }
+        };
+        Ok(Some(Field::compute(
+            name,
+            mesh,
+            energy,
+            &work.x,
+            &work.document.start,
+        )))
+    }
+
+    /// Diagnosis of the surface as it is now.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn info(&self) -> Result<Info, Fault> {
+        let work = self.work()?;
+        Ok(work.document.info(&work.x))
+    }
+
+    /// All energies of the surface as it is now, with ∫|H|^p also for `powers`.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`]. Where no vertex is free the gradient norm is 0.
+    pub fn energy(
+        &self,
+        boundary: crate::energy::circle::Boundary,
+        powers: &[f64],
+    ) -> Result<EnergyReadings, Fault> {
+        let work = self.work()?;
+        let mesh = &work.document.triangles;
+        let free = boundary::free_vertices(mesh, boundary, None, None)
+            .unwrap_or_else(|_| vec![false; mesh.n_vertices()]);
+        Ok(EnergyReadings::of(mesh, &work.x, boundary, &free, powers))
+    }
+
+    /// The surface as a file, with the faces of the original.
+    ///
+    /// # Errors
+    /// If the format cannot hold it.
+    pub fn export(&self, format: Format) -> Result<Vec<u8>, Fault> {
+        let work = self.work()?;
+        let comment = format!("Umbilic: {}, step {}", work.document.name, work.state.step);
+        Ok(crate::io::write(
+            &work.document.soup(&work.x),
+            format,
+            &comment,
+        )?)
+    }
+
+    /// Reports of the steps taken, oldest first.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn reports(&self) -> Result<&[StepReport], Fault> {
+        Ok(&self.work()?.reports)
+    }
+
+    /// The history as CSV.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn history_csv(&self) -> Result<String, Fault> {
+        Ok(readings::history_csv(&self.work()?.reports))
+    }
+}
+
+fn as_f32(x: &[DVec3]) -> Vec<f32> {
+    x.iter().flat_map(|p| p.as_vec3().to_array()).collect()
+}

@@ -1,0 +1,200 @@
+//! What a session tells: diagnosis, energies, state, history. Keys in JSON are the
+//! field names in camel case.
+
+use crate::energy::circle::angle::Smoothing;
+use crate::energy::circle::{Boundary, CircleEnergy, Evaluation};
+use crate::energy::{conformal, p_willmore};
+use crate::flow::{Status, StepReport};
+use crate::geometry::measure;
+use crate::mesh::HalfedgeMesh;
+use glam::DVec3;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// Diagnosis card of a mesh.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Info {
+    /// Number of vertices.
+    pub vertices: usize,
+    /// Number of edges.
+    pub edges: usize,
+    /// Number of faces, of any degree.
+    pub faces: usize,
+    /// Number of connected components.
+    pub components: usize,
+    /// Number of boundary loops.
+    pub boundary_loops: usize,
+    /// V − E + F.
+    pub euler_characteristic: i64,
+    /// Summed over components with loops capped; none if not orientable.
+    pub genus: Option<i64>,
+    /// Whether there is no boundary.
+    pub closed: bool,
+    /// Whether the faces are, or could be, consistently oriented.
+    pub oriented: bool,
+    /// Total area.
+    pub area: f64,
+    /// Signed volume, of a closed oriented surface.
+    pub volume: Option<f64>,
+    /// Mean edge length.
+    pub mean_edge_length: f64,
+    /// Smallest corner angle.
+    pub min_angle_degrees: f64,
+    /// What was repaired or is worth knowing.
+    pub warnings: Vec<String>,
+}
+
+impl Info {
+    /// The card of a mesh.
+    pub fn of(mesh: &HalfedgeMesh, x: &[DVec3], warnings: &[String]) -> Self {
+        Self {
+            vertices: mesh.n_vertices(),
+            edges: mesh.n_edges(),
+            faces: mesh.n_faces(),
+            components: mesh.components().1,
+            boundary_loops: mesh.n_boundary_loops(),
+            euler_characteristic: mesh.euler_characteristic(),
+            genus: mesh.genus(),
+            closed: mesh.is_closed(),
+            oriented: mesh.is_oriented(),
+            area: measure::area(mesh, x),
+            volume: measure::volume(mesh, x),
+            mean_edge_length: measure::mean_edge_length(mesh, x),
+            min_angle_degrees: measure::min_angle_degrees(mesh, x),
+            warnings: warnings.to_vec(),
+        }
+    }
+}
+
+/// All energies and integrals of a surface.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct EnergyReadings {
+    /// W = Σ W_i as printed by Bobenko & Schröder.
+    pub circle: f64,
+    /// W/2, which tends to ∫(H² − K) dA on curvature-aligned lattices.
+    pub circle_normalised: f64,
+    /// ∫H² dA, H = (κ₁+κ₂)/2.
+    pub willmore: f64,
+    /// ∫|H|^p dA by p.
+    pub p_willmore: BTreeMap<String, f64>,
+    /// Total area.
+    pub area: f64,
+    /// Signed volume, of a closed oriented surface.
+    pub volume: Option<f64>,
+    /// Σ 2(D_T − A_T) against the reference angles of Gruber & Aulisa's Algorithm 1.
+    pub conformal_distortion: f64,
+    /// Frobenius norm of ∇W over the vertices free under the boundary condition.
+    pub gradient_norm: f64,
+}
+
+impl EnergyReadings {
+    /// All readings of a triangle mesh; `free` tells which vertices may move.
+    pub fn of(
+        mesh: &HalfedgeMesh,
+        x: &[DVec3],
+        boundary: Boundary,
+        free: &[bool],
+        powers: &[f64],
+    ) -> Self {
+        let energy = CircleEnergy::new(mesh, boundary);
+        let mut evaluation = Evaluation::default();
+        energy.evaluate(x, Smoothing::EXACT, &mut evaluation);
+        let gradient = evaluation
+            .gradient
+            .iter()
+            .zip(free)
+            .filter(|(_, free)| **free);
+        let power = |p: f64| (p.to_string(), p_willmore::integrated_power(mesh, x, p));
+        let standard = [0.0, 1.0, 2.0, 3.0, 4.0];
+        Self {
+            circle: evaluation.value,
+            circle_normalised: 0.5 * evaluation.value,
+            willmore: p_willmore::integrated_power(mesh, x, 2.0),
+            p_willmore: standard.iter().chain(powers).map(|&p| power(p)).collect(),
+            area: measure::area(mesh, x),
+            volume: measure::volume(mesh, x),
+            conformal_distortion: conformal::conformal_distortion(mesh, x),
+            gradient_norm: gradient
+                .map(|(g, _)| g.length_squared())
+                .sum::<f64>()
+                .sqrt(),
+        }
+    }
+}
+
+/// Where a session stands.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct State {
+    /// Steps taken.
+    pub step: usize,
+    /// Flow time.
+    pub time: f64,
+    /// Whether and why the run is over.
+    pub status: Status,
+    /// The reason, a sentence.
+    pub message: String,
+    /// W = Σ W_i.
+    pub energy: f64,
+    /// W/2.
+    pub energy_normalised: f64,
+    /// The next step's raw size.
+    pub dt: f64,
+    /// dt / h².
+    pub tau: f64,
+    /// Total area.
+    pub area: f64,
+    /// Signed volume, of a closed oriented surface.
+    pub volume: Option<f64>,
+    /// Smallest corner angle.
+    pub min_angle_degrees: f64,
+    /// Norm of the objective's gradient.
+    pub gradient_norm: f64,
+    /// Duration of the last step.
+    pub milliseconds: f64,
+    /// Whether an earlier state is stored.
+    pub can_step_back: bool,
+}
+
+/// The history as comma-separated values with a header, one row a step.
+pub(super) fn history_csv(reports: &[StepReport]) -> String {
+    let mut text = String::from(
+        "step,time,dt,tau,energy,objectiveBefore,objective,epsilon,gradientNorm,area,volume,\
+         minAngleDegrees,rejected,iterations,negativePivots,skippedAngles,flippedFaces,\
+         maxDisplacement,milliseconds,assembleMilliseconds,factorMilliseconds,solveMilliseconds\n",
+    );
+    for r in reports {
+        let volume = r.volume.map(|v| v.to_string()).unwrap_or_default();
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.3},{:.3},{:.3},{:.3}",
+            r.step,
+            r.time,
+            r.dt,
+            r.tau,
+            r.energy,
+            r.objective_before,
+            r.objective,
+            r.epsilon,
+            r.gradient_norm,
+            r.area,
+            volume,
+            r.min_angle_degrees,
+            r.rejected,
+            r.iterations,
+            r.negative_pivots,
+            r.skipped_angles,
+            r.flipped_faces,
+            r.max_displacement,
+            r.milliseconds,
+            r.assemble_milliseconds,
+            r.factor_milliseconds,
+            r.solve_milliseconds,
+        );
+    }
+    text
+}

@@ -1,0 +1,215 @@
+//! A document with its flow: what a session does once a mesh is loaded.
+
+use super::document::Document;
+use super::fault::Fault;
+use super::history::{History, Moment};
+use super::readings::State;
+use crate::energy::circle::Evaluation;
+use crate::energy::circle::angle::Smoothing;
+use crate::flow::circle::CircleFlow;
+use crate::flow::options::FlowOptions;
+use crate::flow::stop::Verdict;
+use crate::flow::{Progress, Status, StepReport};
+use crate::geometry::measure;
+use glam::DVec3;
+use serde::Serialize;
+use std::rc::Rc;
+
+/// What a configuration amounts to.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Configured {
+    /// Number of vertices that move.
+    pub free_vertices: usize,
+    /// h, the mean edge length.
+    pub mean_edge_length: f64,
+    /// The first step's raw size.
+    pub dt: f64,
+    /// dt / h².
+    pub tau: f64,
+    /// Readings at the start.
+    pub state: State,
+}
+
+/// A document with its flow.
+pub(super) struct Work {
+    pub(super) document: Document,
+    pub(super) options: FlowOptions,
+    pub(super) flow: Option<CircleFlow>,
+    pub(super) x: Vec<DVec3>,
+    pub(super) state: State,
+    pub(super) reports: Vec<StepReport>,
+    history: History,
+}
+
+impl Work {
+    pub(super) fn new(document: Document, x: Vec<DVec3>) -> Self {
+        Self {
+            document,
+            options: FlowOptions::default(),
+            flow: None,
+            x,
+            state: State::default(),
+            reports: Vec::new(),
+            history: History::default(),
+        }
+    }
+
+    pub(super) fn configure(
+        &mut self,
+        mut options: FlowOptions,
+        progress: Option<Progress>,
+    ) -> Result<Configured, Fault> {
+        if options.free.is_none() && options.fixed.is_none() {
+            options.free.clone_from(&self.document.free);
+            options.fixed.clone_from(&self.document.fixed);
+        }
+        let mut x = self.document.start.clone();
+        let mesh = Rc::clone(&self.document.triangles);
+        // Kept until the new one is sure; gone before its factor is allocated, in the first
+        // step: wasm memory never shrinks.
+        let old = self.flow.take();
+        let mut flow = match CircleFlow::new(mesh, &mut x, options.clone()) {
+            Ok(flow) => flow,
+            Err(error) => {
+                self.flow = old;
+                return Err(error.into());
+            }
+        };
+        drop(old);
+        flow.set_progress(progress);
+        let h = flow.mean_edge_length();
+        let (free_vertices, dt) = (flow.n_free(), flow.dt());
+        self.options = options;
+        self.x = x;
+        self.reports.clear();
+        self.history = History::default();
+        self.flow = Some(flow);
+        self.state = State::default();
+        self.read_state();
+        let tau = dt / (h * h);
+        Ok(Configured {
+            free_vertices,
+            mean_edge_length: h,
+            dt,
+            tau,
+            state: self.state.clone(),
+        })
+    }
+
+    pub(super) fn back(&mut self) -> State {
+        if let (Some(moment), Some(flow)) = (self.history.pop(), &mut self.flow) {
+            self.x = moment.x;
+            flow.set_pace(moment.pace);
+            self.reports.truncate(moment.n_reports);
+            self.state = moment.state;
+            self.state.can_step_back = !self.history.is_empty();
+        }
+        self.state.clone()
+    }
+
+    pub(super) fn restore(
+        &mut self,
+        positions: &[f32],
+        step: usize,
+        time: f64,
+    ) -> Result<State, Fault> {
+        let fits = positions.len() == 3 * self.x.len();
+        if !fits || positions.iter().any(|c| !c.is_finite()) {
+            let (found, wanted) = (positions.len(), self.x.len());
+            let message = format!("{found} coordinates do not fit {wanted} vertices");
+            return Err(Fault::new("BadPositions", message, "Load the mesh again."));
+        }
+        self.x = positions
+            .chunks_exact(3)
+            .map(|c| DVec3::new(f64::from(c[0]), f64::from(c[1]), f64::from(c[2])))
+            .collect();
+        self.history = History::default();
+        self.reports.clear();
+        if let Some(flow) = &mut self.flow {
+            flow.set_clock(step, time);
+        }
+        self.state = State {
+            step,
+            time,
+            ..State::default()
+        };
+        self.read_state();
+        Ok(self.state.clone())
+    }
+
+    pub(super) fn step(&mut self) -> Result<Option<StepReport>, Fault> {
+        let Some(flow) = &mut self.flow else {
+            return Err(Fault::no_mesh());
+        };
+        if self.state.status.is_final() {
+            // Asked to go on after the end: the budget starts anew.
+            flow.extend_budget();
+        }
+        let moment = Moment {
+            x: self.x.clone(),
+            pace: flow.pace(),
+            state: self.state.clone(),
+            n_reports: self.reports.len(),
+        };
+        let (report, verdict) = match flow.step(&mut self.x) {
+            Ok(outcome) => outcome,
+            Err(error) => {
+                self.state.status = Status::Failed;
+                self.state.message = error.to_string();
+                return Err(error.into());
+            }
+        };
+        if let Some(report) = &report {
+            self.history.push(moment);
+            self.state = State {
+                step: report.step,
+                time: report.time,
+                energy: report.energy,
+                energy_normalised: 0.5 * report.energy,
+                area: report.area,
+                volume: report.volume,
+                min_angle_degrees: report.min_angle_degrees,
+                gradient_norm: report.gradient_norm,
+                milliseconds: report.milliseconds,
+                dt: flow.dt(),
+                tau: flow.dt() / flow.mean_edge_length().powi(2),
+                can_step_back: true,
+                ..State::default()
+            };
+            self.reports.push(report.clone());
+        }
+        if let Verdict::Stop(status, why) = verdict {
+            self.state.status = status;
+            self.state.message = why;
+        }
+        Ok(report)
+    }
+
+    /// Readings of the current positions, where no step has just told them.
+    fn read_state(&mut self) {
+        let Some(flow) = &self.flow else { return };
+        let mesh = &self.document.triangles;
+        let h = flow.mean_edge_length();
+        let mut evaluation = Evaluation::default();
+        flow.energy()
+            .evaluate(&self.x, Smoothing::EXACT, &mut evaluation);
+        let gradient = evaluation
+            .gradient
+            .iter()
+            .enumerate()
+            .filter(|(v, _)| flow.is_free(*v));
+        self.state.gradient_norm = gradient
+            .map(|(_, g)| g.length_squared())
+            .sum::<f64>()
+            .sqrt();
+        self.state.energy = evaluation.value;
+        self.state.energy_normalised = 0.5 * evaluation.value;
+        self.state.area = measure::area(mesh, &self.x);
+        self.state.volume = measure::volume(mesh, &self.x);
+        self.state.min_angle_degrees = measure::min_angle_degrees(mesh, &self.x);
+        self.state.dt = flow.dt();
+        self.state.tau = flow.dt() / (h * h);
+        self.state.can_step_back = !self.history.is_empty();
+    }
+}

@@ -1,0 +1,92 @@
+//! Polygon soup: positions and faces as lists of corner indices, with no adjacency.
+//!
+//! What the readers in [`crate::io`] produce and the writers consume, and what
+//! [`crate::mesh`] builds connectivity from. It makes no promise beyond its own
+//! index ranges: faces may repeat, be degenerate or meet in a non-manifold way.
+
+use glam::DVec3;
+
+/// Positions and polygonal faces of any degree.
+///
+/// Faces are stored end to end: the corners of face `f` are
+/// `corners[face_starts[f]..face_starts[f + 1]]`, so `face_starts` has one entry
+/// more than there are faces and begins with 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PolygonSoup {
+    /// Position of each vertex.
+    pub positions: Vec<DVec3>,
+    /// Vertex index of each corner, face after face.
+    pub corners: Vec<u32>,
+    /// Where each face begins in `corners`; `n_faces + 1` entries.
+    pub face_starts: Vec<u32>,
+}
+
+impl Default for PolygonSoup {
+    fn default() -> Self {
+        Self {
+            positions: Vec::new(),
+            corners: Vec::new(),
+            face_starts: vec![0],
+        }
+    }
+}
+
+impl PolygonSoup {
+    /// A soup of faces given as slices of vertex indices.
+    pub fn from_faces<F: AsRef<[u32]>>(positions: Vec<DVec3>, faces: &[F]) -> Self {
+        let mut soup = Self {
+            positions,
+            ..Self::default()
+        };
+        for face in faces {
+            soup.push_face(face.as_ref());
+        }
+        soup
+    }
+
+    /// Appends one face.
+    pub fn push_face(&mut self, corners: &[u32]) {
+        self.corners.extend_from_slice(corners);
+        self.face_starts.push(self.corners.len() as u32);
+    }
+
+    /// Number of faces.
+    pub fn n_faces(&self) -> usize {
+        self.face_starts.len() - 1
+    }
+
+    /// Corners of face `f`, in order.
+    pub fn face(&self, f: usize) -> &[u32] {
+        &self.corners[self.face_starts[f] as usize..self.face_starts[f + 1] as usize]
+    }
+
+    /// All faces in order.
+    pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        (0..self.n_faces()).map(|f| self.face(f))
+    }
+
+    /// The faces cut into triangles by fans from each face's first corner.
+    ///
+    /// Keeps orientation and face order. A fan is a fair cut of a convex polygon
+    /// only; the formats that need it know nothing better.
+    pub fn fan_triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        self.faces().flat_map(|face| {
+            (2..face.len()).map(|corner| [face[0], face[corner - 1], face[corner]])
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fans_keep_order_and_orientation() {
+        let soup = PolygonSoup::from_faces(
+            vec![DVec3::ZERO; 6],
+            &[vec![0, 1, 2], vec![5, 4, 3, 2, 1], vec![0, 1]],
+        );
+        let triangles: Vec<_> = soup.fan_triangles().collect();
+        assert_eq!(triangles, [[0, 1, 2], [5, 4, 3], [5, 3, 2], [5, 2, 1]]);
+    }
+}

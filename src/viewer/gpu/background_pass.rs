@@ -1,0 +1,30 @@
+//! The background, drawn where the surface is not.
+
+use super::bindings::Bindings;
+use super::device::Gpu;
+use super::pipeline::{Plan, pipeline, shader};
+
+/// Draws one triangle at the far plane.
+pub(super) struct BackgroundPass(wgpu::RenderPipeline);
+
+impl BackgroundPass {
+    pub(super) fn new(gpu: &Gpu, bindings: &Bindings) -> Self {
+        Self(pipeline(
+            gpu,
+            &Plan {
+                label: "background",
+                shader: &shader(gpu, "background", include_str!("background.wgsl")),
+                fragment: "fragment",
+                groups: &[Some(&bindings.layout)],
+                buffers: &[],
+                topology: wgpu::PrimitiveTopology::TriangleList,
+                is_opaque: true,
+            },
+        ))
+    }
+
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_pipeline(&self.0);
+        pass.draw(0..3, 0..1);
+    }
+}

@@ -1,0 +1,119 @@
+//! What the passes share in making pipelines and buffers.
+
+use super::device::{DEPTH_FORMAT, Gpu};
+
+/// How one pipeline differs from the others.
+pub(super) struct Plan<'a> {
+    pub(super) label: &'static str,
+    pub(super) shader: &'a wgpu::ShaderModule,
+    pub(super) fragment: &'static str,
+    pub(super) groups: &'a [Option<&'a wgpu::BindGroupLayout>],
+    pub(super) buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
+    pub(super) topology: wgpu::PrimitiveTopology,
+    /// Opaque things write depth, transparent ones are blended over them.
+    pub(super) is_opaque: bool,
+}
+
+/// Compiles a shader, with the common part in front.
+pub(super) fn shader(gpu: &Gpu, label: &str, source: &str) -> wgpu::ShaderModule {
+    let source = [include_str!("frame.wgsl"), source].concat();
+    gpu.device
+        .create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(label),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        })
+}
+
+/// Makes a pipeline. Equal depth passes: highlights lie on what they highlight, and the
+/// background on the far plane.
+pub(super) fn pipeline(gpu: &Gpu, plan: &Plan<'_>) -> wgpu::RenderPipeline {
+    let layout = gpu
+        .device
+        .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(plan.label),
+            bind_group_layouts: plan.groups,
+            ..Default::default()
+        });
+    gpu.device
+        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(plan.label),
+            layout: Some(&layout),
+            vertex: wgpu::VertexState {
+                module: plan.shader,
+                entry_point: Some("vertex"),
+                compilation_options: Default::default(),
+                buffers: plan.buffers,
+            },
+            primitive: wgpu::PrimitiveState {
+                topology: plan.topology,
+                ..Default::default()
+            },
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: DEPTH_FORMAT,
+                depth_write_enabled: Some(plan.is_opaque),
+                depth_compare: Some(wgpu::CompareFunction::LessEqual),
+                stencil: Default::default(),
+                bias: Default::default(),
+            }),
+            multisample: wgpu::MultisampleState {
+                count: gpu.samples,
+                ..Default::default()
+            },
+            fragment: Some(wgpu::FragmentState {
+                module: plan.shader,
+                entry_point: Some(plan.fragment),
+                compilation_options: Default::default(),
+                targets: &[Some(wgpu::ColorTargetState {
+                    format: gpu.format(),
+                    blend: (!plan.is_opaque).then_some(wgpu::BlendState::ALPHA_BLENDING),
+                    write_mask: wgpu::ColorWrites::ALL,
+                })],
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+}
+
+/// A buffer rewritten in place, replaced only when it must grow.
+pub(super) struct GrowingBuffer {
+    buffer: wgpu::Buffer,
+    length: u64,
+}
+
+impl GrowingBuffer {
+    pub(super) fn new(gpu: &Gpu, usage: wgpu::BufferUsages) -> Self {
+        Self {
+            buffer: buffer(gpu, 4, usage | wgpu::BufferUsages::COPY_DST),
+            length: 0,
+        }
+    }
+
+    /// Replaces the contents.
+    pub(super) fn set<T: bytemuck::Pod>(&mut self, gpu: &Gpu, data: &[T]) {
+        let bytes: &[u8] = bytemuck::cast_slice(data);
+        self.length = bytes.len() as u64;
+        if self.length > self.buffer.size() {
+            self.buffer = buffer(gpu, self.length, self.buffer.usage());
+        }
+        gpu.queue.write_buffer(&self.buffer, 0, bytes);
+    }
+
+    /// The contents; there must be some.
+    pub(super) fn slice(&self) -> wgpu::BufferSlice<'_> {
+        self.buffer.slice(..self.length)
+    }
+
+    /// Number of elements of `T` in the contents.
+    pub(super) fn count<T>(&self) -> u32 {
+        (self.length / size_of::<T>() as u64) as u32
+    }
+}
+
+fn buffer(gpu: &Gpu, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size,
+        usage,
+        mapped_at_creation: false,
+    })
+}

@@ -1,0 +1,377 @@
+//! The viewer: a mesh, a camera and a style in, a picture on a canvas out.
+
+use glam::{Vec2, Vec4};
+use web_sys::HtmlCanvasElement;
+
+use super::background_pass::BackgroundPass;
+use super::bindings::Bindings;
+use super::device::Gpu;
+use super::line_pass::{EdgeSet, LinePass};
+use super::readback::{Picture, Readback};
+use super::signal::Signal;
+use super::surface_pass::SurfacePass;
+use crate::viewer::camera::Camera;
+use crate::viewer::colour::{Theme, linear};
+use crate::viewer::drawing::{Drawing, expect_range};
+use crate::viewer::edges::edges;
+use crate::viewer::error::ViewerError;
+use crate::viewer::frame::{Frame, Line};
+
+/// How the surface is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Style {
+    /// One normal a triangle instead of one a vertex.
+    pub is_flat: bool,
+    /// Draws the mesh's own edges.
+    pub wireframe: bool,
+    /// Draws the boundary loops.
+    pub boundary: bool,
+    /// Light or dark surroundings.
+    pub theme: Theme,
+    /// Width of an edge in device pixels; the boundary is drawn [`BOUNDARY_WIDTH`] times
+    /// as wide.
+    pub line_width: f32,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Self {
+            is_flat: false,
+            wireframe: false,
+            boundary: true,
+            theme: Theme::Dark,
+            line_width: 1.2,
+        }
+    }
+}
+
+/// Width of the boundary in widths of an edge.
+const BOUNDARY_WIDTH: f32 = 3.0;
+/// Opacity of the edges of the mesh.
+const WIRE_OPACITY: f32 = 0.75;
+/// Edges of the mesh vanish where they are shorter on screen than the first, and are drawn
+/// in full where they are longer than the second number of line widths.
+const WIRE_FADE: (f32, f32) = (3.0, 14.0);
+
+/// Cosines up to which a back counts as front. The inside of a closed surface is seen only
+/// through self-intersections; an open one shows its back up to the silhouette.
+const GRAZING_CLOSED: f32 = 0.3;
+const GRAZING_OPEN: f32 = 0.02;
+
+/// Colours for the values of a field.
+#[derive(Clone, Copy)]
+struct FieldRange {
+    low: f32,
+    high: f32,
+}
+
+/// What has changed since the last picture.
+#[derive(Default)]
+struct Stale {
+    picture: bool,
+    vertices: bool,
+    normals: bool,
+    flags: bool,
+}
+
+/// Everything needed to draw one surface on one canvas.
+pub struct Viewer {
+    gpu: Gpu,
+    bindings: Bindings,
+    background: BackgroundPass,
+    surface: SurfacePass,
+    lines: LinePass,
+    wire: EdgeSet,
+    boundary: EdgeSet,
+    drawing: Drawing,
+    camera: Camera,
+    style: Style,
+    field: Option<FieldRange>,
+    stale: Stale,
+}
+
+impl Viewer {
+    /// Opens a device and makes the pipelines; nothing is drawn yet.
+    ///
+    /// # Errors
+    /// `NoAdapter`, `NoDevice`, `NoCanvas`.
+    pub async fn open(canvas: HtmlCanvasElement, samples: u32) -> Result<Self, ViewerError> {
+        let gpu = Gpu::open(canvas, samples).await?;
+        let mut bindings = Bindings::new(&gpu);
+        bindings.set_map(&gpu, false);
+        let lines = LinePass::new(&gpu, &bindings);
+        let mut camera = Camera::default();
+        let (width, height) = gpu.size();
+        camera.resize(width, height);
+        Ok(Self {
+            background: BackgroundPass::new(&gpu, &bindings),
+            surface: SurfacePass::new(&gpu, &bindings),
+            wire: lines.edge_set(&gpu),
+            boundary: lines.edge_set(&gpu),
+            lines,
+            bindings,
+            gpu,
+            drawing: Drawing::default(),
+            camera,
+            style: Style::default(),
+            field: None,
+            stale: Stale {
+                picture: true,
+                ..Stale::default()
+            },
+        })
+    }
+
+    /// Shows another mesh from the standard direction, without field and marks.
+    ///
+    /// # Errors
+    /// `WrongLength`, `OutOfRange`, `TooLarge`; the mesh shown before then stays.
+    pub fn set_mesh(
+        &mut self,
+        positions: &[f32],
+        triangles: &[u32],
+        wire_edges: &[u32],
+        boundary_edges: &[u32],
+    ) -> Result<(), ViewerError> {
+        let drawing = Drawing::new(positions, triangles, boundary_edges.is_empty())?;
+        expect_range("wireEdges", wire_edges, drawing.n_vertices())?;
+        expect_range("boundaryEdges", boundary_edges, drawing.n_vertices())?;
+        self.gpu.expect_room_for(drawing.vertices().len())?;
+        self.drawing = drawing;
+        self.surface.set_mesh(&self.gpu, &self.drawing);
+        let vertices = self.drawing.vertices();
+        self.wire.set_edges(&self.gpu, &edges(vertices, wire_edges));
+        self.boundary
+            .set_edges(&self.gpu, &edges(vertices, boundary_edges));
+        self.field = None;
+        self.camera.set_bounds(self.drawing.bounds());
+        self.camera.home();
+        self.stale = Stale {
+            picture: true,
+            vertices: true,
+            normals: true,
+            flags: true,
+        };
+        Ok(())
+    }
+
+    /// Moves the vertices; the camera stays.
+    ///
+    /// # Errors
+    /// `WrongLength`.
+    pub fn set_positions(&mut self, positions: &[f32]) -> Result<(), ViewerError> {
+        self.drawing.set_positions(positions)?;
+        self.camera.set_bounds(self.drawing.bounds());
+        self.stale.vertices = true;
+        self.stale.normals = true;
+        self.stale.picture = true;
+        Ok(())
+    }
+
+    /// Colours the surface by a value a vertex, from `low` to `high`; `signed` takes the
+    /// diverging colour map.
+    ///
+    /// # Errors
+    /// `WrongLength`.
+    pub fn set_field(
+        &mut self,
+        values: &[f32],
+        low: f32,
+        high: f32,
+        signed: bool,
+    ) -> Result<(), ViewerError> {
+        self.drawing.set_field(values)?;
+        self.bindings.set_map(&self.gpu, signed);
+        self.field = Some(FieldRange { low, high });
+        self.stale.vertices = true;
+        self.stale.flags = true;
+        self.stale.picture = true;
+        Ok(())
+    }
+
+    /// Shows the surface in its plain colour.
+    pub fn clear_field(&mut self) {
+        self.field = None;
+        self.stale.picture = true;
+    }
+
+    /// Highlights these triangles and no others.
+    ///
+    /// # Errors
+    /// `OutOfRange`.
+    pub fn set_marked_triangles(&mut self, marked: &[u32]) -> Result<(), ViewerError> {
+        self.drawing.set_marked_triangles(marked)?;
+        self.surface.set_marked(&self.gpu, &self.drawing);
+        self.stale.picture = true;
+        Ok(())
+    }
+
+    /// Tints held vertices: one byte each, 0 or 1; empty for none.
+    ///
+    /// # Errors
+    /// `WrongLength`.
+    pub fn set_marked_vertices(&mut self, held: &[u8]) -> Result<(), ViewerError> {
+        self.drawing.set_marked_vertices(held)?;
+        self.stale.flags = true;
+        self.stale.picture = true;
+        Ok(())
+    }
+
+    /// How the surface is drawn.
+    pub fn style(&self) -> Style {
+        self.style
+    }
+
+    /// Draws the surface in another way.
+    pub fn set_style(&mut self, style: Style) {
+        self.stale.picture |= self.style != style;
+        self.style = style;
+    }
+
+    /// Resizes the picture, in device pixels. Clears the canvas: draw in the same turn.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        if self.gpu.size() != (width, height) {
+            self.gpu.resize(width, height);
+            let (width, height) = self.gpu.size();
+            self.camera.resize(width, height);
+            self.stale.picture = true;
+        }
+    }
+
+    /// Where the picture is taken from.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// The same, to be moved.
+    pub fn camera_mut(&mut self) -> &mut Camera {
+        self.stale.picture = true;
+        &mut self.camera
+    }
+
+    /// Draws, if anything has changed; says whether it did.
+    pub fn draw(&mut self) -> bool {
+        if !self.stale.picture || self.lost().get().is_some() {
+            return false;
+        }
+        let Some(texture) = self.gpu.next_texture() else {
+            return false;
+        };
+        self.upload();
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        self.render(
+            &mut encoder,
+            &texture.texture.create_view(&Default::default()),
+        );
+        self.gpu.queue.submit([encoder.finish()]);
+        self.gpu.queue.present(texture);
+        self.stale.picture = false;
+        true
+    }
+
+    /// Draws once more into a texture and reads it back. The future borrows nothing, so
+    /// that drawing can go on meanwhile.
+    ///
+    /// # Errors
+    /// `GpuLost`.
+    pub fn read_picture(&mut self) -> impl Future<Output = Result<Picture, ViewerError>> + use<> {
+        self.upload();
+        Readback::start(&self.gpu, |encoder, target| self.render(encoder, target)).finish()
+    }
+
+    /// Why the device was lost, once it is.
+    pub fn lost(&self) -> &Signal<String> {
+        &self.gpu.lost
+    }
+
+    /// What the graphics adapter calls itself; browsers often leave it empty.
+    pub fn adapter(&self) -> &str {
+        &self.gpu.adapter
+    }
+
+    /// Sends what is stale. Vertex normals only when they are looked at: they are the
+    /// dearest part of a frame.
+    fn upload(&mut self) {
+        let gpu = &self.gpu;
+        if std::mem::take(&mut self.stale.vertices) {
+            self.bindings.set_vertices(gpu, self.drawing.vertices());
+        }
+        if self.stale.normals && !self.style.is_flat {
+            self.stale.normals = false;
+            self.drawing.update_normals();
+            self.surface.set_normals(gpu, &self.drawing);
+        }
+        if std::mem::take(&mut self.stale.flags) {
+            self.surface.set_flags(gpu, &self.drawing);
+        }
+        self.bindings.set_frame(gpu, &self.frame());
+        let palette = self.style.theme.palette();
+        let line = |srgb, opacity, width: f32, (fade_from, fade_to): (f32, f32)| Line {
+            colour: Vec4::from(linear(srgb)).truncate().extend(opacity),
+            half_width: 0.5 * width,
+            fade_from: fade_from * width,
+            fade_to: fade_to * width,
+            lift: 2.0 + width,
+        };
+        let width = self.style.line_width;
+        self.wire
+            .set_line(gpu, &line(palette.wire, WIRE_OPACITY, width, WIRE_FADE));
+        let (always, width) = ((-2.0, -1.0), BOUNDARY_WIDTH * width);
+        self.boundary
+            .set_line(gpu, &line(palette.boundary, 1.0, width, always));
+    }
+
+    fn frame(&self) -> Frame {
+        let colour = |srgb| Vec4::from(linear(srgb));
+        let palette = self.style.theme.palette();
+        let (width, height) = self.gpu.size();
+        let FieldRange { low, high } = self.field.unwrap_or(FieldRange {
+            low: 0.0,
+            high: 1.0,
+        });
+        let back = if self.drawing.has_two_sides() {
+            palette.back
+        } else {
+            palette.front
+        };
+        Frame {
+            clip_from_view: self.camera.clip_from_view(),
+            view_from_world: self.camera.view_from_world(),
+            glow: colour(palette.glow),
+            corner: colour(palette.corner),
+            front: colour(palette.front),
+            back: colour(back),
+            fixed: colour(palette.fixed),
+            marked: colour(palette.marked),
+            viewport: Vec2::new(width as f32, height as f32),
+            pixel_size: self.camera.pixel_size(),
+            near: self.camera.clip_planes().0,
+            // The middle of the map where a range is empty: a constant field is no extreme.
+            field_low: if high > low { low } else { low - 0.5 },
+            field_scale: if high > low { 1.0 / (high - low) } else { 1.0 },
+            field_strength: if self.field.is_some() { 1.0 } else { 0.0 },
+            flatness: if self.style.is_flat { 1.0 } else { 0.0 },
+            grazing: if self.drawing.is_closed() {
+                GRAZING_CLOSED
+            } else {
+                GRAZING_OPEN
+            },
+            padding: [0.0; 3],
+        }
+    }
+
+    fn render(&self, encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
+        self.gpu.render(encoder, target, |pass| {
+            pass.set_bind_group(0, &self.bindings.group, &[]);
+            self.surface.draw(pass);
+            self.background.draw(pass);
+            self.surface.draw_marked(pass);
+            if self.style.wireframe {
+                self.lines.draw(pass, &self.wire);
+            }
+            if self.style.boundary {
+                self.lines.draw(pass, &self.boundary);
+            }
+        });
+    }
+}

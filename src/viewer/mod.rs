@@ -1,0 +1,24 @@
+//! The viewer: one surface on one canvas, drawn with WebGPU.
+//!
+//! It knows no flow: positions, triangles, edges and a value a vertex come in, a picture
+//! goes out. What is mathematics or bookkeeping is plain Rust, compiled and tested
+//! everywhere; what touches the GPU exists only in the browser.
+//!
+//! | part | holds |
+//! | --- | --- |
+//! | [`camera`] | turntable, fit, zoom to the cursor, clip planes |
+//! | [`drawing`] | arrays of the surface as drawn; [`seams`], [`normals`] and [`edges`] serve it |
+//! | [`colour`] | colour maps, palettes of the themes |
+//! | [`frame`] | uniform blocks, mirrored in WGSL |
+//! | `gpu` | device, passes and shaders; redraws only when something changed |
+
+pub mod camera;
+pub mod colour;
+pub mod drawing;
+pub mod edges;
+pub mod error;
+pub mod frame;
+#[cfg(all(feature = "viewer", target_arch = "wasm32"))]
+pub mod gpu;
+pub mod normals;
+pub mod seams;

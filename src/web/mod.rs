@@ -1,0 +1,12 @@
+//! The seam to JavaScript: `#[wasm_bindgen]` around the application and the viewer.
+//!
+//! Conversions only. Every refusal is thrown as a `Fault` of `www/protocol.js`.
+
+#[cfg(target_arch = "wasm32")]
+mod fault;
+#[cfg(target_arch = "wasm32")]
+mod panic;
+#[cfg(all(feature = "solver", target_arch = "wasm32"))]
+pub mod session;
+#[cfg(all(feature = "viewer", target_arch = "wasm32"))]
+pub mod viewer;

@@ -1,0 +1,231 @@
+//! JavaScript class `Viewer`: see the methods for what `www/viewer.js` may call.
+
+use js_sys::{Function, Promise, Reflect, Uint8Array};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::{future_to_promise, spawn_local};
+use web_sys::HtmlCanvasElement;
+
+use super::fault::{fault, object};
+use crate::viewer::colour::{Theme, colour_bar};
+use crate::viewer::error::ViewerError;
+use crate::viewer::gpu;
+
+#[wasm_bindgen]
+extern "C" {
+    /// `{ samples?: 1 | 4 }`
+    pub type ViewerOptions;
+    #[wasm_bindgen(method, getter)]
+    fn samples(this: &ViewerOptions) -> Option<u32>;
+
+    /// `{ shading?, wireframe?, boundary?, theme?, lineWidth? }`
+    pub type StyleOptions;
+    #[wasm_bindgen(method, getter)]
+    fn shading(this: &StyleOptions) -> Option<String>;
+    #[wasm_bindgen(method, getter)]
+    fn wireframe(this: &StyleOptions) -> Option<bool>;
+    #[wasm_bindgen(method, getter)]
+    fn boundary(this: &StyleOptions) -> Option<bool>;
+    #[wasm_bindgen(method, getter)]
+    fn theme(this: &StyleOptions) -> Option<String>;
+    #[wasm_bindgen(method, getter, js_name = lineWidth)]
+    fn line_width(this: &StyleOptions) -> Option<f32>;
+}
+
+impl From<ViewerError> for JsValue {
+    fn from(error: ViewerError) -> Self {
+        fault(error.kind(), &error.to_string(), &error.hint())
+    }
+}
+
+/// One surface on one canvas. Every method that takes an array copies it; those that
+/// refuse one throw a `Fault` and change nothing.
+#[wasm_bindgen]
+pub struct Viewer(gpu::Viewer);
+
+#[wasm_bindgen]
+impl Viewer {
+    /// Opens a graphics device for a canvas. Four samples a pixel unless told one.
+    ///
+    /// # Errors
+    /// Rejects with `NoWebGpu`, `NoAdapter`, `NoDevice` or `NoCanvas`.
+    pub async fn create(
+        canvas: HtmlCanvasElement,
+        options: Option<ViewerOptions>,
+    ) -> Result<Viewer, JsValue> {
+        let property = |object: JsValue, key: &str| Reflect::get(&object, &key.into());
+        let navigator = property(js_sys::global().into(), "navigator")?;
+        if property(navigator, "gpu")?.is_falsy() {
+            return Err(ViewerError::NoWebGpu.into());
+        }
+        let single = options.and_then(|options| options.samples()) == Some(1);
+        Ok(Self(
+            gpu::Viewer::open(canvas, if single { 1 } else { 4 }).await?,
+        ))
+    }
+
+    /// Shows another mesh, from the standard direction, without field and marks.
+    #[wasm_bindgen(js_name = setMesh)]
+    pub fn set_mesh(
+        &mut self,
+        positions: &[f32],
+        triangles: &[u32],
+        wire_edges: &[u32],
+        boundary_edges: &[u32],
+    ) -> Result<(), JsValue> {
+        Ok(self
+            .0
+            .set_mesh(positions, triangles, wire_edges, boundary_edges)?)
+    }
+
+    /// Moves the vertices; the camera stays.
+    #[wasm_bindgen(js_name = setPositions)]
+    pub fn set_positions(&mut self, positions: &[f32]) -> Result<(), JsValue> {
+        Ok(self.0.set_positions(positions)?)
+    }
+
+    /// Colours by a value a vertex.
+    #[wasm_bindgen(js_name = setField)]
+    pub fn set_field(
+        &mut self,
+        values: &[f32],
+        low: f32,
+        high: f32,
+        signed: bool,
+    ) -> Result<(), JsValue> {
+        Ok(self.0.set_field(values, low, high, signed)?)
+    }
+
+    /// Back to the plain colour.
+    #[wasm_bindgen(js_name = clearField)]
+    pub fn clear_field(&mut self) {
+        self.0.clear_field();
+    }
+
+    /// Highlights these triangles and no others.
+    #[wasm_bindgen(js_name = setMarkedTriangles)]
+    pub fn set_marked_triangles(&mut self, marked: &[u32]) -> Result<(), JsValue> {
+        Ok(self.0.set_marked_triangles(marked)?)
+    }
+
+    /// Tints held vertices: a byte each, 1 where held; empty for none.
+    #[wasm_bindgen(js_name = setMarkedVertices)]
+    pub fn set_marked_vertices(&mut self, held: &[u8]) -> Result<(), JsValue> {
+        Ok(self.0.set_marked_vertices(held)?)
+    }
+
+    /// Changes what is given of the style; names that are unknown change nothing.
+    #[wasm_bindgen(js_name = setStyle)]
+    pub fn set_style(&mut self, options: &StyleOptions) {
+        let mut style = self.0.style();
+        match options.shading().as_deref() {
+            Some("flat") => style.is_flat = true,
+            Some("smooth") => style.is_flat = false,
+            _ => {}
+        }
+        match options.theme().as_deref() {
+            Some("light") => style.theme = Theme::Light,
+            Some("dark") => style.theme = Theme::Dark,
+            _ => {}
+        }
+        style.wireframe = options.wireframe().unwrap_or(style.wireframe);
+        style.boundary = options.boundary().unwrap_or(style.boundary);
+        style.line_width = options.line_width().unwrap_or(style.line_width);
+        self.0.set_style(style);
+    }
+
+    /// Resizes the picture, in device pixels. Clears the canvas: draw in the same turn.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        self.0.resize(width, height);
+    }
+
+    /// Turns the surface as if dragged by so many pixels.
+    pub fn orbit(&mut self, dx: f32, dy: f32) {
+        self.0.camera_mut().orbit(dx, dy);
+    }
+
+    /// Turns the picture anticlockwise, in radians, and what counts as upright with it.
+    pub fn roll(&mut self, angle: f32) {
+        self.0.camera_mut().roll(angle);
+    }
+
+    /// Moves the surface by so many pixels.
+    pub fn pan(&mut self, dx: f32, dy: f32) {
+        self.0.camera_mut().pan(dx, dy);
+    }
+
+    /// Comes closer by a factor, towards a pixel.
+    pub fn zoom(&mut self, factor: f32, x: f32, y: f32) {
+        self.0.camera_mut().zoom(factor, x, y);
+    }
+
+    /// Centres the surface and fills the picture with it, from the present direction.
+    pub fn fit(&mut self) {
+        self.0.camera_mut().fit();
+    }
+
+    /// Fits from the standard direction.
+    pub fn home(&mut self) {
+        self.0.camera_mut().home();
+    }
+
+    /// The camera as numbers, independent of the size of the picture.
+    pub fn camera(&self) -> Vec<f32> {
+        self.0.camera().to_array().to_vec()
+    }
+
+    /// Takes over numbers of `camera`; false, and no change, when they make no sense.
+    #[wasm_bindgen(js_name = setCamera)]
+    pub fn set_camera(&mut self, numbers: &[f32]) -> bool {
+        self.0.camera_mut().set_from_slice(numbers)
+    }
+
+    /// Draws if anything has changed; says whether it did.
+    pub fn draw(&mut self) -> bool {
+        self.0.draw()
+    }
+
+    /// Whether the graphics device went away; then this viewer is dead.
+    #[wasm_bindgen(js_name = isLost)]
+    pub fn is_lost(&self) -> bool {
+        self.0.lost().get().is_some()
+    }
+
+    /// Calls back once, with the reason, when the graphics device goes away, also by
+    /// `free`. One callback only: a later one replaces it.
+    #[wasm_bindgen(js_name = onLost)]
+    pub fn on_lost(&self, callback: Function) {
+        let lost = self.0.lost().clone();
+        spawn_local(async move {
+            let reason = lost.wait().await;
+            // What the callback throws is its own affair.
+            let _ = callback.call1(&JsValue::UNDEFINED, &reason.into());
+        });
+    }
+
+    /// Draws the present picture once more and reads it back: `{ width, height, data }`,
+    /// r, g, b, a bytes from the top left. Works also where the canvas shows nothing.
+    #[wasm_bindgen(js_name = readPixels)]
+    pub fn read_pixels(&mut self) -> Promise {
+        // Not an async method: that would borrow the viewer until the picture is here.
+        let picture = self.0.read_picture();
+        future_to_promise(async move {
+            let picture = picture.await?;
+            Ok(object(&[
+                ("width", picture.width.into()),
+                ("height", picture.height.into()),
+                ("data", Uint8Array::from(picture.data.as_slice()).into()),
+            ]))
+        })
+    }
+
+    /// What the graphics adapter calls itself; browsers often leave it empty.
+    pub fn adapter(&self) -> String {
+        self.0.adapter().to_owned()
+    }
+
+    /// `n` colours of a colour map from low to high, r, g, b bytes each.
+    #[wasm_bindgen(js_name = colourBar)]
+    pub fn colour_bar(&self, signed: bool, n: usize) -> Vec<u8> {
+        colour_bar(signed, n)
+    }
+}

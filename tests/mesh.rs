@@ -1,0 +1,320 @@
+//! Half-edge connectivity: invariants, safe repairs, refusals.
+#![allow(missing_docs, reason = "tests")]
+
+mod support;
+
+use glam::DVec3;
+use proptest::prelude::*;
+use support::*;
+use umbilic::geometry::measure;
+use umbilic::mesh::{MeshError, Vertex, build, shape, triangulate};
+use umbilic::soup::PolygonSoup;
+
+fn sample(name: &str) -> PolygonSoup {
+    shape::make(name, &[]).expect("a shape").soup
+}
+
+/// A cube of six quads, outward.
+fn cube() -> PolygonSoup {
+    let corner = |i: u32| {
+        DVec3::new(
+            f64::from(i & 1),
+            f64::from(i >> 1 & 1),
+            f64::from(i >> 2 & 1),
+        )
+    };
+    let faces = [
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+    ];
+    PolygonSoup::from_faces((0..8).map(corner).collect(), &faces)
+}
+
+#[test]
+fn every_sample_shape_is_a_valid_mesh() {
+    for shape in shape::all() {
+        let Surface { mesh, x, warnings } = surface(&sample(shape.name));
+        let one_sided = ["moebius", "klein-bottle"].contains(&shape.name);
+        assert_eq!(mesh.is_oriented(), !one_sided, "{}", shape.name);
+        assert_eq!(
+            warnings.len(),
+            usize::from(one_sided),
+            "{}: {warnings:?}",
+            shape.name
+        );
+        if let Some(volume) = measure::volume(&mesh, &x) {
+            assert!(volume > 0.0, "{} is inside out", shape.name);
+        }
+        let boundary = mesh
+            .vertices()
+            .filter(|&v| mesh.is_boundary_vertex(v))
+            .count();
+        assert_eq!(
+            boundary,
+            mesh.boundary_loops().flatten().count(),
+            "{}",
+            shape.name
+        );
+    }
+}
+
+#[test]
+fn faces_keep_their_degree_and_order() {
+    let soup = cube();
+    let Surface { mesh, x, .. } = surface(&soup);
+    assert_eq!(
+        (mesh.n_vertices(), mesh.n_edges(), mesh.n_faces()),
+        (8, 12, 6)
+    );
+    assert_eq!((mesh.euler_characteristic(), mesh.genus()), (2, Some(0)));
+    assert_eq!(mesh.to_soup(&x), soup);
+    assert!((measure::volume(&mesh, &x).expect("closed") - 1.0).abs() < 1e-15);
+    assert!((measure::area(&mesh, &x) - 6.0).abs() < 1e-15);
+    let cut = surface(&triangulate(&soup));
+    assert_eq!((cut.mesh.n_vertices(), cut.mesh.n_faces()), (8, 12));
+    assert!((measure::volume(&cut.mesh, &cut.x).expect("closed") - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn boundary_loops_run_against_the_faces() {
+    let Surface { mesh, .. } = surface(&sample("cylinder"));
+    assert_eq!((mesh.n_boundary_loops(), mesh.genus()), (2, Some(0)));
+    for h in mesh.boundary_loops().flatten() {
+        assert!(mesh.is_boundary_halfedge(h) && !mesh.is_boundary_halfedge(h.twin()));
+        assert_eq!(mesh.tail(h), mesh.tip(h.twin()));
+    }
+}
+
+#[test]
+fn a_moebius_strip_has_one_loop_and_no_orientation() {
+    let Surface { mesh, .. } = surface(&sample("moebius"));
+    assert_eq!(
+        (mesh.n_boundary_loops(), mesh.euler_characteristic()),
+        (1, 0)
+    );
+    assert_eq!(mesh.genus(), None);
+    assert!(mesh.edges().any(|e| mesh.is_twisted(e)));
+}
+
+#[test]
+fn a_reversed_patch_is_turned_back() {
+    let clean = sample("icosphere");
+    let mut soup = PolygonSoup {
+        positions: clean.positions.clone(),
+        ..PolygonSoup::default()
+    };
+    for (f, face) in clean.faces().enumerate() {
+        let mut face = face.to_vec();
+        if f % 7 == 3 {
+            face.reverse();
+        }
+        soup.push_face(&face);
+    }
+    let Surface { mesh, x, warnings } = surface(&soup);
+    assert!(mesh.is_oriented() && measure::volume(&mesh, &x).expect("closed") > 0.0);
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+}
+
+#[test]
+fn an_inside_out_surface_is_turned() {
+    let mut soup = sample("torus");
+    soup.corners.chunks_exact_mut(3).for_each(<[u32]>::reverse);
+    let Surface { mesh, x, warnings } = surface(&soup);
+    assert!(measure::volume(&mesh, &x).expect("closed") > 0.0);
+    assert!(warnings[0].contains("inside out"), "{warnings:?}");
+}
+
+#[test]
+fn harmless_debris_is_dropped_with_a_word() {
+    let clean = sample("icosahedron");
+    let mut soup = clean.clone();
+    let n = soup.positions.len() as u32;
+    let first: Vec<u32> = soup.face(0).to_vec();
+    soup.push_face(&[first[1], first[2], first[0]]);
+    soup.push_face(&[0, 0, 1]);
+    soup.positions
+        .extend((0..4).map(|i| DVec3::splat(f64::from(i))));
+    soup.push_face(&[n, n + 1, n + 2]);
+    let Surface { mesh, x, warnings } = surface(&soup);
+    assert_eq!(mesh.to_soup(&x), clean);
+    assert_eq!(warnings.len(), 4, "{warnings:?}");
+}
+
+#[test]
+fn a_quad_with_a_repeated_corner_is_a_triangle() {
+    let positions = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE];
+    let soup = PolygonSoup::from_faces(positions, &[&[0, 1, 1, 2][..], &[1, 3, 2][..]]);
+    let Surface { mesh, .. } = surface(&soup);
+    assert_eq!((mesh.n_faces(), mesh.n_edges()), (2, 5));
+}
+
+#[test]
+fn sheets_that_touch_in_a_vertex_are_parted() {
+    let mut soup = sample("icosahedron");
+    let n = soup.positions.len() as u32;
+    let other = sample("icosahedron");
+    soup.positions
+        .extend(other.positions.iter().map(|p| *p + DVec3::X * 5.0));
+    for face in other.faces() {
+        // Vertex 0 of both.
+        let face: Vec<u32> = face
+            .iter()
+            .map(|&v| if v == 0 { 0 } else { v + n })
+            .collect();
+        soup.push_face(&face);
+    }
+    let built = build(&soup).expect("a surface");
+    built.mesh.validate().expect("valid");
+    assert_eq!(built.mesh.n_vertices(), 2 * n as usize);
+    assert_eq!(built.mesh.components().1, 2);
+    assert_eq!(
+        built.soup_vertex.last(),
+        Some(&0),
+        "the copy knows where it comes from"
+    );
+    assert!(built.warnings[0].contains("(0)"), "{:?}", built.warnings);
+}
+
+#[test]
+fn what_cannot_be_repaired_is_named() {
+    let points = |n: u32| {
+        (0..n)
+            .map(|i| DVec3::new(f64::from(i), f64::from(i * i), 1.0))
+            .collect()
+    };
+    let fan = PolygonSoup::from_faces(points(5), &[[0, 1, 2], [1, 0, 3], [0, 1, 4]]);
+    let error = build(&fan).expect_err("three faces at an edge");
+    assert_eq!(
+        error,
+        MeshError::NonManifoldEdge {
+            a: 0,
+            b: 1,
+            faces: vec![0, 1, 2],
+            others: 0
+        }
+    );
+    assert!(error.to_string().contains("0 and 1") && !error.hint().is_empty());
+
+    let range = PolygonSoup::from_faces(points(3), &[[0, 1, 3]]);
+    let expected = MeshError::VertexOutOfRange {
+        face: 0,
+        vertex: 3,
+        vertices: 3,
+    };
+    assert_eq!(build(&range).expect_err("out of range"), expected);
+
+    let mut nan = PolygonSoup::from_faces(points(3), &[[0, 1, 2]]);
+    nan.positions[1].y = f64::NAN;
+    assert_eq!(
+        build(&nan).expect_err("NaN"),
+        MeshError::NonFiniteVertex { vertex: 1 }
+    );
+
+    let nothing = PolygonSoup::from_faces(points(3), &[[0, 0, 1]]);
+    assert_eq!(build(&nothing).expect_err("no face"), MeshError::NoFaces);
+}
+
+#[test]
+fn stars_are_cyclic_and_cross_twisted_edges() {
+    for name in ["icosphere", "klein-bottle", "moebius", "pipe"] {
+        let Surface { mesh, .. } = surface(&sample(name));
+        for v in mesh.vertices() {
+            let star: Vec<_> = mesh.star(v).collect();
+            for (i, spoke) in star.iter().enumerate().filter(|(_, s)| s.face.is_some()) {
+                let next: Vertex = star[(i + 1) % star.len()].neighbour;
+                let corners: Vec<Vertex> = mesh.face_vertices(spoke.face).collect();
+                assert!(
+                    corners.contains(&v) && corners.contains(&spoke.neighbour),
+                    "{name}"
+                );
+                assert!(
+                    corners.contains(&next),
+                    "{name}: face between neighbouring spokes"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn real_and_broken_files_get_their_verdict() {
+    let Some(folder) = shared_meshes() else {
+        return;
+    };
+    // Vertices, faces, components, loops, genus.
+    let good: [(&str, [i64; 5]); 8] = [
+        ("spot_quadrangulated.obj", [2930, 2928, 1, 0, 0]),
+        ("bob_small.ply", [250, 500, 1, 0, 1]),
+        ("borromean.obj", [5760, 11520, 3, 0, 3]),
+        ("skull_low_resolution.obj", [5154, 10312, 1, 0, 2]),
+        ("plane_holes.obj", [8519, 16747, 1, 27, 0]),
+        ("icosahedron_binary.stl", [12, 20, 1, 0, 0]),
+        ("hemisphere.off", [1861, 3600, 1, 1, 0]),
+        ("koala.obj", [49_999, 99_994, 1, 0, 0]),
+    ];
+    let read = |name: &str| {
+        let bytes = std::fs::read(folder.join(name)).expect("a file");
+        umbilic::io::read(&bytes, name).expect("readable").soup
+    };
+    for (name, expected) in good {
+        let Surface { mesh, warnings, .. } = surface(&read(name));
+        let found = [
+            mesh.n_vertices() as i64,
+            mesh.n_faces() as i64,
+            mesh.components().1 as i64,
+            mesh.n_boundary_loops() as i64,
+            mesh.genus().expect("oriented"),
+        ];
+        assert_eq!(found, expected, "{name}");
+        assert!(warnings.is_empty(), "{name}: {warnings:?}");
+    }
+    let fan = build(&read("broken/fan3.obj")).expect_err("refused");
+    assert_eq!(fan.kind(), "NonManifoldEdge");
+    for (name, vertices, faces, warnings) in [
+        ("broken/hourglass_ico.obj", 24, 40, 1),
+        ("broken/moebius.obj", 280, 224, 1),
+        ("broken/walnut_shell_inside_out.obj", 3842, 7680, 1),
+        ("broken/sphere_with_hole.stl", 148, 285, 1),
+        ("broken/spot_duplicate_faces.obj", 829, 1654, 1),
+        ("broken/spot_flipped_patch.obj", 829, 1654, 1),
+        ("broken/spot_degenerate.obj", 829, 1654, 4),
+        ("broken/two_groups.obj", 4, 2, 0),
+        ("broken/two_solids.stl", 6, 2, 0),
+    ] {
+        let found = surface(&read(name));
+        assert_eq!(
+            (found.mesh.n_vertices(), found.mesh.n_faces()),
+            (vertices, faces),
+            "{name}"
+        );
+        assert_eq!(
+            found.warnings.len(),
+            warnings,
+            "{name}: {:?}",
+            found.warnings
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// Any soup is either refused by name or becomes a valid mesh.
+    #[test]
+    fn random_soups_are_refused_or_valid(
+        faces in prop::collection::vec(prop::collection::vec(0u32..9, 0..6), 0..14),
+        points in prop::collection::vec((-2i8..3, -2i8..3, -2i8..3), 9),
+    ) {
+        let point = |&(x, y, z): &(i8, i8, i8)| DVec3::new(x.into(), y.into(), z.into());
+        let soup = PolygonSoup::from_faces(points.iter().map(point).collect(), &faces);
+        if let Ok(built) = build(&soup) {
+            prop_assert_eq!(built.mesh.validate(), Ok(()));
+            prop_assert_eq!(built.positions.len(), built.mesh.n_vertices());
+            let _ = build(&triangulate(&built.mesh.to_soup(&built.positions)));
+        }
+    }
+}

@@ -1,0 +1,321 @@
+//! The application without a browser.
+#![allow(missing_docs, reason = "tests")]
+
+use std::cell::RefCell;
+use std::rc::Rc;
+use umbilic::energy::circle::Boundary;
+use umbilic::flow::Status;
+use umbilic::flow::options::FlowOptions;
+use umbilic::io::{self, Format};
+use umbilic::session::Session;
+
+fn with(name: &str, values: &[(&str, f64)]) -> Session {
+    let mut session = Session::new();
+    let values: Vec<(String, f64)> = values.iter().map(|(n, v)| ((*n).to_owned(), *v)).collect();
+    session.sample(name, &values).expect("a sample");
+    session
+}
+
+fn small() -> Session {
+    with("icosahedron", &[("level", 2.0)])
+}
+
+#[test]
+fn a_run_converges_and_says_so() {
+    let mut session = small();
+    session.configure(FlowOptions::default()).expect("options");
+    let taken = session.run(100).expect("a run");
+    let state = session.state().expect("state");
+    assert_eq!(state.status, Status::Converged);
+    assert_eq!(
+        (state.step, session.reports().expect("reports").len()),
+        (taken, taken)
+    );
+    assert!(
+        state.message.contains("Converged after"),
+        "{}",
+        state.message
+    );
+    assert!(state.energy < 1e-7 && state.energy_normalised == 0.5 * state.energy);
+    let csv = session.history_csv().expect("CSV");
+    assert_eq!(csv.lines().count(), taken + 1);
+    let columns = csv.lines().next().expect("a header").split(',').count();
+    assert!(csv.lines().all(|line| line.split(',').count() == columns));
+}
+
+#[test]
+fn back_undoes_a_step_exactly() {
+    let mut session = small();
+    session.run(3).expect("steps");
+    let (positions, state) = (
+        session.positions().expect("x"),
+        session.state().expect("state"),
+    );
+    session.run(2).expect("steps");
+    let ahead = session.positions().expect("x");
+    session.back().expect("back");
+    let back = session.back().expect("back");
+    assert_eq!((session.positions().expect("x"), back), (positions, state));
+    assert_eq!(session.reports().expect("reports").len(), 3);
+    // And forward again to the same place.
+    session.run(2).expect("steps");
+    assert_eq!(session.positions().expect("x"), ahead);
+    for _ in 0..9 {
+        session.back().expect("back");
+    }
+    let start = session.state().expect("state");
+    assert!(start.step == 0 && !start.can_step_back);
+}
+
+#[test]
+fn reset_returns_to_the_start() {
+    let mut session = small();
+    let start = session.positions().expect("x");
+    session.run(4).expect("steps");
+    assert_ne!(session.positions().expect("x"), start);
+    let state = session.reset().expect("reset");
+    assert_eq!((session.positions().expect("x"), state.step), (start, 0));
+    assert!((state.energy - 12.0 * std::f64::consts::PI).abs() < 1e-9);
+}
+
+#[test]
+fn a_refused_file_changes_nothing() {
+    let mut session = small();
+    session.run(2).expect("steps");
+    let before = (
+        session.positions().expect("x"),
+        session.state().expect("state"),
+    );
+    for (bytes, kind) in [
+        (&b"v 0 0 0\nv 1 0 0\nf 1 2 9\n"[..], "IndexOutOfRange"),
+        (b"", "Empty"),
+        (
+            b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n",
+            "NonManifoldEdge",
+        ),
+    ] {
+        let fault = session.load(bytes, "broken.obj").expect_err("refused");
+        assert_eq!(fault.kind, kind);
+        assert!(!fault.message.is_empty() && !fault.hint.is_empty());
+    }
+    let fault = session.sample("no-such-shape", &[]).expect_err("refused");
+    assert_eq!(fault.kind, "UnknownShape");
+    let options = FlowOptions {
+        tau: Some(-1.0),
+        ..FlowOptions::default()
+    };
+    assert_eq!(
+        session.configure(options).expect_err("refused").kind,
+        "BadOption"
+    );
+    let everything = FlowOptions {
+        free: Some(vec![]),
+        ..FlowOptions::default()
+    };
+    assert_eq!(
+        session.configure(everything).expect_err("refused").kind,
+        "NothingFree"
+    );
+    assert_eq!(
+        (
+            session.positions().expect("x"),
+            session.state().expect("state")
+        ),
+        before
+    );
+    session.step().expect("still steps");
+}
+
+#[test]
+fn exports_keep_the_faces_of_the_file() {
+    let quads = b"OFF\n8 6 12\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n\
+        4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
+    let mut session = Session::new();
+    let loaded = session.load(quads, "folder/my.cube.off").expect("a cube");
+    assert_eq!(
+        (loaded.name.as_str(), loaded.triangles_only),
+        ("my.cube", false)
+    );
+    assert_eq!((loaded.triangles.len(), loaded.wire_edges.len()), (36, 24));
+    assert_eq!(loaded.info.warnings.len(), 1);
+    let start = io::read(quads, "").expect("readable").soup;
+    for format in [Format::Obj, Format::Off, Format::Ply, Format::PlyAscii] {
+        let bytes = session.export(format).expect("a file");
+        assert_eq!(
+            io::read(&bytes, "").expect("readable").soup,
+            start,
+            "{format:?}"
+        );
+    }
+    assert_eq!(&session.export(Format::Glb).expect("a file")[..4], b"glTF");
+}
+
+#[test]
+fn meshes_far_from_the_origin_lose_nothing() {
+    let mut near = small();
+    near.run(3).expect("steps");
+    let text = String::from_utf8(near.export(Format::Obj).expect("OBJ")).expect("text");
+    let offset = 4e6;
+    let shifted: String = text
+        .lines()
+        .map(|line| match line.strip_prefix("v ") {
+            Some(rest) => {
+                let c: Vec<f64> = rest
+                    .split(' ')
+                    .map(|c| c.parse().expect("number"))
+                    .collect();
+                format!("v {} {} {}\n", c[0] + offset, c[1], c[2])
+            }
+            None => format!("{line}\n"),
+        })
+        .collect();
+    let mut far = Session::new();
+    far.load(shifted.as_bytes(), "far.obj").expect("a mesh");
+    let biggest = far.positions().expect("x").into_iter().fold(0.0, f32::max);
+    assert!(biggest < 10.0, "drawn near the origin, not at {biggest}");
+    far.run(3).expect("steps");
+    let soup = io::read(&far.export(Format::Obj).expect("OBJ"), "")
+        .expect("readable")
+        .soup;
+    assert!(soup.positions.iter().all(|p| (p.x - offset).abs() < 10.0));
+}
+
+#[test]
+fn the_samples_selection_is_held_unless_told_otherwise() {
+    let mut session = with("six-sided-hole", &[]);
+    let configured = session.configure(FlowOptions::default()).expect("options");
+    let held = session
+        .held_vertices()
+        .expect("held")
+        .iter()
+        .filter(|&&h| h == 1)
+        .count();
+    assert_eq!(
+        configured.free_vertices + held,
+        session.positions().expect("x").len() / 3
+    );
+    let start = session.positions().expect("x");
+    session.run(3).expect("steps");
+    let end = session.positions().expect("x");
+    let held = session.held_vertices().expect("held");
+    for (v, _) in held.iter().enumerate().filter(|(_, h)| **h == 1) {
+        assert_eq!(
+            start[3 * v..3 * v + 3],
+            end[3 * v..3 * v + 3],
+            "vertex {v} moved"
+        );
+    }
+    let options = FlowOptions {
+        fixed: Some(vec![0]),
+        boundary: Boundary::Free,
+        ..FlowOptions::default()
+    };
+    let configured = session.configure(options).expect("options");
+    assert_eq!(configured.free_vertices, start.len() / 3 - 1);
+}
+
+#[test]
+fn the_budget_ends_a_run_and_asking_again_renews_it() {
+    let mut session = with("coarse-torus", &[]);
+    let options = FlowOptions {
+        max_steps: 5,
+        ..FlowOptions::default()
+    };
+    session.configure(options).expect("options");
+    assert_eq!(session.run(50).expect("a run"), 5);
+    assert_eq!(session.state().expect("state").status, Status::StepLimit);
+    assert_eq!(session.run(50).expect("a run"), 5);
+    assert_eq!(session.state().expect("state").step, 10);
+}
+
+#[test]
+fn a_restored_session_goes_on_from_there() {
+    let mut session = small();
+    session.run(3).expect("steps");
+    let (positions, state) = (
+        session.positions().expect("x"),
+        session.state().expect("state"),
+    );
+    let mut other = small();
+    let restored = other
+        .restore(&positions, state.step, state.time)
+        .expect("restored");
+    assert_eq!((restored.step, restored.time), (3, state.time));
+    assert!((restored.energy - state.energy).abs() < 1e-4);
+    other.step().expect("a step");
+    assert_eq!(other.state().expect("state").step, 4);
+    assert_eq!(
+        other
+            .restore(&positions[1..], 0, 0.0)
+            .expect_err("short")
+            .kind,
+        "BadPositions"
+    );
+}
+
+#[test]
+fn fields_have_a_value_a_vertex_and_a_range() {
+    let mut session = with("torus", &[]);
+    session.run(1).expect("a step");
+    let n = session.positions().expect("x").len() / 3;
+    for name in [
+        "mean-curvature",
+        "gauss-curvature",
+        "willmore",
+        "gradient",
+        "displacement",
+    ] {
+        let field = session.field(name).expect("known").expect("a field");
+        assert_eq!(field.values.len(), n, "{name}");
+        assert!(
+            field.low < field.high && field.values.iter().all(|v| v.is_finite()),
+            "{name}"
+        );
+        assert!(!field.signed || field.low == -field.high, "{name}");
+    }
+    assert_eq!(session.field("none").expect("known"), None);
+    assert_eq!(
+        session.field("colour").expect_err("unknown").kind,
+        "UnknownField"
+    );
+}
+
+#[test]
+fn progress_is_told_within_a_step() {
+    let mut session = small();
+    let stages = Rc::new(RefCell::new(Vec::new()));
+    let told = Rc::clone(&stages);
+    session.set_progress(Some(Rc::new(move |stage: &str, share: f64| {
+        assert!((0.0..=1.0).contains(&share));
+        told.borrow_mut().push(stage.to_owned());
+    })));
+    session.step().expect("a step");
+    assert!(stages.borrow().iter().any(|s| s == "factor"), "{stages:?}");
+}
+
+#[test]
+fn without_a_mesh_every_request_is_refused() {
+    let mut session = Session::new();
+    assert_eq!(session.step().expect_err("no mesh").kind, "NoMesh");
+    assert_eq!(session.back().expect_err("no mesh").kind, "NoMesh");
+    assert_eq!(session.info().expect_err("no mesh").kind, "NoMesh");
+    assert_eq!(
+        session.export(Format::Obj).expect_err("no mesh").kind,
+        "NoMesh"
+    );
+}
+
+#[test]
+fn energies_of_a_sphere_are_the_smooth_ones() {
+    let session = with("icosphere", &[("level", 5.0)]);
+    let found = session.energy(Boundary::Clamped, &[1.5]).expect("energies");
+    let sphere = 4.0 * std::f64::consts::PI;
+    assert!(found.circle.abs() < 1e-9);
+    // H = 1 on the unit sphere, so every ∫|H|^p is its area.
+    for (p, value) in &found.p_willmore {
+        assert!((value / sphere - 1.0).abs() < 5e-3, "p = {p}: {value}");
+    }
+    assert_eq!(found.willmore, found.p_willmore["2"]);
+    assert!((found.volume.expect("closed") * 3.0 / sphere - 1.0).abs() < 5e-3);
+    assert!(found.conformal_distortion >= 0.0 && found.gradient_norm < 1e-6);
+}

@@ -1,0 +1,120 @@
+//! The browser sees WGSL only at run time; here every shader is parsed and validated, and
+//! the uniform blocks are compared with their mirrors in Rust.
+
+use std::fs;
+use std::mem::offset_of;
+use std::path::Path;
+
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::{Module, TypeInner};
+use umbilic::viewer::frame::{Frame, Line};
+
+/// Source of a shader as the viewer compiles it: with the common part in front.
+fn source(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/viewer/gpu");
+    let read = |name: &str| fs::read_to_string(folder.join(name)).expect("shader exists");
+    if name == "frame.wgsl" {
+        read(name)
+    } else {
+        read("frame.wgsl") + &read(name)
+    }
+}
+
+fn parse(name: &str) -> Module {
+    let source = source(name);
+    naga::front::wgsl::parse_str(&source)
+        .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(&source)))
+}
+
+/// Name and offset of each member of a uniform block, and the size of the whole.
+fn layout(module: &Module, block: &str) -> (Vec<(String, usize)>, usize) {
+    let found = module
+        .types
+        .iter()
+        .find(|(_, ty)| ty.name.as_deref() == Some(block));
+    let (_, ty) = found.unwrap_or_else(|| panic!("no struct {block}"));
+    let TypeInner::Struct { members, span } = &ty.inner else {
+        panic!("{block} is no struct")
+    };
+    let member = |m: &naga::StructMember| (m.name.clone().expect("named"), m.offset as usize);
+    (members.iter().map(member).collect(), *span as usize)
+}
+
+fn named(members: &[(&str, usize)]) -> Vec<(String, usize)> {
+    members
+        .iter()
+        .map(|&(name, offset)| (name.to_owned(), offset))
+        .collect()
+}
+
+#[test]
+fn every_shader_is_valid() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/viewer/gpu");
+    let files = fs::read_dir(folder).expect("folder exists");
+    let names = files.map(|file| {
+        file.expect("readable")
+            .file_name()
+            .into_string()
+            .expect("UTF-8")
+    });
+    let shaders: Vec<String> = names.filter(|name| name.ends_with(".wgsl")).collect();
+    assert!(shaders.len() >= 4, "only {shaders:?}");
+    for name in shaders {
+        let module = parse(&name);
+        // No capability beyond the core: what passes here runs on every device.
+        Validator::new(ValidationFlags::all(), Capabilities::empty())
+            .validate(&module)
+            .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(&source(&name))));
+    }
+}
+
+#[test]
+fn shaders_use_nothing_that_webgl2_lacks() {
+    for name in ["background.wgsl", "surface.wgsl", "line.wgsl"] {
+        for (_, variable) in parse(name).global_variables.iter() {
+            let is_storage = matches!(variable.space, naga::AddressSpace::Storage { .. });
+            assert!(!is_storage, "{name}: storage buffer {:?}", variable.name);
+        }
+    }
+}
+
+#[test]
+fn frame_block_is_laid_out_as_in_rust() {
+    let expected = named(&[
+        ("clip_from_view", offset_of!(Frame, clip_from_view)),
+        ("view_from_world", offset_of!(Frame, view_from_world)),
+        ("glow", offset_of!(Frame, glow)),
+        ("corner", offset_of!(Frame, corner)),
+        ("front", offset_of!(Frame, front)),
+        ("back", offset_of!(Frame, back)),
+        ("fixed_tint", offset_of!(Frame, fixed)),
+        ("marked", offset_of!(Frame, marked)),
+        ("viewport", offset_of!(Frame, viewport)),
+        ("pixel_size", offset_of!(Frame, pixel_size)),
+        ("near", offset_of!(Frame, near)),
+        ("field_low", offset_of!(Frame, field_low)),
+        ("field_scale", offset_of!(Frame, field_scale)),
+        ("field_strength", offset_of!(Frame, field_strength)),
+        ("flatness", offset_of!(Frame, flatness)),
+        ("grazing", offset_of!(Frame, grazing)),
+    ]);
+    assert_eq!(
+        layout(&parse("frame.wgsl"), "Frame"),
+        (expected, size_of::<Frame>())
+    );
+}
+
+#[test]
+fn line_block_is_laid_out_as_in_rust() {
+    let expected = named(&[
+        ("colour", offset_of!(Line, colour)),
+        ("half_width", offset_of!(Line, half_width)),
+        ("fade_from", offset_of!(Line, fade_from)),
+        ("fade_to", offset_of!(Line, fade_to)),
+        ("lift", offset_of!(Line, lift)),
+    ]);
+    assert_eq!(
+        layout(&parse("line.wgsl"), "Line"),
+        (expected, size_of::<Line>())
+    );
+}

@@ -1,0 +1,117 @@
+//! What several test files share.
+#![allow(dead_code, reason = "each test file uses a part of it")]
+#![allow(unreachable_pub, reason = "each test file is a crate of its own")]
+#![allow(missing_docs, reason = "names say it; this is test code")]
+
+use glam::DVec3;
+use std::path::PathBuf;
+use std::rc::Rc;
+use umbilic::mesh::{Built, HalfedgeMesh, build};
+use umbilic::soup::PolygonSoup;
+
+/// A mesh ready for use.
+pub struct Surface {
+    pub mesh: Rc<HalfedgeMesh>,
+    pub x: Vec<DVec3>,
+    pub warnings: Vec<String>,
+}
+
+pub fn surface(soup: &PolygonSoup) -> Surface {
+    let Built {
+        mesh,
+        positions,
+        warnings,
+        ..
+    } = build(soup).expect("a surface");
+    mesh.validate().expect("valid connectivity");
+    Surface {
+        mesh: Rc::new(mesh),
+        x: positions,
+        warnings,
+    }
+}
+
+/// The folder of real meshes, where it is present.
+pub fn shared_meshes() -> Option<PathBuf> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/meshes");
+    if folder.is_dir() {
+        return Some(folder);
+    }
+    eprintln!("skipped: no folder ../shared/meshes beside the project");
+    None
+}
+
+/// A real mesh, triangulated if it has other polygons.
+pub fn real(name: &str) -> Option<Surface> {
+    let bytes = std::fs::read(shared_meshes()?.join(name)).expect("file of the folder");
+    let soup = umbilic::io::read(&bytes, name).expect("readable").soup;
+    Some(surface(&umbilic::mesh::triangulate(&soup)))
+}
+
+/// A fixture of `tests/reference`.
+pub fn reference(name: &str) -> serde_json::Value {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/reference")
+        .join(format!("{name}.json"));
+    let text = std::fs::read_to_string(path).expect("a fixture");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+pub fn number(value: &serde_json::Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+pub fn numbers(value: &serde_json::Value) -> Vec<f64> {
+    value
+        .as_array()
+        .expect("an array")
+        .iter()
+        .map(number)
+        .collect()
+}
+
+pub fn indices(value: &serde_json::Value) -> Vec<u32> {
+    numbers(value).into_iter().map(|i| i as u32).collect()
+}
+
+pub fn points(value: &serde_json::Value) -> Vec<DVec3> {
+    let rows = value.as_array().expect("an array");
+    rows.iter()
+        .map(|p| DVec3::from_slice(&numbers(p)))
+        .collect()
+}
+
+pub fn soup_of(value: &serde_json::Value) -> PolygonSoup {
+    let faces: Vec<Vec<u32>> = value["faces"]
+        .as_array()
+        .expect("faces")
+        .iter()
+        .map(indices)
+        .collect();
+    PolygonSoup::from_faces(points(&value["positions"]), &faces)
+}
+
+pub fn largest_difference(a: &[DVec3], b: &[DVec3]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| a.distance(*b))
+        .fold(0.0, f64::max)
+}
+
+/// Reproducible numbers in [−1, 1).
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 33) as f64 / (1u64 << 30) as f64 - 1.0
+    }
+
+    pub fn vector(&mut self) -> DVec3 {
+        DVec3::new(self.next(), self.next(), self.next())
+    }
+}

@@ -1,0 +1,213 @@
+// @ts-check
+// The program as it is started, on the wasm solver as it is shipped: closed forms, files
+// and exit codes. Needs the wasm build.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const program = fileURLToPath(new URL("../../www/cli.js", import.meta.url));
+
+let folder = "";
+before(() => {
+  folder = mkdtempSync(path.join(tmpdir(), "umbilic-"));
+});
+after(() => rmSync(folder, { recursive: true }));
+
+/** @param {string} name */
+const file = (name) => path.join(folder, name);
+
+/**
+ * @param {string[]} parameters
+ * @param {string} [input]
+ */
+function umbilic(parameters, input) {
+  const result = spawnSync(process.execPath, [program, ...parameters], { input, encoding: "utf8" });
+  return { exit: result.status, out: result.stdout, log: result.stderr };
+}
+
+/**
+ * The JSON of a command that must succeed.
+ * @param {string[]} parameters
+ */
+function json(parameters) {
+  const { exit, out, log } = umbilic([...parameters, "--json"]);
+  assert.equal(exit, 0, `${parameters.join(" ")}\n${out}\n${log}`);
+  return JSON.parse(out);
+}
+
+/**
+ * @param {number} actual
+ * @param {number} expected
+ * @param {number} tolerance  relative to `expected`, absolute when that is 0
+ */
+function assertNear(actual, expected, tolerance) {
+  const error = Math.abs(actual - expected) / (Math.abs(expected) || 1);
+  assert.ok(error <= tolerance, `${actual} is not ${expected} (off by ${error})`);
+}
+
+/**
+ * Corners of an OFF file's vertices.
+ * @param {string} name
+ */
+function vertices(name) {
+  const lines = readFileSync(file(name), "utf8")
+    .split("\n")
+    .filter((line) => line && !line.startsWith("#"));
+  const count = Number(lines[1].split(" ")[0]);
+  return lines.slice(2, 2 + count).map((line) => line.trim().split(/\s+/).map(Number));
+}
+
+test("an icosahedron subdivided in its faces: W = 4π (2ᵏ − 1), Figure 6 of the paper", () => {
+  for (const level of [1, 2, 3]) {
+    const name = file(`icosahedron${level}.off`);
+    json(["shape", "icosahedron", "--level", String(level), "--out", name]);
+    const energy = json(["energy", name]);
+    assertNear(energy.circle, 4 * Math.PI * (2 ** level - 1), 1e-12);
+    assertNear(energy.circleNormalised, energy.circle / 2, 1e-15);
+    assert.deepEqual(Object.keys(energy), [
+      ...["circle", "circleNormalised", "willmore", "pWillmore", "area", "volume"],
+      ...["conformalDistortion", "gradientNorm"],
+    ]);
+  }
+});
+
+test("a sphere: W = 0, ∫|H|^p dA = 4π, whatever the file format", () => {
+  const readings = ["off", "obj", "ply"].map((format) => {
+    const name = file(`sphere.${format}`);
+    json(["shape", "icosphere", "--level", "4", "--out", name]);
+    return json(["energy", name, "--p", "2.5"]);
+  });
+  const [energy, ...others] = readings;
+  assertNear(energy.circle, 0, 1e-9);
+  assertNear(energy.willmore, 4 * Math.PI, 5e-3);
+  assert.deepEqual(Object.keys(energy.pWillmore).sort(), ["0", "1", "2", "2.5", "3", "4"]);
+  for (const value of Object.values(energy.pWillmore)) assertNear(value, 4 * Math.PI, 1e-2);
+  assertNear(energy.volume, (4 / 3) * Math.PI, 5e-3);
+  for (const other of others) assert.deepEqual(other, energy);
+});
+
+test("info: the keys, and a torus told from a sphere", () => {
+  json(["shape", "torus", "--around", "24", "--tube", "12", "--out", file("torus.stl")]);
+  const info = json(["info", file("torus.stl")]);
+  assert.deepEqual(Object.keys(info), [
+    ...["vertices", "edges", "faces", "components", "boundaryLoops", "eulerCharacteristic"],
+    ...["genus", "closed", "oriented", "area", "volume", "meanEdgeLength", "minAngleDegrees"],
+    "warnings",
+  ]);
+  const { vertices, edges, faces, genus, closed, boundaryLoops } = info;
+  assert.deepEqual(
+    [vertices, edges, faces, genus, closed, boundaryLoops],
+    [288, 864, 576, 1, true, 0],
+  );
+});
+
+test("flow: an icosahedron becomes a sphere; report, history and mesh agree", () => {
+  const mesh = file("round.off");
+  json(["shape", "icosahedron", "--level", "3", "--out", mesh]);
+  const report = json([
+    ...["flow", mesh, "--until-converged", "--out", file("round.ply")],
+    ...["--history", file("round.csv"), "--report", file("round.json")],
+  ]);
+  assert.equal(report.status, "converged");
+  assert.deepEqual(JSON.parse(readFileSync(file("round.json"), "utf8")), report);
+  assert.deepEqual(report.initial, json(["energy", mesh]));
+  assert.deepEqual(report.final, json(["energy", file("round.ply")]));
+  assertNear(report.final.circle, 0, 1e-8);
+
+  for (const [i, step] of report.steps.entries()) {
+    assert.equal(step.step, i + 1);
+    assert.ok(step.objective <= step.objectiveBefore, `step ${step.step} went up`);
+  }
+  const keys = [
+    ...["step", "time", "dt", "energy", "objectiveBefore", "objective", "gradientNorm", "area"],
+    ...["volume", "minAngleDegrees", "rejected", "iterations", "milliseconds"],
+  ];
+  assert.deepEqual(
+    keys.filter((key) => !(key in report.steps[0])),
+    [],
+  );
+  const rows = readFileSync(file("round.csv"), "utf8").trim().split("\n");
+  assert.equal(rows.length, report.steps.length + 1);
+});
+
+test("flow --scheme paper keeps --dt; --steps is a limit", () => {
+  const mesh = file("paper.off");
+  json(["shape", "icosahedron", "--level", "3", "--out", mesh]);
+  const report = json(["flow", mesh, "--scheme", "paper", "--dt", "0.01", "--steps", "4"]);
+  assert.equal(report.status, "stepLimit");
+  assert.deepEqual(
+    report.steps.map((/** @type {any} */ step) => step.dt),
+    [0.01, 0.01, 0.01, 0.01],
+  );
+});
+
+test("flow: --fixed holds its vertices, --free all others", () => {
+  const mesh = file("selected.off");
+  json(["shape", "bumpy-sphere", "--level", "2", "--out", mesh]);
+  const start = vertices("selected.off");
+  const chosen = Array.from({ length: start.length / 3 }, (_, v) => 3 * v);
+  writeFileSync(file("chosen.json"), JSON.stringify(chosen));
+  for (const option of ["fixed", "free"]) {
+    const line = ["--steps", "2", `--${option}`, file("chosen.json"), "--out", file("end.off")];
+    json(["flow", mesh, ...line]);
+    const moved = vertices("end.off").map((position, v) =>
+      position.some((x, i) => x !== start[v][i]),
+    );
+    const expected = start.map((_, v) => (v % 3 === 0) === (option === "free"));
+    assert.deepEqual(moved, expected, option);
+  }
+});
+
+test("shape --selection: a list that flow takes", () => {
+  const line = ["--out", file("hole.obj"), "--selection", file("hole.json")];
+  const { vertices } = json(["shape", "six-sided-hole", ...line]);
+  const { free, fixed } = JSON.parse(readFileSync(file("hole.json"), "utf8"));
+  assert.equal(free, null);
+  assert.ok(fixed.length > 0 && fixed.length < vertices);
+  const mesh = ["flow", file("hole.obj"), "--steps", "1", "--fixed", file("hole.json")];
+  assert.equal(json(mesh).steps.length, 1);
+});
+
+test("standard input; nothing but the result on standard output", () => {
+  const tetrahedron =
+    "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  const { exit, out, log } = umbilic(["flow", "-", "--steps", "1", "--json"], tetrahedron);
+  assert.equal(exit, 0, log);
+  // Any tetrahedron has vertices of valence three, whose circles meet in angles of sum 2π.
+  assertNear(JSON.parse(out).initial.circle, 0, 1e-12);
+});
+
+test("exit codes: 2 bad usage, 3 refused input, 4 numerical failure", () => {
+  const three = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
+  const refused = umbilic(["info", "-", "--json"], three);
+  assert.equal(refused.exit, 3);
+  assert.equal(JSON.parse(refused.out).kind, "NonManifoldEdge");
+
+  const level = umbilic(["shape", "icosphere", "--level", "99", "--out", file("x.off"), "--json"]);
+  assert.equal(level.exit, 2);
+  assert.equal(JSON.parse(level.out).kind, "OutOfRange");
+
+  const mesh = file("failing.off");
+  json(["shape", "icosahedron", "--level", "2", "--out", mesh]);
+  const far = ["--scheme", "paper", "--integrator", "forward-euler", "--dt", "1e300"];
+  const failed = umbilic(["flow", mesh, ...far, "--json", "--out", file("failed.off")]);
+  assert.equal(failed.exit, 4, failed.log);
+  const { status, kind, message, hint, final } = JSON.parse(failed.out);
+  assert.equal(status, "failed");
+  assert.ok(kind && message && hint);
+  assert.deepEqual(final, json(["energy", mesh]));
+  assert.deepEqual(vertices("failed.off"), vertices("failing.off"));
+});
+
+test("bench: a row of positive times", () => {
+  const { table, rows } = json(["bench", "--table", "circle", "--max-vertices", "3000"]);
+  assert.equal(table, "circle");
+  assert.equal(rows.length, 1);
+  assert.equal(rows[0].vertices, 2601);
+  for (const name of ["assemble", "factor", "solve", "step"]) assert.ok(rows[0][name] > 0, name);
+});

@@ -1,0 +1,264 @@
+// @ts-check
+// The command line around a written-down session: what reaches the solver, what comes
+// out, and with which exit code. The real solver: cli-solver.test.js.
+
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { main } from "../../www/cli.js";
+import { FakeSession } from "./support/fake-session.js";
+
+let folder = "";
+let mesh = "";
+before(() => {
+  folder = mkdtempSync(path.join(tmpdir(), "umbilic-"));
+  mesh = path.join(folder, "mesh.obj");
+  writeFileSync(mesh, "v 0 0 0\n");
+});
+after(() => rmSync(folder, { recursive: true }));
+
+/**
+ * @param {string[]} parameters
+ * @param {FakeSession} [session]
+ */
+async function umbilic(parameters, session = new FakeSession()) {
+  /** @type {string[]} */
+  const written = [];
+  /** @type {string[]} */
+  const logged = [];
+  const io = {
+    write: (/** @type {string} */ text) => void written.push(text),
+    log: (/** @type {string} */ text) => void logged.push(`${text}\n`),
+    read: () => Buffer.from("from standard input"),
+  };
+  const exit = await main(parameters, io, async () => /** @type {any} */ (session));
+  const out = written.join("");
+  return { exit, out, log: logged.join(""), session, json: () => JSON.parse(out) };
+}
+
+/** @param {string} name */
+const file = (name) => path.join(folder, name);
+
+/** What `configure` was given.
+ * @param {FakeSession} session
+ */
+const configured = (session) => session.calls.find(([name]) => name === "configure")?.[1];
+
+test("help and version", async () => {
+  const overview = await umbilic(["--help"]);
+  assert.equal(overview.exit, 0);
+  for (const command of ["info", "energy", "flow", "shape", "bench"]) {
+    assert.match(overview.out, new RegExp(`^ +${command} `, "m"));
+    const help = await umbilic([command, "--help"]);
+    assert.equal(help.exit, 0);
+    assert.match(help.out, new RegExp(`^umbilic ${command} `));
+  }
+  const version = await umbilic(["--version"]);
+  assert.match(version.out, /^umbilic \d+\.\d+\.\d+\n$/);
+});
+
+test("bad usage ends with 2 and says what would be right", async () => {
+  /** @type {[string[], RegExp][]} */
+  const cases = [
+    [[], /command is missing/],
+    [["flov", mesh], /Did you mean `flow`/],
+    [["constructor"], /no command `constructor`/],
+    [["flips", mesh], /not in this version/],
+    [["flow", mesh, "--stepz", "3"], /Did you mean --steps/],
+    [["flow", mesh, "--steps"], /--steps/],
+    [["flow", mesh, "--steps", "-1"], /--steps/],
+    [["flow", mesh, "--steps", "1.5"], /not a whole number/],
+    [["flow", mesh, "--dt", "0"], /above 0/],
+    [["flow", mesh, "--dt", ""], /not a number/],
+    [["flow", mesh, "--dt", "0.1", "--tau", "1"], /not both/],
+    [["flow", mesh, "--integrator", "rk4"], /semi-implicit, forward-euler/],
+    [["flow", mesh, "--flow", "p-willmore"], /not in this version/],
+    [["flow", mesh, "--keep", "area"], /not in this version/],
+    [["flow", mesh, "--detail", "2"], /needs --goal smooth/],
+    [["flow", mesh, "--goal", "smooth", "--until-converged"], /set number of steps/],
+    [["flow", mesh, "--out", "mesh.xyz"], /which format/],
+    [["flow", mesh, "--out", "no/such/folder/mesh.obj"], /cannot be written/],
+    [["energy", mesh, "--p", "two"], /not an exponent/],
+    [["energy", mesh, "--boundary", "open"], /fixed, clamped, free/],
+    [["info"], /Arguments wanted: MESH; given: none/],
+    [["info", mesh, mesh], /Arguments wanted: MESH/],
+    [["shape", "torsu", "--out", "t.obj"], /Did you mean `torus`/],
+    [["shape", "torus"], /--out FILE is missing/],
+    [["shape", "torus", "--around", "7.5", "--out", "t.obj"], /not a whole number/],
+    [["bench", "--table", "none"], /circle/],
+  ];
+  for (const [parameters, words] of cases) {
+    const { exit, out, log, session } = await umbilic(parameters);
+    const line = parameters.join(" ");
+    assert.equal(exit, 2, line);
+    assert.equal(out, "", line);
+    assert.match(log, words, line);
+    assert.deepEqual(session.calls, [], `${line}: nothing reaches the solver`);
+  }
+});
+
+test("with --json a failure is one object on standard output", async () => {
+  const refused = await umbilic(["info", mesh, "--json"], new FakeSession({ refuse: true }));
+  assert.equal(refused.exit, 3);
+  assert.equal(refused.log, "");
+  assert.deepEqual(refused.json(), {
+    kind: "NonManifoldEdge",
+    message: "Edge 3–4 has 3 faces.",
+    hint: "Delete one.",
+  });
+  const misspelt = await umbilic(["info", mesh, "--jsn", "--json"]);
+  assert.equal(misspelt.exit, 2);
+  assert.deepEqual(Object.keys(misspelt.json()), ["kind", "message", "hint"]);
+});
+
+test("a file that cannot be read is refused with 3", async () => {
+  const { exit, json } = await umbilic(["energy", file("absent.obj"), "--json"]);
+  assert.equal(exit, 3);
+  assert.equal(json().kind, "Unreadable");
+});
+
+test("info and energy hand the solver's answer on unchanged", async () => {
+  const info = await umbilic(["info", mesh, "--json"]);
+  assert.equal(info.exit, 0);
+  assert.deepEqual(info.json(), new FakeSession().load(Buffer.from(""), "").info);
+  assert.deepEqual(info.session.calls, [["load", "v 0 0 0\n", "mesh.obj"]]);
+
+  const line = ["energy", mesh, "--p", "2.5", "--p", "6", "--boundary", "free", "--json"];
+  const energy = await umbilic(line);
+  assert.deepEqual(energy.json(), new FakeSession().energy({}));
+  assert.deepEqual(energy.session.calls[1], ["energy", { p: [2.5, 6], boundary: "free" }]);
+});
+
+test("info and energy in words", async () => {
+  const info = await umbilic(["info", mesh]);
+  assert.match(info.out, /^vertices +3$/m);
+  assert.match(info.out, /^volume +–$/m);
+  assert.match(info.out, /^warning: one odd thing$/m);
+  const energy = await umbilic(["energy", mesh]);
+  assert.match(energy.out, /^pWillmore\.2 +18$/m);
+});
+
+test("- is standard input", async () => {
+  const { session } = await umbilic(["info", "-"]);
+  assert.deepEqual(session.calls, [["load", "from standard input", "stdin"]]);
+});
+
+test("flow: only what was asked for reaches the solver", async () => {
+  const plain = await umbilic(["flow", mesh, "--steps", "2", "--json"]);
+  assert.deepEqual(configured(plain.session), { flow: "circle", maxSteps: 2 });
+
+  writeFileSync(file("free.json"), "[4, 5]");
+  writeFileSync(file("both.json"), '{"free": null, "fixed": [0, 2]}');
+  const full = await umbilic([
+    ...["flow", mesh, "--flow", "circle", "--scheme", "auto", "--integrator", "l-bfgs"],
+    ...["--goal", "smooth", "--detail", "3", "--steps", "4", "--dt", "auto", "--mass", "area"],
+    ...["--epsilon", "0", "--no-sharpen", "--prefill", "--boundary", "clamped"],
+    ...["--free", file("free.json"), "--fixed", file("both.json")],
+  ]);
+  assert.deepEqual(configured(full.session), {
+    flow: "circle",
+    scheme: "auto",
+    integrator: "l-bfgs",
+    boundary: "clamped",
+    goal: "smooth",
+    detail: 3,
+    smoothSteps: 4,
+    dt: null,
+    mass: "area",
+    epsilon: 0,
+    sharpen: false,
+    prefill: true,
+    free: [4, 5],
+    fixed: [0, 2],
+    maxSteps: 4,
+  });
+
+  for (const [given, name, value] of [
+    ["--dt", "dt", 0.5],
+    ["--tau", "tau", 0.5],
+  ]) {
+    const { session } = await umbilic(["flow", mesh, String(given), "0.5", "--steps", "0"]);
+    assert.equal(/** @type {any} */ (configured(session))[String(name)], value);
+  }
+});
+
+test("flow: a selection that is no list of vertices is refused with 3", async () => {
+  for (const content of ["[0, -1]", '{"fixed": [0]}', "[0.5]", "0, 1"]) {
+    writeFileSync(file("free.json"), content);
+    const { exit, json } = await umbilic(["flow", mesh, "--free", file("free.json"), "--json"]);
+    assert.equal(exit, 3, content);
+    assert.equal(json().kind, "BadSelection", content);
+  }
+});
+
+test("flow: the report, on standard output and in the file", async () => {
+  const { exit, json, log } = await umbilic([
+    ...["flow", mesh, "--steps", "3", "--json"],
+    ...["--report", file("report.json"), "--history", file("history.csv")],
+    ...["--out", file("out.ply")],
+  ]);
+  assert.equal(exit, 0);
+  const report = json();
+  assert.deepEqual(Object.keys(report), ["status", "message", "steps", "initial", "final"]);
+  assert.equal(report.status, "stepLimit");
+  assert.deepEqual(
+    report.steps.map((/** @type {any} */ step) => step.step),
+    [1, 2, 3],
+  );
+  assert.deepEqual(report.initial, new FakeSession().energy({}));
+  assert.deepEqual(JSON.parse(readFileSync(file("report.json"), "utf8")), report);
+  assert.equal(readFileSync(file("history.csv"), "utf8"), "step,energy\n");
+  assert.equal(readFileSync(file("out.ply"), "utf8"), "ply of step 3");
+  assert.equal(log.trim().split("\n").length, 3);
+});
+
+test("flow: ends when the session does", async () => {
+  const session = new FakeSession({ endAfter: 5 });
+  const { exit, out } = await umbilic(["flow", mesh, "--until-converged"], session);
+  assert.equal(exit, 0);
+  assert.match(out, /^converged, 5 steps: At step 5\./);
+  assert.match(out, /^circle +12 +12$/m);
+});
+
+test("flow: a numerical failure ends with 4 and keeps the last good state", async () => {
+  const session = new FakeSession({ failAt: 3 });
+  const line = ["flow", mesh, "--until-converged", "--json", "--out", file("last.obj")];
+  const { exit, json } = await umbilic(line, session);
+  assert.equal(exit, 4);
+  const { status, kind, message, hint, steps } = json();
+  assert.deepEqual([status, kind, hint], ["failed", "NotFinite", "Less."]);
+  assert.equal(message, "Vertex 2 is not finite.");
+  assert.equal(steps.length, 2);
+  assert.equal(readFileSync(file("last.obj"), "utf8"), "obj of step 2");
+});
+
+test("a crash of the solver ends with 4", async () => {
+  const session = new FakeSession();
+  session.step = () => {
+    throw new WebAssembly.RuntimeError("unreachable");
+  };
+  const { exit, json } = await umbilic(["flow", mesh, "--json"], session);
+  assert.equal(exit, 4);
+  assert.equal(json().kind, "Crashed");
+});
+
+test("shape: parameters, mesh and selection", async () => {
+  const { exit, out, session } = await umbilic([
+    ...["shape", "torus", "--around", "12", "--out", file("torus.stl")],
+    ...["--selection", file("selection.json")],
+  ]);
+  assert.equal(exit, 0);
+  assert.match(out, /torus\.stl: 3 vertices, 1 faces/);
+  assert.deepEqual(session.calls, [["sample", "torus", { around: 12 }]]);
+  assert.equal(readFileSync(file("torus.stl"), "utf8"), "stl of step 0");
+  const selection = JSON.parse(readFileSync(file("selection.json"), "utf8"));
+  assert.deepEqual(selection, { free: null, fixed: [0, 2] });
+});
+
+test("shape --list", async () => {
+  const { exit, out } = await umbilic(["shape", "--list"]);
+  assert.equal(exit, 0);
+  assert.match(out, /^torus +Torus +--around 8 --major 2$/m);
+});

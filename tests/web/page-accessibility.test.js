@@ -1,0 +1,69 @@
+// @ts-check
+// The rules of WCAG 2.2 A and AA that a program can check, in every state of the page.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { button, choice, openMesh, playAndPause, until, upload, useSite } from "./support/app.js";
+import { accessibilityFaults } from "./support/axe.js";
+import { obj, wavyTorus } from "./support/meshes.js";
+
+const site = useSite();
+
+/** @typedef {import("playwright-core").Page} Page */
+
+const desktop = { viewport: { width: 1280, height: 720 } };
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true };
+
+/** Everything that can be shown, shown. @param {Page} page */
+async function crowd(page) {
+  const panel = button(page, "Panel");
+  if ((await panel.getAttribute("aria-expanded")) === "false") await panel.click();
+  await openMesh(page, "wavy.obj", obj(wavyTorus()));
+  for (const part of ["#method", "#view", "#plot-data", ".explain"]) {
+    await page.locator(`${part} > summary`).click();
+  }
+  await choice(page, "Colour by").selectOption({ label: "Mean curvature H" });
+  await page.getByRole("img", { name: /^Colours:/ }).waitFor();
+  await playAndPause(page, 2);
+  await upload(page, "broken.obj", "v 0 0 0\nf 1 2 3\n");
+  await page.getByRole("alert").locator(".message").waitFor();
+  await until(page, /^Paused/);
+}
+
+for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+  for (const [device, shape] of Object.entries({ desktop, phone })) {
+    test(`${device}, ${colorScheme}: no rule is broken in any state`, async () => {
+      // Without transitions: a colour on its way from one to the other is neither.
+      const context = { ...shape, colorScheme, reducedMotion: /** @type {const} */ ("reduce") };
+      const { page, faults, close } = await site.open("", context);
+      /** @param {string} state */
+      const check = async (state) => assert.deepEqual(await accessibilityFaults(page), [], state);
+      await check("at the start");
+      await crowd(page);
+      await check("with everything open, and an error");
+      await page.keyboard.press("Escape");
+      await button(page, "Dismiss").click();
+      await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+      await page.keyboard.press("?");
+      await page.getByRole("dialog").waitFor();
+      await check("with the help open");
+      await page.keyboard.press("Escape");
+      await page.keyboard.press("f");
+      await page.locator("html.presenting").waitFor();
+      await check("presenting");
+      assert.deepEqual(faults, []);
+      await close();
+    });
+  }
+}
+
+test("what the live regions say is short, and there is one heading of the first level", async () => {
+  const { page, faults, close } = await site.open();
+  assert.equal(await page.getByRole("status").count(), 1);
+  assert.ok(((await page.getByRole("status").textContent()) ?? "").length < 60);
+  assert.equal(await page.getByRole("heading", { level: 1 }).count(), 1);
+  assert.equal(await page.getByRole("main").count(), 1);
+  assert.equal(await page.locator("html").getAttribute("lang"), "en");
+  assert.deepEqual(faults, []);
+  await close();
+});

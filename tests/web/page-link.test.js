@@ -1,0 +1,121 @@
+// @ts-check
+// The address holds the scene: opened elsewhere it shows the same.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import {
+  button,
+  canvas,
+  choice,
+  energy,
+  openMesh,
+  surface,
+  until,
+  untilDrawn,
+  useSite,
+} from "./support/app.js";
+import { difference } from "./support/browser.js";
+import { obj, wavyTorus } from "./support/meshes.js";
+
+const site = useSite();
+
+test("a copied address restores sample, method, camera, view and step", async () => {
+  const first = await site.open();
+  await choice(first.page, "Sample").selectOption({ label: "Bumpy sphere" });
+  await first.page.waitForFunction(() => location.hash.includes("bumpy-sphere"));
+  await until(first.page, "Ready");
+  await choice(first.page, "Colour by").selectOption({ label: "Mean curvature H" });
+  await first.page.locator("#method > summary").click();
+  await first.page.getByRole("spinbutton", { name: "Angle smoothing ε" }).fill("0.02");
+  await first.page.keyboard.press("Tab");
+  await first.page.waitForFunction(() => location.hash.includes("epsilon=0.02"));
+  await first.page.locator("#method > summary").click();
+  for (const step of [1, 2, 3]) {
+    await button(first.page, "Step").click();
+    await until(first.page, `Paused at step ${step}`);
+  }
+  await untilDrawn(first.page);
+  await canvas(first.page).focus();
+  for (const key of ["ArrowLeft", "ArrowUp", "+", "]"]) await first.page.keyboard.press(key);
+  await first.page.waitForFunction(
+    () => location.hash.includes("camera=") && location.hash.includes("step=3"),
+  );
+  // The address follows at most twice a second: it is final when it has stood still.
+  const address = await settled(first.page);
+  for (const part of [
+    "sample=bumpy-sphere",
+    "flow=circle",
+    "epsilon=0.02",
+    "colour=mean-curvature",
+  ]) {
+    assert.ok(address.includes(part), `${part} is not in ${address}`);
+  }
+
+  const second = await site.open(address.slice(1));
+  await until(second.page, "Paused at step 3");
+  await untilDrawn(second.page);
+  assert.equal(await surface(second.page), await surface(first.page));
+  assert.equal(await energy(second.page), await energy(first.page));
+  assert.equal(await second.page.locator("#epsilon").inputValue(), "0.02");
+  assert.equal(await choice(second.page, "Colour by").inputValue(), "mean-curvature");
+  // The ring of the focus is no part of the picture.
+  await canvas(first.page).blur();
+  const shots = await Promise.all([first, second].map(({ page }) => canvas(page).screenshot()));
+  const apart = difference(shots[0], shots[1]);
+  // The address has five digits of the camera.
+  assert.ok(apart.mean < 0.3, `the pictures differ by ${apart.mean}`);
+  assert.equal(await settled(second.page), address, "and it writes the same address");
+  for (const { faults, close } of [first, second]) {
+    assert.deepEqual(faults, []);
+    await close();
+  }
+});
+
+test("a link in the same tab is followed, even if the address is about to be written", async () => {
+  const { page, faults, close } = await site.open();
+  await page.evaluate(() => {
+    location.hash = "#sample=coarse-torus&goal=smooth&detail=9&step=2";
+    history.replaceState(null, "", "#sample=icosahedron&flow=circle");
+  });
+  await until(page, "Paused at step 2");
+  assert.match(await surface(page), /^Surface: coarse-torus, step 2, /);
+  assert.equal(await page.locator("#detail").inputValue(), "9");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a link to somebody's file asks for it, and goes on once it is opened", async () => {
+  const { page, faults, close } = await site.blank();
+  await page.goto(`${site.url}?msaa=1#mesh=theirs&flow=circle&step=2`);
+  await page.getByRole("alert").getByText("theirs").waitFor();
+  await page.getByRole("alert").getByText("Open that file").waitFor();
+  await page.getByLabel("Open mesh", { exact: true }).setInputFiles({
+    name: "theirs.obj",
+    mimeType: "",
+    buffer: Buffer.from(obj(wavyTorus(16, 8))),
+  });
+  await until(page, "Paused at step 2");
+  assert.match(await surface(page), /^Surface: theirs, step 2, /);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("the address names a mesh from a file and nothing of what is in it", async () => {
+  const { page, faults, close } = await site.open();
+  await openMesh(page, "secret.obj", obj(wavyTorus(16, 8)));
+  await page.waitForFunction(() => location.hash.includes("mesh=secret"));
+  assert.ok((await settled(page)).length < 200);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+/** The address's part from `#` on, once it has stood for longer than it lags. @param {import("playwright-core").Page} page */
+function settled(page) {
+  return page.evaluate(async () => {
+    for (;;) {
+      const before = location.hash;
+      await new Promise((resolve) => setTimeout(resolve, 1200));
+      if (location.hash === before) return before;
+    }
+  });
+}

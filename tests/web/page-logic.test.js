@@ -1,0 +1,149 @@
+// @ts-check
+// The page without a browser: state, links, the words of the status line, file names.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { readLink, writeLink } from "../../www/link.js";
+import { defaults, smoothingTau } from "../../www/options.js";
+import { samples } from "../../www/samples.js";
+import { createStore, initial, transitions as to } from "../../www/state.js";
+import { fileName } from "../../www/ui/download.js";
+import { formatNumber } from "../../www/ui/number.js";
+import { statusText } from "../../www/ui/status.js";
+
+/** @typedef {import("../../www/protocol.js").State} Reading */
+
+/** @param {Partial<Reading>} [change] @returns {Reading} */
+const reading = (change) => ({
+  step: 0,
+  time: 0,
+  status: "ready",
+  message: "",
+  energy: 8,
+  energyNormalised: 4,
+  dt: 0.1,
+  tau: 1,
+  area: 12,
+  volume: 4,
+  minAngleDegrees: 30,
+  gradientNorm: 1,
+  milliseconds: 0,
+  canStepBack: false,
+  ...change,
+});
+
+/** A page with a mesh on it. @param {import("../../www/state.js").Source} [source] */
+function page(source = { kind: "sample", id: "icosahedron" }) {
+  const store = createStore();
+  const loaded = /** @type {any} */ ({ name: "icosphere", positions: new Float32Array(9) });
+  store.update(to.solverReady, "1");
+  store.update(to.loading, "icosphere");
+  store.update(to.loaded, source, loaded);
+  const configured = { freeVertices: 3, meanEdgeLength: 1, dt: 0.1, tau: 1, state: reading() };
+  const heldVertices = new Uint8Array(3);
+  store.update(to.configured, defaults, { ...configured, heldVertices });
+  return store;
+}
+
+/** @param {number} step @param {number} energy @returns {any} the frame after a step */
+const frame = (step, energy) => ({
+  state: reading({ step, energy }),
+  reports: [{ step, energy, time: step, dt: 0.1 }],
+  positions: new Float32Array(9),
+  field: null,
+  flippedTriangles: new Uint32Array(0),
+});
+
+test("the status line says what is going on", () => {
+  assert.equal(statusText(initial), "Starting the solver…");
+  const store = page();
+  assert.equal(statusText(store.get()), "Ready");
+  store.update(to.started, null);
+  assert.equal(statusText(store.get()), "Running");
+  store.update(to.stopped, reading({ step: 12 }));
+  assert.equal(statusText(store.get()), "Paused at step 12");
+  store.update(to.stopped, reading({ step: 24, status: "converged" }));
+  assert.equal(statusText(store.get()), "Converged after 24 steps");
+  store.update(to.stopped, reading({ step: 1, status: "stalled" }));
+  assert.equal(statusText(store.get()), "Stalled after 1 step");
+});
+
+test("history follows the steps, forwards and backwards", () => {
+  const store = page();
+  store.update(to.started, null);
+  for (const step of [1, 2, 3]) store.update(to.frame, frame(step, 8 - step));
+  const steps = () => store.get().history.map(({ step }) => step);
+  assert.deepEqual(steps(), [0, 1, 2, 3]);
+  store.update(to.stopped, reading({ step: 3 }));
+  store.update(to.frame, { ...frame(2, 6), reports: [] });
+  assert.deepEqual(steps(), [0, 1, 2]);
+  store.update(to.frame, { ...frame(0, 8), reports: [] });
+  assert.deepEqual(steps(), [0]);
+  assert.equal(store.get().phase, "ready");
+});
+
+test("a refused mesh leaves the one before", () => {
+  const store = page();
+  const before = store.get();
+  store.update(to.loading, "broken.obj");
+  assert.equal(store.get().phase, "loading");
+  store.update(to.refused);
+  assert.equal(store.get().mesh, before.mesh);
+  assert.equal(store.get().phase, "ready");
+});
+
+test("a link that was written is read back as the same scene", () => {
+  const store = page();
+  const options = /** @type {const} */ ({ ...defaults, goal: "smooth", detail: 6.5, tau: 0.02 });
+  const configured = store.get().configured;
+  assert.ok(configured);
+  store.update(to.configured, options, { ...configured, state: reading({ step: 12 }) });
+  store.update(to.looked, new Float32Array([1, 0.5, -0.25]));
+  store.update(to.coloured, "mean-curvature", null);
+  const scene = readLink({ search: "", hash: writeLink(store.get()) });
+  assert.equal(scene.sample, "icosahedron");
+  assert.equal(scene.step, 12);
+  assert.equal(scene.colour, "mean-curvature");
+  assert.deepEqual([...(scene.camera ?? [])], [1, 0.5, -0.25]);
+  assert.deepEqual({ ...defaults, ...scene.options }, options);
+});
+
+test("a link names what differs from the sample's own options, and nothing else", () => {
+  const scan = samples.find(({ id }) => id === "noisy-scan");
+  assert.ok(scan);
+  const store = page({ kind: "sample", id: scan.id });
+  store.update((state) => ({ ...state, options: { ...defaults, ...scan.options } }));
+  assert.equal(writeLink(store.get()), "#sample=noisy-scan&flow=circle");
+});
+
+test("a link with nonsense in it still opens", () => {
+  const hash = "#sample=nothing&tau=-1&detail=x&integrator=magic&step=-4&camera=1,b&colour=pink";
+  const scene = readLink({ search: "", hash });
+  assert.equal(scene.sample, samples[0].id);
+  assert.deepEqual(scene.options, {});
+  assert.equal(scene.step, 0);
+  assert.equal(scene.camera, null);
+  assert.equal(scene.colour, "none");
+});
+
+test("files are named after mesh, flow and step", () => {
+  const store = page();
+  store.update(to.stopped, reading({ step: 12 }));
+  assert.equal(fileName(store.get(), "ply"), "icosphere-circle-step0012.ply");
+  assert.equal(fileName(store.get(), "stl-ascii"), "icosphere-circle-step0012.stl");
+});
+
+test("numbers keep their digits and stay readable by machines", () => {
+  assert.equal(formatNumber(188.4955592), "188.50");
+  assert.equal(formatNumber(4.9e-8), "4.9000e-8");
+  assert.equal(formatNumber(0), "0");
+  assert.equal(formatNumber(null), "–");
+  for (const value of [1e-12, 0.02, 3.5, 99999.7, 1e9, -4.2]) {
+    assert.ok(Math.abs(Number(formatNumber(value)) - value) <= 5e-5 * Math.abs(value));
+  }
+});
+
+test("ten steps of τ = 0.01 remove detail below 3.8 edge lengths", () => {
+  // 6.7 (N τ)^¼ with N τ = 0.1.
+  assert.ok(Math.abs(smoothingTau(6.7 * 0.1 ** 0.25, 10) - 0.01) < 1e-15);
+});

@@ -1,0 +1,53 @@
+// @ts-check
+// The first picture: a sample is on the screen before anything is asked of the page.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { canvas, reading, surface, until, untilDrawn, useSite } from "./support/app.js";
+import { picture } from "./support/browser.js";
+
+const site = useSite();
+
+test("the first sample is drawn and described, without a click", async () => {
+  const { page, faults, close } = await site.open();
+  await untilDrawn(page);
+  assert.match(await surface(page), /^Surface: \S+, step 0, energy 188\.5, area /);
+  assert.equal(await reading(page, "Vertices"), "2562");
+  assert.equal(await page.locator("#absence").isVisible(), false);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a page in a dark theme draws the surface on a dark ground", async () => {
+  /** @type {number[]} */
+  const brightness = [];
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+    const { page, faults, close } = await site.open("", { colorScheme });
+    await untilDrawn(page);
+    const { mean } = await picture(canvas(page));
+    brightness.push(mean.reduce((a, b) => a + b) / 3);
+    assert.deepEqual(faults, []);
+    await close();
+  }
+  assert.ok(brightness[0] > brightness[1] + 60, `light ${brightness[0]}, dark ${brightness[1]}`);
+});
+
+test("every sample opens", async () => {
+  const { page, faults, close } = await site.open();
+  const samples = page.getByRole("combobox", { name: "Sample" });
+  const ids = await samples
+    .locator("option:not([hidden])")
+    .evaluateAll((options) =>
+      options.map((option) => /** @type {HTMLOptionElement} */ (option).value),
+    );
+  assert.ok(ids.length >= 5);
+  for (const id of ids) {
+    await samples.selectOption(id);
+    await page.waitForFunction((id) => location.hash.includes(`sample=${id}&`), id);
+    await until(page, "Ready");
+    assert.match(await surface(page), /step 0, energy \d/, id);
+  }
+  assert.equal(await page.getByRole("alert").textContent(), "");
+  assert.deepEqual(faults, []);
+  await close();
+});

@@ -1,0 +1,193 @@
+// @ts-check
+// The page under test: served below a sub-path, opened, and asked by the names that
+// assistive technology uses.
+
+import { existsSync } from "node:fs";
+import { readFile } from "node:fs/promises";
+import path from "node:path";
+import { after, before } from "node:test";
+import { fileURLToPath } from "node:url";
+import { launch, openPage, picture } from "./browser.js";
+import { serve } from "./server.js";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+const root = fileURLToPath(new URL("../../..", import.meta.url));
+
+/** Software graphics on a busy machine: long, since nothing waits for longer than it must. */
+const PATIENCE = 90_000;
+
+/**
+ * One server and one browser for a test file.
+ * @param {{ webgpu?: boolean }} [options]
+ */
+export function useSite(options) {
+  /** @type {Awaited<ReturnType<typeof serve>>} */
+  let server;
+  /** @type {import("playwright-core").Browser} */
+  let browser;
+  before(async () => {
+    server = await serve();
+    browser = await launch(options);
+  });
+  after(async () => {
+    await browser?.close();
+    await server?.close();
+  });
+  return {
+    get url() {
+      return server.url;
+    },
+    get browser() {
+      return browser;
+    },
+    /**
+     * A fresh page, not yet at any address.
+     * @param {import("playwright-core").BrowserContextOptions} [context]
+     */
+    async blank(context) {
+      const opened = await openPage(browser, context);
+      opened.page.setDefaultTimeout(PATIENCE);
+      return opened;
+    },
+    /**
+     * A page with a scene on it. One sample a pixel: software draws it faster.
+     * @param {string} [scene]  the address from `#` on, without it
+     * @param {import("playwright-core").BrowserContextOptions} [context]
+     */
+    async open(scene = "", context = {}) {
+      const opened = await this.blank(context);
+      await opened.page.goto(`${server.url}?msaa=1#${scene}`);
+      await until(opened.page, scene.includes("step=") ? /^Paused/ : "Ready");
+      return opened;
+    },
+  };
+}
+
+/**
+ * Waits for the status line to say something.
+ * @param {Page} page
+ * @param {string | RegExp} wanted  the whole line, or a pattern in it
+ */
+export async function until(page, wanted) {
+  const status = page.locator("[role=status]");
+  const exact = typeof wanted === "string" ? new RegExp(`^${wanted}$`) : wanted;
+  try {
+    await status.filter({ hasText: exact }).waitFor();
+  } catch (error) {
+    const said = await status.textContent().catch(() => "nothing");
+    throw new Error(`waited for ${exact}; the status line says “${said}”`, { cause: error });
+  }
+}
+
+/** The canvas. @param {Page} page */
+export const canvas = (page) => page.locator("main").getByRole("img", { name: /^Surface:/ });
+
+/**
+ * Waits for a surface on the screen. The solver may be ready long before the graphics
+ * are. A shaded surface has hundreds of greys, a cleared canvas one, text on it some.
+ * @param {Page} page
+ */
+export async function untilDrawn(page) {
+  const end = Date.now() + PATIENCE;
+  for (;;) {
+    const { colours } = await picture(canvas(page));
+    if (colours > 200) return;
+    if (Date.now() > end) throw new Error(`no surface on the screen: ${colours} colours`);
+  }
+}
+
+/** @param {Page} page @param {string} name */
+export const button = (page, name) => page.getByRole("button", { name, exact: true });
+
+/** @param {Page} page @param {string} name */
+export const choice = (page, name) => page.getByRole("combobox", { name, exact: true });
+
+/** A cell of the readings. @param {Page} page @param {string} name */
+export async function reading(page, name) {
+  const header = page.getByRole("rowheader", { name, exact: true });
+  const row = page
+    .getByRole("table", { name: "Readings" })
+    .getByRole("row")
+    .filter({ has: header });
+  return (await row.getByRole("cell").textContent()) ?? "";
+}
+
+/** @param {Page} page @returns {Promise<number>} */
+export const energy = async (page) => Number(await reading(page, "Energy"));
+
+/** Rows of the plot's table, numbers each: step, time, step size, energy. @param {Page} page */
+export async function plotted(page) {
+  const rows = page.locator("#plot-rows tr");
+  return rows.evaluateAll((all) =>
+    all.map((row) => [...row.children].map((cell) => Number(cell.textContent))),
+  );
+}
+
+/** The surface in words. @param {Page} page */
+export const surface = async (page) => (await canvas(page).getAttribute("aria-label")) ?? "";
+
+/**
+ * @param {Page} page
+ * @param {string} name  with the extension
+ * @param {string | Buffer} contents
+ */
+export async function upload(page, name, contents) {
+  const file = { name, mimeType: "application/octet-stream", buffer: Buffer.from(contents) };
+  await page.getByLabel("Open mesh", { exact: true }).setInputFiles(file);
+}
+
+/**
+ * As {@link upload}, and waits until the mesh is there.
+ * @param {Page} page
+ * @param {string} name
+ * @param {string | Buffer} contents
+ */
+export async function openMesh(page, name, contents) {
+  await upload(page, name, contents);
+  const mesh = name.replace(/\.\w+$/, "");
+  await page
+    .locator("#title")
+    .filter({ hasText: new RegExp(`^${mesh}$`) })
+    .waitFor();
+  await until(page, "Ready");
+}
+
+/**
+ * Plays until some steps are done, and pauses. The page itself presses Pause: a fast
+ * solver would come to the step limit before we could.
+ * @param {Page} page
+ * @param {number} steps  at least
+ * @returns {Promise<number>} the step it stands at
+ */
+export async function playAndPause(page, steps) {
+  const first = Number(await reading(page, "Step"));
+  await button(page, "Play").click();
+  await page.evaluate(async (wanted) => {
+    const step = () => Number(document.querySelector("[data-reading=step]")?.textContent);
+    while (!(step() >= wanted)) await new Promise(requestAnimationFrame);
+    /** @type {HTMLElement | null} */ (document.querySelector("#play"))?.click();
+  }, first + steps);
+  await until(page, /^Paused at step \d+$/);
+  return Number(await reading(page, "Step"));
+}
+
+/**
+ * @param {Page} page
+ * @param {string} format  as the select shows it
+ * @returns {Promise<{ name: string, bytes: Buffer }>}
+ */
+export async function download(page, format) {
+  await choice(page, "Save as").selectOption({ label: format });
+  const [saved] = await Promise.all([
+    page.waitForEvent("download"),
+    button(page, "Download").click(),
+  ]);
+  return { name: saved.suggestedFilename(), bytes: await readFile(await saved.path()) };
+}
+
+/** Path of one of the developers' meshes, or null where they are not at hand. @param {string} name */
+export function sharedMesh(name) {
+  const file = path.join(root, "..", "shared", "meshes", name);
+  return existsSync(file) ? file : null;
+}

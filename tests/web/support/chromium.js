@@ -1,0 +1,112 @@
+// @ts-check
+// Finds a Chromium for the browser tests, installs one where that is possible, and
+// knows the switches under which it draws WebGPU without a graphics card.
+
+import { spawnSync } from "node:child_process";
+import { accessSync, constants } from "node:fs";
+import path from "node:path";
+
+const names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
+const places = [
+  "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+  "/Applications/Chromium.app/Contents/MacOS/Chromium",
+  "C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe",
+];
+
+/**
+ * An installed Chromium: `CHROMIUM_PATH` first, then what is on the PATH, then the
+ * usual places.
+ * @returns {string | null}
+ */
+export function findChromium() {
+  const asked = process.env.CHROMIUM_PATH;
+  if (asked) {
+    if (!isExecutable(asked)) throw new Error(`CHROMIUM_PATH is not a program: ${asked}`);
+    return asked;
+  }
+  const folders = (process.env.PATH ?? "").split(path.delimiter);
+  const candidates = names.flatMap((name) => folders.map((folder) => path.join(folder, name)));
+  return [...candidates, ...places].find(isExecutable) ?? null;
+}
+
+/**
+ * As {@link findChromium}; when there is none, the system's package where this
+ * process may install it, else Playwright's own download.
+ * @returns {Promise<string>} path of the program
+ * @throws {Error} with the ways out, when no way worked
+ */
+export async function ensureChromium() {
+  const found = findChromium() ?? installPackage() ?? (await downloadChromium());
+  if (found) return found;
+  throw new Error(
+    "The browser tests need Chromium and none could be found or installed. " +
+      "Install the package `chromium` or Google Chrome, or set CHROMIUM_PATH.",
+  );
+}
+
+/** Debian and its like, as root. */
+function installPackage() {
+  if (process.platform !== "linux" || process.getuid?.() !== 0) return null;
+  if (!succeeds("apt-get", ["--version"], "ignore")) return null;
+  console.log("  installing the package chromium");
+  succeeds("apt-get", ["update", "-q"]);
+  succeeds("apt-get", ["install", "-q", "-y", "--no-install-recommends", "chromium"]);
+  return findChromium();
+}
+
+async function downloadChromium() {
+  const { chromium } = await import("playwright-core");
+  const program = chromium.executablePath();
+  if (isExecutable(program)) return program;
+  console.log("  downloading Playwright's Chromium");
+  succeeds(process.execPath, ["node_modules/playwright-core/cli.js", "install", "chromium"]);
+  return isExecutable(program) ? program : null;
+}
+
+/**
+ * @param {string} program
+ * @param {string[]} parameters
+ * @param {"inherit" | "ignore"} [stdio]
+ */
+function succeeds(program, parameters, stdio = "inherit") {
+  const env = { ...process.env, DEBIAN_FRONTEND: "noninteractive" };
+  return spawnSync(program, parameters, { stdio, env }).status === 0;
+}
+
+/** @param {string} file */
+function isExecutable(file) {
+  try {
+    accessSync(file, constants.X_OK);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/**
+ * Command line switches for tests.
+ *
+ * On Linux all four graphics switches are needed for a canvas: with fewer the
+ * adapter is there, but the first frame loses the device. `--disable-gpu` and
+ * `--disable-vulkan-surface` must not be added: the canvas then stays blank, without
+ * an error. Elsewhere the machine's own graphics are used.
+ * @param {{ webgpu?: boolean }} [options]  false: as a browser without WebGPU
+ * @returns {string[]}
+ */
+export function chromiumSwitches({ webgpu = true } = {}) {
+  const quiet = [
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+  ];
+  const sandbox = process.getuid?.() === 0 ? ["--no-sandbox"] : [];
+  const software = [
+    "--enable-features=Vulkan",
+    "--use-vulkan=swiftshader",
+    "--use-angle=swiftshader",
+  ];
+  const graphics = ["--enable-unsafe-webgpu", ...(process.platform === "linux" ? software : [])];
+  return [...quiet, ...sandbox, ...(webgpu ? graphics : [])];
+}

@@ -1,0 +1,105 @@
+// @ts-check
+// A `Session` made of numbers written down, for tests of what stands around it.
+
+/** @type {any} */
+const energies = {
+  circle: 12,
+  circleNormalised: 6,
+  willmore: 18,
+  pWillmore: { 0: 4, 1: 5, 2: 18, 3: 7, 4: 8 },
+  area: 4,
+  volume: null,
+  conformalDistortion: 0.5,
+  gradientNorm: 0.25,
+};
+
+const info = { vertices: 3, faces: 1, area: 4, volume: null, warnings: ["one odd thing"] };
+
+export class FakeSession {
+  /**
+   * @param {{ endAfter?: number, failAt?: number, refuse?: boolean }} [behaviour]
+   *   converges after a number of steps, fails in one, or refuses every mesh
+   */
+  constructor({ endAfter = Infinity, failAt = Infinity, refuse = false } = {}) {
+    this.endAfter = endAfter;
+    this.failAt = failAt;
+    this.refuse = refuse;
+    this.step_ = 0;
+    this.over = false;
+    /** @type {[string, ...unknown[]][]} */
+    this.calls = [];
+  }
+
+  /**
+   * @param {Uint8Array} bytes
+   * @param {string} name
+   */
+  load(bytes, name) {
+    this.calls.push(["load", Buffer.from(bytes).toString(), name]);
+    if (this.refuse) throw fault("NonManifoldEdge", "Edge 3–4 has 3 faces.", "Delete one.");
+    return { name, info };
+  }
+
+  /** @param {unknown} options */
+  configure(options) {
+    this.calls.push(["configure", options]);
+  }
+
+  state() {
+    const status = this.over ? "converged" : "running";
+    return { status, message: `At step ${this.step_}.` };
+  }
+
+  step() {
+    if (this.step_ === this.endAfter) {
+      this.over = true;
+      return null;
+    }
+    if (this.step_ + 1 >= this.failAt) throw fault("NotFinite", "Vertex 2 is not finite.", "Less.");
+    this.step_ += 1;
+    return { step: this.step_, energy: 12 - this.step_, dt: 0.1, gradientNorm: 1, milliseconds: 2 };
+  }
+
+  /** @param {unknown} options */
+  energy(options) {
+    this.calls.push(["energy", options]);
+    return energies;
+  }
+
+  /** @param {string} format */
+  export(format) {
+    return Buffer.from(`${format} of step ${this.step_}`);
+  }
+
+  history() {
+    return "step,energy\n";
+  }
+
+  shapes() {
+    const whole = { label: "Around", default: 8, low: 3, high: 100, integer: true };
+    const real = { label: "Large radius", default: 2, low: 0, high: 10, integer: false };
+    const parameters = [
+      { name: "around", ...whole },
+      { name: "major", ...real },
+    ];
+    return [{ name: "torus", label: "Torus", parameters }];
+  }
+
+  /**
+   * @param {string} name
+   * @param {unknown} parameters
+   */
+  sample(name, parameters) {
+    this.calls.push(["sample", name, parameters]);
+    return { name, info, fixed: new Uint32Array([0, 2]), free: null };
+  }
+}
+
+/**
+ * @param {string} kind
+ * @param {string} message
+ * @param {string} hint
+ */
+function fault(kind, message, hint) {
+  return { kind, message, hint, detail: {} };
+}

@@ -1,0 +1,216 @@
+// @ts-check
+// `umbilic flow`: runs a flow and reports every step.
+
+import { Failure, orExit, usage } from "./failure.js";
+import { checkOutputs, formatOf, readMesh, readSelection, writeOutput } from "./files.js";
+import { number, parse } from "./options.js";
+import { entries, format, table } from "./text.js";
+
+/** @typedef {import("../protocol.js").FlowOptions} FlowOptions */
+/** @typedef {import("../protocol.js").StepReport} StepReport */
+/** @typedef {import("../protocol.js").Fault} Fault */
+/** @typedef {import("./options.js").Values} Values */
+/** @typedef {import("./solver.js").Session} Session */
+
+const laterFlows = ["p-willmore", "mean-curvature", "surface-diffusion", "willmore", "mmcv"];
+
+/** More steps than any flow that converges has been seen to need. */
+const untilConvergedSteps = 10_000;
+
+/** @type {import("./options.js").Syntax} */
+const syntax = {
+  summary: "runs a flow on a mesh",
+  operands: ["MESH"],
+  options: {
+    flow: { value: "circle", help: "which flow (default circle: the circle-angle Willmore flow)" },
+    scheme: {
+      value: "SCHEME",
+      choices: ["auto", "paper"],
+      help: "auto chooses the step size; paper keeps the paper's integrator and a constant --dt",
+    },
+    integrator: {
+      value: "NAME",
+      choices: ["semi-implicit", "forward-euler", "backward-euler", "l-bfgs"],
+      help: "how a step is taken",
+    },
+    steps: { value: "N", help: "at most so many steps" },
+    "until-converged": { help: `until it converges (at most ${untilConvergedSteps} steps)` },
+    dt: { value: "auto|VALUE", help: "step size, in squared lengths of the mesh" },
+    tau: { value: "VALUE", help: "step size in squared mean edge lengths" },
+    goal: {
+      value: "GOAL",
+      choices: ["relax", "smooth"],
+      help: "relax goes to a minimum; smooth removes a set amount of detail",
+    },
+    detail: { value: "L", help: "smooth: removes detail below so many mean edge lengths" },
+    mass: { value: "MASS", choices: ["auto", "uniform", "area"], help: "weight of a vertex" },
+    epsilon: { value: "VALUE", help: "smoothing of the angles, in radians" },
+    sharpen: { help: "lets epsilon go to 0 at the end (--no-sharpen: keeps it)" },
+    prefill: { help: "lays the free vertices out smoothly before the first step" },
+    boundary: {
+      value: "CONDITION",
+      choices: ["fixed", "clamped", "free"],
+      help: "what holds at the boundary of an open mesh",
+    },
+    free: { value: "FILE.json", help: "only these vertices move" },
+    fixed: { value: "FILE.json", help: "these vertices do not move" },
+    out: { value: "FILE", help: "the mesh at the end: .obj, .off, .ply, .stl or .glb" },
+    history: { value: "FILE.csv", help: "the readings of every step, as a table" },
+    report: { value: "FILE.json", help: "the report that --json prints" },
+  },
+  later: ["p", "keep", "regularise"],
+};
+
+/** @type {import("./commands.js").Command} */
+export const flow = {
+  syntax,
+  async run({ parameters, io, open }) {
+    const { operands, values } = parse(parameters, syntax);
+    const options = flowOptions(values);
+    checkOutputs([values.out, values.history, values.report]);
+    const outFormat = values.out && formatOf(values.out);
+    const { bytes, name } = readMesh(operands[0], io);
+
+    const session = await open();
+    orExit(3, () => session.load(bytes, name));
+    orExit(3, () => session.configure(options));
+    const energyOptions = { p: [], ...(options.boundary && { boundary: options.boundary }) };
+    const initial = orExit(3, () => session.energy(energyOptions));
+    const { status, message, steps, fault } = runSteps(session, options.maxSteps, (step) =>
+      io.log(stepLine(step)),
+    );
+    const failed = status === "failed";
+    const final = failed
+      ? orNull(() => session.energy(energyOptions))
+      : session.energy(energyOptions);
+    const report = { status, message, ...fault, steps, initial, final };
+
+    if (values.out) writeOutput(values.out, session.export(outFormat));
+    if (values.history) writeOutput(values.history, session.history());
+    if (values.report) writeOutput(values.report, `${JSON.stringify(report, null, 1)}\n`);
+    if (values.json) io.write(`${JSON.stringify(report)}\n`);
+    else io.write(summary(report));
+    return failed ? 4 : 0;
+  },
+};
+
+/**
+ * The command line's options in the words of `Session.configure`; what was not asked
+ * for is left out, so that the defaults stay in one place.
+ * @param {Values} values
+ * @returns {FlowOptions}
+ */
+function flowOptions(values) {
+  const flow = values.flow ?? "circle";
+  if (laterFlows.includes(flow)) throw usage(`The flow \`${flow}\` is not in this version.`);
+  if (flow !== "circle") throw usage(`There is no flow \`${flow}\`.`, "This version has: circle.");
+
+  const smooth = values.goal === "smooth";
+  if (values.detail !== undefined && !smooth) throw usage("--detail needs --goal smooth.");
+  if (smooth && values["until-converged"]) {
+    throw usage("--goal smooth takes a set number of steps: --until-converged has no meaning.");
+  }
+  const automatic = values.dt === "auto";
+  const dt = automatic ? null : positive(values, "dt");
+  const tau = positive(values, "tau");
+  if (typeof dt === "number" && tau !== undefined) throw usage("Give --dt or --tau, not both.");
+
+  const steps = number(values, "steps", { low: 0, integer: true });
+  const given = {
+    flow,
+    scheme: values.scheme,
+    integrator: values.integrator,
+    boundary: values.boundary,
+    goal: values.goal,
+    detail: positive(values, "detail"),
+    smoothSteps: smooth ? steps : undefined,
+    dt,
+    tau,
+    mass: values.mass,
+    epsilon: number(values, "epsilon", { low: 0 }),
+    sharpen: values.sharpen,
+    prefill: values.prefill,
+    free: values.free && readSelection(values.free, "free"),
+    fixed: values.fixed && readSelection(values.fixed, "fixed"),
+    maxSteps: steps ?? (values["until-converged"] ? untilConvergedSteps : undefined),
+  };
+  return /** @type {FlowOptions} */ (
+    Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined))
+  );
+}
+
+/**
+ * @param {Values} values
+ * @param {string} name
+ */
+function positive(values, name) {
+  const value = number(values, name);
+  if (value !== undefined && value <= 0) throw usage(`--${name} must be above 0.`);
+  return value;
+}
+
+/**
+ * Steps until the session says it is over, or `limit`.
+ * @param {Session} session
+ * @param {number | undefined} limit
+ * @param {(step: StepReport) => void} onStep
+ * @returns {{ status: string, message: string, steps: StepReport[],
+ *             fault?: { kind: string, hint: string } }}
+ */
+function runSteps(session, limit = Infinity, onStep) {
+  /** @type {StepReport[]} */
+  const steps = [];
+  try {
+    while (steps.length < limit && !isOver(session)) {
+      /** @type {StepReport | null} */
+      const step = orExit(4, () => session.step());
+      // There was none to take: the state says why.
+      if (step === null) break;
+      steps.push(step);
+      onStep(step);
+    }
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error;
+    const { kind, message, hint } = error;
+    return { status: "failed", message, steps, fault: { kind, hint } };
+  }
+  if (!isOver(session)) {
+    return { status: "stepLimit", message: `${limit} steps were asked for.`, steps };
+  }
+  const { status, message } = session.state();
+  return { status, message, steps };
+}
+
+/** @param {Session} session */
+function isOver(session) {
+  return ["converged", "stalled", "failed", "stepLimit"].includes(session.state().status);
+}
+
+/**
+ * @template T
+ * @param {() => T} call
+ * @returns {T | null}
+ */
+function orNull(call) {
+  try {
+    return orExit(4, call);
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error;
+    return null;
+  }
+}
+
+/** @param {StepReport} step */
+function stepLine({ step, energy, dt, gradientNorm, milliseconds }) {
+  const readings = { energy, dt, gradient: gradientNorm, ms: Math.round(milliseconds) };
+  const parts = Object.entries(readings).map(([name, value]) => `${name} ${format(value)}`);
+  return `step ${String(step).padStart(4)}  ${parts.join("  ")}`;
+}
+
+/** @param {{ status: string, message: string, steps: StepReport[], initial: any, final: any }} report */
+function summary({ status, message, steps, initial, final }) {
+  const last = final && new Map(entries(final));
+  const rows = entries(initial).map(([key, value]) => [key, format(value), format(last?.get(key))]);
+  const heading = `${status}, ${steps.length} steps: ${message}\n\n`;
+  return heading + table([["", "initial", "final"], ...rows]);
+}

@@ -1,0 +1,30 @@
+// @ts-check
+// The wasm solver in Node: the same file that the page loads.
+
+import { existsSync, readFileSync } from "node:fs";
+import { Failure } from "./failure.js";
+
+/** @typedef {import("../pkg/solver/solver.js").Session} Session */
+
+const glue = new URL("../pkg/solver/solver.js", import.meta.url);
+const wasm = new URL("../pkg/solver/solver_bg.wasm", import.meta.url);
+
+/**
+ * @returns {Promise<Session>}
+ * @throws {Failure} when the solver has not been built
+ */
+export async function openSession() {
+  if (!existsSync(wasm)) {
+    const hint = "Run `npm run build` once in the project's folder.";
+    throw new Failure(2, "NotBuilt", "The solver has not been built yet.", hint);
+  }
+  const solver = await import(glue.href);
+  solver.initSync({ module: readFileSync(wasm) });
+  return new solver.Session();
+}
+
+/** @returns {string} */
+export function packageVersion() {
+  const file = new URL("../../package.json", import.meta.url);
+  return JSON.parse(readFileSync(file, "utf8")).version;
+}

@@ -1,0 +1,42 @@
+// @ts-check
+// Results as text for people.
+
+/**
+ * Six significant digits; whole numbers in full.
+ * @param {unknown} value
+ * @returns {string}
+ */
+export function format(value) {
+  if (value === null || value === undefined) return "–";
+  if (typeof value !== "number") return String(value);
+  if (Number.isInteger(value) && Math.abs(value) < 1e15) return String(value);
+  return String(Number(value.toPrecision(6)));
+}
+
+/**
+ * Rows of text in columns: the first few to the left, the others to the right.
+ * @param {string[][]} rows
+ * @param {number} [left]
+ * @returns {string}
+ */
+export function table(rows, left = 1) {
+  const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => row[column].length)));
+  const line = (/** @type {string[]} */ row) =>
+    row.map((cell, i) => (i < left ? cell.padEnd(widths[i]) : cell.padStart(widths[i])));
+  return rows.map((row) => `${line(row).join("  ").trimEnd()}\n`).join("");
+}
+
+/**
+ * The keys of an object and their values, nested keys dotted, lists left out.
+ * @param {object} object
+ * @param {string} [prefix]
+ * @returns {[string, unknown][]}
+ */
+export function entries(object, prefix = "") {
+  return Object.entries(object).flatMap(([key, value]) => {
+    const name = prefix + key;
+    if (Array.isArray(value)) return [];
+    if (typeof value === "object" && value !== null) return entries(value, `${name}.`);
+    return [/** @type {[string, unknown]} */ ([name, value])];
+  });
+}

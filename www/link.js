@@ -1,0 +1,104 @@
+// @ts-check
+// The scene in the address: read from it, and written into it. After `#`, which a
+// browser never sends to the server. Only what differs from the defaults is named.
+
+/** @import { FieldName } from "./protocol.js" */
+/** @import { PageState, View } from "./state.js" */
+
+import { choices, defaults, readers } from "./options.js";
+import { samples } from "./samples.js";
+
+/**
+ * @typedef {object} Scene
+ * @property {string | null} sample  id of a sample; null when the mesh came from a file
+ * @property {string | null} mesh    name of that file's mesh
+ * @property {Partial<import("./options.js").Options>} options
+ * @property {FieldName} colour
+ * @property {number} step
+ * @property {Float32Array | null} camera
+ * @property {Partial<View>} view
+ */
+
+/** @param {string | null} id the options a sample comes with */
+const suggested = (id) => ({ ...defaults, ...samples.find((sample) => sample.id === id)?.options });
+
+/**
+ * Values that make no sense are passed over, so an old or mistyped link still opens.
+ * @param {{ search: string, hash: string }} address
+ * @returns {Scene}
+ */
+export function readLink({ search, hash }) {
+  // A query is understood too, for whoever writes a link by hand; the page itself writes the other.
+  const words = new URLSearchParams(hash.length > 1 ? hash.slice(1) : search);
+  const asked = words.get("sample");
+  const mesh = words.get("mesh");
+  const known = samples.some(({ id }) => id === asked);
+  /** @type {Record<string, unknown>} */
+  const options = {};
+  for (const [key, read] of Object.entries(readers)) {
+    const value = read(words.get(key) ?? "");
+    if (value !== undefined) options[key] = value;
+  }
+  const camera = (words.get("camera") ?? "").split(",").map(Number);
+  const shading = words.get("shading");
+  const colour = choices.colour.find(({ id }) => id === words.get("colour"))?.id ?? "none";
+  return {
+    sample: known ? asked : mesh ? null : samples[0].id,
+    mesh: known ? null : mesh,
+    options,
+    colour: /** @type {FieldName} */ (colour),
+    step: Number(/^\d{1,7}$/.exec(words.get("step") ?? "")?.[0] ?? 0),
+    camera: camera.length > 1 && camera.every(Number.isFinite) ? new Float32Array(camera) : null,
+    view: {
+      ...(shading === "flat" || shading === "smooth" ? { shading } : {}),
+      ...(words.has("wireframe") ? { wireframe: words.get("wireframe") === "true" } : {}),
+    },
+  };
+}
+
+/**
+ * @param {Readonly<PageState>} state
+ * @returns {string} the address's part from `#` on
+ */
+export function writeLink({ source, options, colour, camera, reading, view, goal }) {
+  if (!source) return "";
+  const words = new URLSearchParams();
+  if (source.kind === "sample") words.set("sample", source.id);
+  else words.set("mesh", source.name);
+  words.set("flow", options.flow);
+  const base = suggested(source.kind === "sample" ? source.id : null);
+  for (const key of /** @type {(keyof typeof options)[]} */ (Object.keys(readers))) {
+    if (key !== "flow" && options[key] !== base[key])
+      words.set(key, String(options[key] ?? "auto"));
+  }
+  if (colour !== "none") words.set("colour", colour);
+  if (view.shading !== "smooth") words.set("shading", view.shading);
+  if (view.wireframe) words.set("wireframe", "true");
+  if (camera) words.set("camera", [...camera].map((x) => +x.toPrecision(5)).join(","));
+  const step = goal ?? reading?.step ?? 0;
+  if (step > 0) words.set("step", String(step));
+  return `#${words.toString().replaceAll("%2C", ",")}`;
+}
+
+/**
+ * Keeps the address in step with the state: at most twice a second, because browsers
+ * refuse more than about three changes a second.
+ * @param {number} pause milliseconds between changes
+ */
+export function createLinkWriter(pause = 500) {
+  let waiting = false;
+  let next = "";
+  return {
+    /** @param {Readonly<PageState>} state */
+    update(state) {
+      if (state.phase === "loading" || !state.reading) return;
+      next = writeLink(state);
+      if (waiting) return;
+      waiting = true;
+      setTimeout(() => {
+        waiting = false;
+        if (next !== location.hash) history.replaceState(null, "", next);
+      }, pause);
+    },
+  };
+}

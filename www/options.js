@@ -1,0 +1,101 @@
+// @ts-check
+// The options of a flow: their defaults, their choices, and how they are read from text.
+
+/** @import { FlowOptions } from "./protocol.js" */
+
+/** @typedef {Readonly<Required<FlowOptions>>} Options */
+
+/** @type {Options} */
+export const defaults = Object.freeze({
+  flow: "circle",
+  scheme: "auto",
+  integrator: "semi-implicit",
+  boundary: "clamped",
+  goal: "relax",
+  detail: 4,
+  smoothSteps: 10,
+  dt: null,
+  tau: null,
+  mass: "auto",
+  epsilon: 0.1,
+  sharpen: true,
+  prefill: false,
+  free: null,
+  fixed: null,
+  maxSteps: 200,
+});
+
+/** @type {Readonly<Record<string, readonly { id: string, label: string }[]>>} */
+export const choices = {
+  flow: [{ id: "circle", label: "Willmore, circle angles" }],
+  boundary: [
+    { id: "clamped", label: "Clamped (with tangent)" },
+    { id: "fixed", label: "Fixed (position only)" },
+    { id: "free", label: "Free" },
+  ],
+  colour: [
+    { id: "none", label: "Nothing" },
+    { id: "mean-curvature", label: "Mean curvature H" },
+    { id: "gauss-curvature", label: "Gaussian curvature K" },
+    { id: "willmore", label: "Willmore energy Wᵢ" },
+    { id: "gradient", label: "Gradient size |∇W|" },
+    { id: "displacement", label: "Displacement" },
+  ],
+  format: [
+    { id: "ply", label: "PLY" },
+    { id: "ply-ascii", label: "PLY, text" },
+    { id: "obj", label: "OBJ" },
+    { id: "off", label: "OFF" },
+    { id: "stl", label: "STL" },
+    { id: "stl-ascii", label: "STL, text" },
+    { id: "glb", label: "glTF (GLB)" },
+    { id: "csv", label: "History, CSV" },
+    { id: "png", label: "Picture, PNG" },
+  ],
+};
+
+/** @param {string | number} low @param {string | number} high */
+const between = (low, high) => (/** @type {string} */ text) => {
+  const value = Number(text);
+  return text !== "" && value >= Number(low) && value <= Number(high) ? value : undefined;
+};
+/** @param {string[]} names */
+const oneOf =
+  (...names) =>
+  (/** @type {string} */ text) =>
+    names.includes(text) ? text : undefined;
+/** @param {(text: string) => number | undefined} read  `auto` leaves the value to the solver */
+const orAuto = (read) => (/** @type {string} */ text) => (text === "auto" ? null : read(text));
+/** @param {string} text @returns {boolean | undefined} */
+const flag = (text) => (text === "true" ? true : text === "false" ? false : undefined);
+/** @param {string} text */
+const count = (text) => (/^[1-9]\d{0,6}$/.test(text) ? Number(text) : undefined);
+
+/**
+ * Reads one option from text; `undefined` when the text is not a value of it.
+ * @type {Readonly<Record<string, (text: string) => string | number | boolean | null | undefined>>}
+ */
+export const readers = {
+  flow: oneOf("circle"),
+  scheme: oneOf("auto", "paper"),
+  integrator: oneOf("semi-implicit", "forward-euler", "backward-euler", "l-bfgs"),
+  boundary: oneOf("clamped", "fixed", "free"),
+  goal: oneOf("relax", "smooth"),
+  detail: between(0.1, 1000),
+  smoothSteps: count,
+  dt: orAuto(between(1e-300, 1e300)),
+  tau: orAuto(between(1e-12, 1e12)),
+  mass: oneOf("auto", "uniform", "area"),
+  epsilon: between(0, 10),
+  sharpen: flag,
+  prefill: flag,
+  maxSteps: count,
+};
+
+/**
+ * How far `smooth` goes: halves every wavelength of L½ ≈ 6.7 (N τ)^¼ h, so N steps
+ * that remove what is below `detail` edge lengths have this τ = dt/h² each.
+ * @param {number} detail  in mean edge lengths
+ * @param {number} steps
+ */
+export const smoothingTau = (detail, steps) => (detail / 6.7) ** 4 / steps;

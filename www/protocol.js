@@ -1,0 +1,185 @@
+// @ts-check
+// What the page, the worker, the command line and the wasm `Session` say to each
+// other. Types only: nothing here runs. Arrays named `Float32Array` and the like
+// are transferred, never copied, between worker and page.
+
+/**
+ * A refusal or failure, the only shape of error that crosses any seam.
+ * Code switches on `kind`, never on text.
+ * @typedef {object} Fault
+ * @property {string} kind     noun of what is wrong, e.g. `NonManifoldEdge`
+ * @property {string} message  what is wrong and where (line, face, vertex, edge)
+ * @property {string} hint     what the user can do about it
+ * @property {Record<string, unknown>} detail  the elements, for highlighting
+ */
+
+/**
+ * Diagnosis card of a mesh: the JSON of `umbilic info`.
+ * @typedef {object} Info
+ * @property {number} vertices
+ * @property {number} edges
+ * @property {number} faces
+ * @property {number} components
+ * @property {number} boundaryLoops
+ * @property {number} eulerCharacteristic
+ * @property {number | null} genus  summed over components with loops capped; null when not orientable
+ * @property {boolean} closed
+ * @property {boolean} oriented     false when no consistent orientation exists
+ * @property {number} area
+ * @property {number | null} volume signed, positive with outward normals; null unless closed and oriented
+ * @property {number} meanEdgeLength
+ * @property {number} minAngleDegrees
+ * @property {string[]} warnings
+ */
+
+/**
+ * What `load` and `sample` answer: everything the viewer needs to build a surface.
+ * @typedef {object} Loaded
+ * @property {string} name             base name without extension, for downloads
+ * @property {Info} info
+ * @property {Float32Array} positions  3 per vertex
+ * @property {Uint32Array} triangles   3 per triangle (polygons are fanned for drawing)
+ * @property {Uint32Array} wireEdges   2 per edge: the mesh's own edges
+ * @property {Uint32Array} boundaryEdges  2 per boundary edge
+ * @property {boolean} trianglesOnly   false when the file had other polygons
+ */
+
+/**
+ * Options of a flow. Every field may be left out; `Configured` tells what was chosen.
+ * @typedef {object} FlowOptions
+ * @property {'circle'} [flow]
+ * @property {'auto' | 'paper'} [scheme]   `paper`: constant dt, exact energy, plain K, uniform mass
+ * @property {'semi-implicit' | 'forward-euler' | 'backward-euler' | 'l-bfgs'} [integrator]
+ * @property {'clamped' | 'fixed' | 'free'} [boundary]
+ * @property {'relax' | 'smooth'} [goal]   `relax`: adaptive step towards a minimum; `smooth`: a set amount
+ * @property {number} [detail]             smooth: removes detail below this many mean edge lengths
+ * @property {number} [smoothSteps]        smooth: in so many steps (default 10)
+ * @property {number | null} [dt]          raw step size, unit length²; null or absent = automatic
+ * @property {number | null} [tau]         dt / h², the same scale-free; h = mean edge length at the start
+ * @property {'auto' | 'uniform' | 'area'} [mass]
+ * @property {number} [epsilon]            angle smoothing φ(β) = √(β²+ε²) − ε (default 0.1)
+ * @property {boolean} [sharpen]           lets ε go to 0 at the end (default true)
+ * @property {boolean} [prefill]           harmonic pre-fill of the free region before the first step
+ * @property {number[] | null} [free]      only these vertices move
+ * @property {number[] | null} [fixed]     these vertices never move
+ * @property {number} [maxSteps]           budget (default 200)
+ */
+
+/**
+ * What `configure` answers.
+ * @typedef {object} Configured
+ * @property {number} freeVertices
+ * @property {number} meanEdgeLength   h
+ * @property {number} dt               the first step's raw size
+ * @property {number} tau              dt / h²
+ * @property {State} state
+ * @property {Uint8Array} heldVertices  1 where a vertex is held, 0 where it moves
+ */
+
+/** @typedef {'ready' | 'running' | 'converged' | 'stepLimit' | 'stalled' | 'failed'} Status */
+
+/**
+ * One accepted step. The keys up to `milliseconds` are those of `flow --report`.
+ * @typedef {object} StepReport
+ * @property {number} step
+ * @property {number} time
+ * @property {number} dt
+ * @property {number} energy            W = Σ W_i as printed in the paper
+ * @property {number} objectiveBefore   what this step had to decrease, before …
+ * @property {number} objective         … and after
+ * @property {number} gradientNorm
+ * @property {number} area
+ * @property {number | null} volume
+ * @property {number} minAngleDegrees
+ * @property {number} rejected          trial steps refused before this one
+ * @property {number} iterations        inner iterations (linear or Newton)
+ * @property {number} milliseconds
+ * @property {number} tau               dt / h²
+ * @property {number} epsilon
+ * @property {number} negativePivots
+ * @property {number} skippedAngles     angles whose gradient is undefined and was left out
+ * @property {number} flippedFaces      faces that folded over in this step, against their neighbours
+ * @property {number} maxDisplacement   from the start, in mean edge lengths
+ * @property {number} assembleMilliseconds
+ * @property {number} factorMilliseconds
+ * @property {number} solveMilliseconds
+ * @property {string[]} warnings
+ */
+
+/**
+ * Where a session stands; the readings of the page.
+ * @typedef {object} State
+ * @property {number} step
+ * @property {number} time
+ * @property {Status} status
+ * @property {string} message         the reason, a sentence
+ * @property {number} energy          W = Σ W_i
+ * @property {number} energyNormalised  W / 2
+ * @property {number} dt
+ * @property {number} tau
+ * @property {number} area
+ * @property {number | null} volume
+ * @property {number} minAngleDegrees
+ * @property {number} gradientNorm
+ * @property {number} milliseconds    of the last step
+ * @property {boolean} canStepBack
+ */
+
+/** @typedef {'none' | 'mean-curvature' | 'gauss-curvature' | 'willmore' | 'gradient' | 'displacement'} FieldName */
+
+/**
+ * A value per vertex and how to show it.
+ * @typedef {object} Field
+ * @property {FieldName} name
+ * @property {string} label
+ * @property {Float32Array} values
+ * @property {number} low      robust range (2nd and 98th percentile); symmetric when signed
+ * @property {number} high
+ * @property {boolean} signed  true: diverging colours about 0
+ */
+
+/**
+ * A picture of the surface after a step, at most one per display frame and only
+ * after the last was acknowledged.
+ * @typedef {object} Frame
+ * @property {'frame'} type
+ * @property {number} run            frames of an older run are dropped
+ * @property {State} state
+ * @property {StepReport[]} reports  of the steps taken since the last frame, oldest first
+ * @property {Float32Array} positions
+ * @property {Field | null} field
+ * @property {Uint32Array} flippedTriangles  triangles to highlight
+ */
+
+/**
+ * Requests to the worker: `{ id, type, … }`. Each is answered by exactly one
+ * `{ id, ok }` or `{ id, error: Fault }`; `configure`, `run`, `step`, `back`, `reset` and
+ * `restore` also cause `frame` events, and `run` ends with one `stopped` event unless it is paused.
+ * `configure` goes back to the start.
+ *
+ * | type        | fields                        | ok                          |
+ * | ----------- | ----------------------------- | --------------------------- |
+ * | `load`      | `name`, `bytes: ArrayBuffer`  | `Loaded`                    |
+ * | `sample`    | `name`, `parameters`          | `Loaded`                    |
+ * | `configure` | `options: FlowOptions`, `run` | `Configured`                |
+ * | `run`       | `run`, `until: number | null` | `true`, at once; pauses by itself at step `until` |
+ * | `pause`     |                               | `State`, after the current step |
+ * | `step`      | `run`                         | `StepReport \| null`: null when there was none to take |
+ * | `back`      | `run`                         | `State`                     |
+ * | `reset`     | `run`                         | `State`                     |
+ * | `colour`    | `field: FieldName`            | `Field \| null`             |
+ * | `export`    | `format`                      | `Uint8Array` (transferred)  |
+ * | `history`   |                               | `string` (CSV)              |
+ * | `restore`   | `positions`, `step`, `time`, `run` | `State`                |
+ * | `ack`       | `run`                         | nothing is answered         |
+ *
+ * @typedef {{ id: number, type: string } & Record<string, any>} Request
+ * @typedef {{ id: number, ok?: any, error?: Fault }} Reply
+ * @typedef {{ type: 'ready', version: string }} Ready            solver loaded and warm
+ * @typedef {{ type: 'progress', run: number, stage: string, fraction: number }} Progress  inside a long step
+ * @typedef {{ type: 'stopped', run: number, state: State, fault: Fault | null }} Stopped  `fault` when a step was refused
+ * @typedef {{ type: 'crashed', message: string }} Crashed        the wasm instance is dead; discard the worker
+ * @typedef {Frame | Ready | Progress | Stopped | Crashed} Event
+ */
+
+export {};

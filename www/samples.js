@@ -1,0 +1,107 @@
+// @ts-check
+// The surfaces the page offers: a shape of the solver's, and options that show it well.
+
+/** @import { FlowOptions } from "./protocol.js" */
+
+/**
+ * @typedef {object} Sample
+ * @property {string} id
+ * @property {string} label
+ * @property {string} note         what to look for
+ * @property {string} shape        name of the solver's shape …
+ * @property {Record<string, number>} parameters  … and its parameters
+ * @property {FlowOptions} options
+ */
+
+/** @type {readonly Sample[]} */
+export const samples = [
+  {
+    id: "icosahedron",
+    label: "Subdivided icosahedron",
+    note: "Becomes a round sphere; W starts at exactly 60π and falls to zero (figure 6).",
+    shape: "icosahedron",
+    parameters: { level: 4 },
+    options: {},
+  },
+  {
+    id: "bumpy-sphere",
+    label: "Bumpy sphere",
+    note: "Bumps melt, short ones first, until the sphere is round and W is zero.",
+    shape: "bumpy-sphere",
+    parameters: { level: 4 },
+    options: {},
+  },
+  {
+    id: "coarse-torus",
+    label: "Subdivided coarse torus",
+    note: "Rounds off, then its proportions creep towards R/r = √2 (figure 8).",
+    shape: "coarse-torus",
+    parameters: { level: 2 },
+    options: {},
+  },
+  {
+    id: "clifford-torus",
+    label: "Clifford torus",
+    note: "The minimum among tori: W/2 is near 2π², and the flow hardly moves it.",
+    shape: "clifford-torus",
+    parameters: {},
+    // Its edges lie on lines of curvature, where rounded angles would bias the minimum.
+    options: { epsilon: 0.001 },
+  },
+  {
+    id: "pipe",
+    label: "Pipe with clamped ends",
+    note: "Both ends keep their position and tangent; the bend between them relaxes (figure 9).",
+    shape: "pipe",
+    parameters: {},
+    options: { boundary: "clamped" },
+  },
+  {
+    id: "six-sided-hole",
+    label: "Six-sided hole",
+    note: "Fills a hexagonal hole smoothly, from a harmonic first guess (figure 10).",
+    shape: "six-sided-hole",
+    parameters: {},
+    options: { boundary: "clamped", prefill: true },
+  },
+  {
+    id: "scar",
+    label: "Scar on a stone",
+    note: "Only the damaged patch moves, and closes without a seam (figure 11).",
+    shape: "scar",
+    parameters: {},
+    options: {},
+  },
+  {
+    id: "noisy-scan",
+    label: "Noisy scan",
+    note: "Ten steps take away the noise and leave the shape (figure 12).",
+    shape: "scan",
+    parameters: { resolution: 140, loops: 30 },
+    options: { goal: "smooth", detail: 4, smoothSteps: 10 },
+  },
+  {
+    id: "trefoil",
+    label: "Trefoil knot",
+    note: "A knotted tube fattens; it cannot untie itself.",
+    shape: "trefoil",
+    parameters: {},
+    options: {},
+  },
+  {
+    id: "moebius",
+    label: "Möbius strip",
+    note: "One side and one edge; the energy needs no orientation.",
+    shape: "moebius",
+    parameters: {},
+    options: { boundary: "fixed" },
+  },
+  {
+    id: "klein-bottle",
+    label: "Klein bottle",
+    note: "Closed and one-sided: it has no volume, but it has an energy.",
+    shape: "klein-bottle",
+    parameters: {},
+    options: {},
+  },
+];

@@ -1,0 +1,164 @@
+// @ts-check
+// The page's side of the worker: a promise for every request, events for the rest,
+// and a new worker with the old scene in it when the old one is lost.
+
+/** @import { Configured, Fault, Field, FieldName, FlowOptions, Frame, Loaded, State, StepReport, Stopped } from "./protocol.js" */
+
+/**
+ * @typedef {object} Listener
+ * @property {(version: string) => void} onReady
+ * @property {(frame: Frame) => void} onFrame
+ * @property {(stopped: Stopped) => void} onStopped
+ * @property {(progress: { stage: string, fraction: number }) => void} onProgress
+ * @property {(reason: string) => void} onCrashed  the worker is gone; `revive` brings the scene back
+ */
+
+/** What every request is answered with that a lost worker can no longer answer. */
+export const LOST = "SolverLost";
+
+/** @param {Listener} listener */
+export function createSolver(listener) {
+  /** @type {Worker | null} */
+  let worker = null;
+  let lastId = 0;
+  let run = 0;
+  /** @type {Map<number, { resolve: (ok: any) => void, reject: (fault: Fault) => void }>} */
+  const waiting = new Map();
+  // The scene, for a new worker: how the mesh was made, its options, and where it stands.
+  /** @type {Record<string, unknown> | null} */
+  let origin = null;
+  /** @type {FlowOptions} */
+  let options = {};
+  /** @type {FieldName} */
+  let field = "none";
+  /** @type {{ positions: Float32Array, step: number, time: number } | null} */
+  let last = null;
+
+  /** @param {string} reason */
+  function lost(reason) {
+    dismiss();
+    listener.onCrashed(reason);
+  }
+
+  function start() {
+    const started = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    started.onmessage = ({ data }) => started === worker && receive(data);
+    started.onerror = (event) => {
+      if (started === worker) lost(event.message || "it could not be loaded");
+    };
+    return started;
+  }
+
+  /** Ends the worker; whoever waits for it learns so. The next request starts another. */
+  function dismiss() {
+    worker?.terminate();
+    worker = null;
+    run += 1;
+    /** @type {Fault} */
+    const fault = { kind: LOST, message: "The solver was stopped.", hint: "", detail: {} };
+    for (const { reject } of waiting.values()) reject(fault);
+    waiting.clear();
+  }
+
+  /** @param {any} message  a `Reply` or an `Event` of the protocol */
+  function receive(message) {
+    if ("id" in message) {
+      const request = waiting.get(message.id);
+      waiting.delete(message.id);
+      if (message.error) request?.reject(message.error);
+      else request?.resolve(message.ok);
+    } else if (message.type === "ready") listener.onReady(message.version);
+    else if (message.type === "crashed") lost(message.message);
+    else if (message.type === "progress") listener.onProgress(message);
+    else if (message.run !== run) return;
+    else if (message.type === "frame") take(message);
+    else if (message.type === "stopped") listener.onStopped(message);
+  }
+
+  /** @param {Frame} frame */
+  function take(frame) {
+    const { step, time } = frame.state;
+    last = { positions: frame.positions, step, time };
+    listener.onFrame(frame);
+    // Only when the page has had its turn to draw may the next one come.
+    requestAnimationFrame(() => worker?.postMessage({ id: 0, type: "ack", run: frame.run }));
+  }
+
+  /** @param {string} type @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
+  function ask(type, fields = {}) {
+    lastId += 1;
+    const id = lastId;
+    worker ??= start();
+    const asked = worker;
+    return new Promise((resolve, reject) => {
+      waiting.set(id, { resolve, reject });
+      asked.postMessage({ id, type, ...fields });
+    });
+  }
+
+  /** @param {string} type @param {Record<string, unknown>} fields @returns {Promise<Loaded>} */
+  async function make(type, fields) {
+    const loaded = await ask(type, fields);
+    origin = { type, ...fields };
+    last = null;
+    return loaded;
+  }
+
+  /** @param {string} type @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
+  function move(type, fields) {
+    run += 1;
+    return ask(type, { ...fields, run });
+  }
+
+  worker = start();
+  return {
+    dismiss,
+    /** @param {string} name @param {ArrayBuffer} bytes  kept, so that a lost worker can be replaced */
+    load: (name, bytes) => make("load", { name, bytes }),
+    /** @param {string} name @param {Record<string, number>} parameters */
+    sample: (name, parameters) => make("sample", { name, parameters }),
+    /** @param {FlowOptions} wanted @returns {Promise<Configured>} */
+    async configure(wanted) {
+      const configured = await move("configure", { options: wanted });
+      options = wanted;
+      return configured;
+    },
+    /** @param {FieldName} name @returns {Promise<Field | null>} */
+    async colour(name) {
+      const answer = await ask("colour", { field: name });
+      field = name;
+      return answer;
+    },
+    /** @param {number | null} until  the step to pause at */
+    run: (until) => /** @type {Promise<true>} */ (move("run", { until })),
+    /** @returns {Promise<State>} */
+    pause: () => ask("pause"),
+    /** @returns {Promise<StepReport | null>} */
+    step: () => move("step"),
+    /** @returns {Promise<State>} */
+    back: () => move("back"),
+    /** @returns {Promise<State>} */
+    reset: () => move("reset"),
+    /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
+    export: (format) => ask("export", { format }),
+    /** @returns {Promise<string>} CSV */
+    history: () => ask("history"),
+
+    /**
+     * After `dismiss` or a crash: a new worker with the mesh, options and positions of
+     * the last frame.
+     * @returns {Promise<State | null>} where the new session stands; null when there was no mesh
+     */
+    async revive() {
+      if (!origin) return null;
+      const { type, ...fields } = origin;
+      await ask(/** @type {string} */ (type), fields);
+      // As part of no run: its frame, of the start, must not be taken for the last one.
+      await ask("configure", { options, run: 0 });
+      if (field !== "none") await ask("colour", { field });
+      return last && last.step > 0 ? move("restore", last) : move("reset");
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createSolver>} Solver */

@@ -1,0 +1,213 @@
+// @ts-check
+// What the page shows, as one frozen object, and the only functions that change it.
+// Transitions are pure: (state, …) → state. Parts read; the controller writes.
+
+/** @import { Loaded, State as Reading, Configured, FlowOptions, Field, FieldName, Frame } from "./protocol.js" */
+
+import { defaults } from "./options.js";
+
+/** @typedef {'empty' | 'loading' | 'ready' | 'running' | 'paused' | 'failed'} Phase */
+
+/** @typedef {{ step: number, time: number, dt: number, energy: number }} Sample  a point of the plot */
+
+/**
+ * @typedef {{ kind: 'sample', id: string } | { kind: 'file', name: string }} Source
+ */
+
+/**
+ * @typedef {object} View
+ * @property {'smooth' | 'flat'} shading
+ * @property {boolean} wireframe
+ * @property {boolean} boundary
+ * @property {'auto' | 'light' | 'dark'} theme
+ * @property {boolean} systemDark   what `auto` means now
+ * @property {'auto' | 'log' | 'linear'} scale  of the energy axis
+ */
+
+/**
+ * @typedef {object} PageState
+ * @property {Phase} phase
+ * @property {string | null} loadingName
+ * @property {Source | null} source
+ * @property {Loaded | null} mesh
+ * @property {{ positions: Float32Array, field: Field | null, flippedTriangles: Uint32Array } | null} frame
+ * @property {Reading | null} reading
+ * @property {readonly Sample[]} history  from the start to the present step
+ * @property {Readonly<Required<FlowOptions>>} options
+ * @property {Configured | null} configured
+ * @property {FieldName} colour
+ * @property {number | null} goal         the step a link asks for, while running to it
+ * @property {boolean} pausing            asked to pause; the step in hand is not done
+ * @property {{ stage: string, fraction: number } | null} progress
+ * @property {Float32Array | null} camera
+ * @property {View} view
+ * @property {boolean} presenting
+ * @property {string} version             of the solver; empty until it is up
+ */
+
+/** @type {Readonly<PageState>} */
+export const initial = Object.freeze({
+  phase: "empty",
+  loadingName: null,
+  source: null,
+  mesh: null,
+  frame: null,
+  reading: null,
+  history: [],
+  options: defaults,
+  configured: null,
+  colour: "none",
+  goal: null,
+  pausing: false,
+  progress: null,
+  camera: null,
+  view: Object.freeze({
+    shading: "smooth",
+    wireframe: false,
+    boundary: true,
+    theme: "auto",
+    systemDark: false,
+    scale: "auto",
+  }),
+  presenting: false,
+  version: "",
+});
+
+/** @param {Reading | null} reading @returns {Phase} where a session that is not running stands */
+const still = (reading) => {
+  if (!reading) return "empty";
+  return reading.step === 0 && reading.status === "ready" ? "ready" : "paused";
+};
+
+/** @param {{ step: number, time: number, dt: number, energy: number }} of @returns {Sample} */
+const sample = ({ step, time, dt, energy }) => ({ step, time, dt, energy });
+
+/**
+ * @param {readonly Sample[]} history
+ * @param {Reading} reading
+ * @param {readonly Sample[]} added  oldest first
+ */
+function extended(history, reading, added) {
+  const first = added.length > 0 ? added[0].step : reading.step;
+  const kept = history.filter((point) => point.step < first);
+  return added.length > 0 ? [...kept, ...added.map(sample)] : [...kept, sample(reading)];
+}
+
+/** @typedef {Readonly<PageState>} S */
+
+export const transitions = {
+  /** @param {S} s @param {string} version @returns {S} */
+  solverReady: (s, version) => ({ ...s, version }),
+
+  /** @param {S} s @param {string} name @returns {S} */
+  loading: (s, name) => ({ ...s, phase: "loading", loadingName: name, goal: null }),
+
+  /** The mesh of before stays. @param {S} s @returns {S} */
+  refused: (s) => ({ ...s, phase: still(s.reading), loadingName: null, pausing: false }),
+
+  /** @param {S} s @param {Source} source @param {Loaded} mesh @returns {S} */
+  loaded: (s, source, mesh) => ({
+    ...s,
+    loadingName: null,
+    source,
+    mesh,
+    frame: { positions: mesh.positions, field: null, flippedTriangles: new Uint32Array(0) },
+    reading: null,
+    history: [],
+    configured: null,
+    goal: null,
+    progress: null,
+    camera: null,
+  }),
+
+  /** @param {S} s @param {S["options"]} options @param {Configured} configured @returns {S} */
+  configured: (s, options, configured) => ({
+    ...s,
+    phase: still(configured.state),
+    options,
+    configured,
+    reading: configured.state,
+    history: extended(s.history, configured.state, []),
+  }),
+
+  /** @param {S} s @param {number | null} goal @returns {S} */
+  started: (s, goal) => ({ ...s, phase: "running", pausing: false, goal }),
+
+  /** @param {S} s @returns {S} */
+  pausing: (s) => ({ ...s, pausing: true }),
+
+  /** @param {S} s @param {Frame} frame @returns {S} */
+  frame: (s, { state, reports, positions, field, flippedTriangles }) => ({
+    ...s,
+    phase: s.phase === "running" || s.phase === "loading" ? s.phase : still(state),
+    reading: state,
+    history: extended(s.history, state, reports),
+    frame: { positions, field, flippedTriangles },
+    progress: null,
+  }),
+
+  /** @param {S} s @param {Reading} reading @returns {S} */
+  stopped: (s, reading) => ({
+    ...s,
+    phase: still(reading),
+    reading,
+    history: extended(s.history, reading, []),
+    goal: null,
+    pausing: false,
+    progress: null,
+  }),
+
+  /** @param {S} s @param {{ stage: string, fraction: number } | null} progress @returns {S} */
+  progress: (s, progress) => ({ ...s, progress }),
+
+  /** @param {S} s @param {FieldName} colour @param {Field | null} field @returns {S} */
+  coloured: (s, colour, field) => ({ ...s, colour, frame: s.frame && { ...s.frame, field } }),
+
+  /** @param {S} s @param {Float32Array} camera @returns {S} */
+  looked: (s, camera) => ({ ...s, camera }),
+
+  /** @param {S} s @param {Partial<View>} change @returns {S} */
+  viewed: (s, change) => ({ ...s, view: Object.freeze({ ...s.view, ...change }) }),
+
+  /** @param {S} s @param {boolean} presenting @returns {S} */
+  presenting: (s, presenting) => ({ ...s, presenting }),
+
+  /** A new solver is on its way. @param {S} s @returns {S} */
+  reviving: (s) => ({ ...s, phase: "loading", loadingName: null, pausing: false, progress: null }),
+
+  /** No solver any more. @param {S} s @returns {S} */
+  failed: (s) => ({ ...s, phase: "failed", pausing: false, goal: null, progress: null }),
+};
+
+/** @param {S} s whether the surface is shown on a dark ground */
+export const isDark = ({ view }) =>
+  view.theme === "dark" || (view.theme === "auto" && view.systemDark);
+
+/**
+ * @param {S} first
+ * @returns the present state, a way to replace it, and a way to be told
+ */
+export function createStore(first = initial) {
+  let state = first;
+  /** @type {((state: S) => void)[]} */
+  const listeners = [];
+  return {
+    get: () => state,
+    /**
+     * @template {unknown[]} A
+     * @param {(state: S, ...parameters: A) => S} transition
+     * @param {A} parameters
+     */
+    update(transition, ...parameters) {
+      state = Object.freeze(transition(state, ...parameters));
+      for (const listener of listeners) listener(state);
+    },
+    /** @param {(state: S) => void} listener called at once, and after every change */
+    subscribe(listener) {
+      listeners.push(listener);
+      listener(state);
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createStore>} Store */

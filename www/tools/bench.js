@@ -1,0 +1,15 @@
+// @ts-check
+// `npm run bench`: the Rust benchmarks, then the command line's tables.
+
+import { prerequisites } from "./prerequisites.js";
+import { run, runNode, say, script } from "./process.js";
+import { buildWasm } from "./wasm.js";
+
+await script(() => {
+  prerequisites();
+  say("Rust benchmarks");
+  run("cargo", ["bench", "--locked", "--bench", "*"]);
+  buildWasm();
+  say("A step of the circle-angle flow in wasm");
+  runNode(["www/cli.js", "bench", "--table", "circle", ...process.argv.slice(2)]);
+});

@@ -1,0 +1,34 @@
+// @ts-check
+// The picture in README.md, taken from the built page: `node www/tools/picture.js`.
+
+import path from "node:path";
+import { launch, openPage } from "../../tests/web/support/browser.js";
+import { serve } from "../../tests/web/support/server.js";
+import { root } from "./process.js";
+
+/** What is in the picture, and how far it has flowed. */
+const scene = "#sample=bumpy-sphere&colour=mean-curvature";
+const steps = 3;
+
+const server = await serve();
+const browser = await launch();
+try {
+  const { page } = await openPage(browser, {
+    viewport: { width: 1280, height: 720 },
+    colorScheme: "dark",
+  });
+  await page.goto(server.url + scene);
+  const status = page.getByRole("status").first();
+  await status.filter({ hasText: "Ready" }).waitFor({ timeout: 60_000 });
+  for (let step = 1; step <= steps; step++) {
+    await page.getByRole("button", { name: "Step", exact: true }).click();
+    await status.filter({ hasText: `step ${step}` }).waitFor({ timeout: 60_000 });
+  }
+  await page.mouse.move(5, 5);
+  const file = path.join(root, "www", "picture.png");
+  await page.screenshot({ path: file });
+  console.log(`wrote ${file}`);
+} finally {
+  await browser.close();
+  await server.close();
+}

@@ -1,0 +1,75 @@
+// @ts-check
+// Running other programs, one line of explanation before each.
+
+import { spawnSync } from "node:child_process";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+/** The repository's folder. */
+export const root = fileURLToPath(new URL("../..", import.meta.url));
+
+/** Where cargo builds; honours cargo's own variable. */
+export const targetDir = path.resolve(root, process.env.CARGO_TARGET_DIR ?? "target");
+
+/** A failure to be told to the person at the terminal in words, without a stack. */
+export class Refusal extends Error {}
+
+/**
+ * Says in one line what happens next.
+ * @param {string} text
+ */
+export function say(text) {
+  console.log(`\x1b[1m• ${text}\x1b[0m`);
+}
+
+/**
+ * Runs a program with the terminal attached and waits for it.
+ * @param {string} program
+ * @param {string[]} parameters
+ * @param {{ env?: Record<string, string>, cwd?: string }} [options]
+ * @throws {Refusal} when it cannot be started or ends with anything but 0
+ */
+export function run(program, parameters, { env = {}, cwd = root } = {}) {
+  const { error, status, signal } = spawnSync(program, parameters, {
+    cwd,
+    stdio: "inherit",
+    env: { ...process.env, ...env },
+  });
+  const line = [program, ...parameters].join(" ");
+  if (error) throw new Refusal(`could not run: ${line}\n${error.message}`);
+  if (status !== 0) throw new Refusal(`failed (${signal ?? `exit ${status}`}): ${line}`);
+}
+
+/**
+ * Runs a node program, among them those of the installed packages.
+ * @param {string[]} parameters  script and its arguments
+ * @param {{ env?: Record<string, string> }} [options]
+ */
+export function runNode(parameters, options) {
+  run(process.execPath, parameters, options);
+}
+
+/**
+ * Standard output of a program, or null when it is missing or fails.
+ * @param {string} program
+ * @param {string[]} parameters
+ * @returns {string | null}
+ */
+export function ask(program, parameters) {
+  const { status, stdout } = spawnSync(program, parameters, { cwd: root, encoding: "utf8" });
+  return status === 0 ? stdout.trim() : null;
+}
+
+/**
+ * Runs a script's work; a refusal is printed and becomes exit code 1.
+ * @param {() => void | Promise<void>} work
+ */
+export async function script(work) {
+  try {
+    await work();
+  } catch (error) {
+    if (!(error instanceof Refusal)) throw error;
+    console.error(`\x1b[31m✗ ${error.message}\x1b[0m`);
+    process.exitCode = 1;
+  }
+}

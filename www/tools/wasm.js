@@ -1,0 +1,109 @@
+// @ts-check
+// The two wasm halves, from Rust source to `www/pkg`: cargo, then wasm-bindgen's
+// tool, then wasm-opt. Cargo decides what is out of date; what follows it is done
+// again only when cargo's output has changed.
+
+import { createHash } from "node:crypto";
+import { existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { homedir } from "node:os";
+import path from "node:path";
+import { gzipSync } from "node:zlib";
+import { root, run, runNode, say, targetDir } from "./process.js";
+
+/**
+ * @typedef {object} Half
+ * @property {string} name         the cargo feature, and the folder under `www/pkg`
+ * @property {string} level        our own crate's optimisation level
+ * @property {string[]} shrink    wasm-opt's passes
+ */
+
+/** @type {Half[]} */
+const halves = [
+  { name: "solver", level: "s", shrink: ["-Oz", "--converge"] },
+  // What takes time in a picture is the browser's; the smallest code will do.
+  { name: "viewer", level: "z", shrink: ["-Oz", "--converge"] },
+];
+
+/** What wasm-bindgen's tool is made of. */
+const toolSources = ["Cargo.lock", "src/bin/bindgen.rs"].map((file) => path.join(root, file));
+
+/** Builds what is missing or out of date. */
+export function buildWasm() {
+  for (const half of halves) buildHalf(half);
+}
+
+/** @param {Half} half */
+function buildHalf({ name, level, shrink }) {
+  const target = "wasm32-unknown-unknown";
+  say(`Compiling the ${name} (Rust to wasm; the first time takes minutes)`);
+  // As a cdylib alone: with the rlib beside it cargo would leave out the link-time
+  // optimisation that the release profile asks for. In a folder of its own: the two
+  // halves have the same file name, and each would make the other out of date.
+  const folder = path.join(targetDir, name);
+  const parameters = [
+    ...["rustc", "--lib", "--crate-type", "cdylib", "--release", "--locked"],
+    ...["--target", target, "--target-dir", folder, "--no-default-features", "--features", name],
+    ...["--config", `profile.release.package.umbilic.opt-level="${level}"`],
+  ];
+  run("cargo", parameters, { env: { CARGO_ENCODED_RUSTFLAGS: flags().join("\x1f") } });
+  const compiled = path.join(folder, target, "release", "umbilic.wasm");
+
+  const out = path.join(root, "www", "pkg", name);
+  const wasm = path.join(out, `${name}_bg.wasm`);
+  const stampFile = path.join(out, ".stamp");
+  const stamp = createHash("sha256")
+    .update(readFileSync(compiled))
+    .update(toolSources.map((file) => readFileSync(file, "utf8")).join(""))
+    .update(String(shrink))
+    .digest("hex");
+  if (existsSync(wasm) && existsSync(stampFile) && readFileSync(stampFile, "utf8") === stamp) {
+    return;
+  }
+
+  const bindgen = bindgenTool();
+  say(`Packing the ${name} into www/pkg/${name}`);
+  rmSync(out, { recursive: true, force: true });
+  mkdirSync(out, { recursive: true });
+  run(bindgen, [compiled, out, name, "--strip-names"]);
+  runNode(["node_modules/binaryen/bin/wasm-opt", ...shrink, wasm, "-o", wasm]);
+  writeFileSync(stampFile, stamp);
+  const bytes = readFileSync(wasm);
+  console.log(`  ${kilobytes(bytes.length)}, ${kilobytes(gzipSync(bytes).length)} gzipped`);
+}
+
+/**
+ * Flags of the shipped build. SIMD as in `.cargo/config.toml`, which these replace; and no
+ * folder of this machine in the messages of panics: it is nobody's business, and bytes.
+ */
+function flags() {
+  const cargoHome = process.env.CARGO_HOME ?? path.join(homedir(), ".cargo");
+  const remap = (/** @type {string} */ from, /** @type {string} */ to) =>
+    `--remap-path-prefix=${from}=${to}`;
+  return ["-C", "target-feature=+simd128", remap(cargoHome, "cargo"), remap(root, "umbilic")];
+}
+
+/**
+ * wasm-bindgen's tool, built when it is missing or older than what it is made of.
+ * @returns {string} path of the program
+ */
+function bindgenTool() {
+  const folder = path.join(targetDir, "tools");
+  const suffix = process.platform === "win32" ? ".exe" : "";
+  const program = path.join(folder, "tool", `bindgen${suffix}`);
+  const fresh =
+    existsSync(program) &&
+    toolSources.every((file) => statSync(file).mtimeMs < statSync(program).mtimeMs);
+  if (!fresh) {
+    say("Building wasm-bindgen's tool");
+    run("cargo", [
+      ...["build", "--bin", "bindgen", "--profile", "tool", "--locked", "--target-dir", folder],
+      ...["--no-default-features", "--features", "bindgen"],
+    ]);
+  }
+  return program;
+}
+
+/** @param {number} bytes */
+function kilobytes(bytes) {
+  return `${(bytes / 1000).toFixed(0)} kB`;
+}

@@ -1,0 +1,65 @@
+// @ts-check
+// The selects Sample, Flow, Boundary and Colour by.
+
+/** @import { FieldName } from "../protocol.js" */
+/** @import { PageState } from "../state.js" */
+/** @import { Controller } from "../controller.js" */
+/** @import { Options } from "../options.js" */
+
+import { choices } from "../options.js";
+import { samples } from "../samples.js";
+import { byId, fillSelect, setText } from "./element.js";
+
+/** @param {Controller} controller */
+export function createChoices(controller) {
+  const sample = byId("sample", HTMLSelectElement);
+  const note = byId("sample-note", HTMLElement);
+  const flow = byId("flow", HTMLSelectElement);
+  const boundary = byId("boundary", HTMLSelectElement);
+  const colour = byId("colour", HTMLSelectElement);
+
+  fillSelect(sample, samples);
+  fillSelect(flow, choices.flow);
+  fillSelect(boundary, choices.boundary);
+  fillSelect(colour, choices.colour);
+  // Stands for a mesh from a file; it cannot be picked again.
+  const own = new Option("", "");
+  own.hidden = true;
+  sample.prepend(own);
+
+  sample.addEventListener("change", () => controller.sample(sample.value));
+  flow.addEventListener("change", () =>
+    controller.configure({ flow: /** @type {Options["flow"]} */ (flow.value) }),
+  );
+  boundary.addEventListener("change", () =>
+    controller.configure({ boundary: /** @type {Options["boundary"]} */ (boundary.value) }),
+  );
+  colour.addEventListener("change", () =>
+    controller.colour(/** @type {FieldName} */ (colour.value)),
+  );
+
+  /** @type {PageState["source"]} */
+  let shown = null;
+  /** @type {Options | null} */
+  let options = null;
+  return {
+    /** @param {Readonly<PageState>} state */
+    update(state) {
+      if (state.source !== shown && state.source) {
+        shown = state.source;
+        own.textContent = shown.kind === "file" ? shown.name : "";
+        sample.value = shown.kind === "sample" ? shown.id : "";
+        setText(note, samples.find(({ id }) => id === sample.value)?.note ?? "");
+      } else if (state.phase !== "loading" && shown?.kind === "sample") {
+        // A sample that was refused leaves the one before in place.
+        if (sample.value !== shown.id) sample.value = shown.id;
+      }
+      if (state.options !== options) {
+        options = state.options;
+        flow.value = options.flow;
+        boundary.value = options.boundary;
+      }
+      if (colour.value !== state.colour && state.phase !== "loading") colour.value = state.colour;
+    },
+  };
+}

@@ -1,0 +1,113 @@
+// @ts-check
+// The plot itself, a file of its own because uPlot weighs more than the rest of the page:
+// it is fetched after the first picture.
+
+/** @import { PageState, Sample } from "../state.js" */
+
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import { formatShort } from "./number.js";
+
+/** A fall by more than this is easier to read on a logarithmic axis. */
+const WIDE = 30;
+
+/** @param {PageState["view"]["scale"]} scale @param {readonly Sample[]} history */
+function isLogarithmic(scale, history) {
+  const positive = history.map(({ energy }) => energy).filter((energy) => energy > 0);
+  if (scale === "linear" || positive.length === 0) return false;
+  if (scale === "log") return true;
+  const high = positive.reduce((a, b) => Math.max(a, b));
+  return high / positive.reduce((a, b) => Math.min(a, b)) > WIDE;
+}
+
+/** Powers of ten, at most six. @param {number} low @param {number} high */
+function decades(low, high) {
+  const [from, to] = [Math.ceil(Math.log10(low) - 1e-9), Math.floor(Math.log10(high) + 1e-9)];
+  const stride = Math.max(1, Math.ceil((to - from) / 5));
+  const count = Math.max(0, Math.floor((to - from) / stride) + 1);
+  return Array.from({ length: count }, (_, i) => 10 ** (to - i * stride)).reverse();
+}
+
+/** @param {HTMLElement} root @param {boolean} logarithmic */
+function makePlot(root, logarithmic) {
+  // Colours come from the style sheet through properties the element does not use itself.
+  const style = () => getComputedStyle(root);
+  const text = () => style().color;
+  const accent = () => style().borderTopColor;
+  const lines = () => style().outlineColor;
+  const font = `12px ${style().fontFamily}`;
+  const axis = { stroke: text, font, grid: { stroke: lines, width: 1 }, ticks: { show: false } };
+  return new uPlot(
+    {
+      width: Math.max(root.clientWidth, 80),
+      height: Math.max(root.clientHeight, 80),
+      legend: { show: false },
+      cursor: { show: false },
+      padding: [10, 10, 0, 0],
+      scales: {
+        x: {
+          time: false,
+          range: (_, low, high) => [low ?? 0, Math.max(high ?? 0, (low ?? 0) + 5)],
+        },
+        y: logarithmic ? { distr: 3 } : {},
+      },
+      axes: [
+        {
+          ...axis,
+          size: 26,
+          gap: 4,
+          incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1e3, 1e4, 1e5, 1e6],
+        },
+        {
+          ...axis,
+          size: 52,
+          gap: 6,
+          // Between the decades uPlot would draw a line for every digit.
+          ...(logarithmic
+            ? {
+                splits: (/** @type {uPlot} */ _, /** @type {number} */ __, low, high) =>
+                  decades(low, high),
+                filter: (/** @type {uPlot} */ _, /** @type {number[]} */ ticks) => ticks,
+                grid: { ...axis.grid, filter: (_, ticks) => ticks },
+              }
+            : {}),
+          values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : formatShort(tick))),
+        },
+      ],
+      series: [{}, { stroke: accent, width: 2, points: { size: 5, fill: accent } }],
+    },
+    [[], []],
+    root,
+  );
+}
+
+/** @param {HTMLElement} root */
+export function createEnergyChart(root) {
+  /** @type {uPlot | null} */
+  let plot = null;
+  let logarithmic = false;
+
+  new ResizeObserver(() => {
+    if (root.clientWidth > 0) plot?.setSize({ width: root.clientWidth, height: root.clientHeight });
+  }).observe(root);
+
+  return {
+    /** @param {readonly Sample[]} history @param {PageState["view"]["scale"]} scale */
+    show(history, scale) {
+      const wanted = isLogarithmic(scale, history);
+      if (!plot || wanted !== logarithmic) {
+        plot?.destroy();
+        logarithmic = wanted;
+        plot = makePlot(root, logarithmic);
+      }
+      const energies = history.map(({ energy }) => (logarithmic && energy <= 0 ? null : energy));
+      const steps = history.map(({ step }) => step);
+      // Room for the first few steps, so that the axis does not jump with each.
+      const first = steps[0] ?? 0;
+      plot.setData([steps, energies], false);
+      plot.setScale("x", { min: first, max: Math.max(steps.at(-1) ?? 0, first + 5) });
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createEnergyChart>} EnergyChart */

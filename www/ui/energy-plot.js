@@ -1,0 +1,81 @@
+// @ts-check
+// Energy against step number, as a plot and as a table.
+
+/** @import { PageState, Sample } from "../state.js" */
+/** @import { Controller } from "../controller.js" */
+/** @import { EnergyChart } from "./energy-chart.js" */
+
+import { byId } from "./element.js";
+import { formatNumber } from "./number.js";
+
+/** @param {Sample} sample */
+function tableRow(sample) {
+  const row = document.createElement("tr");
+  const { step, time, dt, energy } = sample;
+  for (const text of [
+    String(step),
+    formatNumber(time),
+    formatNumber(dt, 4),
+    formatNumber(energy, 6),
+  ]) {
+    row.insertCell().textContent = text;
+  }
+  return row;
+}
+
+/**
+ * @param {Controller} controller
+ * @param {Promise<unknown>} pictured  settled once the viewer is there, or will never be
+ */
+export function createEnergyPlot(controller, pictured) {
+  const root = byId("plot", HTMLElement);
+  const rows = byId("plot-rows", HTMLTableSectionElement);
+  const scale = byId("scale", HTMLSelectElement);
+  scale.addEventListener("change", () =>
+    controller.view({ scale: /** @type {PageState["view"]["scale"]} */ (scale.value) }),
+  );
+
+  /** @type {EnergyChart | null} */
+  let chart = null;
+  /** @type {Readonly<PageState> | null} */
+  let shown = null;
+
+  /** Keeps the rows that still hold. @param {readonly Sample[]} history */
+  function fillTable(history) {
+    const before = shown?.history ?? [];
+    let same = 0;
+    while (same < before.length && before[same] === history[same]) same += 1;
+    while (rows.rows.length > same) rows.deleteRow(-1);
+    rows.append(...history.slice(same).map(tableRow));
+  }
+
+  let asked = false;
+  /** Fetches the chart after the first picture, which it would otherwise hold up. */
+  async function open() {
+    asked = true;
+    await pictured;
+    // The frame in which the viewer draws, and the next.
+    for (let i = 0; i < 2; i += 1) await new Promise(requestAnimationFrame);
+    try {
+      const { createEnergyChart } = await import("./energy-chart.js");
+      chart = createEnergyChart(root);
+      if (shown) chart.show(shown.history, shown.view.scale);
+    } catch (error) {
+      // The table has the same numbers.
+      controller.report(error);
+    }
+  }
+
+  return {
+    /** @param {Readonly<PageState>} state */
+    update(state) {
+      const { history, view } = state;
+      if (history.length > 0 && !asked) open();
+      const same = history === shown?.history && view === shown.view;
+      if (history !== shown?.history) fillTable(history);
+      shown = state;
+      // A change of the view may be one of colours, which come from the style sheet.
+      if (!same) chart?.show(history, view.scale);
+    },
+  };
+}

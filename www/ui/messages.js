@@ -1,0 +1,55 @@
+// @ts-check
+// Warnings and errors, each shown once. Errors stay until they are dismissed.
+
+import { byId } from "./element.js";
+
+/** Milliseconds a warning stays. */
+const NOTE_STAYS = 12_000;
+
+export function createMessages() {
+  const errors = byId("errors", HTMLElement);
+  const notes = byId("notes", HTMLElement);
+  const template = byId("message-template", HTMLTemplateElement);
+  /** Warnings that were shown, numbers left out: a run repeats them with others. @type {Set<string>} */
+  const told = new Set();
+
+  /** @param {HTMLElement} list @param {string} what @param {string} hint */
+  function add(list, what, hint) {
+    const copy = /** @type {DocumentFragment} */ (template.content.cloneNode(true));
+    const message = /** @type {HTMLElement} */ (copy.querySelector(".message"));
+    const lines = message.querySelectorAll("p");
+    lines[0].textContent = what;
+    lines[1].textContent = hint;
+    lines[1].hidden = hint === "";
+    message.querySelector("button")?.addEventListener("click", () => message.remove());
+    list.append(message);
+    // A lecture hall needs the latest ones, not a wall of them.
+    while (list.children.length > 3) list.firstElementChild?.remove();
+    return message;
+  }
+
+  return {
+    /** @param {{ message: string, hint: string }} fault */
+    error({ message, hint }) {
+      const shown = [...errors.querySelectorAll(".what")].some(
+        (what) => what.textContent === message,
+      );
+      if (!shown) add(errors, message, hint);
+    },
+    /** @param {string} text */
+    note(text) {
+      const key = text.replace(/[\d.]+/g, "#");
+      if (told.has(key)) return;
+      told.add(key);
+      const message = add(notes, text, "");
+      const leave = () =>
+        message.matches(":hover, :focus-within") ? setTimeout(leave, NOTE_STAYS) : message.remove();
+      setTimeout(leave, NOTE_STAYS);
+    },
+    clear() {
+      told.clear();
+      errors.replaceChildren();
+      notes.replaceChildren();
+    },
+  };
+}

@@ -1,0 +1,129 @@
+// @ts-check
+// The canvas: hands the viewer what changed, and says in words what it shows. Where
+// there is no WebGPU it says so in place of the picture.
+
+/** @import { Fault } from "../protocol.js" */
+/** @import { PageState, View } from "../state.js" */
+/** @import { Controller } from "../controller.js" */
+
+import { samples as shapes } from "../samples.js";
+import { isDark } from "../state.js";
+import { byId, setText } from "./element.js";
+import { formatNumber } from "./number.js";
+
+/** @typedef {Awaited<ReturnType<typeof import("../viewer.js").createViewer>>} Viewer */
+
+/** @param {Readonly<PageState>} state */
+export function surfaceLabel({ mesh, reading }) {
+  if (!mesh) return "Surface: none yet";
+  if (!reading) return `Surface: ${mesh.name}`;
+  const energy = formatNumber(reading.energy, 4);
+  const area = formatNumber(reading.area, 4);
+  return `Surface: ${mesh.name}, step ${reading.step}, energy ${energy}, area ${area}`;
+}
+
+/** @param {PageState["source"]} source */
+function titleOf(source) {
+  if (source?.kind !== "sample") return source?.name ?? "";
+  return shapes.find(({ id }) => id === source.id)?.label ?? "";
+}
+
+/**
+ * @param {Controller} controller
+ * @param {() => Readonly<PageState>} state
+ * @param {1 | 4} samples  of the picture's smoothing
+ */
+export function createPicture(controller, state, samples) {
+  const canvas = byId("surface", HTMLCanvasElement);
+  const absence = byId("absence", HTMLElement);
+  const title = byId("title", HTMLElement);
+
+  /** @type {Viewer | null} */
+  let viewer = null;
+  /** @type {PageState["mesh"]} */
+  let mesh = null;
+  /** @type {PageState["frame"]} */
+  let frame = null;
+  /** @type {Uint8Array | null} */
+  let held = null;
+  /** @type {Readonly<View> | null} */
+  let view = null;
+  /** @type {PageState["camera"]} what the viewer has; it tells us of every change */
+  let camera = null;
+
+  /** @param {Fault} fault */
+  function showAbsence(fault) {
+    viewer?.destroy();
+    viewer = null;
+    canvas.hidden = true;
+    absence.hidden = false;
+    setText(byId("absence-reason", HTMLElement), fault.message);
+    setText(byId("absence-hint", HTMLElement), fault.hint);
+  }
+
+  /** @param {Float32Array} now */
+  function onCamera(now) {
+    camera = now;
+    controller.look(now);
+  }
+
+  /** @param {Readonly<PageState>} s */
+  function draw(s) {
+    if (!viewer) return;
+    if (s.view !== view) {
+      view = s.view;
+      const { shading, wireframe, boundary } = view;
+      viewer.setStyle({ shading, wireframe, boundary, theme: isDark(s) ? "dark" : "light" });
+    }
+    if (s.mesh !== mesh && s.mesh) {
+      mesh = s.mesh;
+      frame = null;
+      viewer.setMesh(mesh);
+      held = null;
+      camera = null;
+    }
+    if (s.configured && s.configured.heldVertices !== held) {
+      held = s.configured.heldVertices;
+      viewer.setFixed(held);
+    }
+    if (s.frame !== frame && s.frame) {
+      frame = s.frame;
+      viewer.setFrame(frame.positions, frame.field, frame.flippedTriangles);
+    }
+    if (s.camera !== camera && s.camera) {
+      camera = s.camera;
+      viewer.setCamera(camera);
+    }
+  }
+
+  return {
+    async start() {
+      try {
+        const { createViewer } = await import("../viewer.js");
+        viewer = await createViewer(canvas, { samples, onFault: showAbsence, onCamera });
+        draw(state());
+      } catch (error) {
+        const fault = /** @type {Partial<Fault>} */ (error);
+        const message = fault?.message ?? String(error);
+        showAbsence({
+          kind: fault?.kind ?? "NoPicture",
+          message,
+          hint: fault?.hint ?? "",
+          detail: {},
+        });
+      }
+    },
+    /** @param {Readonly<PageState>} s */
+    update(s) {
+      draw(s);
+      const label = surfaceLabel(s);
+      if (canvas.ariaLabel !== label) canvas.ariaLabel = label;
+      setText(title, titleOf(s.source));
+    },
+    fit: () => viewer?.fit(),
+    /** @returns {Promise<Blob | null>} */
+    snapshot: async () => viewer?.snapshot() ?? null,
+    /** @param {boolean} signed @param {number} count @returns {Uint8Array | null} rgb */
+    colours: (signed, count) => viewer?.colourBar(signed, count) ?? null,
+  };
+}

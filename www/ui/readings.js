@@ -1,0 +1,54 @@
+// @ts-check
+// The table of readings, and both forms of the energy.
+
+/** @import { PageState } from "../state.js" */
+
+import { byId, setText } from "./element.js";
+import { formatNumber } from "./number.js";
+
+/** @param {Readonly<PageState>} state @returns {Record<string, string>} */
+function readingsOf({ reading, mesh }) {
+  if (!mesh) return {};
+  const { info } = mesh;
+  const counts = {
+    genus: info.genus === null ? "not orientable" : String(info.genus),
+    vertices: String(info.vertices),
+    faces: String(info.faces),
+  };
+  if (!reading) return counts;
+  return {
+    ...counts,
+    energy: formatNumber(reading.energy, 6),
+    step: String(reading.step),
+    time: formatNumber(reading.time),
+    dt: `${formatNumber(reading.dt, 4)} (τ = ${formatNumber(reading.tau, 3)})`,
+    area: formatNumber(reading.area, 6),
+    volume: reading.volume === null ? "none enclosed" : formatNumber(reading.volume, 6),
+    angle: `${formatNumber(reading.minAngleDegrees, 4)}°`,
+    milliseconds: reading.milliseconds > 0 ? formatNumber(reading.milliseconds, 3) : "–",
+  };
+}
+
+export function createReadings() {
+  const energy = byId("energy", HTMLElement);
+  const half = byId("energy-half", HTMLElement);
+  /** @type {NodeListOf<HTMLElement>} */
+  const cells = byId("readings", HTMLTableElement).querySelectorAll("[data-reading]");
+
+  /** @type {PageState["reading"]} */
+  let shown = null;
+  /** @type {PageState["mesh"]} */
+  let mesh = null;
+  return {
+    /** @param {Readonly<PageState>} state */
+    update(state) {
+      if (state.reading === shown && state.mesh === mesh) return;
+      shown = state.reading;
+      mesh = state.mesh;
+      const texts = readingsOf(state);
+      for (const cell of cells) setText(cell, texts[cell.dataset.reading ?? ""] ?? "–");
+      setText(energy, formatNumber(shown?.energy, 5));
+      setText(half, formatNumber(shown?.energyNormalised, 5));
+    },
+  };
+}

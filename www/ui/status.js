@@ -1,0 +1,87 @@
+// @ts-check
+// The status line: what the flow is doing, why it stopped, and how far a long step is.
+
+/** @import { PageState } from "../state.js" */
+
+import { byId, setText } from "./element.js";
+import { formatCount, formatNumber } from "./number.js";
+
+const ends = {
+  converged: { one: "Converged after # step", other: "Converged after # steps" },
+  stalled: { one: "Stalled after # step", other: "Stalled after # steps" },
+  stepLimit: {
+    one: "Stopped at the step limit after # step",
+    other: "Stopped at the step limit after # steps",
+  },
+  failed: { one: "Failed after # step", other: "Failed after # steps" },
+};
+
+/** What the solver calls the parts of a long step. @type {Readonly<Record<string, string>>} */
+const stages = {
+  assemble: "Assembling",
+  factor: "Factorising",
+  newton: "Newton iterations",
+  finish: "Measuring the surface",
+};
+
+/** @param {Readonly<PageState>} state */
+export function statusText({ phase, loadingName, mesh, reading, pausing, version, goal }) {
+  if (phase === "failed") return "The solver is not running";
+  if (phase === "loading") {
+    if (version === "") return "Starting the solver…";
+    return loadingName ? `Loading ${loadingName}…` : "Restoring the surface…";
+  }
+  if (!reading && version === "") return "Starting the solver…";
+  // A mesh may be fine and its options not: with both borders clamped, nothing is free.
+  if (!reading) return mesh ? "The flow cannot start" : "Open a mesh to begin";
+  if (phase === "running") {
+    if (pausing) return "Pausing after this step…";
+    return goal ? `Running to step ${goal}` : "Running";
+  }
+  const end = reading.status;
+  if (end !== "ready" && end !== "running") return formatCount(reading.step, ends[end]);
+  return phase === "ready" ? "Ready" : `Paused at step ${reading.step}`;
+}
+
+/** @param {import("../protocol.js").State} reading @param {string} said  the status line */
+function reasonText({ status, message }, said) {
+  if (status === "stepLimit") return "Play goes on for as many steps again.";
+  return message.startsWith(said) ? message.slice(said.length).replace(/^[:.,\s]+/, "") : message;
+}
+
+/** @param {Readonly<PageState>} state how much of the way is done, or null where nothing is to be waited for */
+function progressOf({ progress, goal, reading, phase }) {
+  if (phase === "running" && goal && reading) {
+    return { stage: `Step ${reading.step} of ${goal}`, fraction: reading.step / goal };
+  }
+  return progress && { ...progress, stage: stages[progress.stage] ?? progress.stage };
+}
+
+export function createStatus() {
+  const status = byId("status", HTMLElement);
+  const reason = byId("reason", HTMLElement);
+  const brief = byId("brief", HTMLElement);
+  const box = byId("progress", HTMLElement);
+  const bar = byId("progress-bar", HTMLProgressElement);
+  const stage = byId("progress-stage", HTMLElement);
+
+  return {
+    /** @param {Readonly<PageState>} state */
+    update(state) {
+      const { reading, phase } = state;
+      setText(status, statusText(state));
+      setText(brief, reading ? `W = ${formatNumber(reading.energy, 4)}` : "");
+
+      const why =
+        phase === "paused" && reading ? reasonText(reading, status.textContent ?? "") : "";
+      setText(reason, why);
+      reason.hidden = why === "";
+
+      const waiting = progressOf(state);
+      box.hidden = !waiting && !state.pausing;
+      setText(stage, waiting?.stage ?? "");
+      if (waiting) bar.value = waiting.fraction;
+      else bar.removeAttribute("value");
+    },
+  };
+}

@@ -1,0 +1,387 @@
+// @ts-check
+// The surface on its canvas: loads the wasm viewer, draws only when something changed,
+// follows the size of the canvas, and builds itself anew from the data it holds when the
+// graphics device is lost.
+
+import { listenForGestures } from "./gestures.js";
+
+/**
+ * @typedef {import("./protocol.js").Loaded} Loaded
+ * @typedef {import("./protocol.js").Field} Field
+ * @typedef {import("./protocol.js").Fault} Fault
+ * @typedef {import("./pkg/viewer/viewer.js").Viewer} WasmViewer
+ */
+
+/**
+ * @typedef {object} Style
+ * @property {"smooth" | "flat"} [shading]
+ * @property {boolean} [wireframe]  the mesh's own edges
+ * @property {boolean} [boundary]   the boundary loops
+ * @property {"light" | "dark"} [theme]
+ * @property {number} [lineWidth]   of an edge, in CSS pixels
+ */
+
+/**
+ * @typedef {object} ViewerOptions
+ * @property {1 | 4} [samples]                     a pixel; tests take 1, which is faster in software
+ * @property {(fault: Fault) => void} [onFault]    what goes wrong after `createViewer` has answered
+ * @property {(camera: Float32Array) => void} [onCamera]  after the user moved the camera
+ */
+
+/**
+ * What of a frame is on screen.
+ * @typedef {object} Shown
+ * @property {Float32Array} positions
+ * @property {Field | null} field
+ * @property {Uint32Array} marked
+ */
+
+/** Attempts to replace a lost graphics device before it is given up, … */
+const ATTEMPTS = 3;
+/** … each waiting longer than the last: right after a crash there may be no adapter yet … */
+const RETRY_MILLISECONDS = 500;
+/** … and counted anew once the device has held for so long. */
+const CALM_MILLISECONDS = 60_000;
+
+/**
+ * Opens a viewer on a canvas. Rejects with a `Fault` where WebGPU is missing.
+ * @param {HTMLCanvasElement} canvas
+ * @param {ViewerOptions} [options]
+ */
+export async function createViewer(canvas, options = {}) {
+  const view = new SurfaceView(canvas, options);
+  await view.open();
+  return view;
+}
+
+class SurfaceView {
+  #canvas;
+  #options;
+  #listening = new AbortController();
+  #observer = new ResizeObserver((entries) => this.#measure(entries[0]));
+
+  /** @type {WasmViewer | null} none while the device is being replaced */
+  #viewer = null;
+  /** @type {number | null} the animation frame asked for */
+  #frame = null;
+  #cameraMoved = false;
+  #attempts = 0;
+  #lastLoss = Number.NEGATIVE_INFINITY;
+
+  // What is on screen, kept so that it can be put there again.
+  /** @type {Loaded | null} */
+  #mesh = null;
+  /** @type {Shown | null} */
+  #shown = null;
+  /** @type {Uint8Array} */
+  #fixed = new Uint8Array();
+  /** @type {Style} */
+  #style = { lineWidth: 1.25 };
+  #size = { width: 1, height: 1 };
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {ViewerOptions} options
+   */
+  constructor(canvas, options) {
+    this.#canvas = canvas;
+    this.#options = options;
+    if (!canvas.hasAttribute("role")) canvas.setAttribute("role", "img");
+  }
+
+  /** Loads the wasm module and opens a device; called once, by `createViewer`. */
+  async open() {
+    const { clientWidth, clientHeight } = this.#canvas;
+    // A canvas that is not laid out yet has no size; the observer tells it later.
+    this.#size = this.#estimateSize({ width: clientWidth || 1, height: clientHeight || 1 });
+    await this.#openDevice();
+    this.#watchSize();
+    listenForGestures(this.#canvas, this.#moves(), this.#listening.signal);
+  }
+
+  /**
+   * Shows another mesh from the standard direction, without field and marks.
+   * @param {Loaded} loaded
+   */
+  setMesh(loaded) {
+    // First the viewer, which throws where it refuses, then the memory of it.
+    this.#putMesh(loaded);
+    this.#mesh = loaded;
+    this.#shown = null;
+    this.#fixed = new Uint8Array();
+    this.#redraw();
+  }
+
+  /**
+   * Shows the surface after a step. The arrays are kept, not copied.
+   * @param {Float32Array} positions
+   * @param {Field | null} field
+   * @param {Uint32Array} [marked]  triangles to highlight
+   */
+  setFrame(positions, field, marked = new Uint32Array()) {
+    const shown = { positions, field, marked };
+    this.#putFrame(shown);
+    this.#shown = shown;
+    this.#redraw();
+  }
+
+  /**
+   * Tints the vertices that are held: a byte each, 1 where held; empty for none.
+   * @param {Uint8Array} fixed
+   */
+  setFixed(fixed) {
+    this.#viewer?.setMarkedVertices(fixed);
+    this.#fixed = fixed;
+    this.#redraw();
+  }
+
+  /**
+   * Changes what is given, keeps the rest.
+   * @param {Style} style
+   */
+  setStyle(style) {
+    this.#style = { ...this.#style, ...style };
+    this.#putStyle();
+    this.#redraw();
+  }
+
+  /** Centres the surface and fills the picture with it, from the present direction. */
+  fit() {
+    this.#move((viewer) => viewer.fit());
+  }
+
+  /** Fits from the standard direction. */
+  home() {
+    this.#move((viewer) => viewer.home());
+  }
+
+  /** The camera as a few numbers, for links and for `setCamera`. */
+  camera() {
+    return this.#viewer?.camera() ?? new Float32Array();
+  }
+
+  /**
+   * @param {ArrayLike<number>} numbers  of `camera`
+   * @returns {boolean} false, and no change, when they make no sense
+   */
+  setCamera(numbers) {
+    const taken = this.#viewer?.setCamera(Float32Array.from(numbers)) ?? false;
+    this.#redraw();
+    return taken;
+  }
+
+  /**
+   * The picture as a PNG, as large as it is on screen.
+   * @returns {Promise<Blob>}
+   */
+  snapshot() {
+    this.#draw();
+    return new Promise((resolve, reject) => {
+      this.#canvas.toBlob((blob) => (blob ? resolve(blob) : reject(lostFault("no picture"))));
+    });
+  }
+
+  /**
+   * The picture read back from the graphics device, r, g, b, a from the top left: what
+   * golden pictures compare.
+   * @returns {Promise<{ width: number, height: number, data: Uint8Array }>}
+   */
+  pixels() {
+    return this.#viewer ? this.#viewer.readPixels() : Promise.reject(lostFault("rebuilding"));
+  }
+
+  /**
+   * Colours of a colour map from low to high, r, g, b bytes each.
+   * @param {boolean} signed
+   * @param {number} count
+   */
+  colourBar(signed, count) {
+    return this.#viewer?.colourBar(signed, count) ?? new Uint8Array(3 * count);
+  }
+
+  /** What the graphics adapter calls itself, often nothing. */
+  get adapter() {
+    return this.#viewer?.adapter() ?? "";
+  }
+
+  /** What assistive technology reads for the picture. */
+  get description() {
+    return this.#canvas.getAttribute("aria-label") ?? "";
+  }
+
+  set description(text) {
+    this.#canvas.setAttribute("aria-label", text);
+  }
+
+  /** Lets go of canvas, listeners and graphics memory. */
+  destroy() {
+    this.#listening.abort();
+    this.#observer.disconnect();
+    if (this.#frame !== null) cancelAnimationFrame(this.#frame);
+    this.#viewer?.free();
+    this.#viewer = null;
+  }
+
+  async #openDevice() {
+    const { Viewer } = await loadModule();
+    this.#canvas.width = this.#size.width;
+    this.#canvas.height = this.#size.height;
+    const viewer = await Viewer.create(this.#canvas, { samples: this.#options.samples ?? 4 });
+    if (this.#listening.signal.aborted) {
+      viewer.free();
+      return;
+    }
+    viewer.onLost((/** @type {string} */ reason) => {
+      if (viewer === this.#viewer) this.#recover(reason);
+    });
+    this.#viewer = viewer;
+    this.#putStyle();
+    if (this.#mesh) this.#putMesh(this.#mesh);
+    if (this.#shown) this.#putFrame(this.#shown);
+    viewer.setMarkedVertices(this.#fixed);
+    this.#redraw();
+  }
+
+  /**
+   * Replaces a lost device. A browser that loses it again and again has given up on it.
+   * @param {string} reason
+   */
+  async #recover(reason) {
+    const camera = this.camera();
+    this.#viewer?.free();
+    this.#viewer = null;
+    const now = performance.now();
+    if (now - this.#lastLoss > CALM_MILLISECONDS) this.#attempts = 0;
+    this.#lastLoss = now;
+    while (this.#attempts < ATTEMPTS && !this.#listening.signal.aborted) {
+      await new Promise((resolve) => setTimeout(resolve, RETRY_MILLISECONDS * this.#attempts));
+      this.#attempts += 1;
+      try {
+        await this.#openDevice();
+        this.setCamera(camera);
+        return;
+      } catch {
+        // Tried again, and told after the last attempt.
+      }
+    }
+    if (!this.#listening.signal.aborted) this.#options.onFault?.(lostFault(reason));
+  }
+
+  #putStyle() {
+    const { lineWidth = 1.25 } = this.#style;
+    const pixels = this.#size.width / Math.max(this.#canvas.clientWidth, 1);
+    this.#viewer?.setStyle({ ...this.#style, lineWidth: lineWidth * pixels });
+  }
+
+  /** @param {Loaded} mesh */
+  #putMesh({ positions, triangles, wireEdges, boundaryEdges }) {
+    this.#viewer?.setMesh(positions, triangles, wireEdges, boundaryEdges);
+  }
+
+  /** @param {Shown} shown */
+  #putFrame({ positions, field, marked }) {
+    this.#viewer?.setPositions(positions);
+    if (field) {
+      this.#viewer?.setField(field.values, field.low, field.high, field.signed);
+    } else {
+      this.#viewer?.clearField();
+    }
+    this.#viewer?.setMarkedTriangles(marked);
+  }
+
+  #watchSize() {
+    try {
+      this.#observer.observe(this.#canvas, { box: "device-pixel-content-box" });
+    } catch {
+      this.#observer.observe(this.#canvas);
+    }
+  }
+
+  /** @param {ResizeObserverEntry} entry */
+  #measure(entry) {
+    const exact = entry.devicePixelContentBoxSize?.[0];
+    const estimate = this.#estimateSize(entry.contentRect);
+    // The exact size knows how the browser rounds, but not of an emulated pixel ratio.
+    const agrees = exact && Math.abs(exact.inlineSize - estimate.width) <= 1;
+    const { width, height } = agrees
+      ? { width: exact.inlineSize, height: exact.blockSize }
+      : estimate;
+    if (width === 0 || height === 0) return;
+    this.#size = { width, height };
+    this.#putStyle();
+    this.#redraw();
+  }
+
+  /** @param {{ width: number, height: number }} box  in CSS pixels */
+  #estimateSize({ width, height }) {
+    const ratio = window.devicePixelRatio;
+    return { width: Math.round(width * ratio), height: Math.round(height * ratio) };
+  }
+
+  #redraw() {
+    this.#frame ??= requestAnimationFrame(() => {
+      this.#frame = null;
+      this.#draw();
+      if (this.#cameraMoved) {
+        this.#cameraMoved = false;
+        this.#options.onCamera?.(this.camera());
+      }
+    });
+  }
+
+  #draw() {
+    // A new size clears the canvas, so it waits for the picture that fills it again.
+    this.#viewer?.resize(this.#size.width, this.#size.height);
+    this.#viewer?.draw();
+  }
+
+  /** @param {(viewer: WasmViewer) => void} change */
+  #move(change) {
+    if (!this.#viewer) return;
+    change(this.#viewer);
+    this.#cameraMoved = true;
+    this.#redraw();
+  }
+
+  /** @returns {import("./gestures.js").Moves} */
+  #moves() {
+    return {
+      orbit: (dx, dy) => this.#move((viewer) => viewer.orbit(dx, dy)),
+      pan: (dx, dy) => this.#move((viewer) => viewer.pan(dx, dy)),
+      zoom: (factor, x, y) => this.#move((viewer) => viewer.zoom(factor, x, y)),
+      roll: (angle) => this.#move((viewer) => viewer.roll(angle)),
+      fit: () => this.fit(),
+      home: () => this.home(),
+    };
+  }
+}
+
+/** The wasm module, fetched when first asked for so that the page paints before. */
+async function loadModule() {
+  try {
+    const module = await import("./pkg/viewer/viewer.js");
+    const wasm = new URL("./pkg/viewer/viewer_bg.wasm", import.meta.url);
+    await module.default({ module_or_path: wasm });
+    return module;
+  } catch (error) {
+    throw {
+      kind: "ViewerNotLoaded",
+      message: `the viewer could not be loaded: ${error instanceof Error ? error.message : error}`,
+      hint: "Check the connection and reload the page.",
+      detail: {},
+    };
+  }
+}
+
+/**
+ * @param {string} reason
+ * @returns {Fault}
+ */
+function lostFault(reason) {
+  return {
+    kind: "GpuLost",
+    message: `the graphics device was lost: ${reason}`,
+    hint: "Reload the page. Your surface is safe: download it first if you changed it.",
+    detail: {},
+  };
+}

@@ -1,0 +1,31 @@
+// @ts-check
+import { fileURLToPath } from "node:url";
+import { defineConfig } from "vite";
+
+/** Indentation and comments are for whoever reads the source. */
+const compactHtml = {
+  name: "compact-html",
+  apply: /** @type {const} */ ("build"),
+  transformIndexHtml: {
+    order: /** @type {const} */ ("post"),
+    handler: (/** @type {string} */ html) =>
+      html.replace(/<!--.*?-->/gs, "").replace(/\s*\n\s*/g, "\n"),
+  },
+};
+
+export default defineConfig({
+  root: fileURLToPath(new URL("..", import.meta.url)),
+  // Relative addresses: the site works from any folder of any host.
+  base: "./",
+  plugins: [compactHtml],
+  build: {
+    outDir: "dist",
+    emptyOutDir: true,
+    target: "es2022",
+    sourcemap: false,
+    // Everything is a file of its own: the page's policy forbids `data:` but for pictures.
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+  },
+  worker: { format: "es" },
+});

@@ -1,0 +1,210 @@
+// @ts-check
+// The solver's side: one session, a table of what may be asked of it, and a run loop
+// that lets messages in after every step.
+
+/** @import { Fault, FieldName, Request, State, StepReport } from "./protocol.js" */
+
+import init, { Session } from "./pkg/solver/solver.js";
+
+/** @type {{ onmessage: ((event: MessageEvent) => void) | null, postMessage: (message: unknown, transfer?: Transferable[]) => void }} */
+const page = /** @type {any} */ (self);
+
+/** @type {Session} */
+let session;
+/** @type {FieldName} */
+let field = "none";
+let run = 0;
+let running = false;
+/** @type {number | null} the step to pause at by itself */
+let until = null;
+/** Whether the page has taken the last frame of the run. */
+let taken = true;
+/** Work shorter than this says nothing of its progress. */
+const PATIENCE = 500;
+let nextProgress = 0;
+/** @type {StepReport[]} of the steps no frame has told of yet */
+let untold = [];
+
+// A message to ourselves, so that the page's messages get their turn after every step;
+// a timer would be held back to one step in four milliseconds.
+const turns = new MessageChannel();
+// A turn of an older run must not join a newer one.
+turns.port1.onmessage = ({ data }) => running && data === run && guarded(advance);
+
+/** One step of a run. */
+function advance() {
+  /** @type {StepReport | null} */
+  let report = null;
+  /** @type {Fault | null} */
+  let fault = null;
+  try {
+    report = session.step() ?? null;
+    if (report) untold.push(report);
+  } catch (error) {
+    if (isTrap(error)) throw error;
+    fault = asFault(error);
+  }
+  const state = session.state();
+  if (!report || isOver(state) || report.step >= (until ?? Infinity)) {
+    running = false;
+    frame(state);
+    page.postMessage({ type: "stopped", run, state, fault });
+    return;
+  }
+  if (taken) frame(state);
+  turns.port2.postMessage(run);
+}
+
+/** @param {State} state */
+const isOver = ({ status }) => status !== "ready" && status !== "running";
+
+/** Shows the page where the session stands. @param {State} state */
+function frame(state) {
+  const positions = session.positions();
+  const colours = session.field(field);
+  const flippedTriangles = session.flippedTriangles();
+  const transfer = [positions.buffer, flippedTriangles.buffer];
+  if (colours) transfer.push(colours.values.buffer);
+  const message = { type: "frame", run, state, reports: untold, positions, field: colours };
+  page.postMessage({ ...message, flippedTriangles }, transfer);
+  untold = [];
+  taken = false;
+}
+
+/**
+ * Pictures a single move at once; the page asks for these one by one.
+ * @template T
+ * @param {number} number  of the run this move is
+ * @param {() => T} move
+ */
+function moved(number, move) {
+  running = false;
+  run = number;
+  untold = [];
+  const answer = move();
+  frame(session.state());
+  return answer;
+}
+
+/** @type {Record<string, (request: any) => unknown>} */
+const actions = {
+  load({ bytes, name }) {
+    running = false;
+    return session.load(new Uint8Array(bytes), name);
+  },
+  sample({ name, parameters }) {
+    running = false;
+    return session.sample(name, parameters);
+  },
+  configure: (request) =>
+    moved(request.run, () => {
+      const configured = session.configure(request.options);
+      return { ...configured, heldVertices: session.heldVertices() };
+    }),
+  run(request) {
+    run = request.run;
+    until = request.until;
+    untold = [];
+    taken = true;
+    running = true;
+    turns.port2.postMessage(run);
+    return true;
+  },
+  pause() {
+    const state = session.state();
+    if (running) frame(state);
+    running = false;
+    return state;
+  },
+  step: (request) =>
+    moved(request.run, () => {
+      const report = session.step() ?? null;
+      if (report) untold.push(report);
+      return report;
+    }),
+  back: (request) => moved(request.run, () => session.back()),
+  reset: (request) => moved(request.run, () => session.reset()),
+  colour(request) {
+    const colours = session.field(request.field);
+    field = request.field;
+    return colours;
+  },
+  export: ({ format }) => session.export(format),
+  history: () => session.history(),
+  restore: ({ run, positions, step, time }) =>
+    moved(run, () => session.restore(positions, step, time)),
+};
+
+/** Every typed array of an answer is a copy of its own and can be handed over. @param {any} answer */
+function buffersOf(answer) {
+  if (ArrayBuffer.isView(answer)) return [answer.buffer];
+  return Object.values(answer ?? {}).flatMap((value) =>
+    ArrayBuffer.isView(value) ? [value.buffer] : [],
+  );
+}
+
+/** @param {unknown} error  whether the wasm instance is dead, and not just unwilling */
+const isTrap = (error) => error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
+
+/** @param {any} error @returns {Fault} */
+function asFault(error) {
+  if (typeof error?.kind === "string") return error;
+  return {
+    kind: "Internal",
+    message: `The solver met an error of its own: ${error?.message ?? error}`,
+    hint: "Please report this, with the mesh if you can.",
+    detail: {},
+  };
+}
+
+/** Nothing may be asked of a session after a trap. @param {() => void} work */
+function guarded(work) {
+  nextProgress = performance.now() + PATIENCE;
+  try {
+    work();
+  } catch (error) {
+    running = false;
+    page.onmessage = null;
+    page.postMessage({
+      type: "crashed",
+      message: String(/** @type {any} */ (error)?.message ?? error),
+    });
+  }
+}
+
+/** @param {Request} request */
+function answer(request) {
+  if (request.type === "ack") {
+    taken ||= request.run === run;
+    return;
+  }
+  try {
+    const ok = actions[request.type](request);
+    page.postMessage({ id: request.id, ok }, buffersOf(ok));
+  } catch (error) {
+    if (isTrap(error)) throw error;
+    page.postMessage({ id: request.id, error: asFault(error) });
+  }
+}
+
+const wasm = new URL("./pkg/solver/solver_bg.wasm", import.meta.url);
+const started = init({ module_or_path: wasm }).then(() => {
+  session = new Session();
+  session.onProgress((/** @type {string} */ stage, /** @type {number} */ fraction) => {
+    const now = performance.now();
+    if (now < nextProgress) return;
+    nextProgress = now + 100;
+    page.postMessage({ type: "progress", run, stage, fraction });
+  });
+  Session.warmUp();
+  page.postMessage({ type: "ready", version: Session.version() });
+});
+started.catch((error) =>
+  page.postMessage({ type: "crashed", message: String(error?.message ?? error) }),
+);
+
+page.onmessage = ({ data }) =>
+  started.then(
+    () => guarded(() => answer(data)),
+    () => {},
+  );
