@@ -40,7 +40,7 @@ const parts = [
   createMethodForm(controller),
   createViewForm(controller, picture.fit),
   picture,
-  createColourBar(picture.colours),
+  createColourBar(picture.colours, pictured),
   createEnergyPlot(controller, pictured),
   createPresenter(controller),
   createLinkWriter(),

@@ -6,18 +6,17 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
   button,
-  canvas,
   energy,
   openMesh,
   playAndPause,
   plotted,
   reading,
+  stillPicture,
   surface,
   until,
-  untilDrawn,
+  untilPictured,
   useSite,
 } from "./support/app.js";
-import { difference } from "./support/browser.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 
 const site = useSite();
@@ -91,16 +90,15 @@ test("an exception that nobody caught is survived, colours and options with it",
   const { page, faults, close } = await site.open(
     "sample=bumpy-sphere&epsilon=0.05&colour=willmore",
   );
-  await untilDrawn(page);
-  const started = await canvas(page).screenshot();
+  const started = await stillPicture(page);
   for (const step of [1, 2, 3]) {
     await button(page, "Step").click();
     await until(page, `Paused at step ${step}`);
   }
   const before = [await surface(page), await reading(page, "Time")];
-  const seen = await canvas(page).screenshot();
-  const moved = difference(started, seen);
-  assert.ok(moved.mean > 0.5, `three steps are to be seen: ${moved.mean}`);
+  // Three steps are to be seen.
+  await untilPictured(page, started, (mean) => mean > 0.5);
+  const seen = await stillPicture(page);
   await page.workers()[0].evaluate(() => {
     setTimeout(() => {
       throw new Error("made by the test");
@@ -116,8 +114,8 @@ test("an exception that nobody caught is survived, colours and options with it",
   await page.getByRole("img", { name: /^Colours: Willmore/ }).waitFor();
   // The message lies over the picture.
   await button(page, "Dismiss").click();
-  const restored = difference(seen, await canvas(page).screenshot());
-  assert.ok(restored.mean < 0.05, `the picture is the last one's: ${restored.mean}`);
+  // The picture is the last one's.
+  await untilPictured(page, seen, (mean) => mean < 0.05);
   await button(page, "Step").click();
   await until(page, "Paused at step 4");
   assert.deepEqual(

@@ -7,8 +7,11 @@ import { choices } from "../options.js";
 import { byId, setText } from "./element.js";
 import { formatShort } from "./number.js";
 
-/** @param {(signed: boolean, count: number) => Uint8Array | null} colours  rgb, as the surface is painted */
-export function createColourBar(colours) {
+/**
+ * @param {(signed: boolean, count: number) => Uint8Array | null} colours  rgb, as the surface is painted
+ * @param {Promise<unknown>} pictured  settled once the viewer, who knows the colours, is there
+ */
+export function createColourBar(colours, pictured) {
   const bar = byId("colour-bar", HTMLElement);
   const scale = byId("colour-bar-scale", HTMLCanvasElement);
   const low = byId("colour-bar-low", HTMLElement);
@@ -29,21 +32,31 @@ export function createColourBar(colours) {
   }
 
   let painted = "";
+  /** @type {PageState["frame"]} */
+  let shown = null;
+
+  function update() {
+    const field = shown?.field ?? null;
+    const kind = field ? String(field.signed) : "";
+    if (kind !== painted) painted = field && paint(field.signed) ? kind : "";
+    bar.hidden = !field || painted === "";
+    if (!field) return;
+    const name = choices.colour.find(({ id }) => id === field.name)?.label ?? field.label;
+    const from = formatShort(field.low);
+    const to = formatShort(field.high);
+    setText(low, from);
+    setText(label, name);
+    setText(high, to);
+    scale.ariaLabel = `Colours: ${name} from ${from} to ${to}`;
+  }
+
+  // A scene from a link may stand still, coloured, before the viewer is there.
+  pictured.then(update);
   return {
     /** @param {Readonly<PageState>} state */
     update({ frame }) {
-      const field = frame?.field ?? null;
-      const kind = field ? String(field.signed) : "";
-      if (kind !== painted) painted = field && paint(field.signed) ? kind : "";
-      bar.hidden = !field || painted === "";
-      if (!field) return;
-      const name = choices.colour.find(({ id }) => id === field.name)?.label ?? field.label;
-      const from = formatShort(field.low);
-      const to = formatShort(field.high);
-      setText(low, from);
-      setText(label, name);
-      setText(high, to);
-      scale.ariaLabel = `Colours: ${name} from ${from} to ${to}`;
+      shown = frame;
+      update();
     },
   };
 }

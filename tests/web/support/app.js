@@ -7,7 +7,7 @@ import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { after, before } from "node:test";
 import { fileURLToPath } from "node:url";
-import { launch, openPage, picture } from "./browser.js";
+import { difference, launch, openPage, picture } from "./browser.js";
 import { serve } from "./server.js";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -95,6 +95,42 @@ export async function untilDrawn(page) {
     if (colours > 200) return;
     if (Date.now() > end) throw new Error(`no surface on the screen: ${colours} colours`);
   }
+}
+
+/**
+ * Takes pictures of the canvas until one compares as wanted. Status and readings change
+ * first; the picture of the same state reaches the screen frames later, on a machine
+ * that draws in software a second or more.
+ * @param {Page} page
+ * @param {Buffer} reference  a picture of the same size
+ * @param {(mean: number) => boolean} wanted  of the mean difference from the reference
+ * @returns {Promise<Buffer>} that picture
+ */
+export async function untilPictured(page, reference, wanted) {
+  const end = Date.now() + PATIENCE;
+  for (;;) {
+    const taken = await canvas(page).screenshot();
+    const { mean } = difference(reference, taken);
+    if (wanted(mean)) return taken;
+    if (Date.now() > end) throw new Error(`the pictures differ by ${mean}`);
+  }
+}
+
+/**
+ * A picture of the canvas that nothing drawn late changes any more.
+ * @param {Page} page
+ * @returns {Promise<Buffer>}
+ */
+export async function stillPicture(page) {
+  await untilDrawn(page);
+  let last = await canvas(page).screenshot();
+  for (let same = 0; same < 3; ) {
+    await page.waitForTimeout(250);
+    const next = await canvas(page).screenshot();
+    same = next.equals(last) ? same + 1 : 0;
+    last = next;
+  }
+  return last;
 }
 
 /** @param {Page} page @param {string} name */
