@@ -1,7 +1,7 @@
 // @ts-check
 // `umbilic bench`: the tables of the documentation, measured on this machine.
 
-import { orExit, usage } from "./failure.js";
+import { Failure, orExit, usage } from "./failure.js";
 import { number, parse } from "./options.js";
 import { table } from "./text.js";
 
@@ -20,8 +20,9 @@ import { table } from "./text.js";
 /** @type {Record<string, Bench>} */
 const tables = {
   circle: {
-    title: "One step of the circle-angle flow on a torus, in milliseconds (medians)",
-    columns: ["vertices", "faces", "assemble", "factor", "solve", "step", "rejected"],
+    title:
+      "One step of the circle-angle flow on a torus, and one trial of a step, in milliseconds (medians)",
+    columns: ["vertices", "faces", "assemble", "factor", "solve", "step", "trial", "rejected"],
     rows: circleRows,
   },
 };
@@ -87,9 +88,8 @@ function* circleRows(session, { maxVertices, steps }) {
     const { info } = session.sample("torus", { around: side, tube: side });
     session.configure({ flow: "circle", maxSteps: steps + 1 });
     // The first step also analyses the matrix's pattern.
-    orExit(4, () => session.step());
-    /** @type {StepReport[]} */
-    const reports = Array.from({ length: steps }, () => orExit(4, () => session.step()));
+    oneStep(session);
+    const reports = Array.from({ length: steps }, () => oneStep(session));
     yield {
       vertices: info.vertices,
       faces: info.faces,
@@ -97,9 +97,17 @@ function* circleRows(session, { maxVertices, steps }) {
       factor: median(reports.map((report) => report.factorMilliseconds)),
       solve: median(reports.map((report) => report.solveMilliseconds)),
       step: median(reports.map((report) => report.milliseconds)),
+      trial: median(reports.map((report) => report.milliseconds / (1 + report.rejected))),
       rejected: reports.reduce((sum, report) => sum + report.rejected, 0),
     };
   }
+}
+
+/** @param {Session} session @returns {StepReport} */
+function oneStep(session) {
+  const report = orExit(4, () => session.step());
+  if (report) return report;
+  throw new Failure(4, "NoStep", `There is no step to measure: ${session.state().message}.`, "");
 }
 
 /** @param {number[]} values */

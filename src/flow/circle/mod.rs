@@ -199,6 +199,11 @@ impl CircleFlow {
         self.pace.step_size.dt
     }
 
+    /// The next step's dt / h².
+    pub fn tau(&self) -> f64 {
+        self.dt() / (self.problem.h * self.problem.h)
+    }
+
     /// Triangles that folded over in the last step.
     pub fn flipped_faces(&self) -> &[u32] {
         &self.flipped
@@ -246,7 +251,9 @@ impl CircleFlow {
                     break accepted;
                 }
                 Outcome::Stuck => {
-                    if !self.pace.schedule.sharpen() {
+                    let tau = self.tau();
+                    let schedule = &mut self.pace.schedule;
+                    if !schedule.retreat(tau) && !schedule.sharpen() {
                         return Ok((None, self.stuck_verdict()));
                     }
                     self.reset_step_size();

@@ -10,9 +10,14 @@ const SLOW: f64 = 1e-3;
 /// … and so many slow steps in a row are the sign to sharpen: one alone may only mean
 /// that the step size has just been cut.
 const PATIENCE: u32 = 5;
-/// With less exact energy per free vertex than this the surface is nearly spherical: no
-/// cone β = 0 is in the way, and smoothed angles would slow the last digits down.
+/// With less exact energy per free vertex than this the surface is nearly spherical: as a
+/// rule no cone β = 0 is in the way, and smoothed angles would slow the last digits down.
 const NEARLY_SPHERICAL: f64 = 1e-3;
+/// Where cones are in the way all the same, as on a latitude–longitude mesh, exact steps
+/// shrink without end: below this share of h² they are taken for that.
+const FROZEN: f64 = 1e-3;
+/// ε from there on: a larger one would first carry the surface far from the sphere.
+const GENTLE: f64 = 0.01;
 
 /// ε of the current step: at first the user's, 0 close to a sphere, falling towards 0 at
 /// the end if sharpening is on.
@@ -22,6 +27,8 @@ pub(super) struct EpsilonSchedule {
     level: f64,
     sharpens: bool,
     exact: bool,
+    /// Whether closeness to a sphere switches to the exact energy.
+    trusts_spheres: bool,
     /// The paper's scheme: always exact.
     always_exact: bool,
     slow_steps: u32,
@@ -40,6 +47,7 @@ impl EpsilonSchedule {
             level,
             sharpens: options.sharpen && options.goal == Goal::Relax,
             exact: always_exact,
+            trusts_spheres: true,
             always_exact,
             slow_steps: 0,
         }
@@ -60,8 +68,22 @@ impl EpsilonSchedule {
     pub(super) fn adapt(&mut self, energy: f64, n_free: usize) -> bool {
         let exact = self.always_exact
             || self.level == 0.0
-            || (self.sharpens && energy < NEARLY_SPHERICAL * n_free as f64);
+            || (self.sharpens && self.trusts_spheres && energy < NEARLY_SPHERICAL * n_free as f64);
         std::mem::replace(&mut self.exact, exact) != exact
+    }
+
+    /// After steps of `tau` = dt/h² that gain nothing: gives up the exact energy chosen for
+    /// closeness to a sphere, for the rest of the run; whether it did.
+    pub(super) fn retreat(&mut self, tau: f64) -> bool {
+        let frozen = self.exact && !self.always_exact && self.level > 0.0 && tau < FROZEN;
+        if frozen && self.trusts_spheres {
+            self.trusts_spheres = false;
+            self.level = self.level.min(GENTLE);
+            self.exact = false;
+            self.slow_steps = 0;
+            return true;
+        }
+        false
     }
 
     /// Notes a step; whether the last few gained so little that a smaller ε is due.

@@ -130,7 +130,10 @@ impl CircleFlow {
             if self.pace.schedule.should_sharpen(before, after) && self.pace.schedule.sharpen() {
                 self.pace.progress.restart();
             }
-            if self.pace.progress.is_idle(before, after) && !self.pace.schedule.sharpen() {
+            let is_idle = self.pace.progress.is_idle(before, after);
+            if is_idle && self.pace.schedule.retreat(self.tau()) {
+                self.reset_step_size();
+            } else if is_idle && !self.pace.schedule.sharpen() {
                 let why = format!("Converged after {steps} steps: the energy no longer falls");
                 return Verdict::Stop(Status::Converged, why);
             }
