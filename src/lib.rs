@@ -52,6 +52,10 @@ pub mod io;
 pub mod linalg;
 pub mod mesh;
 #[cfg(feature = "solver")]
+pub mod operator;
+#[cfg(feature = "solver")]
+pub mod remesh;
+#[cfg(feature = "solver")]
 pub mod session;
 pub mod soup;
 pub mod viewer;

@@ -11,7 +11,7 @@ use umbilic::energy::circle::{Boundary, CircleEnergy};
 use umbilic::flow::circle::CircleFlow;
 use umbilic::flow::options::{FlowOptions, Goal, Integrator, Scheme};
 use umbilic::flow::stop::Verdict;
-use umbilic::flow::{Status, StepReport};
+use umbilic::flow::{Flow, Status, StepReport};
 use umbilic::geometry::{curvature, measure, quality};
 use umbilic::mesh::shape::{self, Sample};
 use umbilic::mesh::{Edge, HalfedgeMesh, Vertex};

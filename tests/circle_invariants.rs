@@ -9,6 +9,7 @@ use std::f64::consts::PI;
 use support::*;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};
+use umbilic::flow::Flow;
 use umbilic::flow::circle::CircleFlow;
 use umbilic::flow::options::FlowOptions;
 use umbilic::flow::stop::Verdict;

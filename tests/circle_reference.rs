@@ -10,6 +10,7 @@ use support::*;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::star::StarMatrix;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};
+use umbilic::flow::Flow;
 use umbilic::flow::circle::CircleFlow;
 use umbilic::flow::options::{FlowOptions, Scheme};
 use umbilic::geometry::curvature;

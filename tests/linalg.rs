@@ -367,7 +367,7 @@ fn fields_solved_together_are_those_solved_alone() {
     ldlt.solve_in_place(&mut together);
     assert_eq!(together, alone, "no room was made: one after the other");
     together.copy_from_slice(&fields);
-    ldlt.reserve_fields(3).unwrap();
+    ldlt.reserve_columns(9).unwrap();
     ldlt.factor(&values).unwrap();
     ldlt.solve_in_place(&mut together);
     for (a, b) in together.chunks_exact(n).zip(alone.chunks_exact(n)) {
@@ -393,7 +393,7 @@ fn fields_solved_together_are_those_solved_alone() {
 #[test]
 fn matrices_of_no_and_one_row() {
     let pattern = Pattern::from_cliques(0, std::iter::empty::<[u32; 2]>());
-    let mut solver = Solver::new(pattern, Some(&[])).unwrap();
+    let mut solver = Solver::<DVec3>::new(pattern, Some(&[])).unwrap();
     for policy in [Refactor::Always, Refactor::WhenCheaper] {
         solver.set_iterative_from(0);
         let info = solver.solve(&[], &[], &mut [], 1e-9, policy).unwrap();
@@ -539,10 +539,10 @@ fn factorisations_reuse_their_memory() {
         ldlt.solve_in_place(&mut x);
         assert_eq!(ldlt.allocated_bytes(), bytes);
     }
-    ldlt.reserve_fields(2).unwrap();
+    ldlt.reserve_columns(6).unwrap();
     let more = ldlt.allocated_bytes();
     assert!(more >= bytes + 3 * 8 * mesh.n());
-    ldlt.reserve_fields(1).unwrap();
+    ldlt.reserve_columns(3).unwrap();
     assert_eq!(ldlt.allocated_bytes(), more);
 }
 

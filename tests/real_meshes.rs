@@ -4,6 +4,7 @@
 mod support;
 
 use support::*;
+use umbilic::flow::Flow;
 use umbilic::flow::circle::CircleFlow;
 use umbilic::flow::options::FlowOptions;
 use umbilic::flow::stop::Verdict;

@@ -5,3 +5,4 @@
 pub mod circle;
 pub mod conformal;
 pub mod p_willmore;
+pub mod total_curvature;

@@ -46,6 +46,18 @@ pub enum FlowError {
         /// What it may be.
         allowed: &'static str,
     },
+    /// The method is for closed surfaces.
+    #[error("the surface has {loops} boundary loop{}; this flow is for closed surfaces", if *loops == 1 { "" } else { "s" })]
+    NotClosed {
+        /// How many loops there are.
+        loops: usize,
+    },
+    /// The method needs an inside and an outside.
+    #[error("the surface is one-sided; this flow is for orientable surfaces")]
+    NotOriented,
+    /// The method takes triangles, or quadrilaterals, but not both.
+    #[error("the mesh mixes faces of different degree")]
+    MixedFaces,
     /// The energy or its gradient is not a number.
     #[error("the energy is not a finite number at step {step}")]
     NonFiniteEnergy {
@@ -66,6 +78,9 @@ impl FlowError {
             Self::NothingFree => "NothingFree",
             Self::SelectionOutOfRange { .. } => "SelectionOutOfRange",
             Self::BadOption { .. } => "BadOption",
+            Self::NotClosed { .. } => "NotClosed",
+            Self::NotOriented => "NotOriented",
+            Self::MixedFaces => "MixedFaces",
             Self::NonFiniteEnergy { .. } => "NonFiniteEnergy",
             Self::Linear(error) => error.kind(),
         }
@@ -88,6 +103,15 @@ impl FlowError {
                 "Vertex indices count from 0 in the order of the file.".into()
             }
             Self::BadOption { allowed, .. } => format!("It may be {allowed}."),
+            Self::NotClosed { .. } => {
+                "Close its holes in a mesh editor and open it again, or choose the circle-angle \
+                 Willmore flow, which takes boundaries."
+                    .into()
+            }
+            Self::NotOriented => {
+                "Choose the circle-angle Willmore flow, which needs no orientation.".into()
+            }
+            Self::MixedFaces => "Triangulate the mesh first.".into(),
             Self::NonFiniteEnergy { .. } => {
                 "Go back a step, choose a smaller step size or the recommended scheme, and look \
                  for a folded or collapsed triangle."

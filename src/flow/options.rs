@@ -1,7 +1,9 @@
 //! What a user may choose about a flow; every field has a default.
 
 use super::FlowError;
+use super::constraint::Kept;
 use crate::energy::circle::Boundary;
+use crate::remesh::Mode;
 use serde::Deserialize;
 
 /// Which flow runs.
@@ -11,6 +13,8 @@ pub enum FlowName {
     /// Bobenko & Schröder's circle-angle Willmore flow.
     #[default]
     Circle,
+    /// Gruber & Aulisa's p-Willmore flow.
+    PWillmore,
 }
 
 /// Recommended treatment or the paper's own.
@@ -100,6 +104,23 @@ pub struct FlowOptions {
     pub fixed: Option<Vec<u32>>,
     /// Budget of steps.
     pub max_steps: usize,
+    /// p-Willmore: the exponent; 0 (mean-curvature flow) or at least 1.
+    pub p: f64,
+    /// p-Willmore: what is kept.
+    pub keep: Vec<Kept>,
+    /// p-Willmore: conformal regularisation after each step.
+    pub regularise: Mode,
+    /// p-Willmore: ε of the regularisation, a pure number.
+    pub regularise_epsilon: f64,
+    /// p-Willmore: the volume is led to this share of the volume of the ball of the same
+    /// area; needs area and volume kept.
+    pub reduced_volume: Option<f64>,
+    /// p-Willmore, p = 2: spontaneous curvature H₀ in ∫(H − H₀)² dA, times L.
+    pub spontaneous_curvature: f64,
+    /// p-Willmore, p = 2: tension σ in ∫|Y|² dA + σA, times L².
+    pub tension: f64,
+    /// p-Willmore, p = 2: pressure P in ∫|Y|² dA − PV, times L³.
+    pub pressure: f64,
 }
 
 impl Default for FlowOptions {
@@ -121,9 +142,20 @@ impl Default for FlowOptions {
             free: None,
             fixed: None,
             max_steps: 200,
+            p: 2.0,
+            keep: Vec::new(),
+            regularise: Mode::default(),
+            regularise_epsilon: 1e-2,
+            reduced_volume: None,
+            spontaneous_curvature: 0.0,
+            tension: 0.0,
+            pressure: 0.0,
         }
     }
 }
+
+/// |Y|^p and its derivatives stay within double precision.
+const MAX_EXPONENT: f64 = 16.0;
 
 /// Wavelength in edge lengths that a unit of total τ halves: λ h² ≈ 2025 (h/L)⁴ on an
 /// equilateral mesh, so Nτ λh² = ln 2 gives L ≈ 6.7 (Nτ)^¼, less 9 % for many steps.
@@ -140,34 +172,45 @@ impl FlowOptions {
     /// # Errors
     /// [`FlowError::BadOption`] naming the option.
     pub fn check(&self) -> Result<(), FlowError> {
-        let positive = [("dt", self.dt), ("tau", self.tau), ("detail", self.detail)];
+        let bad = |name, value: String, allowed| {
+            Err(FlowError::BadOption {
+                name,
+                value,
+                allowed,
+            })
+        };
+        let positive = [
+            ("dt", self.dt),
+            ("tau", self.tau),
+            ("detail", self.detail),
+            ("regulariseEpsilon", Some(self.regularise_epsilon)),
+        ];
         for (name, value) in positive {
             if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
-                let (value, allowed) = (value.to_string(), "any positive number");
-                return Err(FlowError::BadOption {
-                    name,
-                    value,
-                    allowed,
-                });
+                return bad(name, value.to_string(), "any positive number");
             }
         }
         if !(0.0..=1.0).contains(&self.epsilon) {
-            let (name, value) = ("epsilon", self.epsilon.to_string());
-            return Err(FlowError::BadOption {
-                name,
-                value,
-                allowed: "a number from 0 to 1",
-            });
+            return bad("epsilon", self.epsilon.to_string(), "a number from 0 to 1");
         }
         if self.smooth_steps == 0 {
-            let (name, value) = ("smoothSteps", "0".into());
-            return Err(FlowError::BadOption {
-                name,
-                value,
-                allowed: "1 or more",
-            });
+            return bad("smoothSteps", "0".into(), "1 or more");
         }
-        Ok(())
+        if self.p != 0.0 && !(1.0..=MAX_EXPONENT).contains(&self.p) {
+            return bad("p", self.p.to_string(), "0, or a number from 1 to 16");
+        }
+        if let Some(v) = self.reduced_volume.filter(|v| !(*v > 0.0 && *v <= 1.0)) {
+            return bad("reducedVolume", v.to_string(), "above 0 and at most 1");
+        }
+        let terms = [
+            ("spontaneousCurvature", self.spontaneous_curvature),
+            ("tension", self.tension),
+            ("pressure", self.pressure),
+        ];
+        match terms.into_iter().find(|(_, value)| !value.is_finite()) {
+            Some((name, value)) => bad(name, value.to_string(), "any finite number"),
+            None => Ok(()),
+        }
     }
 
     /// The first step's τ: given, or from the detail to remove, or the scheme's own.

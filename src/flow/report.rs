@@ -36,13 +36,17 @@ pub struct StepReport {
     pub time: f64,
     /// Raw step size.
     pub dt: f64,
-    /// The flow's own reading: W = Σ W_i as printed.
+    /// The flow's own reading: W = Σ W_i as printed, or ∫|H|^p dA.
     pub energy: f64,
+    /// The same made comparable: W/2, or ∫|H|^p dA over its value on the round sphere of
+    /// the same area.
+    pub energy_normalised: f64,
     /// What this step had to decrease, before.
     pub objective_before: f64,
     /// The same after.
     pub objective: f64,
-    /// Frobenius norm of the objective's gradient over the free vertices, after.
+    /// Circle flow: Frobenius norm of the objective's gradient over the free vertices, after.
+    /// p-Willmore flow: its normal, constrained part, scale-free.
     pub gradient_norm: f64,
     /// Total area.
     pub area: f64,
@@ -56,7 +60,8 @@ pub struct StepReport {
     pub iterations: usize,
     /// Wall-clock time of the step.
     pub milliseconds: f64,
-    /// dt / h², h the mean edge length at the start.
+    /// dt without a unit: dt/h², h the mean edge length at the start, or dt/L^(p+2), L the
+    /// radius of the sphere with the area at the start.
     pub tau: f64,
     /// Angle smoothing ε.
     pub epsilon: f64,
@@ -69,6 +74,12 @@ pub struct StepReport {
     pub flipped_faces: usize,
     /// Largest displacement of a vertex from the start, in units of h.
     pub max_displacement: f64,
+    /// What keeps area and volume, where they are kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub multipliers: Option<Multipliers>,
+    /// 6√π V / A^(3/2), 1 for a sphere; of closed surfaces under the p-Willmore flow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reduced_volume: Option<f64>,
     /// Time for energy, gradient and matrix.
     pub assemble_milliseconds: f64,
     /// Time for factorisations.
@@ -77,4 +88,13 @@ pub struct StepReport {
     pub solve_milliseconds: f64,
     /// Worth telling the user.
     pub warnings: Vec<String>,
+}
+
+/// Lagrange multipliers of a step: ∇∫|H|^p + tension ∇A − pressure ∇V would vanish at rest.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Multipliers {
+    /// Of the area.
+    pub tension: Option<f64>,
+    /// Of the volume; positive pushes outwards.
+    pub pressure: Option<f64>,
 }

@@ -20,6 +20,21 @@ pub fn mean_edge_length(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
     total / mesh.n_edges().max(1) as f64
 }
 
+/// Mean length of the edges at each vertex; 0 where there are none.
+pub fn mean_edge_lengths(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<f64> {
+    let mut sums = vec![(0.0, 0usize); mesh.n_vertices()];
+    for e in mesh.edges() {
+        let length = edge_length(mesh, x, e);
+        for v in mesh.ends(e) {
+            let (sum, count) = &mut sums[v.index()];
+            *sum += length;
+            *count += 1;
+        }
+    }
+    let mean = |(sum, count): (f64, usize)| sum / count.max(1) as f64;
+    sums.into_iter().map(mean).collect()
+}
+
 /// Vector area of a face, Σ ½ x_i × x_{i+1}: normal to the face, as long as its area;
 /// for a polygon that is not planar, the area of its projection along that normal.
 pub fn face_vector_area(mesh: &HalfedgeMesh, x: &[DVec3], f: Face) -> DVec3 {

@@ -6,5 +6,6 @@
 pub mod curvature;
 pub mod frame;
 pub mod measure;
+pub mod nearest;
 pub mod quality;
 pub mod survey;

@@ -1,5 +1,6 @@
 //! Numeric factorisation `L D Lᵀ` into memory that is allocated once.
 
+use super::entry::Entry;
 use super::error::LinalgError;
 use super::symbolic::Symbolic;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
@@ -9,7 +10,6 @@ use faer::sparse::linalg::cholesky::supernodal::{
 };
 use faer::sparse::{FaerError, SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Spec};
-use glam::DVec3;
 use std::sync::Arc;
 
 /// Signs of the eigenvalues, by Sylvester's law of inertia those of the pivots.
@@ -59,17 +59,17 @@ impl Ldlt {
         })
     }
 
-    /// Makes room to solve for that many fields at once, which costs less than one
+    /// Makes room to solve for that many columns at once, which costs less than one
     /// after the other: the factor is read once.
     ///
     /// # Errors
     /// [`LinalgError::OutOfMemory`].
-    pub fn reserve_fields(&mut self, n_fields: usize) -> Result<(), LinalgError> {
+    pub fn reserve_columns(&mut self, n_columns: usize) -> Result<(), LinalgError> {
         let n = self.symbolic.n();
-        if self.columns.len() < 3 * n * n_fields {
+        if self.columns.len() < n * n_columns {
             let grow = || {
-                let scratch = scratch(&self.symbolic, 3 * n_fields);
-                Ok((zeroed(3 * n * n_fields)?, MemBuffer::try_new(scratch)?))
+                let scratch = scratch(&self.symbolic, n_columns);
+                Ok((zeroed(n * n_columns)?, MemBuffer::try_new(scratch)?))
             };
             (self.columns, self.scratch) =
                 grow().map_err(|error| LinalgError::from_faer(error, n))?;
@@ -147,30 +147,32 @@ impl Ldlt {
     /// Replaces right-hand sides by solutions, for one or more fields end to end.
     ///
     /// O(entries of L) a column; as many fields go together as
-    /// [room was made for](Self::reserve_fields).
+    /// [room was made for](Self::reserve_columns).
     ///
     /// # Panics
     /// If there is no factor, or `rhs` is not whole fields.
-    pub fn solve_in_place(&mut self, rhs: &mut [DVec3]) {
+    pub fn solve_in_place<T: Entry>(&mut self, rhs: &mut [T]) {
         let n = self.symbolic.n();
         assert!(self.is_factored, "no factor to solve with");
         assert!(rhs.len().is_multiple_of(n.max(1)), "whole fields");
-        let room = self.columns.len() / 3;
+        let room = self.columns.len() / (n.max(1) * T::COLUMNS) * n;
         if room > 0 {
             rhs.chunks_mut(room)
                 .for_each(|fields| self.solve_together(fields));
         }
     }
 
-    fn solve_together(&mut self, fields: &mut [DVec3]) {
+    fn solve_together<T: Entry>(&mut self, fields: &mut [T]) {
         let n = self.symbolic.n();
         let order = &self.symbolic.order;
-        let columns = &mut self.columns[..3 * fields.len()];
-        for (field, columns) in fields.chunks_exact(n).zip(columns.chunks_exact_mut(3 * n)) {
-            let (x, yz) = columns.split_at_mut(n);
-            let (y, z) = yz.split_at_mut(n);
+        let columns = &mut self.columns[..T::COLUMNS * fields.len()];
+        for (field, columns) in fields
+            .chunks_exact(n)
+            .zip(columns.chunks_exact_mut(T::COLUMNS * n))
+        {
+            let mut columns = MatMut::from_column_major_slice_mut(columns, n, T::COLUMNS);
             for (k, &i) in order.iter().enumerate() {
-                (x[k], y[k], z[k]) = field[i as usize].into();
+                field[i as usize].scatter(&mut columns, k);
             }
         }
         let n_columns = columns.len() / n;
@@ -180,9 +182,13 @@ impl Ldlt {
             Par::Seq,
             MemStack::new(&mut self.scratch),
         );
-        for (field, columns) in fields.chunks_exact_mut(n).zip(columns.chunks_exact(3 * n)) {
+        for (field, columns) in fields
+            .chunks_exact_mut(n)
+            .zip(columns.chunks_exact_mut(T::COLUMNS * n))
+        {
+            let columns = MatMut::from_column_major_slice_mut(columns, n, T::COLUMNS);
             for (k, &i) in order.iter().enumerate() {
-                field[i as usize] = DVec3::new(columns[k], columns[n + k], columns[2 * n + k]);
+                field[i as usize] = T::gather(&columns, k);
             }
         }
     }

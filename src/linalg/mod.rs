@@ -12,12 +12,14 @@
 //!
 //! [`Solver`] puts them together and decides when a factor may be kept.
 //!
-//! Matrices are scalar, `n × n`, and act on each coordinate alike: a *field* is one
-//! vector a vertex, `n` values of [`glam::DVec3`], and stands for three columns.
+//! Matrices are scalar, `n × n`. Most act on each coordinate alike: a *field* is then one
+//! vector a vertex, `n` values of [`glam::DVec3`], and stands for three columns; where
+//! the matrix couples coordinates a field is `n` plain numbers (see [`Entry`]).
 //! Several fields are stored end to end. Everything runs on one thread: triangular
 //! solves get slower with two.
 
 pub mod eigen;
+mod entry;
 mod error;
 mod ldlt;
 mod ledger;
@@ -28,6 +30,7 @@ mod solver;
 mod symbolic;
 mod vertex_cover;
 
+pub use entry::Entry;
 pub use error::LinalgError;
 pub use ldlt::{Inertia, Ldlt};
 pub use pattern::Pattern;

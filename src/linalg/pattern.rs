@@ -1,6 +1,6 @@
 //! Where a symmetric sparse matrix may be non-zero.
 
-use glam::DVec3;
+use super::entry::Entry;
 use std::ops::Range;
 
 /// Sparsity pattern of a symmetric matrix: its lower triangle by columns.
@@ -116,14 +116,14 @@ impl Pattern {
     /// # Panics
     /// If `values` has not [`nnz`](Self::nnz) entries, or `x` and `y` are not whole
     /// fields of the same number.
-    pub fn multiply(&self, values: &[f64], x: &[DVec3], y: &mut [DVec3]) {
+    pub fn multiply<T: Entry>(&self, values: &[f64], x: &[T], y: &mut [T]) {
         let n = self.n();
         assert_eq!(values.len(), self.nnz(), "one value a slot");
         assert!(
             x.len() == y.len() && x.len().is_multiple_of(n.max(1)),
             "whole fields"
         );
-        y.fill(DVec3::ZERO);
+        y.fill(T::ZERO);
         if n == 0 {
             return;
         }
@@ -132,10 +132,10 @@ impl Pattern {
                 let range = self.column(j);
                 let (rows, values) = (&self.rows[range.clone()], &values[range]);
                 let x_j = x[j];
-                let mut y_j = values[0] * x_j;
+                let mut y_j = x_j * values[0];
                 for (&i, &a) in rows[1..].iter().zip(&values[1..]) {
-                    y[i as usize] += a * x_j;
-                    y_j += a * x[i as usize];
+                    y[i as usize] += x_j * a;
+                    y_j += x[i as usize] * a;
                 }
                 y[j] += y_j;
             }
@@ -163,6 +163,7 @@ fn for_each_pair<C: AsRef<[u32]>>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     #[test]
     fn cliques_couple_their_members_and_nothing_else() {
@@ -186,7 +187,7 @@ mod tests {
     fn an_empty_pattern_has_no_entries() {
         let pattern = Pattern::from_cliques(0, std::iter::empty::<[u32; 2]>());
         assert_eq!((pattern.n(), pattern.nnz()), (0, 0));
-        pattern.multiply(&[], &[], &mut []);
+        pattern.multiply::<f64>(&[], &[], &mut []);
     }
 
     #[test]

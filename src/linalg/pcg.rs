@@ -1,30 +1,30 @@
 //! Preconditioned conjugate gradients and iterative refinement.
 
+use super::entry::Entry;
 use super::pattern::Pattern;
-use glam::DVec3;
 
 /// A system `A X = B` for one or more fields.
 #[derive(Clone, Copy)]
-pub(super) struct System<'a> {
+pub(super) struct System<'a, T> {
     pub(super) pattern: &'a Pattern,
     pub(super) values: &'a [f64],
-    pub(super) rhs: &'a [DVec3],
+    pub(super) rhs: &'a [T],
 }
 
-impl System<'_> {
+impl<T: Entry> System<'_, T> {
     /// Writes `B − A X` and returns its size relative to B: the largest `‖b − A x‖ / ‖b‖`
     /// of a field, all its coordinates together.
-    pub(super) fn residual(&self, x: &[DVec3], residual: &mut [DVec3]) -> f64 {
+    pub(super) fn residual(&self, x: &[T], residual: &mut [T]) -> f64 {
         self.pattern.multiply(self.values, x, residual);
         for (r, b) in residual.iter_mut().zip(self.rhs) {
-            *r = b - *r;
+            *r = *b - *r;
         }
         largest(&self.relative_sizes(residual))
     }
 
     /// Size of each field of a residual relative to the right-hand side; that of a
     /// field whose right-hand side is zero, and so its solution, is zero.
-    fn relative_sizes(&self, residual: &[DVec3]) -> Vec<f64> {
+    fn relative_sizes(&self, residual: &[T]) -> Vec<f64> {
         let n = self.pattern.n().max(1);
         let fields = residual.chunks_exact(n).zip(self.rhs.chunks_exact(n));
         fields
@@ -37,19 +37,28 @@ impl System<'_> {
 }
 
 /// Vectors the iteration works in, kept from one solve to the next.
-#[derive(Default)]
-pub(super) struct Workspace {
-    pub(super) residual: Vec<DVec3>,
+pub(super) struct Workspace<T> {
+    pub(super) residual: Vec<T>,
     /// The preconditioned residual, then the image `A p` of the direction.
-    pub(super) image: Vec<DVec3>,
-    direction: Vec<DVec3>,
+    pub(super) image: Vec<T>,
+    direction: Vec<T>,
 }
 
-impl Workspace {
+impl<T> Default for Workspace<T> {
+    fn default() -> Self {
+        Self {
+            residual: Vec::new(),
+            image: Vec::new(),
+            direction: Vec::new(),
+        }
+    }
+}
+
+impl<T: Entry> Workspace<T> {
     /// Makes every vector that long.
     pub(super) fn resize(&mut self, len: usize) {
         for vector in [&mut self.residual, &mut self.image, &mut self.direction] {
-            vector.resize(len, DVec3::ZERO);
+            vector.resize(len, T::ZERO);
         }
     }
 }
@@ -71,13 +80,13 @@ pub(super) struct Outcome {
 /// `max_iterations`, once the rate so far shows that these will not do, or when A or P
 /// turns out not to be positive definite. The caller compares the outcome's residual
 /// with the tolerance.
-pub(super) fn conjugate_gradients(
-    system: System<'_>,
-    x: &mut [DVec3],
-    mut precondition: impl FnMut(&mut [DVec3]),
+pub(super) fn conjugate_gradients<T: Entry>(
+    system: System<'_, T>,
+    x: &mut [T],
+    mut precondition: impl FnMut(&mut [T]),
     tolerance: f64,
     max_iterations: usize,
-    workspace: &mut Workspace,
+    workspace: &mut Workspace<T>,
 ) -> Outcome {
     let n = system.pattern.n().max(1);
     let Workspace {
@@ -88,7 +97,7 @@ pub(super) fn conjugate_gradients(
     x.copy_from_slice(system.rhs);
     precondition(x);
     let initial = system.residual(x, residual);
-    direction.fill(DVec3::ZERO);
+    direction.fill(T::ZERO);
     let mut rho = vec![1.0; x.len() / n];
 
     let mut outcome = Outcome {
@@ -122,7 +131,10 @@ pub(super) fn conjugate_gradients(
         {
             let rho_before = std::mem::replace(rho, dot(r, z));
             let beta = *rho / rho_before;
-            p.iter_mut().zip(z).for_each(|(p, z)| *p = z + beta * *p);
+            p.iter_mut().zip(z).for_each(|(p, z)| {
+                *p = *p * beta;
+                *p += *z;
+            });
         }
         system.pattern.multiply(system.values, direction, image);
         for (f, (x, r)) in x
@@ -142,8 +154,8 @@ pub(super) fn conjugate_gradients(
             }
             let alpha = rho[f] / curvature;
             for (((x, r), p), q) in x.iter_mut().zip(r).zip(p).zip(q) {
-                *x += alpha * p;
-                *r -= alpha * q;
+                *x += *p * alpha;
+                *r -= *q * alpha;
             }
         }
         outcome.iterations += 1;
@@ -153,13 +165,13 @@ pub(super) fn conjugate_gradients(
 
 /// Iterative refinement `x ← x + P⁻¹ (b − A x)` from `x = P⁻¹ b`, for P = A but for
 /// rounding; A may be indefinite. Returns the number of steps that helped.
-pub(super) fn refine(
-    system: System<'_>,
-    x: &mut [DVec3],
-    mut precondition: impl FnMut(&mut [DVec3]),
+pub(super) fn refine<T: Entry>(
+    system: System<'_, T>,
+    x: &mut [T],
+    mut precondition: impl FnMut(&mut [T]),
     tolerance: f64,
     max_steps: usize,
-    workspace: &mut Workspace,
+    workspace: &mut Workspace<T>,
 ) -> usize {
     let Workspace {
         residual,
@@ -175,10 +187,10 @@ pub(super) fn refine(
         }
         correction.copy_from_slice(residual);
         precondition(correction);
-        x.iter_mut().zip(&*correction).for_each(|(x, d)| *x += d);
+        x.iter_mut().zip(&*correction).for_each(|(x, d)| *x += *d);
         let refined = system.residual(x, residual);
         if refined.is_nan() || refined >= size {
-            x.iter_mut().zip(&*correction).for_each(|(x, d)| *x -= d);
+            x.iter_mut().zip(&*correction).for_each(|(x, d)| *x -= *d);
             return step;
         }
         size = refined;
@@ -193,13 +205,14 @@ fn largest(numbers: &[f64]) -> f64 {
         .fold(0.0, |m: f64, &x| if x > m || x.is_nan() { x } else { m })
 }
 
-fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
+fn dot<T: Entry>(a: &[T], b: &[T]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     #[test]
     fn iterations_are_as_many_as_there_are_eigenvalues() {
@@ -251,7 +264,14 @@ mod tests {
         let (mut x, mut workspace) = ([DVec3::ZERO], Workspace::default());
         workspace.resize(1);
         let mut run = |inverse: f64, x: &mut [DVec3]| {
-            refine(system, x, |r| r[0] *= inverse, 2e-3, 9, &mut workspace)
+            refine(
+                system,
+                x,
+                |r: &mut [DVec3]| r[0] *= inverse,
+                2e-3,
+                9,
+                &mut workspace,
+            )
         };
         // The error shrinks to a tenth each step.
         assert_eq!(run(0.45, &mut x), 2);

@@ -1,6 +1,7 @@
 //! Solves with the cheapest preconditioner that will do: the diagonal, the factor of an
 //! earlier matrix or a new one.
 
+use super::entry::Entry;
 use super::error::LinalgError;
 use super::ldlt::Ldlt;
 use super::ledger::{FLOPS_PER_ENTRY, Ledger, Patience};
@@ -78,7 +79,7 @@ pub struct SolveInfo {
 /// The diagonal is not only cheaper where it does: the factor of a matrix it dominates
 /// decays so fast that on large meshes its entries become subnormal numbers, which slow
 /// some processors down tenfold.
-pub struct Solver {
+pub struct Solver<T = DVec3> {
     pattern: Pattern,
     symbolic: Arc<Symbolic>,
     iterative_from: usize,
@@ -86,10 +87,10 @@ pub struct Solver {
     ledger: Ledger,
     diagonal: Patience,
     kept: Patience,
-    workspace: Workspace,
+    workspace: Workspace<T>,
 }
 
-impl Solver {
+impl<T: Entry> Solver<T> {
     /// Analyses the pattern; `points`, one a row, help the order of elimination.
     ///
     /// # Errors
@@ -140,8 +141,8 @@ impl Solver {
     pub fn solve(
         &mut self,
         values: &[f64],
-        rhs: &[DVec3],
-        x: &mut [DVec3],
+        rhs: &[T],
+        x: &mut [T],
         tolerance: f64,
         policy: Refactor,
     ) -> Result<SolveInfo, LinalgError> {
@@ -181,8 +182,8 @@ impl Solver {
     fn iterate(
         &mut self,
         values: &[f64],
-        rhs: &[DVec3],
-        x: &mut [DVec3],
+        rhs: &[T],
+        x: &mut [T],
         tolerance: f64,
     ) -> Option<SolveInfo> {
         let Self {
@@ -209,9 +210,12 @@ impl Solver {
             let limit = (alternative * per_row / FLOPS_PER_ROW) as usize;
             let slots = pattern.diagonal_slots();
             let inverse: Vec<f64> = slots.iter().map(|&s| values[s as usize].recip()).collect();
-            let precondition = |fields: &mut [DVec3]| {
+            let precondition = |fields: &mut [T]| {
                 for field in fields.chunks_exact_mut(inverse.len()) {
-                    field.iter_mut().zip(&inverse).for_each(|(v, d)| *v *= *d);
+                    field
+                        .iter_mut()
+                        .zip(&inverse)
+                        .for_each(|(v, d)| *v = *v * *d);
                 }
             };
             let outcome = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
@@ -228,7 +232,7 @@ impl Solver {
         if let Some(factor) = factor
             && self.kept.is_due()
         {
-            let precondition = |fields: &mut [DVec3]| factor.solve_in_place(fields);
+            let precondition = |fields: &mut [T]| factor.solve_in_place(fields);
             let limit = ledger.price as usize + ledger.fresh_iterations;
             let outcome = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
             if self.kept.learn(outcome.relative_residual <= tolerance) {
@@ -249,8 +253,8 @@ impl Solver {
     fn solve_directly(
         &mut self,
         values: &[f64],
-        rhs: &[DVec3],
-        x: &mut [DVec3],
+        rhs: &[T],
+        x: &mut [T],
         tolerance: f64,
     ) -> Result<SolveInfo, LinalgError> {
         let start = Instant::now();
@@ -259,7 +263,8 @@ impl Solver {
             Some(factor) => factor,
             None => self.factor.insert(Ldlt::new(self.symbolic.clone())?),
         };
-        factor.reserve_fields((rhs.len() / self.pattern.n().max(1)).max(1))?;
+        let n_fields = rhs.len() / self.pattern.n().max(1);
+        factor.reserve_columns(T::COLUMNS * n_fields.max(1))?;
         let inertia = factor.factor(values)?;
         let factor_seconds = start.elapsed().as_secs_f64();
         let system = System {
@@ -267,7 +272,7 @@ impl Solver {
             values,
             rhs,
         };
-        let precondition = |fields: &mut [DVec3]| factor.solve_in_place(fields);
+        let precondition = |fields: &mut [T]| factor.solve_in_place(fields);
         let iterations = refine(
             system,
             x,

@@ -6,6 +6,7 @@ use crate::geometry::frame::Frame;
 use crate::geometry::measure;
 use crate::mesh::shape::Sample;
 use crate::mesh::{self, Built, HalfedgeMesh, counted};
+use crate::operator::Elements;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 use std::rc::Rc;
@@ -19,7 +20,7 @@ pub(super) struct Document {
     /// Base name without extension.
     pub(super) name: String,
     /// Faces as in the file, of any degree.
-    pub(super) polygons: HalfedgeMesh,
+    pub(super) polygons: Rc<HalfedgeMesh>,
     /// The same vertices with triangles only.
     pub(super) triangles: Rc<HalfedgeMesh>,
     /// Where the file's coordinates lie.
@@ -66,27 +67,33 @@ impl Document {
         } = mesh::build(&soup)?;
         drop(soup);
         warnings.extend(repairs);
+        let polygons = Rc::new(polygons);
         let triangles = if polygons.is_triangular() {
-            polygons.clone()
+            Rc::clone(&polygons)
         } else {
             let larger = polygons
                 .faces()
                 .filter(|&f| polygons.face_vertices(f).count() > 3)
                 .count();
             let cut = mesh::triangulate(&polygons.to_soup(&start));
+            let how = if larger == polygons.n_faces() && Elements::of(&polygons).is_some() {
+                "the p-Willmore flow keeps them, other flows work on a triangulated copy"
+            } else {
+                "flows work on a triangulated copy"
+            };
             warnings.push(format!(
-                "The mesh has {} of more than three corners: this flow works on a triangulated \
-                 copy; files are written with the original faces.",
+                "The mesh has {} of more than three corners: {how}; files are written with the \
+                 original faces.",
                 counted(larger, "face", "faces")
             ));
-            mesh::build(&cut)?.mesh
+            Rc::new(mesh::build(&cut)?.mesh)
         };
         let frame = Frame::of(&start);
         frame.enter(&mut start);
         let document = Self {
             name: name.into(),
             polygons,
-            triangles: Rc::new(triangles),
+            triangles,
             frame,
             start,
             warnings,

@@ -1,7 +1,7 @@
 //! Scalar fields to colour the surface by.
 
-use crate::energy::circle::angle::Smoothing;
-use crate::energy::circle::{CircleEnergy, Evaluation};
+use crate::energy::circle::{Boundary, CircleEnergy};
+use crate::flow::Flow;
 use crate::geometry::curvature;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
@@ -17,7 +17,7 @@ pub enum FieldName {
     GaussCurvature,
     /// W_i.
     Willmore,
-    /// |∇W| at each vertex.
+    /// Size of the flow's gradient at each vertex.
     Gradient,
     /// Distance from the start.
     Displacement,
@@ -46,7 +46,7 @@ impl FieldName {
             Self::MeanCurvature => "Mean curvature H",
             Self::GaussCurvature => "Gaussian curvature K",
             Self::Willmore => "Willmore energy W_i",
-            Self::Gradient => "Gradient size |∇W|",
+            Self::Gradient => "Gradient size",
             Self::Displacement => "Displacement from the start",
         }
     }
@@ -78,23 +78,21 @@ pub struct Field {
 const TAIL: f64 = 0.02;
 
 impl Field {
-    /// Computes a field on a triangle mesh; `start` are the positions at step 0.
+    /// Computes a field on a triangle mesh that flows under `flow` and began at `start`;
+    /// `boundary` decides which terms of W_i count.
     pub fn compute(
         name: FieldName,
         mesh: &HalfedgeMesh,
-        energy: &CircleEnergy,
+        boundary: Boundary,
+        flow: &dyn Flow,
         x: &[DVec3],
         start: &[DVec3],
     ) -> Self {
         let values: Vec<f64> = match name {
             FieldName::MeanCurvature => curvature::pointwise_mean_curvature(mesh, x),
             FieldName::GaussCurvature => curvature::pointwise_gauss_curvature(mesh, x),
-            FieldName::Willmore => energy.vertex_energies(x),
-            FieldName::Gradient => {
-                let mut evaluation = Evaluation::default();
-                energy.evaluate(x, Smoothing::EXACT, &mut evaluation);
-                evaluation.gradient.iter().map(|g| g.length()).collect()
-            }
+            FieldName::Willmore => CircleEnergy::new(mesh, boundary).vertex_energies(x),
+            FieldName::Gradient => flow.gradient(x).iter().map(|g| g.length()).collect(),
             FieldName::Displacement => x.iter().zip(start).map(|(p, q)| p.distance(*q)).collect(),
         };
         let (low, high) = robust_range(&values, name.is_signed());

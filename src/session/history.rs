@@ -1,7 +1,7 @@
 //! Earlier states, bounded in number and memory.
 
 use super::readings::State;
-use crate::flow::circle::Pace;
+use crate::flow::Pace;
 use glam::DVec3;
 use std::collections::VecDeque;
 

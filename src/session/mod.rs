@@ -16,7 +16,6 @@ pub use field::{Field, FieldName};
 pub use readings::{EnergyReadings, Info, State};
 pub use work::Configured;
 
-use crate::energy::circle::CircleEnergy;
 use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
 use crate::io::Format;
@@ -236,19 +235,18 @@ impl Session {
                 hint,
             ));
         };
-        let mesh = &work.document.triangles;
-        let own;
-        let energy = match &work.flow {
-            Some(flow) => flow.energy(),
-            None => {
-                own = CircleEnergy::new(mesh, work.options.boundary);
-                &own
-            }
+        let Some(flow) = &work.flow else {
+            return Err(Fault::new(
+                "NotConfigured",
+                "no flow has been chosen yet",
+                "Configure one before asking for a field.",
+            ));
         };
         Ok(Some(Field::compute(
             name,
-            mesh,
-            energy,
+            &work.document.triangles,
+            work.options.boundary,
+            flow.as_ref(),
             &work.x,
             &work.document.start,
         )))

@@ -4,7 +4,7 @@
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{Boundary, CircleEnergy, Evaluation};
 use crate::energy::{conformal, p_willmore};
-use crate::flow::{Status, StepReport};
+use crate::flow::{Multipliers, Status, StepReport};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
@@ -137,14 +137,18 @@ pub struct State {
     pub status: Status,
     /// The reason, a sentence.
     pub message: String,
-    /// W = Σ W_i.
+    /// The flow's own energy, as in [`StepReport::energy`].
     pub energy: f64,
-    /// W/2.
+    /// See [`StepReport::energy_normalised`].
     pub energy_normalised: f64,
     /// The next step's raw size.
     pub dt: f64,
-    /// dt / h².
+    /// The same without a unit.
     pub tau: f64,
+    /// What keeps area and volume, where they are kept.
+    pub multipliers: Option<Multipliers>,
+    /// See [`StepReport::reduced_volume`].
+    pub reduced_volume: Option<f64>,
     /// Total area.
     pub area: f64,
     /// Signed volume, of a closed oriented surface.
@@ -164,14 +168,16 @@ pub(super) fn history_csv(reports: &[StepReport]) -> String {
     let mut text = String::from(
         "step,time,dt,tau,energy,objectiveBefore,objective,epsilon,gradientNorm,area,volume,\
          minAngleDegrees,rejected,iterations,negativePivots,skippedAngles,flippedFaces,\
-         maxDisplacement,milliseconds,assembleMilliseconds,factorMilliseconds,solveMilliseconds\n",
+         maxDisplacement,milliseconds,assembleMilliseconds,factorMilliseconds,\
+         solveMilliseconds,energyNormalised,reducedVolume,tension,pressure\n",
     );
     for r in reports {
-        let volume = r.volume.map(|v| v.to_string()).unwrap_or_default();
+        let cell = |value: Option<f64>| value.map(|v| v.to_string()).unwrap_or_default();
+        let Multipliers { tension, pressure } = r.multipliers.unwrap_or_default();
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.3},{:.3},{:.3},{:.3}",
+            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.3},{:.3},{:.3},{:.3},{},{},{},{}",
             r.step,
             r.time,
             r.dt,
@@ -182,7 +188,7 @@ pub(super) fn history_csv(reports: &[StepReport]) -> String {
             r.epsilon,
             r.gradient_norm,
             r.area,
-            volume,
+            cell(r.volume),
             r.min_angle_degrees,
             r.rejected,
             r.iterations,
@@ -194,6 +200,10 @@ pub(super) fn history_csv(reports: &[StepReport]) -> String {
             r.assemble_milliseconds,
             r.factor_milliseconds,
             r.solve_milliseconds,
+            r.energy_normalised,
+            cell(r.reduced_volume),
+            cell(tension),
+            cell(pressure),
         );
     }
     text

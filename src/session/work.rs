@@ -4,16 +4,12 @@ use super::document::Document;
 use super::fault::Fault;
 use super::history::{History, Moment};
 use super::readings::State;
-use crate::energy::circle::Evaluation;
-use crate::energy::circle::angle::Smoothing;
-use crate::flow::circle::CircleFlow;
 use crate::flow::options::FlowOptions;
 use crate::flow::stop::Verdict;
-use crate::flow::{Progress, Status, StepReport};
+use crate::flow::{self, Flow, Progress, Status, StepReport};
 use crate::geometry::measure;
 use glam::DVec3;
 use serde::Serialize;
-use std::rc::Rc;
 
 /// What a configuration amounts to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -25,7 +21,7 @@ pub struct Configured {
     pub mean_edge_length: f64,
     /// The first step's raw size.
     pub dt: f64,
-    /// dt / h².
+    /// The same without a unit.
     pub tau: f64,
     /// Readings at the start.
     pub state: State,
@@ -35,7 +31,7 @@ pub struct Configured {
 pub(super) struct Work {
     pub(super) document: Document,
     pub(super) options: FlowOptions,
-    pub(super) flow: Option<CircleFlow>,
+    pub(super) flow: Option<Box<dyn Flow>>,
     pub(super) x: Vec<DVec3>,
     pub(super) state: State,
     pub(super) reports: Vec<StepReport>,
@@ -65,11 +61,11 @@ impl Work {
             options.fixed.clone_from(&self.document.fixed);
         }
         let mut x = self.document.start.clone();
-        let mesh = Rc::clone(&self.document.triangles);
+        let (triangles, polygons) = (&self.document.triangles, &self.document.polygons);
         // Kept until the new one is sure; gone before its factor is allocated, in the first
         // step: wasm memory never shrinks.
         let old = self.flow.take();
-        let mut flow = match CircleFlow::new(mesh, &mut x, options.clone()) {
+        let mut flow = match flow::start(triangles, polygons, &mut x, options.clone()) {
             Ok(flow) => flow,
             Err(error) => {
                 self.flow = old;
@@ -79,7 +75,7 @@ impl Work {
         drop(old);
         flow.set_progress(progress);
         let h = flow.mean_edge_length();
-        let (free_vertices, dt) = (flow.n_free(), flow.dt());
+        let (free_vertices, dt, tau) = (flow.n_free(), flow.dt(), flow.tau());
         self.options = options;
         self.x = x;
         self.reports.clear();
@@ -87,7 +83,6 @@ impl Work {
         self.flow = Some(flow);
         self.state = State::default();
         self.read_state();
-        let tau = dt / (h * h);
         Ok(Configured {
             free_vertices,
             mean_edge_length: h,
@@ -166,14 +161,16 @@ impl Work {
                 step: report.step,
                 time: report.time,
                 energy: report.energy,
-                energy_normalised: 0.5 * report.energy,
+                energy_normalised: report.energy_normalised,
                 area: report.area,
                 volume: report.volume,
                 min_angle_degrees: report.min_angle_degrees,
                 gradient_norm: report.gradient_norm,
                 milliseconds: report.milliseconds,
                 dt: flow.dt(),
-                tau: flow.dt() / flow.mean_edge_length().powi(2),
+                tau: flow.tau(),
+                multipliers: report.multipliers,
+                reduced_volume: report.reduced_volume,
                 can_step_back: true,
                 ..State::default()
             };
@@ -188,28 +185,18 @@ impl Work {
 
     /// Readings of the current positions, where no step has just told them.
     fn read_state(&mut self) {
-        let Some(flow) = &self.flow else { return };
-        let mesh = &self.document.triangles;
-        let h = flow.mean_edge_length();
-        let mut evaluation = Evaluation::default();
-        flow.energy()
-            .evaluate(&self.x, Smoothing::EXACT, &mut evaluation);
-        let gradient = evaluation
-            .gradient
-            .iter()
-            .enumerate()
-            .filter(|(v, _)| flow.is_free(*v));
-        self.state.gradient_norm = gradient
-            .map(|(_, g)| g.length_squared())
-            .sum::<f64>()
-            .sqrt();
-        self.state.energy = evaluation.value;
-        self.state.energy_normalised = 0.5 * evaluation.value;
-        self.state.area = measure::area(mesh, &self.x);
-        self.state.volume = measure::volume(mesh, &self.x);
+        let Some(flow) = &mut self.flow else { return };
+        let mesh = &self.document.polygons;
+        let reading = flow.reading(&self.x);
+        self.state.energy = reading.energy;
+        self.state.energy_normalised = reading.energy_normalised;
+        self.state.gradient_norm = reading.gradient_norm;
+        self.state.volume = reading.volume;
+        self.state.area = reading.area;
+        self.state.reduced_volume = reading.reduced_volume;
         self.state.min_angle_degrees = measure::min_angle_degrees(mesh, &self.x);
         self.state.dt = flow.dt();
-        self.state.tau = flow.dt() / (h * h);
+        self.state.tau = flow.tau();
         self.state.can_step_back = !self.history.is_empty();
     }
 }

@@ -17,6 +17,7 @@ use std::time::Duration;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::star::StarMatrix;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};
+use umbilic::flow::Flow;
 use umbilic::flow::circle::CircleFlow;
 use umbilic::flow::options::FlowOptions;
 use umbilic::geometry::survey::survey;

@@ -1,5 +1,9 @@
 //! ∫|H|^p dA, the p-Willmore energies of Gruber & Aulisa.
 
+mod functional;
+
+pub use functional::{Evaluation, Helfrich, Integrals, PWillmore};
+
 use crate::geometry::curvature::area_gradient;
 use crate::geometry::measure::{area, vertex_areas};
 use crate::mesh::HalfedgeMesh;

@@ -16,7 +16,7 @@ mod verdict;
 use super::options::{FlowOptions, Goal, Integrator, MassChoice, Scheme};
 use super::step_size::StepSize;
 use super::stop::{Progress, Verdict};
-use super::{FlowError, Progress as Callback, StepReport, boundary, prefill};
+use super::{Flow, FlowError, Progress as Callback, StepReport, boundary, prefill};
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{CircleEnergy, Evaluation};
 use crate::geometry::survey::survey;
@@ -141,74 +141,6 @@ impl CircleFlow {
         })
     }
 
-    /// Called with a stage's name and the share of the step done, within long steps.
-    pub fn set_progress(&mut self, callback: Option<Callback>) {
-        self.on_progress = callback;
-    }
-
-    /// Mean edge length at the start, the h of τ = dt/h².
-    pub fn mean_edge_length(&self) -> f64 {
-        self.problem.h
-    }
-
-    /// Number of vertices that move.
-    pub fn n_free(&self) -> usize {
-        self.problem.vertex_of_row.len()
-    }
-
-    /// Whether each vertex moves.
-    pub fn is_free(&self, v: usize) -> bool {
-        self.problem.matrix.row_of_vertex()[v] != u32::MAX
-    }
-
-    /// The energy being flowed.
-    pub fn energy(&self) -> &CircleEnergy {
-        &self.problem.energy
-    }
-
-    /// What a step back must restore beside the positions.
-    pub fn pace(&self) -> Pace {
-        self.pace
-    }
-
-    /// Goes back to an earlier pace; positions are the caller's.
-    pub fn set_pace(&mut self, pace: Pace) {
-        self.pace = pace;
-        self.evaluated = None;
-        self.lbfgs = lbfgs::Memory::default();
-        self.flipped.clear();
-    }
-
-    /// Sets the step count and time, after positions came from outside.
-    pub fn set_clock(&mut self, step: usize, time: f64) {
-        self.set_pace(Pace {
-            step,
-            time,
-            ..self.pace
-        });
-    }
-
-    /// Grants the budget once more, counted from here.
-    pub fn extend_budget(&mut self) {
-        self.pace.first_step = self.pace.step;
-        self.pace.progress.restart();
-    }
-
-    /// The next step's dt.
-    pub fn dt(&self) -> f64 {
-        self.pace.step_size.dt
-    }
-
-    /// The next step's dt / h².
-    pub fn tau(&self) -> f64 {
-        self.dt() / (self.problem.h * self.problem.h)
-    }
-
-    /// Triangles that folded over in the last step.
-    pub fn flipped_faces(&self) -> &[u32] {
-        &self.flipped
-    }
-
     fn tell(&self, stage: &str, share: f64) {
         if let Some(callback) = &self.on_progress {
             callback(stage, share);
@@ -224,11 +156,55 @@ impl CircleFlow {
         }
     }
 
-    /// Takes one step: `x` becomes the next state, or is left as it is with a verdict.
-    ///
-    /// # Errors
-    /// [`FlowError::NonFiniteEnergy`], [`FlowError::Linear`]; `x` is unchanged.
-    pub fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
+    /// Picks ε for this step and evaluates there.
+    fn choose_smoothing(&mut self, x: &[DVec3]) -> Smoothing {
+        self.evaluate(x, self.pace.schedule.current());
+        let energy = self.evaluation.exact;
+        if self.pace.schedule.adapt(energy, self.n_free()) {
+            self.pace.progress.restart();
+        }
+        let smoothing = self.pace.schedule.current();
+        self.evaluate(x, smoothing);
+        smoothing
+    }
+
+    /// One step of the chosen integrator from `x`, where `evaluation` holds.
+    fn advance(
+        &mut self,
+        x: &[DVec3],
+        smoothing: Smoothing,
+        cost: &mut Cost,
+    ) -> Result<Outcome, FlowError> {
+        match (self.options.integrator, self.options.scheme) {
+            (Integrator::SemiImplicit, Scheme::Auto) => self.semi_implicit(x, smoothing, cost),
+            (Integrator::SemiImplicit, Scheme::Paper) => self.paper_step(x, cost),
+            (Integrator::ForwardEuler, _) => self.forward_euler(x, smoothing),
+            (Integrator::BackwardEuler, _) => self.backward_euler(x, smoothing, cost),
+            (Integrator::Lbfgs, _) => self.lbfgs_step(x, smoothing, cost),
+        }
+    }
+
+    fn is_area_mass(&self) -> bool {
+        match (self.options.mass, self.options.scheme, self.options.goal) {
+            (MassChoice::Uniform, ..) | (_, Scheme::Paper, _) => false,
+            (MassChoice::Area, ..) => true,
+            (MassChoice::Auto, _, goal) => goal == Goal::Smooth,
+        }
+    }
+
+    fn reset_step_size(&mut self) {
+        let h = self.problem.h;
+        let dt = self
+            .options
+            .dt
+            .unwrap_or_else(|| self.options.first_tau() * h * h);
+        self.pace.step_size.dt = dt;
+        self.pace.progress.restart();
+    }
+}
+
+impl Flow for CircleFlow {
+    fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
         let start = Instant::now();
         let mut cost = Cost::default();
         let before;
@@ -282,49 +258,78 @@ impl CircleFlow {
         Ok((Some(report), verdict))
     }
 
-    /// Picks ε for this step and evaluates there.
-    fn choose_smoothing(&mut self, x: &[DVec3]) -> Smoothing {
-        self.evaluate(x, self.pace.schedule.current());
-        let energy = self.evaluation.exact;
-        if self.pace.schedule.adapt(energy, self.n_free()) {
-            self.pace.progress.restart();
-        }
-        let smoothing = self.pace.schedule.current();
-        self.evaluate(x, smoothing);
-        smoothing
-    }
-
-    /// One step of the chosen integrator from `x`, where `evaluation` holds.
-    fn advance(
-        &mut self,
-        x: &[DVec3],
-        smoothing: Smoothing,
-        cost: &mut Cost,
-    ) -> Result<Outcome, FlowError> {
-        match (self.options.integrator, self.options.scheme) {
-            (Integrator::SemiImplicit, Scheme::Auto) => self.semi_implicit(x, smoothing, cost),
-            (Integrator::SemiImplicit, Scheme::Paper) => self.paper_step(x, cost),
-            (Integrator::ForwardEuler, _) => self.forward_euler(x, smoothing),
-            (Integrator::BackwardEuler, _) => self.backward_euler(x, smoothing, cost),
-            (Integrator::Lbfgs, _) => self.lbfgs_step(x, smoothing, cost),
+    fn reading(&mut self, x: &[DVec3]) -> super::Reading {
+        self.evaluated = None;
+        self.evaluate(x, Smoothing::EXACT);
+        let energy = self.evaluation.value;
+        super::Reading {
+            energy,
+            energy_normalised: 0.5 * energy,
+            gradient_norm: self.problem.gradient_norm(&self.evaluation.gradient),
+            area: measure::area(&self.mesh, x),
+            volume: measure::volume(&self.mesh, x),
+            reduced_volume: None,
         }
     }
 
-    fn is_area_mass(&self) -> bool {
-        match (self.options.mass, self.options.scheme, self.options.goal) {
-            (MassChoice::Uniform, ..) | (_, Scheme::Paper, _) => false,
-            (MassChoice::Area, ..) => true,
-            (MassChoice::Auto, _, goal) => goal == Goal::Smooth,
-        }
+    fn gradient(&self, x: &[DVec3]) -> Vec<DVec3> {
+        let mut at = Evaluation::default();
+        self.problem.energy.evaluate(x, Smoothing::EXACT, &mut at);
+        at.gradient
     }
 
-    fn reset_step_size(&mut self) {
-        let h = self.problem.h;
-        let dt = self
-            .options
-            .dt
-            .unwrap_or_else(|| self.options.first_tau() * h * h);
-        self.pace.step_size.dt = dt;
+    fn set_progress(&mut self, callback: Option<Callback>) {
+        self.on_progress = callback;
+    }
+
+    fn mean_edge_length(&self) -> f64 {
+        self.problem.h
+    }
+
+    fn n_free(&self) -> usize {
+        self.problem.vertex_of_row.len()
+    }
+
+    fn is_free(&self, v: usize) -> bool {
+        self.problem.matrix.row_of_vertex()[v] != u32::MAX
+    }
+
+    fn dt(&self) -> f64 {
+        self.pace.step_size.dt
+    }
+
+    fn tau(&self) -> f64 {
+        self.dt() / (self.problem.h * self.problem.h)
+    }
+
+    fn flipped_faces(&self) -> &[u32] {
+        &self.flipped
+    }
+
+    fn pace(&self) -> super::Pace {
+        super::Pace::Circle(self.pace)
+    }
+
+    fn set_pace(&mut self, pace: super::Pace) {
+        if let super::Pace::Circle(pace) = pace {
+            self.pace = pace;
+        }
+        self.evaluated = None;
+        self.lbfgs = lbfgs::Memory::default();
+        self.flipped.clear();
+    }
+
+    fn set_clock(&mut self, step: usize, time: f64) {
+        let pace = Pace {
+            step,
+            time,
+            ..self.pace
+        };
+        self.set_pace(super::Pace::Circle(pace));
+    }
+
+    fn extend_budget(&mut self) {
+        self.pace.first_step = self.pace.step;
         self.pace.progress.restart();
     }
 }

@@ -4,7 +4,7 @@ use super::problem::Cost;
 use super::{Accepted, CircleFlow};
 use crate::flow::options::{Goal, Scheme};
 use crate::flow::stop::Verdict;
-use crate::flow::{Status, StepReport};
+use crate::flow::{Flow, Status, StepReport};
 use crate::geometry::survey::Survey;
 use crate::mesh::{HalfedgeMesh, counted};
 use glam::DVec3;
@@ -49,6 +49,7 @@ impl CircleFlow {
             time: self.pace.time,
             dt: accepted.dt,
             energy: self.evaluation.exact,
+            energy_normalised: 0.5 * self.evaluation.exact,
             objective_before: before,
             objective: accepted.objective,
             gradient_norm: problem.gradient_norm(&self.evaluation.gradient),
@@ -68,6 +69,7 @@ impl CircleFlow {
             factor_milliseconds: cost.factor * 1e3,
             solve_milliseconds: cost.solve * 1e3,
             warnings: cost.warnings,
+            ..StepReport::default()
         }
     }
 

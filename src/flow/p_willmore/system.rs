@@ -1,0 +1,97 @@
+//! The linear system of a step: (M/τ + L diag(c) L) d = b, one scalar matrix for the three
+//! coordinates.
+
+use crate::flow::FlowError;
+use crate::linalg::{Pattern, Refactor, SolveInfo, Solver};
+use crate::operator::{Elements, Laplacian};
+use glam::DVec3;
+
+/// The residual asked of an iterative solve.
+const TOLERANCE: f64 = 1e-8;
+
+/// Pattern, matrix and solver on one connectivity.
+pub(super) struct System {
+    laplacian: Laplacian,
+    /// Slots of the lower triangle of row i's outer product, for every i end to end. Empty
+    /// where the stiffness is L itself.
+    slots: Vec<u32>,
+    solver: Solver,
+    stiffness: Vec<f64>,
+    matrix: Vec<f64>,
+}
+
+impl System {
+    /// Analyses the pattern: two rings, or with `is_second_order` (p = 0) one.
+    pub(super) fn new(
+        elements: &Elements,
+        x: &[DVec3],
+        is_second_order: bool,
+    ) -> Result<Self, FlowError> {
+        let laplacian = Laplacian::new(elements);
+        let n = laplacian.n();
+        let pattern = if is_second_order {
+            Pattern::from_cliques(n, elements.corners())
+        } else {
+            Pattern::from_cliques(n, (0..n).map(|i| laplacian.members(i)))
+        };
+        let mut slots = Vec::new();
+        if !is_second_order {
+            for i in 0..n {
+                let members = laplacian.members(i);
+                for (k, &a) in members.iter().enumerate() {
+                    slots.extend(members[..=k].iter().map(|&b| pattern.slot(a, b) as u32));
+                }
+            }
+        }
+        Ok(Self {
+            slots,
+            stiffness: vec![0.0; pattern.nnz()],
+            matrix: Vec::new(),
+            solver: Solver::new(pattern, Some(x))?,
+            laplacian,
+        })
+    }
+
+    /// Assembles the stiffness L diag(c) L at `x`; L where c is empty.
+    pub(super) fn assemble(&mut self, elements: &Elements, x: &[DVec3], c: &[f64]) {
+        self.laplacian.assemble(elements, x);
+        self.stiffness.fill(0.0);
+        if c.is_empty() {
+            let pattern = self.solver.pattern();
+            for i in 0..self.laplacian.n() {
+                let row = self.laplacian.members(i).iter().zip(self.laplacian.row(i));
+                for (&j, value) in row.filter(|(j, _)| **j as usize >= i) {
+                    self.stiffness[pattern.slot(i as u32, j)] += value;
+                }
+            }
+            return;
+        }
+        let mut slots = self.slots.iter();
+        for (i, c) in c.iter().enumerate() {
+            let row = self.laplacian.row(i);
+            for (k, a) in row.iter().enumerate() {
+                for (b, &slot) in row[..=k].iter().zip(&mut slots) {
+                    self.stiffness[slot as usize] += c * a * b;
+                }
+            }
+        }
+    }
+
+    /// Solves for one or more fields end to end.
+    pub(super) fn solve(
+        &mut self,
+        mass: &[f64],
+        tau: f64,
+        rhs: &[DVec3],
+        solution: &mut [DVec3],
+    ) -> Result<SolveInfo, FlowError> {
+        self.matrix.clone_from(&self.stiffness);
+        for (&slot, m) in self.solver.pattern().diagonal_slots().iter().zip(mass) {
+            self.matrix[slot as usize] += m / tau;
+        }
+        let policy = Refactor::WhenCheaper;
+        Ok(self
+            .solver
+            .solve(&self.matrix, rhs, solution, TOLERANCE, policy)?)
+    }
+}

@@ -1,0 +1,303 @@
+//! Conformal regularisation of Gruber & Aulisa (Problems 4.3 and 5.3): vertices slide along
+//! the surface until its elements are as similar as can be to their reference shapes.
+//!
+//! The reference of a triangle has the angles of Algorithm 1, that of a quadrilateral is a
+//! square. One pass minimises, over displacements v,
+//!
+//! ```text
+//! CD(x + v) + Σ_i (1/2ε) ⟨v_i, n_i⟩²,      CD = Σ_T 2 (D_T − A_T),
+//! ```
+//!
+//! with the normals held, a linear least-squares problem with a symmetric positive definite
+//! matrix of 3n rows. The printed sign of ε would make it indefinite. CD has no unit but
+//! length², and so has v: ε is a pure number, the same for a mesh in millimetres and in
+//! metres. The penalty is lumped at the vertices (P1); one value an element (P0) imposes
+//! 2n conditions on 3n unknowns and locks as ε → 0.
+
+use crate::energy::conformal::reference_angles;
+use crate::linalg::{LinalgError, Pattern, Refactor, Solver};
+use crate::operator::Elements;
+use glam::{DMat3, DVec3};
+use serde::Deserialize;
+
+/// Where the normals are taken that a pass holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Mode {
+    /// No regularisation.
+    Off,
+    /// At the start: one linear solve.
+    Linear,
+    /// Half way to the end, by two rounds of fixed-point iteration: the same mesh quality
+    /// for a several times smaller change of volume.
+    #[default]
+    Nonlinear,
+}
+
+/// The relative residual asked of a solve: a displacement need not be exact, as whatever it
+/// is, the next pass starts from there.
+const TOLERANCE: f64 = 1e-5;
+
+/// Normals that a pass holds: of every quadrature point, and of every vertex.
+pub(super) struct Normals {
+    pub(super) points: Vec<DVec3>,
+    pub(super) vertices: Vec<DVec3>,
+}
+
+/// The least-squares problem on one connectivity.
+pub struct Regulariser {
+    elements: Elements,
+    /// ⟨∇̂φ_i, ∇̂φ_j⟩ integrated over the reference, pair by pair of corners of an element;
+    /// one row for all elements where they share a reference.
+    couplings: Vec<[f64; 6]>,
+    /// Slots of the three columns of a block below the diagonal, pair by pair.
+    slots: Vec<[u32; 3]>,
+    solver: Solver<f64>,
+    values: Vec<f64>,
+}
+
+/// Corner pairs of an element, smaller first.
+const PAIRS: [(usize, usize); 6] = [(0, 1), (1, 2), (0, 2), (2, 3), (0, 3), (1, 3)];
+
+impl Regulariser {
+    /// Prepares the problem; `x` helps to order the elimination.
+    ///
+    /// # Errors
+    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
+    pub fn new(elements: Elements, x: &[DVec3]) -> Result<Self, LinalgError> {
+        let n = elements.n_vertices();
+        let cliques = elements.corners().map(|corners| {
+            let mut rows = Vec::with_capacity(12);
+            rows.extend(corners.iter().flat_map(|&v| [3 * v, 3 * v + 1, 3 * v + 2]));
+            rows
+        });
+        let pattern = Pattern::from_cliques(3 * n, cliques);
+        let points: Vec<DVec3> = x.iter().flat_map(|&p| [p; 3]).collect();
+        let pairs = elements.degree() * (elements.degree() - 1) / 2;
+        let mut slots = Vec::with_capacity(pairs * elements.len());
+        for corners in elements.corners() {
+            for &(i, j) in &PAIRS[..pairs] {
+                let (low, high) = order(corners[i], corners[j]);
+                slots.push([0, 1, 2].map(|c| pattern.slot(3 * high, 3 * low + c) as u32));
+            }
+        }
+        let values = vec![0.0; pattern.nnz()];
+        let couplings = couplings(&elements);
+        let mut solver = Solver::new(pattern, Some(&points))?;
+        // From step to step the matrix changes little: the last factor is worth a try at
+        // any size.
+        solver.set_iterative_from(1);
+        Ok(Self {
+            elements,
+            couplings,
+            slots,
+            solver,
+            values,
+        })
+    }
+
+    /// The mesh as elements.
+    pub fn elements(&self) -> &Elements {
+        &self.elements
+    }
+
+    fn pairs(&self) -> usize {
+        self.elements.degree() * (self.elements.degree() - 1) / 2
+    }
+
+    fn coupling(&self, e: usize) -> &[f64; 6] {
+        &self.couplings[if self.couplings.len() == 1 { 0 } else { e }]
+    }
+
+    /// CD = Σ 2 (D − A) ≥ 0, unit length²; with triangles the reading of
+    /// [`conformal_distortion`](crate::energy::conformal::conformal_distortion).
+    pub fn distortion(&self, x: &[DVec3]) -> f64 {
+        let mut total = 0.0;
+        for (e, corners) in self.elements.corners().enumerate() {
+            // Rows of the coupling sum to zero: Σ_ij a_ij ⟨x_i, x_j⟩ = −Σ_{i<j} a_ij |x_i − x_j|².
+            for (&(i, j), a) in PAIRS[..self.pairs()].iter().zip(self.coupling(e)) {
+                total -= a * x[corners[i] as usize].distance_squared(x[corners[j] as usize]);
+            }
+            total -= 2.0 * self.elements.nodes(x, e).map(|node| node.area).sum::<f64>();
+        }
+        total
+    }
+
+    /// Normals of the surface at `x`.
+    pub(super) fn normals(&self, x: &[DVec3]) -> Normals {
+        let mut points = Vec::with_capacity(self.elements.len() * self.elements.points().len());
+        let mut vertices = vec![DVec3::ZERO; x.len()];
+        for (e, corners) in self.elements.corners().enumerate() {
+            for node in self.elements.nodes(x, e) {
+                points.push(node.normal);
+                for (&v, shape) in corners.iter().zip(node.shape) {
+                    vertices[v as usize] += shape * node.area * node.normal;
+                }
+            }
+        }
+        vertices.iter_mut().for_each(|n| *n = n.normalize_or_zero());
+        Normals { points, vertices }
+    }
+
+    /// One pass: the displacement v from `x`, of every vertex.
+    ///
+    /// # Errors
+    /// [`LinalgError`], where the matrix is singular in double precision or memory is short.
+    pub fn displacement(
+        &mut self,
+        x: &[DVec3],
+        mode: Mode,
+        epsilon: f64,
+    ) -> Result<Vec<DVec3>, LinalgError> {
+        let at_start = self.normals(x);
+        let linear = self.solve(x, &at_start, epsilon, None)?;
+        if mode != Mode::Nonlinear {
+            return Ok(linear);
+        }
+        let half_way: Vec<DVec3> = x.iter().zip(&linear).map(|(x, v)| *x + 0.5 * *v).collect();
+        let central = self.normals(&half_way);
+        self.solve(x, &central, epsilon, None)
+    }
+
+    /// Solves (K + (1/ε) n nᵀ + diag(K) damping) v = −K x for these normals.
+    pub(super) fn solve(
+        &mut self,
+        x: &[DVec3],
+        normals: &Normals,
+        epsilon: f64,
+        damping: Option<&[f64]>,
+    ) -> Result<Vec<DVec3>, LinalgError> {
+        let mut rhs = vec![DVec3::ZERO; x.len()];
+        self.assemble(x, normals, &mut rhs);
+        let slots = self.solver.pattern().diagonal_slots();
+        for (v, n) in normals.vertices.iter().enumerate() {
+            let block = [0, 1, 2].map(|c| slots[3 * v + c] as usize);
+            if let Some(damping) = damping {
+                block
+                    .iter()
+                    .for_each(|&slot| self.values[slot] *= 1.0 + damping[v]);
+            }
+            let n = n.to_array();
+            for c in 0..3 {
+                for r in c..3 {
+                    self.values[block[c] + r - c] += n[r] * n[c] / epsilon;
+                }
+            }
+        }
+        let rhs: Vec<f64> = rhs.iter().flat_map(|f| f.to_array()).collect();
+        let mut v = vec![0.0; rhs.len()];
+        self.solver
+            .solve(&self.values, &rhs, &mut v, TOLERANCE, Refactor::WhenCheaper)?;
+        Ok(v.chunks_exact(3).map(DVec3::from_slice).collect())
+    }
+
+    /// K for these normals into `values`, and −K x into `rhs`.
+    ///
+    /// At a quadrature point with normal n the block of corners i, j is
+    /// a_ij (2I − n nᵀ) + c_ij [n]×, with a_ij = ŵ ⟨∇̂φ_i, ∇̂φ_j⟩ and c_ij = 2ŵ ∇̂φ_i × ∇̂φ_j:
+    /// the Gauss–Newton form of the Cauchy–Riemann equations ∂₂u = n × ∂₁u.
+    fn assemble(&mut self, x: &[DVec3], normals: &Normals, rhs: &mut [DVec3]) {
+        self.values.fill(0.0);
+        let points = self.elements.points();
+        let pairs = self.pairs();
+        let shared = self.couplings.len() == 1;
+        let mut normal = normals.points.iter();
+        let diagonal = self.solver.pattern().diagonal_slots();
+        for (e, corners) in self.elements.corners().enumerate() {
+            let mut blocks = [DMat3::ZERO; 6];
+            let triangle = self.couplings[if shared { 0 } else { e }];
+            for point in points {
+                let n = normal.next().copied().unwrap_or_default();
+                let along = projector(n);
+                let turn = cross_matrix(n);
+                for (k, &(i, j)) in PAIRS[..pairs].iter().enumerate() {
+                    let (p, q) = (point.slope[i], point.slope[j]);
+                    let a = if shared {
+                        point.weight * (p[0] * q[0] + p[1] * q[1])
+                    } else {
+                        triangle[k]
+                    };
+                    let c = 2.0 * point.weight * (p[0] * q[1] - p[1] * q[0]);
+                    blocks[k] += along * a + turn * c;
+                }
+            }
+            let slots = &self.slots[e * pairs..(e + 1) * pairs];
+            for ((&(i, j), block), slots) in PAIRS.iter().zip(blocks).zip(slots) {
+                let (u, v) = (corners[i], corners[j]);
+                let difference = x[v as usize] - x[u as usize];
+                // Each row of blocks sums to zero: that of i with x_j, that of j with x_i.
+                rhs[u as usize] -= block * difference;
+                rhs[v as usize] += block.transpose() * difference;
+                // Stored below the diagonal: row of the larger vertex.
+                let lower = if u > v { block } else { block.transpose() };
+                for (c, &slot) in slots.iter().enumerate() {
+                    let column = lower.col(c).to_array();
+                    for (r, value) in column.into_iter().enumerate() {
+                        self.values[slot as usize + r] += value;
+                    }
+                }
+                for w in [u, v] {
+                    // K_ii = −Σ_j K_ij, in which the [n]× cancel.
+                    let block = -0.5 * (block + block.transpose());
+                    add_diagonal(&mut self.values, diagonal, w, block);
+                }
+            }
+        }
+    }
+}
+
+/// Adds the lower triangle of a symmetric block to the diagonal block of vertex `v`.
+fn add_diagonal(values: &mut [f64], diagonal: &[u32], v: u32, block: DMat3) {
+    for c in 0..3 {
+        let slot = diagonal[3 * v as usize + c] as usize;
+        for (r, value) in block.col(c).to_array().into_iter().enumerate().skip(c) {
+            values[slot + r - c] += value;
+        }
+    }
+}
+
+fn order(a: u32, b: u32) -> (u32, u32) {
+    (a.min(b), a.max(b))
+}
+
+/// 2I − n nᵀ.
+fn projector(n: DVec3) -> DMat3 {
+    DMat3::from_diagonal(DVec3::splat(2.0)) - DMat3::from_cols(n * n.x, n * n.y, n * n.z)
+}
+
+/// [n]×: v ↦ n × v.
+fn cross_matrix(n: DVec3) -> DMat3 {
+    DMat3::from_cols(n.cross(DVec3::X), n.cross(DVec3::Y), n.cross(DVec3::Z))
+}
+
+/// a_ij of every element, pair by pair.
+fn couplings(elements: &Elements) -> Vec<[f64; 6]> {
+    if elements.degree() == 4 {
+        let mut square = [0.0; 6];
+        for point in elements.points() {
+            for (a, (i, j)) in square.iter_mut().zip(PAIRS) {
+                let (p, q) = (point.slope[i], point.slope[j]);
+                *a += point.weight * (p[0] * q[0] + p[1] * q[1]);
+            }
+        }
+        return vec![square];
+    }
+    let mut incident = vec![0usize; elements.n_vertices()];
+    for corners in elements.corners() {
+        corners.iter().for_each(|&v| incident[v as usize] += 1);
+    }
+    let mut couplings: Vec<[f64; 6]> = elements
+        .corners()
+        .map(|corners| {
+            let angles = reference_angles([0, 1, 2].map(|k| incident[corners[k] as usize]));
+            let [a, b, c] = angles.map(|angle| -0.5 / angle.tan());
+            // Opposite to the pairs (0, 1), (1, 2), (0, 2).
+            [c, a, b, 0.0, 0.0, 0.0]
+        })
+        .collect();
+    if couplings.len() == 1 {
+        // A lone triangle must not be taken for a shared reference.
+        couplings.push(couplings[0]);
+    }
+    couplings
+}

@@ -1,0 +1,6 @@
+//! Better meshes of the same surface.
+
+pub mod conformal;
+pub mod static_pass;
+
+pub use conformal::{Mode, Regulariser};
