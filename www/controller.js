@@ -141,6 +141,8 @@ export function createController(store, voice) {
   }
 
   const controller = {
+    begin: solver.begin,
+
     /** @param {string} id @param {Partial<Scene>} [scene] */
     sample: (id, scene = {}) =>
       enqueue(() => {
@@ -170,6 +172,23 @@ export function createController(store, voice) {
       enqueue(async () => {
         await rest();
         if (store.get().reading?.canStepBack) await solver.back();
+      }),
+    /** Regularises the mesh as it is; a step back undoes it. */
+    regularise: () =>
+      enqueue(async () => {
+        await rest();
+        if (!store.get().reading) return;
+        const { regulariseEpsilon: epsilon } = store.get().options;
+        const { passes, before, after, distance } = await solver.regularise({ epsilon });
+        voice.note(
+          passes === 0
+            ? "The mesh is as regular as it gets."
+            : `Regularised in ${passes} ${passes === 1 ? "pass" : "passes"}: smallest angle ` +
+                `${before.minAngleDegrees.toFixed(1)}° → ${after.minAngleDegrees.toFixed(1)}°, ` +
+                `distortion ${before.distortion.toPrecision(2)} → ${after.distortion.toPrecision(2)}; ` +
+                `no vertex is farther than ${(100 * distance).toPrecision(2)} % of the size from ` +
+                "the surface before. Back undoes it.",
+        );
       }),
     reset: () => enqueue(() => rest().then(() => store.get().reading && solver.reset())),
 

@@ -5,7 +5,7 @@
 /** @import { FieldName } from "./protocol.js" */
 /** @import { PageState, View } from "./state.js" */
 
-import { choices, defaults, readers } from "./options.js";
+import { asText, choices, defaults, readers } from "./options.js";
 import { samples } from "./samples.js";
 
 /**
@@ -68,8 +68,8 @@ export function writeLink({ source, options, colour, camera, reading, view, goal
   words.set("flow", options.flow);
   const base = suggested(source.kind === "sample" ? source.id : null);
   for (const key of /** @type {(keyof typeof options)[]} */ (Object.keys(readers))) {
-    if (key !== "flow" && options[key] !== base[key])
-      words.set(key, String(options[key] ?? "auto"));
+    if (key !== "flow" && asText(options[key]) !== asText(base[key]))
+      words.set(key, asText(options[key]));
   }
   if (colour !== "none") words.set("colour", colour);
   if (view.shading !== "smooth") words.set("shading", view.shading);

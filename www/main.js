@@ -3,6 +3,7 @@
 
 import { createController } from "./controller.js";
 import { createLinkWriter, readLink } from "./link.js";
+import { samples } from "./samples.js";
 import { createStore } from "./state.js";
 import { createChoices } from "./ui/choices.js";
 import { createHelp, createPanel, createPresenter } from "./ui/chrome.js";
@@ -13,6 +14,7 @@ import { createKeys } from "./ui/keys.js";
 import { createMeshInput } from "./ui/mesh-input.js";
 import { createMessages } from "./ui/messages.js";
 import { createMethodForm } from "./ui/method-form.js";
+import { createPWillmoreForm } from "./ui/p-willmore-form.js";
 import { createPicture } from "./ui/picture.js";
 import { createReadings } from "./ui/readings.js";
 import { createStatus } from "./ui/status.js";
@@ -30,13 +32,19 @@ const help = createHelp();
 createPanel();
 createKeys(controller, help.open);
 createDownload(controller, store.get, picture.snapshot);
-const pictured = picture.start();
+/** A link to a mesh names it only; its scene waits for the user to open the file. */
+let awaited = readLink(location);
+// The page without a link shows its sample before the solver is there.
+const isFirst = awaited.sample === samples[0].id && awaited.step === 0 && !awaited.camera;
+controller.view(awaited.view);
+const pictured = picture.start(isFirst ? samples[0].parameters.level : null);
 
 const parts = [
   createTransport(controller),
   createStatus(),
   createChoices(controller),
   createReadings(),
+  createPWillmoreForm(controller),
   createMethodForm(controller),
   createViewForm(controller, picture.fit),
   picture,
@@ -47,9 +55,6 @@ const parts = [
   help,
 ];
 for (const part of parts) store.subscribe((state) => part.update(state));
-
-/** A link to a mesh names it only; its scene waits for the user to open the file. */
-let awaited = readLink(location);
 
 /** @param {{ search: string, hash: string }} address */
 function openLink(address) {
@@ -69,4 +74,10 @@ createMeshInput((file) => {
 
 // The event's address and not `location`: by now the old scene may have been written there.
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));
-openLink(location);
+// The solver is the larger half: the first picture does not wait for it to be fetched, nor
+// the solver for a picture that takes its time.
+const patience = new Promise((resolve) => setTimeout(resolve, 4000));
+(isFirst ? Promise.race([pictured, patience]) : Promise.resolve()).then(() => {
+  controller.begin();
+  openLink(location);
+});

@@ -23,11 +23,22 @@ export const defaults = Object.freeze({
   free: null,
   fixed: null,
   maxSteps: 200,
+  p: 2,
+  keep: [],
+  regularise: "nonlinear",
+  regulariseEpsilon: 0.01,
+  reducedVolume: null,
+  spontaneousCurvature: 0,
+  tension: 0,
+  pressure: 0,
 });
 
 /** @type {Readonly<Record<string, readonly { id: string, label: string }[]>>} */
 export const choices = {
-  flow: [{ id: "circle", label: "Willmore, circle angles" }],
+  flow: [
+    { id: "circle", label: "Willmore, circle angles" },
+    { id: "p-willmore", label: "p-Willmore" },
+  ],
   boundary: [
     { id: "clamped", label: "Clamped (with tangent)" },
     { id: "fixed", label: "Fixed (position only)" },
@@ -38,7 +49,7 @@ export const choices = {
     { id: "mean-curvature", label: "Mean curvature H" },
     { id: "gauss-curvature", label: "Gaussian curvature K" },
     { id: "willmore", label: "Willmore energy Wᵢ" },
-    { id: "gradient", label: "Gradient size |∇W|" },
+    { id: "gradient", label: "Gradient size" },
     { id: "displacement", label: "Displacement" },
   ],
   format: [
@@ -64,6 +75,14 @@ const oneOf =
   (...names) =>
   (/** @type {string} */ text) =>
     names.includes(text) ? text : undefined;
+/** @param {string[]} known  some of them, or `none` */
+const names =
+  (...known) =>
+  (/** @type {string} */ text) => {
+    if (text === "none") return [];
+    const list = text.split(",");
+    return list.every((name) => known.includes(name)) ? list : undefined;
+  };
 /** @param {(text: string) => number | undefined} read  `auto` leaves the value to the solver */
 const orAuto = (read) => (/** @type {string} */ text) => (text === "auto" ? null : read(text));
 /** @param {string} text @returns {boolean | undefined} */
@@ -73,10 +92,10 @@ const count = (text) => (/^[1-9]\d{0,6}$/.test(text) ? Number(text) : undefined)
 
 /**
  * Reads one option from text; `undefined` when the text is not a value of it.
- * @type {Readonly<Record<string, (text: string) => string | number | boolean | null | undefined>>}
+ * @type {Readonly<Record<string, (text: string) => string | number | boolean | string[] | null | undefined>>}
  */
 export const readers = {
-  flow: oneOf("circle"),
+  flow: oneOf("circle", "p-willmore"),
   scheme: oneOf("auto", "paper"),
   integrator: oneOf("semi-implicit", "forward-euler", "backward-euler", "l-bfgs"),
   boundary: oneOf("clamped", "fixed", "free"),
@@ -90,7 +109,22 @@ export const readers = {
   sharpen: flag,
   prefill: flag,
   maxSteps: count,
+  p: between(0, 16),
+  keep: names("area", "volume"),
+  regularise: oneOf("off", "linear", "nonlinear"),
+  regulariseEpsilon: between(1e-9, 1e9),
+  reducedVolume: orAuto(between(0.01, 1)),
+  spontaneousCurvature: between(-1e3, 1e3),
+  tension: between(-1e6, 1e6),
+  pressure: between(-1e6, 1e6),
 };
+
+/**
+ * An option as text, which its reader reads.
+ * @param {unknown} value
+ */
+export const asText = (value) =>
+  Array.isArray(value) && value.length === 0 ? "none" : String(value ?? "auto");
 
 /**
  * How far `smooth` goes: halves every wavelength of L½ ≈ 6.7 (N τ)^¼ h, so N steps

@@ -47,7 +47,7 @@
 /**
  * Options of a flow. Every field may be left out; `Configured` tells what was chosen.
  * @typedef {object} FlowOptions
- * @property {'circle'} [flow]
+ * @property {'circle' | 'p-willmore'} [flow]
  * @property {'auto' | 'paper'} [scheme]   `paper`: constant dt, exact energy, plain K, uniform mass
  * @property {'semi-implicit' | 'forward-euler' | 'backward-euler' | 'l-bfgs'} [integrator]
  * @property {'clamped' | 'fixed' | 'free'} [boundary]
@@ -63,6 +63,41 @@
  * @property {number[] | null} [free]      only these vertices move
  * @property {number[] | null} [fixed]     these vertices never move
  * @property {number} [maxSteps]           budget (default 200)
+ * @property {number} [p]                  p-Willmore: exponent, 0 or at least 1 (default 2)
+ * @property {('area' | 'volume')[]} [keep]  p-Willmore: what is kept
+ * @property {'off' | 'linear' | 'nonlinear'} [regularise]  p-Willmore: after each step (default nonlinear)
+ * @property {number} [regulariseEpsilon]  p-Willmore: ε of it (default 0.01)
+ * @property {number | null} [reducedVolume]  p-Willmore: 6√π V/A^(3/2) to lead the volume to
+ * @property {number} [spontaneousCurvature]  p-Willmore, p = 2: H₀ L, L = √(A/4π) at the start
+ * @property {number} [tension]            p-Willmore, p = 2: σ L²
+ * @property {number} [pressure]           p-Willmore, p = 2: P L³
+ */
+
+/**
+ * Options of `regularise`, conformal regularisation of the mesh as it is.
+ * @typedef {object} RegulariseOptions
+ * @property {'linear' | 'nonlinear'} [mode]  default nonlinear
+ * @property {number} [epsilon]     a pure number: 1e-3 faithful, 1e-1 aggressive (default 0.01)
+ * @property {number} [iterations]  passes at most (default 5)
+ * @property {number} [features]    how strongly sharp features are kept, 0 for not (default 0.3)
+ */
+
+/**
+ * @typedef {object} MeshQuality
+ * @property {number} minAngleDegrees
+ * @property {number} distortion   conformal distortion over area; 0 is perfect
+ * @property {number} inverted     faces against their surroundings
+ * @property {number} area
+ * @property {number | null} volume
+ */
+
+/**
+ * What `regularise` answers.
+ * @typedef {object} Regularised
+ * @property {number} passes
+ * @property {MeshQuality} before
+ * @property {MeshQuality} after
+ * @property {number} distance    of the farthest vertex from the surface before, over its size
  */
 
 /**
@@ -71,7 +106,7 @@
  * @property {number} freeVertices
  * @property {number} meanEdgeLength   h
  * @property {number} dt               the first step's raw size
- * @property {number} tau              dt / h²
+ * @property {number} tau              the same without a unit
  * @property {State} state
  * @property {Uint8Array} heldVertices  1 where a vertex is held, 0 where it moves
  */
@@ -84,7 +119,8 @@
  * @property {number} step
  * @property {number} time
  * @property {number} dt
- * @property {number} energy            W = Σ W_i as printed in the paper
+ * @property {number} energy            W = Σ W_i as printed in the paper, or ∫|H|^p dA
+ * @property {number} energyNormalised  W/2, or ∫|H|^p dA over that of the sphere of the same area
  * @property {number} objectiveBefore   what this step had to decrease, before …
  * @property {number} objective         … and after
  * @property {number} gradientNorm
@@ -94,16 +130,23 @@
  * @property {number} rejected          trial steps refused before this one
  * @property {number} iterations        inner iterations (linear or Newton)
  * @property {number} milliseconds
- * @property {number} tau               dt / h²
+ * @property {number} tau               dt/h², or dt/L^(p+2)
  * @property {number} epsilon
  * @property {number} negativePivots
  * @property {number} skippedAngles     angles whose gradient is undefined and was left out
  * @property {number} flippedFaces      faces that folded over in this step, against their neighbours
  * @property {number} maxDisplacement   from the start, in mean edge lengths
+ * @property {Multipliers} [multipliers]  where area or volume is kept
+ * @property {number} [reducedVolume]   6√π V/A^(3/2), 1 for a sphere; p-Willmore only
  * @property {number} assembleMilliseconds
  * @property {number} factorMilliseconds
  * @property {number} solveMilliseconds
  * @property {string[]} warnings
+ */
+
+/**
+ * Lagrange multipliers per energy ∫|H|^p dA.
+ * @typedef {{ tension: number | null, pressure: number | null }} Multipliers
  */
 
 /**
@@ -113,8 +156,8 @@
  * @property {number} time
  * @property {Status} status
  * @property {string} message         the reason, a sentence
- * @property {number} energy          W = Σ W_i
- * @property {number} energyNormalised  W / 2
+ * @property {number} energy          the flow's own, as in `StepReport`
+ * @property {number} energyNormalised
  * @property {number} dt
  * @property {number} tau
  * @property {number} area
@@ -122,6 +165,8 @@
  * @property {number} minAngleDegrees
  * @property {number} gradientNorm
  * @property {number} milliseconds    of the last step
+ * @property {Multipliers | null} multipliers
+ * @property {number | null} reducedVolume
  * @property {boolean} canStepBack
  */
 
@@ -165,6 +210,7 @@
  * | `run`       | `run`, `until: number | null` | `true`, at once; pauses by itself at step `until` |
  * | `pause`     |                               | `State`, after the current step |
  * | `step`      | `run`                         | `StepReport \| null`: null when there was none to take |
+ * | `regularise` | `options: RegulariseOptions`, `run` | `Regularised`       |
  * | `back`      | `run`                         | `State`                     |
  * | `reset`     | `run`                         | `State`                     |
  * | `colour`    | `field: FieldName`            | `Field \| null`             |

@@ -2,7 +2,7 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Configured, Fault, Field, FieldName, FlowOptions, Frame, Loaded, State, StepReport, Stopped } from "./protocol.js" */
+/** @import { Configured, Fault, Field, FieldName, FlowOptions, Frame, Loaded, RegulariseOptions, Regularised, State, StepReport, Stopped } from "./protocol.js" */
 
 /**
  * @typedef {object} Listener
@@ -110,9 +110,12 @@ export function createSolver(listener) {
     return ask(type, { ...fields, run });
   }
 
-  worker = start();
   return {
     dismiss,
+    /** Starts the worker, if nothing has been asked of it yet. */
+    begin() {
+      worker ??= start();
+    },
     /** @param {string} name @param {ArrayBuffer} bytes  kept, so that a lost worker can be replaced */
     load: (name, bytes) => make("load", { name, bytes }),
     /** @param {string} name @param {Record<string, number>} parameters */
@@ -135,6 +138,8 @@ export function createSolver(listener) {
     pause: () => ask("pause"),
     /** @returns {Promise<StepReport | null>} */
     step: () => move("step"),
+    /** @param {RegulariseOptions} wanted @returns {Promise<Regularised>} */
+    regularise: (wanted) => move("regularise", { options: wanted }),
     /** @returns {Promise<State>} */
     back: () => move("back"),
     /** @returns {Promise<State>} */

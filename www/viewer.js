@@ -6,7 +6,7 @@
 import { listenForGestures } from "./gestures.js";
 
 /**
- * @typedef {import("./protocol.js").Loaded} Loaded
+ * @typedef {Pick<import("./protocol.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
  * @typedef {import("./protocol.js").Field} Field
  * @typedef {import("./protocol.js").Fault} Fault
  * @typedef {import("./pkg/viewer/viewer.js").Viewer} WasmViewer
@@ -54,6 +54,17 @@ export async function createViewer(canvas, options = {}) {
   return view;
 }
 
+/**
+ * The subdivided icosahedron without the solver, for the first picture.
+ * @param {number} level
+ * @returns {Promise<Drawable>}
+ */
+export async function icosahedron(level) {
+  const module = await loadModule();
+  const none = new Uint32Array();
+  return { ...module.icosahedron(level), wireEdges: none, boundaryEdges: none };
+}
+
 class SurfaceView {
   #canvas;
   #options;
@@ -69,7 +80,7 @@ class SurfaceView {
   #lastLoss = Number.NEGATIVE_INFINITY;
 
   // What is on screen, kept so that it can be put there again.
-  /** @type {Loaded | null} */
+  /** @type {Drawable | null} */
   #mesh = null;
   /** @type {Shown | null} */
   #shown = null;
@@ -101,7 +112,7 @@ class SurfaceView {
 
   /**
    * Shows another mesh from the standard direction, without field and marks.
-   * @param {Loaded} loaded
+   * @param {Drawable} loaded
    */
   setMesh(loaded) {
     // First the viewer, which throws where it refuses, then the memory of it.
@@ -222,6 +233,11 @@ class SurfaceView {
     this.#viewer = null;
   }
 
+  /** Resolves when what has been asked for is on the canvas. */
+  drawn() {
+    return new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+  }
+
   async #openDevice() {
     const { Viewer } = await loadModule();
     this.#canvas.width = this.#size.width;
@@ -273,7 +289,7 @@ class SurfaceView {
     this.#viewer?.setStyle({ ...this.#style, lineWidth: lineWidth * pixels });
   }
 
-  /** @param {Loaded} mesh */
+  /** @param {Drawable} mesh */
   #putMesh({ positions, triangles, wireEdges, boundaryEdges }) {
     this.#viewer?.setMesh(positions, triangles, wireEdges, boundaryEdges);
   }

@@ -122,6 +122,7 @@ const actions = {
       if (report) untold.push(report);
       return report;
     }),
+  regularise: (request) => moved(request.run, () => session.regularise(request.options)),
   back: (request) => moved(request.run, () => session.back()),
   reset: (request) => moved(request.run, () => session.reset()),
   colour(request) {

@@ -12,6 +12,7 @@ pub mod element;
 pub mod error;
 pub mod noise;
 mod orient;
+mod outline;
 mod repair;
 pub mod shape;
 mod sides;

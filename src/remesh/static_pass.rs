@@ -6,7 +6,7 @@ use crate::geometry::{measure, nearest};
 use crate::linalg::LinalgError;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
 /// Tried one after the other until a pass does no harm: diag(K) times this is added …
@@ -14,8 +14,9 @@ const DAMPINGS: [f64; 4] = [0.0, 0.1, 1.0, 10.0];
 /// … and then this share of the displacement taken.
 const SHARES: [f64; 3] = [1.0, 0.5, 0.25];
 
-/// How a mesh at rest is regularised.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// How a mesh at rest is regularised. Unknown names are refused.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct Settings {
     /// Linear or nonlinear.
     pub mode: Mode,

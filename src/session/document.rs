@@ -146,21 +146,4 @@ impl Document {
     pub(super) fn soup(&self, x: &[DVec3]) -> PolygonSoup {
         self.polygons.to_soup(&self.frame.leave(x))
     }
-
-    /// Corner indices of the triangles.
-    pub(super) fn triangle_indices(&self) -> Vec<u32> {
-        let mesh = &self.triangles;
-        mesh.faces()
-            .flat_map(|f| mesh.triangle(f).map(|v| v.0))
-            .collect()
-    }
-
-    /// Ends of the file's own edges, or of those on the boundary only.
-    pub(super) fn edge_indices(&self, boundary_only: bool) -> Vec<u32> {
-        let mesh = &self.polygons;
-        mesh.edges()
-            .filter(|&e| !boundary_only || mesh.is_boundary_edge(e))
-            .flat_map(|e| mesh.ends(e).map(|v| v.0))
-            .collect()
-    }
 }

@@ -11,6 +11,7 @@ mod readings;
 mod work;
 
 pub use crate::flow::Progress;
+pub use crate::remesh::static_pass::Settings as RegulariseOptions;
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use readings::{EnergyReadings, Info, State};
@@ -20,6 +21,7 @@ use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
 use crate::io::Format;
 use crate::mesh::shape;
+use crate::remesh::static_pass::Outcome;
 use document::Document;
 use glam::DVec3;
 use work::Work;
@@ -100,9 +102,9 @@ impl Session {
             name: document.name.clone(),
             info: document.info(&x),
             positions: as_f32(&x),
-            triangles: document.triangle_indices(),
-            wire_edges: document.edge_indices(false),
-            boundary_edges: document.edge_indices(true),
+            triangles: document.triangles.triangle_indices(),
+            wire_edges: document.polygons.edge_indices(false),
+            boundary_edges: document.polygons.edge_indices(true),
             triangles_only: document.polygons.is_triangular(),
             fixed: document.fixed.clone(),
             free: document.free.clone(),
@@ -151,6 +153,14 @@ impl Session {
             }
         }
         Ok(limit)
+    }
+
+    /// Conformal regularisation of the mesh as it is now; a step back undoes it.
+    ///
+    /// # Errors
+    /// Open and one-sided surfaces; the mesh stays as it was.
+    pub fn regularise(&mut self, settings: &RegulariseOptions) -> Result<Outcome, Fault> {
+        self.ensure_configured()?.regularise(settings)
     }
 
     /// Goes one step back, if an earlier state is stored.

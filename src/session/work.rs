@@ -6,8 +6,11 @@ use super::history::{History, Moment};
 use super::readings::State;
 use crate::flow::options::FlowOptions;
 use crate::flow::stop::Verdict;
-use crate::flow::{self, Flow, Progress, Status, StepReport};
+use crate::flow::{self, Flow, FlowError, Progress, Status, StepReport, p_willmore};
 use crate::geometry::measure;
+use crate::operator::Elements;
+use crate::remesh::Regulariser;
+use crate::remesh::static_pass::{self, Outcome, Settings};
 use glam::DVec3;
 use serde::Serialize;
 
@@ -101,6 +104,40 @@ impl Work {
             self.state.can_step_back = !self.history.is_empty();
         }
         self.state.clone()
+    }
+
+    /// Regularises the mesh as it is now, as a move that a step back undoes.
+    pub(super) fn regularise(&mut self, settings: &Settings) -> Result<Outcome, Fault> {
+        let Some(flow) = &mut self.flow else {
+            return Err(Fault::no_mesh());
+        };
+        let document = &self.document;
+        p_willmore::check_mesh(&document.polygons)?;
+        let (mesh, elements) = match Elements::of(&document.polygons) {
+            Some(elements) => (&document.polygons, elements),
+            None => {
+                let elements = Elements::of(&document.triangles).ok_or(FlowError::MixedFaces)?;
+                (&document.triangles, elements)
+            }
+        };
+        let mut regulariser = Regulariser::new(elements, &self.x).map_err(FlowError::from)?;
+        let mut y = self.x.clone();
+        let outcome = static_pass::regularise(&mut regulariser, mesh, &mut y, settings)
+            .map_err(FlowError::from)?;
+        self.history.push(Moment {
+            x: std::mem::replace(&mut self.x, y),
+            pace: flow.pace(),
+            state: self.state.clone(),
+            n_reports: self.reports.len(),
+        });
+        // What the flow knows of the old positions no longer holds.
+        let pace = flow.pace();
+        flow.set_pace(pace);
+        flow.extend_budget();
+        self.state.status = Status::Ready;
+        self.state.message.clear();
+        self.read_state();
+        Ok(outcome)
     }
 
     pub(super) fn restore(

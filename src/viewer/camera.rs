@@ -21,8 +21,15 @@ use glam::{Mat4, Quat, Vec2, Vec3};
 const TAN_HALF_FIELD: f32 = 0.25;
 /// Air around a fitted bounding sphere.
 const FIT_MARGIN: f32 = 1.005;
+/// How far a followed surface may grow over the picture before the camera goes back.
+const TOLERATED: f32 = 1.03;
 /// Distances allowed, in radii of what is looked at.
 const DISTANCE_RANGE: (f32, f32) = (0.02, 40.0);
+
+/// Sine of half the field of view.
+fn sine_half_field() -> f32 {
+    TAN_HALF_FIELD / TAN_HALF_FIELD.hypot(1.0)
+}
 
 /// A ball containing every finite point of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +80,8 @@ pub struct Camera {
     viewport: Vec2,
     /// What the clip planes must enclose.
     bounds: Sphere,
+    /// Whether nobody has chosen what part is seen: a surface that grows is then followed.
+    follows: bool,
 }
 
 impl Default for Camera {
@@ -87,6 +96,7 @@ impl Default for Camera {
                 center: Vec3::ZERO,
                 radius: 1.0,
             },
+            follows: true,
         };
         camera.home();
         camera
@@ -102,18 +112,23 @@ impl Camera {
         self.viewport = Vec2::new(width.max(1) as f32, height.max(1) as f32);
     }
 
-    /// Tells what the surface occupies now. Moves the clip planes, not the camera: a
-    /// picture must not jump because the surface flows.
+    /// Tells what the surface occupies now. Moves the clip planes, and the camera only
+    /// where a surface that was fitted would grow out of the picture: it must not jump
+    /// because the surface flows.
     pub fn set_bounds(&mut self, bounds: Sphere) {
         self.bounds = bounds;
+        let reach = self.target.distance(bounds.center) + bounds.radius;
+        if self.follows && FIT_MARGIN * reach > self.distance * sine_half_field() * TOLERATED {
+            self.fit();
+        }
     }
 
     /// Centres the bounding sphere and makes it fill the picture, from where the camera
     /// stands now.
     pub fn fit(&mut self) {
-        let sine_half_field = TAN_HALF_FIELD / TAN_HALF_FIELD.hypot(1.0);
         self.target = self.bounds.center;
-        self.distance = FIT_MARGIN * self.bounds.radius / sine_half_field;
+        self.distance = FIT_MARGIN * self.bounds.radius / sine_half_field();
+        self.follows = true;
     }
 
     /// Fits from the standard direction: a little from the right and from above, y up.
@@ -144,6 +159,7 @@ impl Camera {
     /// Moves the surface with a pointer that moved by `(dx, dy)` pixels (y down).
     pub fn pan(&mut self, dx: f32, dy: f32) {
         self.target -= self.world_from_view * self.view_offset(Vec2::new(dx, dy));
+        self.follows = false;
     }
 
     /// Comes closer by `factor` (below 1: goes away) while the point of the target's
@@ -159,6 +175,7 @@ impl Camera {
         let shift = cursor * (1.0 - distance / self.distance);
         self.target += self.world_from_view * shift;
         self.distance = distance;
+        self.follows = false;
     }
 
     /// Rigid motion into view space.
@@ -236,6 +253,7 @@ impl Camera {
             self.distance = distance;
             self.world_from_view = rotation.normalize();
             self.up = up.normalize();
+            self.follows = false;
         }
         proper
     }
@@ -401,8 +419,31 @@ mod tests {
     }
 
     #[test]
-    fn new_bounds_move_the_clip_planes_but_not_the_picture() {
+    fn a_fitted_surface_that_grows_is_followed_from_the_same_direction() {
         let mut camera = looking_at(Vec3::ZERO, 1.0, SIZES[0]);
+        camera.orbit(40.0, -25.0);
+        let (backward, distance) = (camera.backward(), camera.distance);
+        let ball = |x: f32, radius: f32| Sphere {
+            center: Vec3::new(x, 0.0, 0.0),
+            radius,
+        };
+        for kept in [ball(0.0, 0.4), ball(0.3, 0.7), ball(0.0, 1.02)] {
+            camera.set_bounds(kept);
+            assert_eq!(camera.distance, distance);
+        }
+        camera.set_bounds(ball(0.2, 2.0));
+        assert!((camera.distance / distance - 2.0).abs() < 1e-5);
+        assert!(camera.backward().distance(backward) < 1e-6 && camera.target.x == 0.2);
+        camera.zoom(1.5, 10.0, 10.0);
+        let chosen = camera.distance;
+        camera.set_bounds(ball(0.0, 9.0));
+        assert_eq!(camera.distance, chosen);
+    }
+
+    #[test]
+    fn new_bounds_move_the_clip_planes_but_not_a_picture_that_was_chosen() {
+        let mut camera = looking_at(Vec3::ZERO, 1.0, SIZES[0]);
+        camera.pan(0.0, 0.0);
         let (point, eye) = (Vec3::new(0.3, 0.1, 0.2), camera.eye());
         let before = pixel(&camera, point);
         camera.set_bounds(Sphere {

@@ -7,7 +7,7 @@ use crate::energy::circle::Boundary;
 use crate::flow::options::FlowOptions;
 use crate::io::Format;
 use crate::mesh::shape;
-use crate::session::{Fault, Field, Loaded, Session as Inner};
+use crate::session::{Fault, Field, Loaded, RegulariseOptions, Session as Inner};
 use js_sys::{Float32Array, Function, Uint8Array, Uint32Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -198,6 +198,16 @@ impl Session {
     /// Numerical failures; positions stay those before the step.
     pub fn step(&mut self) -> Result<JsValue, JsValue> {
         Ok(to_js(&self.0.step()?))
+    }
+
+    /// Conformal regularisation of the surface as it is now: `Regularised`. `options` is
+    /// `{ mode?, epsilon?, iterations?, features? }`.
+    ///
+    /// # Errors
+    /// Open and one-sided surfaces.
+    pub fn regularise(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
+        let options: RegulariseOptions = from_js(options)?;
+        Ok(to_js(&self.0.regularise(&options)?))
     }
 
     /// One step back: `State`.

@@ -1,11 +1,13 @@
 //! JavaScript class `Viewer`: see the methods for what `www/viewer.js` may call.
 
-use js_sys::{Function, Promise, Reflect, Uint8Array};
+use js_sys::{Float32Array, Function, Promise, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{future_to_promise, spawn_local};
 use web_sys::HtmlCanvasElement;
 
 use super::fault::{fault, object};
+use crate::mesh::shape::platonic;
+use crate::mesh::subdivide::linear_levels;
 use crate::viewer::colour::{Theme, colour_bar};
 use crate::viewer::error::ViewerError;
 use crate::viewer::gpu;
@@ -35,6 +37,30 @@ impl From<ViewerError> for JsValue {
     fn from(error: ViewerError) -> Self {
         fault(error.kind(), &error.to_string(), &error.hint())
     }
+}
+
+/// The icosahedron subdivided linearly, the page's first sample, for a picture before the
+/// solver is there: `{ positions, triangles }` as in the solver's `Loaded`. All shapes here
+/// would add a third to what the first picture waits for.
+///
+/// # Errors
+/// None with levels up to 8.
+#[wasm_bindgen]
+pub fn icosahedron(level: usize) -> Result<JsValue, JsValue> {
+    let soup = linear_levels(platonic::icosahedron(), level)
+        .map_err(|error| fault(error.kind(), &error.to_string(), &error.hint()))?;
+    let positions: Vec<f32> = soup
+        .positions
+        .iter()
+        .flat_map(|p| p.as_vec3().to_array())
+        .collect();
+    Ok(object(&[
+        ("positions", Float32Array::from(positions.as_slice()).into()),
+        (
+            "triangles",
+            Uint32Array::from(soup.corners.as_slice()).into(),
+        ),
+    ]))
 }
 
 /// One surface on one canvas. Every method that takes an array copies it; those that

@@ -29,6 +29,8 @@ const reading = (change) => ({
   gradientNorm: 1,
   milliseconds: 0,
   canStepBack: false,
+  multipliers: null,
+  reducedVolume: null,
   ...change,
 });
 

@@ -3,6 +3,7 @@
 
 import { Failure, orExit, usage } from "./failure.js";
 import { number, parse } from "./options.js";
+import { memoryBytes } from "./solver.js";
 import { table } from "./text.js";
 
 /** @typedef {import("./solver.js").Session} Session */
@@ -15,7 +16,7 @@ import { table } from "./text.js";
  * @property {(session: Session, limits: Limits) => Generator<Row>} rows
  */
 /** @typedef {{ maxVertices: number, steps: number }} Limits */
-/** @typedef {Record<string, number>} Row */
+/** @typedef {Record<string, number | string | null>} Row */
 
 /** @type {Record<string, Bench>} */
 const tables = {
@@ -24,6 +25,17 @@ const tables = {
       "One step of the circle-angle flow on a torus, and one trial of a step, in milliseconds (medians)",
     columns: ["vertices", "faces", "assemble", "factor", "solve", "step", "trial", "rejected"],
     rows: circleRows,
+  },
+  "p-willmore": {
+    title:
+      "p-Willmore flow, p = 2, on a torus: a step with area and volume kept and nonlinear\n" +
+      "regularisation, or one pass of regularisation alone; milliseconds (medians of steps),\n" +
+      "and those of table 1 of the paper, measured on another machine",
+    columns: [
+      ...["case", "faces", "first", "step", "assemble", "factor", "solve", "rejected"],
+      ...["megabytes", "paper"],
+    ],
+    rows: pWillmoreRows,
   },
 };
 
@@ -69,8 +81,10 @@ function names() {
   return Object.keys(tables).join(", ");
 }
 
-/** @param {number} value */
+/** @param {number | string | null} value */
 function cell(value) {
+  if (value === null) return "–";
+  if (typeof value === "string") return value;
   return Number.isInteger(value) ? String(value) : value.toFixed(1);
 }
 
@@ -102,6 +116,58 @@ function* circleRows(session, { maxVertices, steps }) {
     };
   }
 }
+
+/** The paper's sizes as tori, and its seconds a step. */
+const steppingCases = [
+  { around: 92, tube: 50, paper: 16_600 },
+  { around: 100, tube: 86, paper: 27_500 },
+  { around: 500, tube: 346, paper: 707_000 },
+];
+const restingCase = { around: 150, tube: 115, paper: { linear: 2100, nonlinear: 4300 } };
+
+/**
+ * @param {Session} session
+ * @param {Limits} limits
+ * @returns {Generator<Row>}
+ */
+function* pWillmoreRows(session, { maxVertices, steps }) {
+  const megabytes = () => Math.round(memoryBytes() / 1e6);
+  const torus = (/** @type {number} */ around, /** @type {number} */ tube) =>
+    session.sample("torus", { around, tube }).info.faces;
+  const { around, tube } = restingCase;
+  if (around * tube <= maxVertices) {
+    for (const mode of /** @type {const} */ (["linear", "nonlinear"])) {
+      const faces = torus(around, tube);
+      const start = performance.now();
+      orExit(4, () => session.regularise({ mode, iterations: 1, features: 0 }));
+      const first = performance.now() - start;
+      const paper = restingCase.paper[mode];
+      yield { ...blank, case: `regularise, ${mode}`, faces, first, megabytes: megabytes(), paper };
+    }
+  }
+  for (const { around, tube, paper } of steppingCases) {
+    if (around * tube > maxVertices) continue;
+    const faces = torus(around, tube);
+    const maxSteps = steps + 1;
+    session.configure({ flow: "p-willmore", keep: ["area", "volume"], maxSteps });
+    const first = oneStep(session).milliseconds;
+    const reports = Array.from({ length: steps }, () => oneStep(session));
+    yield {
+      case: "step",
+      faces,
+      first,
+      step: median(reports.map((report) => report.milliseconds)),
+      assemble: median(reports.map((report) => report.assembleMilliseconds)),
+      factor: median(reports.map((report) => report.factorMilliseconds)),
+      solve: median(reports.map((report) => report.solveMilliseconds)),
+      rejected: reports.reduce((sum, report) => sum + report.rejected, 0),
+      megabytes: megabytes(),
+      paper,
+    };
+  }
+}
+
+const blank = { step: null, assemble: null, factor: null, solve: null, rejected: null };
 
 /** @param {Session} session @returns {StepReport} */
 function oneStep(session) {

@@ -5,6 +5,7 @@ import { bench } from "./bench.js";
 import { energy } from "./energy.js";
 import { flow } from "./flow.js";
 import { info } from "./info.js";
+import { regularise } from "./regularise.js";
 import { shape } from "./shape.js";
 
 /** @typedef {import("./solver.js").Session} Session */
@@ -24,10 +25,10 @@ import { shape } from "./shape.js";
  */
 
 /** @type {Record<string, Command>} */
-export const commands = { info, energy, flow, shape, bench };
+export const commands = { info, energy, flow, regularise, shape, bench };
 
 /** Named by the design, in a coming version. */
-export const laterCommands = ["flips", "regularise", "fill"];
+export const laterCommands = ["flips", "fill"];
 
 /** @returns {string} */
 export function overview() {

@@ -12,7 +12,8 @@ import { entries, format, table } from "./text.js";
 /** @typedef {import("./options.js").Values} Values */
 /** @typedef {import("./solver.js").Session} Session */
 
-const laterFlows = ["p-willmore", "mean-curvature", "surface-diffusion", "willmore", "mmcv"];
+const flows = ["circle", "p-willmore"];
+const laterFlows = ["mean-curvature", "surface-diffusion", "willmore", "mmcv"];
 
 /** More steps than any flow that converges has been seen to need. */
 const untilConvergedSteps = 10_000;
@@ -22,7 +23,10 @@ const syntax = {
   summary: "runs a flow on a mesh",
   operands: ["MESH"],
   options: {
-    flow: { value: "circle", help: "which flow (default circle: the circle-angle Willmore flow)" },
+    flow: {
+      value: flows.join("|"),
+      help: "which flow (default circle: the circle-angle Willmore flow)",
+    },
     scheme: {
       value: "SCHEME",
       choices: ["auto", "paper"],
@@ -36,7 +40,22 @@ const syntax = {
     steps: { value: "N", help: "at most so many steps" },
     "until-converged": { help: `until it converges (at most ${untilConvergedSteps} steps)` },
     dt: { value: "auto|VALUE", help: "step size, in squared lengths of the mesh" },
-    tau: { value: "VALUE", help: "step size in squared mean edge lengths" },
+    tau: {
+      value: "VALUE",
+      help: "step size without a unit: in squared mean edge lengths; p-willmore: in (A/4π)^(p/2+1)",
+    },
+    p: { value: "P", help: "p-willmore: the exponent, 0 or from 1 (default 2)" },
+    keep: { value: "area,volume", help: "p-willmore: what is kept, one or both" },
+    regularise: {
+      value: "MODE",
+      choices: ["off", "linear", "nonlinear"],
+      help: "p-willmore: conformal regularisation after each step (default nonlinear)",
+    },
+    "regularise-epsilon": { value: "VALUE", help: "p-willmore: its ε (default 0.01)" },
+    "reduced-volume": { value: "V", help: "p-willmore: leads the volume there; both are kept" },
+    "spontaneous-curvature": { value: "H0", help: "p-willmore, p = 2: times √(A/4π)" },
+    tension: { value: "VALUE", help: "p-willmore, p = 2: times A/4π" },
+    pressure: { value: "VALUE", help: "p-willmore, p = 2: times (A/4π)^(3/2)" },
     goal: {
       value: "GOAL",
       choices: ["relax", "smooth"],
@@ -58,7 +77,6 @@ const syntax = {
     history: { value: "FILE.csv", help: "the readings of every step, as a table" },
     report: { value: "FILE.json", help: "the report that --json prints" },
   },
-  later: ["p", "keep", "regularise"],
 };
 
 /** @type {import("./commands.js").Command} */
@@ -74,7 +92,8 @@ export const flow = {
     const session = await open();
     orExit(3, () => session.load(bytes, name));
     orExit(3, () => session.configure(options));
-    const energyOptions = { p: [], ...(options.boundary && { boundary: options.boundary }) };
+    const powers = options.p === undefined ? [] : [options.p];
+    const energyOptions = { p: powers, ...(options.boundary && { boundary: options.boundary }) };
     const initial = orExit(3, () => session.energy(energyOptions));
     const { status, message, steps, fault } = runSteps(session, options.maxSteps, (step) =>
       io.log(stepLine(step)),
@@ -103,7 +122,10 @@ export const flow = {
 function flowOptions(values) {
   const flow = values.flow ?? "circle";
   if (laterFlows.includes(flow)) throw usage(`The flow \`${flow}\` is not in this version.`);
-  if (flow !== "circle") throw usage(`There is no flow \`${flow}\`.`, "This version has: circle.");
+  if (!flows.includes(flow)) {
+    throw usage(`There is no flow \`${flow}\`.`, `This version has: ${flows.join(", ")}.`);
+  }
+  onlyFor(flow, values);
 
   const smooth = values.goal === "smooth";
   if (values.detail !== undefined && !smooth) throw usage("--detail needs --goal smooth.");
@@ -133,10 +155,54 @@ function flowOptions(values) {
     free: values.free && readSelection(values.free, "free"),
     fixed: values.fixed && readSelection(values.fixed, "fixed"),
     maxSteps: steps ?? (values["until-converged"] ? untilConvergedSteps : undefined),
+    p: number(values, "p", { low: 0 }),
+    keep: keep(values),
+    regularise: values.regularise,
+    regulariseEpsilon: positive(values, "regularise-epsilon"),
+    reducedVolume: positive(values, "reduced-volume"),
+    spontaneousCurvature: number(values, "spontaneous-curvature"),
+    tension: number(values, "tension"),
+    pressure: number(values, "pressure"),
   };
   return /** @type {FlowOptions} */ (
     Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined))
   );
+}
+
+/** Options that only one flow has. @type {Record<string, string[]>} */
+const own = {
+  circle: [
+    ...["integrator", "goal", "detail", "mass", "epsilon", "sharpen", "prefill", "boundary"],
+    ...["free", "fixed"],
+  ],
+  "p-willmore": [
+    ...["p", "keep", "regularise", "regularise-epsilon", "reduced-volume"],
+    ...["spontaneous-curvature", "tension", "pressure"],
+  ],
+};
+
+/**
+ * An option that would change nothing is a mistake.
+ * @param {string} flow
+ * @param {Values} values
+ */
+function onlyFor(flow, values) {
+  for (const [name, options] of Object.entries(own)) {
+    const stray = name === flow ? undefined : options.find((option) => option in values);
+    if (stray) throw usage(`--${stray} is an option of --flow ${name}, not of ${flow}.`);
+  }
+}
+
+/** @param {Values} values @returns {string[] | undefined} */
+function keep(values) {
+  if (values.keep === undefined) {
+    return values["reduced-volume"] === undefined ? undefined : ["area", "volume"];
+  }
+  const names = values.keep.split(",");
+  const wrong = names.find((/** @type {string} */ name) => !["area", "volume"].includes(name));
+  if (wrong !== undefined)
+    throw usage(`--keep cannot be \`${values.keep}\`.`, "area, volume or area,volume.");
+  return names;
 }
 
 /**

@@ -9,6 +9,12 @@ import { Failure } from "./failure.js";
 const glue = new URL("../pkg/solver/solver.js", import.meta.url);
 const wasm = new URL("../pkg/solver/solver_bg.wasm", import.meta.url);
 
+/** @type {WebAssembly.Memory | null} */
+let memory = null;
+
+/** Bytes of the solver's memory: it never shrinks, so this is the most there was. */
+export const memoryBytes = () => memory?.buffer.byteLength ?? 0;
+
 /**
  * @returns {Promise<Session>}
  * @throws {Failure} when the solver has not been built
@@ -19,7 +25,7 @@ export async function openSession() {
     throw new Failure(2, "NotBuilt", "The solver has not been built yet.", hint);
   }
   const solver = await import(glue.href);
-  solver.initSync({ module: readFileSync(wasm) });
+  memory = solver.initSync({ module: readFileSync(wasm) }).memory;
   return new solver.Session();
 }
 

@@ -29,7 +29,13 @@ export function createChoices(controller) {
 
   sample.addEventListener("change", () => controller.sample(sample.value));
   flow.addEventListener("change", () =>
-    controller.configure({ flow: /** @type {Options["flow"]} */ (flow.value) }),
+    // A step size of the one flow means nothing to the other.
+    controller.configure({
+      flow: /** @type {Options["flow"]} */ (flow.value),
+      dt: null,
+      tau: null,
+      goal: "relax",
+    }),
   );
   boundary.addEventListener("change", () =>
     controller.configure({ boundary: /** @type {Options["boundary"]} */ (boundary.value) }),
@@ -58,6 +64,8 @@ export function createChoices(controller) {
         options = state.options;
         flow.value = options.flow;
         boundary.value = options.boundary;
+        // The p-Willmore flow is for closed surfaces.
+        byId("boundary-field", HTMLElement).hidden = options.flow !== "circle";
       }
       if (colour.value !== state.colour && state.phase !== "loading") colour.value = state.colour;
     },

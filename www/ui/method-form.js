@@ -1,5 +1,5 @@
 // @ts-check
-// Goal and method: every option of the flow but those with a select of their own.
+// Goal and method: every option of the flow but those with a place of their own.
 
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
@@ -8,6 +8,7 @@
 import { defaults, smoothingTau } from "../options.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
+import { chosen, show } from "./option-form.js";
 
 /** @param {Controller} controller */
 export function createMethodForm(controller) {
@@ -20,11 +21,12 @@ export function createMethodForm(controller) {
   const tauValue = byId("tau-value", HTMLOutputElement);
   const note = byId("step-note", HTMLElement);
 
-  /** Mean edge length at the start; 0 until a mesh is there. */
+  /** Mean edge length at the start, and dt/τ; 0 until a mesh is there. */
   let h = 0;
+  let unit = 0;
 
   /** What the sliders say, while they move and after. @param {Options} options @param {number} [used] τ in force */
-  function describe({ goal }, used) {
+  function describe({ flow, goal }, used) {
     const wanted =
       goal === "smooth"
         ? smoothingTau(detail.valueAsNumber, count.valueAsNumber || 1)
@@ -33,17 +35,10 @@ export function createMethodForm(controller) {
     setText(detailValue, `L = ${detail.valueAsNumber.toFixed(1)} mean edge lengths = ${length}`);
     setText(tauValue, `τ = ${formatNumber(wanted, 3)}`);
     const value = used ?? wanted;
-    const numbers = `τ = dt/h² = ${formatNumber(value, 3)}, dt = ${formatNumber(value * h * h, 3)}`;
+    const ratio = flow === "circle" ? "dt/h²" : "dt/L^(p+2)";
+    const numbers = `τ = ${ratio} = ${formatNumber(value, 3)}, dt = ${formatNumber(value * unit, 3)}`;
     const first = goal === "relax" && tauAuto.checked;
     setText(note, first ? `First time step: ${numbers}` : numbers);
-  }
-
-  /** @param {string} name @returns {any} the value of a control that was changed */
-  function chosen(name) {
-    const control = form.elements.namedItem(name);
-    if (control instanceof HTMLInputElement && control.type === "checkbox") return control.checked;
-    if (control instanceof HTMLInputElement) return control.valueAsNumber;
-    return /** @type {RadioNodeList | HTMLSelectElement} */ (control)?.value;
   }
 
   form.addEventListener("input", () => describe(shown));
@@ -52,35 +47,24 @@ export function createMethodForm(controller) {
     if (!control.reportValidity()) return;
     if (control === tau || control === tauAuto) {
       controller.configure({ tau: tauAuto.checked ? null : 10 ** tau.valueAsNumber, dt: null });
-    } else controller.configure({ [control.name]: chosen(control.name) });
+    } else controller.configure({ [control.name]: chosen(form, control.name) });
   });
   form.addEventListener("submit", (event) => event.preventDefault());
   byId("recommended", HTMLButtonElement).addEventListener("click", () => {
-    const { flow, boundary, free, fixed } = shown;
-    controller.configure({ ...defaults, flow, boundary, free, fixed });
+    const { flow, boundary, free, fixed, p, keep } = shown;
+    controller.configure({ ...defaults, flow, boundary, free, fixed, p, keep });
   });
 
   /** @param {Options} options */
   function fill(options) {
-    /** @type {Record<string, unknown>} */
-    const values = { ...options };
-    for (const control of form.elements) {
-      if (control instanceof HTMLInputElement && control.name in values) {
-        const value = values[control.name];
-        if (control.type === "radio") control.checked = control.value === value;
-        else if (control.type === "checkbox") control.checked = value === true;
-        else control.value = String(value);
-      } else if (control instanceof HTMLSelectElement) control.value = String(values[control.name]);
-    }
+    show(form, options);
+    // Steps of a fourth-order flow are small next to L⁴, those of the circle flow are not
+    // next to h².
+    const range = options.flow === "circle" ? [-4, 1.5] : [-8, 2];
+    [tau.min, tau.max] = range.map(String);
     tauAuto.checked = options.tau === null;
     if (options.tau !== null) tau.value = String(Math.log10(options.tau));
-    form.dataset.goal = options.goal;
-    form.dataset.manual = String(options.tau !== null);
-    for (const part of form.querySelectorAll("[data-goal]")) {
-      const belongs = /** @type {HTMLElement} */ (part).dataset.goal === options.goal;
-      const manual = part.hasAttribute("data-manual") && options.tau === null;
-      /** @type {HTMLElement} */ (part).hidden = !belongs || manual;
-    }
+    if (options.tau === null) byId("tau-field", HTMLElement).hidden = true;
   }
 
   /** @type {Options} */
@@ -95,6 +79,7 @@ export function createMethodForm(controller) {
       shown = state.options;
       configured = state.configured;
       h = configured?.meanEdgeLength ?? 0;
+      unit = configured ? configured.dt / configured.tau : 0;
       fill(shown);
       describe(shown, configured?.tau);
     },

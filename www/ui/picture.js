@@ -97,11 +97,22 @@ export function createPicture(controller, state, samples) {
   }
 
   return {
-    async start() {
+    /**
+     * Opens the viewer. Never rejects.
+     * @param {number | null} level  of the subdivided icosahedron to show until the solver has
+     *   a mesh; null for nothing
+     */
+    async start(level) {
       try {
-        const { createViewer } = await import("../viewer.js");
-        viewer = await createViewer(canvas, { samples, onFault: showAbsence, onCamera });
+        const { createViewer, icosahedron } = await import("../viewer.js");
+        const [opened, shape] = await Promise.all([
+          createViewer(canvas, { samples, onFault: showAbsence, onCamera }),
+          level === null ? null : icosahedron(level),
+        ]);
+        viewer = opened;
+        if (shape) viewer.setMesh(shape);
         draw(state());
+        await viewer.drawn();
       } catch (error) {
         const fault = /** @type {Partial<Fault>} */ (error);
         const message = fault?.message ?? String(error);

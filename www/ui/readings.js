@@ -5,6 +5,7 @@
 
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
+import { showParts } from "./option-form.js";
 
 /** @param {Readonly<PageState>} state @returns {Record<string, string>} */
 function readingsOf({ reading, mesh }) {
@@ -23,15 +24,23 @@ function readingsOf({ reading, mesh }) {
     time: formatNumber(reading.time),
     dt: `${formatNumber(reading.dt, 4)} (τ = ${formatNumber(reading.tau, 3)})`,
     area: formatNumber(reading.area, 6),
-    volume: reading.volume === null ? "none enclosed" : formatNumber(reading.volume, 6),
+    volume: volumeText(reading),
     angle: `${formatNumber(reading.minAngleDegrees, 4)}°`,
     milliseconds: reading.milliseconds > 0 ? formatNumber(reading.milliseconds, 3) : "–",
   };
 }
 
+/** @param {NonNullable<PageState["reading"]>} reading */
+function volumeText({ volume, reducedVolume }) {
+  if (volume === null) return "none enclosed";
+  const share = reducedVolume === null ? "" : ` (reduced ${formatNumber(reducedVolume, 4)})`;
+  return formatNumber(volume, 6) + share;
+}
+
 export function createReadings() {
   const energy = byId("energy", HTMLElement);
   const half = byId("energy-half", HTMLElement);
+  const section = byId("energy-section", HTMLElement);
   /** @type {NodeListOf<HTMLElement>} */
   const cells = byId("readings", HTMLTableElement).querySelectorAll("[data-reading]");
 
@@ -39,9 +48,15 @@ export function createReadings() {
   let shown = null;
   /** @type {PageState["mesh"]} */
   let mesh = null;
+  /** @type {PageState["options"] | null} */
+  let options = null;
   return {
     /** @param {Readonly<PageState>} state */
     update(state) {
+      if (state.options !== options) {
+        options = state.options;
+        showParts(section, options);
+      }
       if (state.reading === shown && state.mesh === mesh) return;
       shown = state.reading;
       mesh = state.mesh;

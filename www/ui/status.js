@@ -21,6 +21,8 @@ const stages = {
   assemble: "Assembling",
   factor: "Factorising",
   newton: "Newton iterations",
+  project: "Keeping area and volume",
+  regularise: "Regularising the mesh",
   finish: "Measuring the surface",
 };
 

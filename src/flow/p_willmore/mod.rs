@@ -319,8 +319,11 @@ fn ball_volume(area: f64) -> f64 {
     area.powf(1.5) / (6.0 * PI.sqrt())
 }
 
-/// The flow's preconditions on a mesh.
-fn check_mesh(mesh: &HalfedgeMesh) -> Result<(), FlowError> {
+/// The preconditions on a mesh, of the flow and of conformal regularisation.
+///
+/// # Errors
+/// [`FlowError::NotClosed`], [`FlowError::NotOriented`].
+pub fn check_mesh(mesh: &HalfedgeMesh) -> Result<(), FlowError> {
     if !mesh.is_closed() {
         return Err(FlowError::NotClosed {
             loops: mesh.n_boundary_loops(),

@@ -1,0 +1,62 @@
+// @ts-check
+// `umbilic regularise`: conformal regularisation of a mesh at rest.
+
+import { orExit } from "./failure.js";
+import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
+import { number, parse } from "./options.js";
+import { entries, format, table } from "./text.js";
+
+/** @typedef {import("../protocol.js").Regularised} Regularised */
+
+/** @type {import("./options.js").Syntax} */
+const syntax = {
+  summary: "slides vertices along a closed surface towards a conformal mesh",
+  operands: ["MESH"],
+  options: {
+    mode: {
+      value: "MODE",
+      choices: ["linear", "nonlinear"],
+      help: "nonlinear (default) keeps the volume better",
+    },
+    epsilon: { value: "VALUE", help: "1e-3 is faithful, 1e-1 aggressive (default 0.01)" },
+    iterations: { value: "N", help: "passes at most (default 5)" },
+    features: { value: "VALUE", help: "how strongly sharp features stay (default 0.3; 0: not)" },
+    out: { value: "FILE", help: "the mesh at the end: .obj, .off, .ply, .stl or .glb" },
+  },
+};
+
+/** @type {import("./commands.js").Command} */
+export const regularise = {
+  syntax,
+  async run({ parameters, io, open }) {
+    const { operands, values } = parse(parameters, syntax);
+    const given = {
+      mode: values.mode,
+      epsilon: number(values, "epsilon", { low: Number.MIN_VALUE }),
+      iterations: number(values, "iterations", { low: 0, integer: true }),
+      features: number(values, "features", { low: 0 }),
+    };
+    checkOutputs([values.out]);
+    const outFormat = values.out && formatOf(values.out);
+    const { bytes, name } = readMesh(operands[0], io);
+    const session = await open();
+    orExit(3, () => session.load(bytes, name));
+    const options = Object.fromEntries(Object.entries(given).filter(([, v]) => v !== undefined));
+    const start = performance.now();
+    /** @type {Regularised} */
+    const outcome = orExit(4, () => session.regularise(options));
+    const milliseconds = performance.now() - start;
+    if (values.out) writeOutput(values.out, session.export(outFormat));
+    if (values.json) io.write(`${JSON.stringify({ ...outcome, milliseconds })}\n`);
+    else io.write(summary(outcome));
+    return 0;
+  },
+};
+
+/** @param {Regularised} outcome */
+function summary({ passes, before, after, distance }) {
+  const last = new Map(entries(after));
+  const rows = entries(before).map(([key, value]) => [key, format(value), format(last.get(key))]);
+  const share = `no vertex farther than ${format(100 * distance)} % of the size from the surface`;
+  return `${passes} passes, ${share}\n\n${table([["", "before", "after"], ...rows])}`;
+}

@@ -1,0 +1,75 @@
+// @ts-check
+// What is special to the p-Willmore flow: exponent, constraints, regularisation.
+
+/** @import { PageState } from "../state.js" */
+/** @import { Controller } from "../controller.js" */
+/** @import { Options } from "../options.js" */
+
+import { defaults } from "../options.js";
+import { byId, setText } from "./element.js";
+import { formatNumber } from "./number.js";
+import { chosen, show } from "./option-form.js";
+
+/** Where the deflation of a vesicle leads to, unless told otherwise: a biconcave disc. */
+const DISCOCYTE = 0.6;
+
+/** @param {Controller} controller */
+export function createPWillmoreForm(controller) {
+  const form = byId("p-willmore", HTMLFormElement);
+  const area = byId("keep-area", HTMLInputElement);
+  const volume = byId("keep-volume", HTMLInputElement);
+  const lead = byId("lead", HTMLInputElement);
+  const target = byId("reduced-volume", HTMLInputElement);
+  const forces = byId("forces", HTMLElement);
+
+  const kept = () => [
+    ...(area.checked ? /** @type {const} */ (["area"]) : []),
+    ...(volume.checked ? /** @type {const} */ (["volume"]) : []),
+  ];
+
+  form.addEventListener("change", (event) => {
+    const control = /** @type {HTMLInputElement | HTMLSelectElement} */ (event.target);
+    if (!control.reportValidity()) return;
+    if (control === area || control === volume) {
+      // Without both constraints there is nothing to lead.
+      const keep = kept();
+      controller.configure({ keep, ...(keep.length < 2 && { reducedVolume: null }) });
+    } else if (control === lead || control === target) {
+      const reducedVolume = lead.checked ? target.valueAsNumber : null;
+      controller.configure({ reducedVolume, ...(lead.checked && { keep: ["area", "volume"] }) });
+    } else controller.configure({ [control.name]: chosen(form, control.name) });
+  });
+  form.addEventListener("submit", (event) => event.preventDefault());
+  byId("regularise-now", HTMLButtonElement).addEventListener("click", () =>
+    controller.regularise(),
+  );
+
+  /** @param {PageState["reading"]} reading */
+  function describe(reading) {
+    const { tension = null, pressure = null } = reading?.multipliers ?? {};
+    const said = [
+      tension !== null && `tension ${formatNumber(tension, 4)}`,
+      pressure !== null && `pressure ${formatNumber(pressure, 4)}`,
+    ].filter(Boolean);
+    setText(forces, said.length > 0 ? `Lagrange multipliers: ${said.join(", ")}` : "");
+    forces.hidden = said.length === 0;
+  }
+
+  /** @type {Options} */
+  let shown = defaults;
+  show(form, shown);
+  return {
+    /** @param {Readonly<PageState>} state */
+    update({ options, reading }) {
+      describe(reading);
+      if (options === shown) return;
+      shown = options;
+      show(form, options);
+      form.hidden = options.flow !== "p-willmore";
+      area.checked = options.keep.includes("area");
+      volume.checked = options.keep.includes("volume");
+      lead.checked = options.reducedVolume !== null;
+      target.value = String(options.reducedVolume ?? DISCOCYTE);
+    },
+  };
+}
