@@ -43,14 +43,17 @@ pub fn farthest_from_surface(mesh: &HalfedgeMesh, x: &[DVec3], moved: &[DVec3]) 
         let p = moved[v.index()];
         let nearest = walk(mesh, x, v, p);
         let mut least = f64::INFINITY;
-        let mut look = |w: Vertex| {
+        let ring = mesh
+            .neighbours(nearest)
+            .chain(mesh.neighbours(nearest).flat_map(|w| mesh.neighbours(w)));
+        for w in std::iter::once(nearest).chain(ring) {
             for f in faces_around(mesh, w) {
                 least = least.min(point_face_distance(mesh, x, f, p));
             }
-        };
-        for w in mesh.neighbours(nearest) {
-            look(w);
-            mesh.neighbours(w).for_each(&mut look);
+            // It cannot be the farthest any more.
+            if least <= farthest {
+                break;
+            }
         }
         farthest = farthest.max(least);
     }

@@ -96,8 +96,26 @@ impl<T: Entry> Solver<T> {
     /// # Errors
     /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
     pub fn new(pattern: Pattern, points: Option<&[DVec3]>) -> Result<Self, LinalgError> {
-        let symbolic = Arc::new(Symbolic::analyse(&pattern, points)?);
-        Ok(Self {
+        let symbolic = Symbolic::analyse(&pattern, points)?;
+        Ok(Self::of(pattern, Arc::new(symbolic)))
+    }
+
+    /// As [`new`](Self::new), for a pattern of dense blocks: see
+    /// [`Symbolic::analyse_blocks`].
+    ///
+    /// # Errors
+    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
+    pub fn with_blocks(
+        pattern: Pattern,
+        blocks: &Pattern,
+        points: Option<&[DVec3]>,
+    ) -> Result<Self, LinalgError> {
+        let symbolic = Symbolic::analyse_blocks(&pattern, blocks, points)?;
+        Ok(Self::of(pattern, Arc::new(symbolic)))
+    }
+
+    fn of(pattern: Pattern, symbolic: Arc<Symbolic>) -> Self {
+        Self {
             pattern,
             iterative_from: ITERATIVE_FROM,
             factor: None,
@@ -106,7 +124,7 @@ impl<T: Entry> Solver<T> {
             diagonal: Patience::default(),
             kept: Patience::default(),
             workspace: Workspace::default(),
-        })
+        }
     }
 
     /// Sets the number of rows from which [`Refactor::WhenCheaper`] tries iterations.

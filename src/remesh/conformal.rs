@@ -38,6 +38,10 @@ pub enum Mode {
 /// is, the next pass starts from there.
 const TOLERANCE: f64 = 1e-5;
 
+/// Displacements below this share of an edge need no second solve: off the surface they are
+/// of second order.
+const NEARLY_LINEAR: f64 = 0.03;
+
 /// Normals that a pass holds: of every quadrature point, and of every vertex.
 pub(super) struct Normals {
     pub(super) points: Vec<DVec3>,
@@ -72,7 +76,7 @@ impl Regulariser {
             rows
         });
         let pattern = Pattern::from_cliques(3 * n, cliques);
-        let points: Vec<DVec3> = x.iter().flat_map(|&p| [p; 3]).collect();
+        let blocks = Pattern::from_cliques(n, elements.corners());
         let pairs = elements.degree() * (elements.degree() - 1) / 2;
         let mut slots = Vec::with_capacity(pairs * elements.len());
         for corners in elements.corners() {
@@ -83,7 +87,7 @@ impl Regulariser {
         }
         let values = vec![0.0; pattern.nnz()];
         let couplings = couplings(&elements);
-        let mut solver = Solver::new(pattern, Some(&points))?;
+        let mut solver = Solver::with_blocks(pattern, &blocks, Some(x))?;
         // From step to step the matrix changes little: the last factor is worth a try at
         // any size.
         solver.set_iterative_from(1);
@@ -118,9 +122,15 @@ impl Regulariser {
             for (&(i, j), a) in PAIRS[..self.pairs()].iter().zip(self.coupling(e)) {
                 total -= a * x[corners[i] as usize].distance_squared(x[corners[j] as usize]);
             }
-            total -= 2.0 * self.elements.nodes(x, e).map(|node| node.area).sum::<f64>();
         }
-        total
+        total - 2.0 * self.area(x)
+    }
+
+    fn area(&self, x: &[DVec3]) -> f64 {
+        (0..self.elements.len())
+            .flat_map(|e| self.elements.nodes(x, e))
+            .map(|node| node.area)
+            .sum()
     }
 
     /// Normals of the surface at `x`.
@@ -151,7 +161,9 @@ impl Regulariser {
     ) -> Result<Vec<DVec3>, LinalgError> {
         let at_start = self.normals(x);
         let linear = self.solve(x, &at_start, epsilon, None)?;
-        if mode != Mode::Nonlinear {
+        let scale = (self.area(x) / x.len() as f64).sqrt();
+        let farthest = linear.iter().map(|v| v.length()).fold(0.0, f64::max);
+        if mode != Mode::Nonlinear || farthest < NEARLY_LINEAR * scale {
             return Ok(linear);
         }
         let half_way: Vec<DVec3> = x.iter().zip(&linear).map(|(x, v)| *x + 0.5 * *v).collect();
