@@ -211,3 +211,105 @@ test("bench: a row of positive times", () => {
   assert.equal(rows[0].vertices, 2601);
   for (const name of ["assemble", "factor", "solve", "step"]) assert.ok(rows[0][name] > 0, name);
 });
+
+test("p-Willmore flow: multipliers, constraints and the sphere's energies", () => {
+  const name = file("ellipsoid.ply");
+  json(["shape", "ellipsoid", "--level", "3", "--out", name]);
+  const free = json(["flow", name, "--flow", "p-willmore", "--until-converged"]);
+  assert.equal(free.status, "converged");
+  assertNear(free.final.willmore, 4 * Math.PI, 6e-3);
+  const last = free.steps.at(-1);
+  assertNear(last.energyNormalised, last.energy / (4 * Math.PI), 1e-12);
+  assert.ok(!("multipliers" in last) || last.multipliers.tension === null);
+
+  const out = file("vesicle.ply");
+  const kept = json(
+    ["flow", name, "--flow", "p-willmore", "--keep", "area,volume", "--steps", "12"].concat([
+      ...["--p", "3", "--regularise", "linear", "--out", out],
+    ]),
+  );
+  assertNear(kept.final.area, kept.initial.area, 1e-9);
+  assertNear(kept.final.volume, kept.initial.volume, 1e-9);
+  assert.ok("3" in kept.final.pWillmore);
+  for (const step of kept.steps) {
+    assert.ok(step.objective <= step.objectiveBefore);
+    assert.ok(Number.isFinite(step.multipliers.tension + step.multipliers.pressure));
+  }
+  const info = json(["info", out]);
+  assertNear(info.volume, kept.final.volume, 1e-12);
+
+  const ramp = ["--reduced-volume", "0.8", "--steps", "8"];
+  const led = json(["flow", name, "--flow", "p-willmore", ...ramp]);
+  const volumes = led.steps.map((/** @type {any} */ step) => step.reducedVolume);
+  assert.ok(volumes.at(-1) < volumes[0], "the volume is led down");
+  assertNear(led.final.area, led.initial.area, 1e-9);
+});
+
+test("surfaces that the p-Willmore flow cannot take are refused with what to do", () => {
+  const name = file("open.ply");
+  json(["shape", "hemisphere", "--out", name]);
+  const commands = [
+    ["flow", name, "--flow", "p-willmore"],
+    ["regularise", name],
+  ];
+  for (const command of commands) {
+    const { exit, out } = umbilic([...command, "--json"]);
+    const { kind, hint } = JSON.parse(out);
+    assert.equal(kind, "NotClosed");
+    assert.ok(exit === 3 || exit === 4);
+    assert.match(hint, /circle-angle/);
+  }
+});
+
+test("regularise tells what it gained, and writes quadrilaterals as such", () => {
+  // A cube of 4 × 4 quadrilaterals a side, on a sphere, its vertices pushed about.
+  const n = 4;
+  /** @type {Map<string, number>} */
+  const index = new Map();
+  /** @type {string[]} */
+  const vertexLines = [];
+  /** @type {string[]} */
+  const faceLines = [];
+  const at = (/** @type {number[]} */ key) => {
+    const found = index.get(key.join());
+    if (found !== undefined) return found;
+    const p = key.map((k, i) => (2 * k) / n - 1 + (k % n ? 0.1 * Math.sin(7 * (i + k)) : 0));
+    const size = Math.hypot(...p);
+    vertexLines.push(`v ${p.map((c) => c / size).join(" ")}`);
+    index.set(key.join(), vertexLines.length);
+    return vertexLines.length;
+  };
+  for (let axis = 0; axis < 3; axis += 1) {
+    for (const side of [0, n]) {
+      for (let i = 0; i < n; i += 1) {
+        for (let j = 0; j < n; j += 1) {
+          const corners = [
+            [i, j],
+            [i + 1, j],
+            [i + 1, j + 1],
+            [i, j + 1],
+          ].map(([a, b]) => {
+            const key = [0, 0, 0];
+            [key[axis], key[(axis + 1) % 3], key[(axis + 2) % 3]] = [side, a, b];
+            return at(key);
+          });
+          faceLines.push(`f ${(side === 0 ? corners.reverse() : corners).join(" ")}`);
+        }
+      }
+    }
+  }
+  const name = file("quads.obj");
+  writeFileSync(name, `${[...vertexLines, ...faceLines].join("\n")}\n`);
+  const out = file("regular.obj");
+  const outcome = json(["regularise", name, "--features", "0", "--out", out]);
+  assert.ok(outcome.passes > 0);
+  assert.ok(outcome.after.distortion < outcome.before.distortion);
+  assert.ok(outcome.distance < 0.05);
+  const faces = readFileSync(out, "utf8")
+    .split("\n")
+    .filter((line) => line.startsWith("f "));
+  assert.equal(faces.length, 6 * n * n);
+  assert.ok(faces.every((line) => line.trim().split(/\s+/).length === 5));
+  const flow = json(["flow", name, "--flow", "p-willmore", "--steps", "5"]);
+  assert.ok(flow.steps.at(-1).energy < flow.steps[0].energy);
+});

@@ -1,0 +1,146 @@
+// @ts-check
+// The p-Willmore flow on the page: a vesicle deflated live, the exponent switched, a mesh at
+// rest regularised, surfaces it cannot take.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import {
+  button,
+  choice,
+  download,
+  energy,
+  openMesh,
+  playAndPause,
+  reading,
+  until,
+  useSite,
+} from "./support/app.js";
+import { obj, wavyTorus } from "./support/meshes.js";
+
+const site = useSite();
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** The reduced volume in the readings. @param {Page} page */
+const reducedVolume = async (page) =>
+  Number(/reduced ([\d.]+)/.exec(await reading(page, "Volume"))?.[1]);
+
+/** @param {Page} page */
+const smallestAngle = async (page) => Number.parseFloat(await reading(page, "Smallest angle"));
+
+test("a vesicle is deflated while it is watched", async () => {
+  const { page, faults, close } = await site.open("sample=vesicle");
+  assert.equal(await choice(page, "Flow").inputValue(), "p-willmore");
+  assert.equal(await page.getByLabel("Area", { exact: true }).isChecked(), true);
+  assert.equal(await page.locator("#boundary").isVisible(), false);
+  const [start, area] = [await reducedVolume(page), await reading(page, "Area")];
+  const step = await playAndPause(page, 10);
+  const paused = await reducedVolume(page);
+  assert.ok(paused < start - 0.05, `from ${start} to ${paused} in ${step} steps`);
+  assert.equal(await reading(page, "Area"), area, "the area is kept");
+  await page.getByText(/Lagrange multipliers: tension -?[\d.e]+, pressure -?[\d.e]+/).waitFor();
+  await button(page, "Play").click();
+  await until(page, /^Converged after \d+ steps$/);
+  assert.equal(await reducedVolume(page), 0.6);
+  assert.equal(await reading(page, "Area"), area);
+  // 4π · 1.9557 of the axisymmetric disc, and what 5120 triangles make of it.
+  const ratio = (await energy(page)) / (4 * Math.PI);
+  assert.ok(Math.abs(ratio / 1.9557 - 1) < 0.01, `∫H²/4π = ${ratio}`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("the exponent is switched while paused, and travels in the address", async () => {
+  const { page, faults, close } = await site.open("sample=letter-c");
+  await playAndPause(page, 2);
+  await page.getByRole("spinbutton", { name: "Exponent p" }).fill("0");
+  await page.keyboard.press("Tab");
+  await until(page, "Ready");
+  const area = Number(await reading(page, "Area"));
+  assert.equal(await energy(page), area, "with p = 0 the energy is the area");
+  await playAndPause(page, 3);
+  assert.ok(Number(await reading(page, "Area")) < area, "mean-curvature flow shrinks it");
+  await page.waitForFunction(() => location.hash.includes("p=0"));
+  await page.getByRole("spinbutton", { name: "Exponent p" }).fill("0.5");
+  await page.keyboard.press("Tab");
+  await page
+    .getByRole("alert")
+    .getByText(/p cannot be 0.5/)
+    .waitFor();
+  assert.equal(await page.getByRole("spinbutton", { name: "Exponent p" }).inputValue(), "0");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a bad mesh at rest is regularised, and Back undoes it", async () => {
+  const { page, faults, close } = await site.open();
+  const rough = wavyTorus(32, 16);
+  rough.positions.forEach((p, i) => {
+    p[0] += 0.12 * Math.sin(37 * i);
+    p[1] += 0.12 * Math.cos(53 * i);
+  });
+  await openMesh(page, "rough.obj", obj(rough));
+  await choice(page, "Flow").selectOption({ label: "p-Willmore" });
+  await page.waitForFunction(() => location.hash.includes("flow=p-willmore"));
+  const before = await smallestAngle(page);
+  await button(page, "Regularise the mesh now").click();
+  await page
+    .getByRole("log")
+    .getByText(/Regularised in \d passes?: smallest angle/)
+    .waitFor();
+  const after = await smallestAngle(page);
+  assert.ok(after > 1.5 * before, `smallest angle ${before}° → ${after}°`);
+  await button(page, "Back").click();
+  await page.waitForFunction(
+    (angle) =>
+      Number.parseFloat(document.querySelector("[data-reading=angle]")?.textContent ?? "") ===
+      angle,
+    before,
+  );
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("an open surface is refused in words, and stays under its own flow", async () => {
+  const { page, faults, close } = await site.open("sample=pipe");
+  await choice(page, "Flow").selectOption({ label: "p-Willmore" });
+  const alert = page.getByRole("alert");
+  await alert.getByText(/2 boundary loops; this flow is for closed surfaces/).waitFor();
+  await alert.getByText(/circle-angle Willmore flow, which takes boundaries/).waitFor();
+  await until(page, "Ready");
+  assert.equal(await choice(page, "Flow").inputValue(), "circle");
+  await button(page, "Step").click();
+  await until(page, "Paused at step 1");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("quadrilaterals flow, are drawn and saved as quadrilaterals", async () => {
+  const { page, faults, close } = await site.open();
+  const { positions } = wavyTorus(24, 12);
+  const at = (/** @type {number} */ i, /** @type {number} */ j) => 12 * (i % 24) + (j % 12) + 1;
+  const faces = positions.map((_, k) => {
+    const [i, j] = [Math.floor(k / 12), k % 12];
+    return `f ${at(i, j)} ${at(i + 1, j)} ${at(i + 1, j + 1)} ${at(i, j + 1)}\n`;
+  });
+  const text = [...positions.map((p) => `v ${p.join(" ")}\n`), ...faces].join("");
+  await openMesh(page, "quads.obj", text);
+  await page
+    .getByRole("log")
+    .getByText(/the p-Willmore flow keeps them/)
+    .waitFor();
+  await choice(page, "Flow").selectOption({ label: "p-Willmore" });
+  await page.waitForFunction(() => location.hash.includes("flow=p-willmore"));
+  const atStart = await energy(page);
+  await playAndPause(page, 2);
+  assert.ok((await energy(page)) < atStart);
+  const { bytes } = await download(page, "OBJ");
+  const saved = bytes
+    .toString()
+    .split("\n")
+    .filter((line) => line.startsWith("f "));
+  assert.equal(saved.length, 288);
+  assert.ok(saved.every((line) => line.trim().split(/\s+/).length === 5));
+  assert.deepEqual(faults, []);
+  await close();
+});
