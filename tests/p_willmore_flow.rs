@@ -328,6 +328,34 @@ fn with_p_above_2_surfaces_grow_and_with_volume_kept_they_become_round() {
     assert!(shrunk < 0.5);
 }
 
+/// Figure 2: the letter C shrinks for p = 0, becomes a sphere for p = 2 and grows for p = 4.
+#[test]
+fn the_letter_c_for_three_exponents() {
+    let letter = sample("letter-c", &[]);
+    let start = measure::area(&letter.mesh, &letter.x);
+    let ends = [(0.0, 100), (2.0, 120), (4.0, 160)].map(|(p, steps)| {
+        let found = run(&letter, options(p, &[], steps));
+        let last = found.last();
+        println!(
+            "p = {p}: {} steps, area {start:.1} → {:.1}, ∫|H|^p over the sphere's {:.4}: {:?}",
+            found.reports.len(),
+            last.area,
+            last.energy_normalised,
+            found.verdict
+        );
+        (last.area / start, last.energy_normalised, found.verdict)
+    });
+    let [shrunk, round, grown] = ends;
+    assert!(shrunk.0 < 0.2, "p = 0: area × {}", shrunk.0);
+    // Its limbs thin out to a curve before they are short: said as such.
+    match shrunk.2 {
+        Verdict::Stop(Status::Stalled, why) => assert!(why.contains("singular"), "{why}"),
+        other => panic!("{other:?}"),
+    }
+    assert!((round.1 - 1.0).abs() < 0.01, "p = 2: {}", round.1);
+    assert!(grown.0 > 1.8, "p = 4: area × {}", grown.0);
+}
+
 /// A knotted tube with both constraints: the energy falls to a plateau; without
 /// regularisation the mesh degenerates there.
 #[test]

@@ -59,6 +59,12 @@ function progressOf({ progress, goal, reading, phase }) {
   return progress && { ...progress, stage: stages[progress.stage] ?? progress.stage };
 }
 
+/** The energy's symbol. @param {Readonly<PageState>} state */
+const symbol = ({ options }) => {
+  if (options.flow === "circle") return "W";
+  return options.p === 0 ? "Area" : options.p === 2 ? "∫H²" : `∫|H|^${options.p}`;
+};
+
 export function createStatus() {
   const status = byId("status", HTMLElement);
   const reason = byId("reason", HTMLElement);
@@ -72,7 +78,7 @@ export function createStatus() {
     update(state) {
       const { reading, phase } = state;
       setText(status, statusText(state));
-      setText(brief, reading ? `W = ${formatNumber(reading.energy, 4)}` : "");
+      setText(brief, reading ? `${symbol(state)} = ${formatNumber(reading.energy, 4)}` : "");
 
       const why =
         phase === "paused" && reading ? reasonText(reading, status.textContent ?? "") : "";

@@ -72,7 +72,7 @@ impl PWillmoreFlow {
     ///
     /// # Errors
     /// [`FlowError::NotClosed`], [`FlowError::NotOriented`], [`FlowError::MixedFaces`],
-    /// [`FlowError::BadOption`], [`FlowError::Infeasible`], [`FlowError::Linear`].
+    /// [`FlowError::BadOption`], [`FlowError::Linear`].
     pub fn new(
         mesh: Rc<HalfedgeMesh>,
         x: &[DVec3],

@@ -9,8 +9,11 @@ use crate::remesh::{Mode, Regulariser};
 use glam::DVec3;
 use web_time::Instant;
 
-/// A vertex moves at most this share of the mean length of its edges in a trial.
+/// A vertex moves at most this share of the mean length of its edges in a trial …
 const LONGEST_MOVE: f64 = 0.5;
+/// … or of this share of the mean length of all: where conformal triangles are tiny they
+/// move along with the rest.
+const LEAST_REACH: f64 = 0.5;
 /// A normal turns by at most 60° in a step.
 const LEAST_TURN: f64 = 0.5;
 /// The smallest angle, in degrees, may always fall to this …
@@ -31,6 +34,9 @@ const RAMP_TAU: f64 = 1e-3;
 const LARGEST_TAU: f64 = 1e4;
 /// Regularisation may cost the smallest angle what is above this, in degrees.
 const GOOD_ANGLE: f64 = 10.0;
+/// Regularisation may not make an element smaller than this share of the mean: conformal
+/// maps of long limbs onto a ball shrink their ends without bound.
+const LEAST_ELEMENT: f64 = 1e-3;
 /// Shares of a regularising displacement that are tried.
 const SHARES: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 
@@ -77,8 +83,10 @@ impl PWillmoreFlow {
         let watch = Instant::now();
         let c = self.functional.stiffness(&self.evaluation);
         self.system.assemble(self.functional.elements(), x, &c);
-        let mean = measure::mean_edge_lengths(&self.mesh, x);
         let least = measure::min_angle_degrees(&self.mesh, x);
+        let mut reach = measure::mean_edge_lengths(&self.mesh, x);
+        let floor = LEAST_REACH * measure::mean_edge_length(&self.mesh, x);
+        reach.iter_mut().for_each(|h| *h = h.max(floor));
         let before = self.evaluation.integrals.objective;
         let wanted = self.pace.volume;
         let is_ramping = wanted != self.pace.last_volume;
@@ -119,12 +127,13 @@ impl PWillmoreFlow {
                     *y += *lambda * u[i];
                 }
             }
-            let farthest = y
-                .iter()
-                .zip(x)
-                .zip(&mean)
+            let moves = y.iter().zip(x).zip(&reach);
+            let farthest = moves
                 .map(|((y, x), h)| y.distance(*x) / h)
-                .fold(0.0, f64::max);
+                .fold(
+                    0.0,
+                    |most: f64, s| if s > most || s.is_nan() { s } else { most },
+                );
             // Too far: the step is cut in proportion, before anything dear is computed.
             if farthest > LONGEST_MOVE || farthest.is_nan() {
                 cost.rejected += 1;
@@ -162,6 +171,16 @@ impl PWillmoreFlow {
         }
         self.pace.volume = wanted;
         Ok(None)
+    }
+
+    /// Area of the smallest element over the mean.
+    fn smallest_element(&self, x: &[DVec3]) -> f64 {
+        let elements = self.functional.elements();
+        let area = |e| elements.nodes(x, e).map(|node| node.area).sum::<f64>();
+        let (least, total) = (0..elements.len())
+            .map(area)
+            .fold((f64::INFINITY, 0.0), |(l, t), a| (a.min(l), t + a));
+        least * elements.len() as f64 / total
     }
 
     fn constraints<'a>(&self, at: &'a Evaluation) -> Vec<Constraint<'a>> {
@@ -247,6 +266,7 @@ impl PWillmoreFlow {
         let distortion = regulariser.distortion(&y);
         let angle = GOOD_ANGLE.min(measure::min_angle_degrees(&self.mesh, &y));
         // At the new positions M⁻¹∇C serves as direction: smooth, and cheap.
+        let smallest = LEAST_ELEMENT.min(self.smallest_element(&y));
         self.functional.measure(&y, &mut self.scratch);
         let directions = mass_directions(self.pace.area, self.pace.volume, &self.scratch);
         let mut best = None;
@@ -265,7 +285,8 @@ impl PWillmoreFlow {
                 .regulariser
                 .as_ref()
                 .is_some_and(|r| r.distortion(&trial) <= distortion)
-                && measure::min_angle_degrees(&self.mesh, &trial) >= angle;
+                && measure::min_angle_degrees(&self.mesh, &trial) >= angle
+                && self.smallest_element(&trial) >= smallest;
             if falls
                 && improves
                 && !self.turns_too_far(&y, &trial)

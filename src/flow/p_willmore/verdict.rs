@@ -24,11 +24,15 @@ const IMPOSSIBLE: f64 = 0.03;
 const UNDER_RESOLVED: f64 = 3.0;
 const SINGULAR: f64 = 8.0;
 
+/// Where no step is accepted, a last gain below this share was the last there was to have.
+const AT_REST: f64 = 1e-6;
 /// With so many trials refused in those steps the energy has not come to rest, it is stuck.
 const STUCK: usize = 8;
 /// A smallest angle below this, in degrees, that was much larger at the start is a mesh
 /// that degenerates.
 const SLIVER: f64 = 25.0;
+/// The same where regularisation sees to it that it need not get worse.
+const SHARP: f64 = 8.0;
 
 /// The last few energies, and how many trials were refused on the way.
 #[derive(Clone, Copy, Debug, Default)]
@@ -36,15 +40,26 @@ pub(super) struct Window {
     energies: [f64; WINDOW + 1],
     refused: [usize; WINDOW],
     count: usize,
+    largest_dt: f64,
 }
 
+/// Steps that have shrunk to this share of the largest before them lead nowhere.
+const VANISHING: f64 = 1e-3;
+
 impl Window {
-    fn is_stuck(&self) -> bool {
-        self.refused.iter().sum::<usize>() >= STUCK
+    fn is_stuck(&self, dt: f64) -> bool {
+        self.refused.iter().sum::<usize>() >= STUCK || dt < VANISHING * self.largest_dt
+    }
+
+    /// Whether the last step gained nothing worth speaking of.
+    fn is_at_rest(&self) -> bool {
+        let [.., before, last] = self.energies;
+        self.count > 1 && before - last < AT_REST * last.abs()
     }
 
     /// Notes an energy; whether it has stopped falling.
-    fn is_idle(&mut self, energy: f64, refused: usize) -> bool {
+    fn is_idle(&mut self, energy: f64, dt: f64, refused: usize) -> bool {
+        self.largest_dt = self.largest_dt.max(dt);
         self.refused.rotate_left(1);
         self.refused[WINDOW - 1] = refused;
         self.energies.rotate_left(1);
@@ -74,6 +89,11 @@ impl PWillmoreFlow {
 
     /// No trial was accepted.
     pub(super) fn stuck_verdict(&self, cost: &Cost) -> Verdict {
+        if self.pace.stop.is_at_rest() {
+            let steps = self.pace.step;
+            let why = format!("Converged after {steps} steps: no smaller energy along any step");
+            return Verdict::Stop(Status::Converged, why);
+        }
         let why = format!(
             "Stalled after {} steps: every step tried was refused, the last because {}; {}",
             self.pace.step,
@@ -158,8 +178,12 @@ impl PWillmoreFlow {
         if is_ramping {
             // A window that spans the ramp would see a fall that is none.
             self.pace.stop = Window::default();
-        } else if self.pace.stop.is_idle(report.objective, report.rejected) {
-            return if self.pace.stop.is_stuck() {
+        } else if self
+            .pace
+            .stop
+            .is_idle(report.objective, report.dt, report.rejected)
+        {
+            return if self.pace.stop.is_stuck(report.dt) {
                 let why = format!(
                     "Stalled after {steps} steps: only ever smaller steps lower the energy, \
                      which is not at rest; {}",
@@ -178,6 +202,8 @@ impl PWillmoreFlow {
     fn remedy(&self) -> &'static str {
         if self.mode() == Mode::Off {
             "conformal regularisation or a finer mesh helps"
+        } else if self.options.p < 2.0 {
+            "where it thins out the surface becomes singular; keeping the volume prevents that"
         } else if self.options.p > 2.0 {
             "smooth with p = 2 first, or use a finer mesh"
         } else {
@@ -194,7 +220,12 @@ impl PWillmoreFlow {
                 .push(format!("{count} folded over in this step."));
         }
         let angle = report.min_angle_degrees;
-        let degenerates = angle < SLIVER && angle < 0.6 * self.start_angle;
+        let tolerated = if self.mode() == Mode::Off {
+            SLIVER
+        } else {
+            SHARP
+        };
+        let degenerates = angle < tolerated && angle < 0.6 * self.start_angle;
         if degenerates && !self.pace.warned.slivers {
             self.pace.warned.slivers = true;
             report.warnings.push(format!(
