@@ -206,7 +206,7 @@ impl Regulariser {
     /// K for these normals into `values`, and −K x into `rhs`.
     ///
     /// At a quadrature point with normal n the block of corners i, j is
-    /// a_ij (2I − n nᵀ) + c_ij [n]×, with a_ij = ŵ ⟨∇̂φ_i, ∇̂φ_j⟩ and c_ij = 2ŵ ∇̂φ_i × ∇̂φ_j:
+    /// a_ij (2I − n nᵀ) + c_ij n×, with a_ij = ŵ ⟨∇̂φ_i, ∇̂φ_j⟩ and c_ij = 2ŵ ∇̂φ_i × ∇̂φ_j:
     /// the Gauss–Newton form of the Cauchy–Riemann equations ∂₂u = n × ∂₁u.
     fn assemble(&mut self, x: &[DVec3], normals: &Normals, rhs: &mut [DVec3]) {
         self.values.fill(0.0);
@@ -249,7 +249,7 @@ impl Regulariser {
                     }
                 }
                 for w in [u, v] {
-                    // K_ii = −Σ_j K_ij, in which the [n]× cancel.
+                    // K_ii = −Σ_j K_ij, in which the cross products cancel.
                     let block = -0.5 * (block + block.transpose());
                     add_diagonal(&mut self.values, diagonal, w, block);
                 }
@@ -277,7 +277,7 @@ fn projector(n: DVec3) -> DMat3 {
     DMat3::from_diagonal(DVec3::splat(2.0)) - DMat3::from_cols(n * n.x, n * n.y, n * n.z)
 }
 
-/// [n]×: v ↦ n × v.
+/// The matrix of v ↦ n × v.
 fn cross_matrix(n: DVec3) -> DMat3 {
     DMat3::from_cols(n.cross(DVec3::X), n.cross(DVec3::Y), n.cross(DVec3::Z))
 }
