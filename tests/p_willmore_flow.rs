@@ -8,11 +8,11 @@ use std::f64::consts::PI;
 use std::rc::Rc;
 use support::*;
 use umbilic::flow::constraint::Kept;
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
 use umbilic::flow::p_willmore::PWillmoreFlow;
 use umbilic::flow::stop::Verdict;
 use umbilic::flow::{Flow, Status, StepReport};
-use umbilic::geometry::measure;
+use umbilic::geometry::{measure, nearest};
 use umbilic::mesh::shape;
 use umbilic::remesh::Mode;
 use umbilic::soup::PolygonSoup;
@@ -41,7 +41,7 @@ fn options(p: f64, keep: &[Kept], steps: usize) -> FlowOptions {
 /// Runs, and checks what holds in every run: no rise, no drift.
 fn run(surface: &Surface, options: FlowOptions) -> Run {
     let mut x = surface.x.clone();
-    let ramps = options.reduced_volume.is_some();
+    let ramps = options.reduced_volume.is_some() || options.scheme == Scheme::Paper;
     let keep = options.keep.clone();
     let mut flow = PWillmoreFlow::new(Rc::clone(&surface.mesh), &x, options).expect("a flow");
     let start = flow.reading(&x);
@@ -524,4 +524,109 @@ fn open_and_one_sided_surfaces_are_refused_in_words() {
         ..options(3.0, &[], 1)
     };
     assert!(bad(helfrich).contains("p cannot be 3"));
+}
+
+/// Both schemes are of first order and tend to one flow: halving τ halves what lies between
+/// them, in energy and in shape. (The paper's lets vertices slide, so shapes are compared.)
+#[test]
+fn the_papers_scheme_and_the_recommended_one_agree_in_the_limit() {
+    let ellipsoid = sample("ellipsoid", &[("level", 3.0)]);
+    for (p, keep, end) in [
+        (0.0, &[][..], 4e-2),
+        (2.0, &[], 4e-3),
+        (2.0, &[Kept::Area, Kept::Volume], 4e-3),
+        (3.0, &[Kept::Volume], 8e-4),
+    ] {
+        let apart: Vec<[f64; 2]> = [16usize, 32, 64]
+            .into_iter()
+            .map(|steps| {
+                let [a, b] = [Scheme::Auto, Scheme::Paper].map(|scheme| {
+                    let options = FlowOptions {
+                        scheme,
+                        dt: Some(end / steps as f64),
+                        regularise: Mode::Off,
+                        ..options(p, keep, steps)
+                    };
+                    let found = run(&ellipsoid, options);
+                    assert!((found.last().time / end - 1.0).abs() < 1e-9, "{scheme:?}");
+                    found
+                });
+                let size = measure::bounding_diagonal(&a.x);
+                let shape = nearest::farthest_from_surface(&ellipsoid.mesh, &a.x, &b.x) / size;
+                [(a.last().energy / b.last().energy - 1.0).abs(), shape]
+            })
+            .collect();
+        println!("p = {p}, keep {keep:?}: {apart:?}");
+        for k in 0..2 {
+            let ratio = apart[1][k] / apart[2][k];
+            assert!(ratio > 1.5, "p = {p}: {apart:?}");
+        }
+        assert!(apart[2][0] < 0.02, "p = {p}: {apart:?}");
+    }
+}
+
+#[test]
+fn the_papers_scheme_reaches_the_papers_ends() {
+    let bumpy = sample("bumpy-sphere", &[("level", 3.0)]);
+    for keep in [&[][..], &[Kept::Area, Kept::Volume]] {
+        let options = FlowOptions {
+            scheme: Scheme::Paper,
+            tau_max: Some(0.1),
+            ..options(2.0, keep, 40)
+        };
+        let found = run(&bumpy, options);
+        let ratio = found.last().energy / (4.0 * PI);
+        println!(
+            "paper, keep {keep:?}: {} steps, ∫H² = {ratio:.5} · 4π, {} Newton iterations in the last, {:?}",
+            found.reports.len(),
+            found.last().iterations,
+            found.verdict
+        );
+        if keep.is_empty() {
+            assert!((ratio - 1.0).abs() < 8e-3, "{ratio}");
+        } else {
+            assert!(found.last().energy < found.reports[0].energy);
+        }
+    }
+    let refused = PWillmoreFlow::new(
+        Rc::clone(&bumpy.mesh),
+        &bumpy.x,
+        FlowOptions {
+            scheme: Scheme::Paper,
+            tension: 1.0,
+            ..options(2.0, &[], 1)
+        },
+    );
+    assert!(refused.is_err());
+    let large = sample("icosphere", &[("level", 6.0)]);
+    let scheme = FlowOptions {
+        scheme: Scheme::Paper,
+        ..options(2.0, &[], 1)
+    };
+    let refused = PWillmoreFlow::new(Rc::clone(&large.mesh), &large.x, scheme);
+    assert_eq!(refused.err().map(|e| e.kind()), Some("TooLarge"));
+}
+
+/// ∫(2H − c₀)² dA with c₀ = 2/R vanishes on the sphere of radius R: an ellipsoid with that
+/// spontaneous curvature becomes it, whatever its size before.
+#[test]
+fn spontaneous_curvature_chooses_the_radius() {
+    let ellipsoid = sample("ellipsoid", &[("level", 3.0), ("a", 1.2), ("c", 0.8)]);
+    let scale = (measure::area(&ellipsoid.mesh, &ellipsoid.x) / (4.0 * PI)).sqrt();
+    for h0 in [0.8, 1.25] {
+        let options = FlowOptions {
+            spontaneous_curvature: h0,
+            ..options(2.0, &[], 200)
+        };
+        let found = run(&ellipsoid, options);
+        let radius = (found.last().area / (4.0 * PI)).sqrt() / scale;
+        println!(
+            "H₀ L = {h0}: radius {radius:.4} L in {} steps, objective {:.2e} {:?}",
+            found.reports.len(),
+            found.last().objective,
+            found.verdict
+        );
+        assert!((radius * h0 - 1.0).abs() < 0.02, "radius {radius}");
+        assert!(off_sphere(&found.x) < 5e-3);
+    }
 }

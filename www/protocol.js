@@ -67,6 +67,8 @@
  * @property {('area' | 'volume')[]} [keep]  p-Willmore: what is kept
  * @property {'off' | 'linear' | 'nonlinear'} [regularise]  p-Willmore: after each step (default nonlinear)
  * @property {number} [regulariseEpsilon]  p-Willmore: ε of it (default 0.01)
+ * @property {number} [tauGrowth]          p-Willmore, paper's scheme: factor on the step (default 1.2)
+ * @property {number | null} [tauMax]      p-Willmore, paper's scheme: largest τ
  * @property {number | null} [reducedVolume]  p-Willmore: 6√π V/A^(3/2) to lead the volume to
  * @property {number} [spontaneousCurvature]  p-Willmore, p = 2: H₀ L, L = √(A/4π) at the start
  * @property {number} [tension]            p-Willmore, p = 2: σ L²

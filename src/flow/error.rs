@@ -58,6 +58,14 @@ pub enum FlowError {
     /// The method takes triangles, or quadrilaterals, but not both.
     #[error("the mesh mixes faces of different degree")]
     MixedFaces,
+    /// The scheme is for small meshes.
+    #[error("the mesh has {vertices} vertices; the paper's scheme takes {limit}")]
+    TooLarge {
+        /// How many there are.
+        vertices: usize,
+        /// How many there may be.
+        limit: usize,
+    },
     /// The energy or its gradient is not a number.
     #[error("the energy is not a finite number at step {step}")]
     NonFiniteEnergy {
@@ -81,6 +89,7 @@ impl FlowError {
             Self::NotClosed { .. } => "NotClosed",
             Self::NotOriented => "NotOriented",
             Self::MixedFaces => "MixedFaces",
+            Self::TooLarge { .. } => "TooLarge",
             Self::NonFiniteEnergy { .. } => "NonFiniteEnergy",
             Self::Linear(error) => error.kind(),
         }
@@ -110,6 +119,10 @@ impl FlowError {
             }
             Self::NotOriented => {
                 "Choose the circle-angle Willmore flow, which needs no orientation.".into()
+            }
+            Self::TooLarge { .. } => {
+                "Choose the recommended scheme, which tends to the same flow, or a coarser mesh."
+                    .into()
             }
             Self::MixedFaces => "Triangulate the mesh first.".into(),
             Self::NonFiniteEnergy { .. } => {

@@ -112,6 +112,10 @@ pub struct FlowOptions {
     pub regularise: Mode,
     /// p-Willmore: ε of the regularisation, a pure number.
     pub regularise_epsilon: f64,
+    /// p-Willmore, paper's scheme: factor on the step size after each step.
+    pub tau_growth: f64,
+    /// p-Willmore, paper's scheme: largest τ.
+    pub tau_max: Option<f64>,
     /// p-Willmore: the volume is led to this share of the volume of the ball of the same
     /// area; needs area and volume kept.
     pub reduced_volume: Option<f64>,
@@ -146,6 +150,8 @@ impl Default for FlowOptions {
             keep: Vec::new(),
             regularise: Mode::default(),
             regularise_epsilon: 1e-2,
+            tau_growth: 1.2,
+            tau_max: None,
             reduced_volume: None,
             spontaneous_curvature: 0.0,
             tension: 0.0,
@@ -183,6 +189,8 @@ impl FlowOptions {
             ("dt", self.dt),
             ("tau", self.tau),
             ("detail", self.detail),
+            ("tauMax", self.tau_max),
+            ("tauGrowth", Some(self.tau_growth)),
             ("regulariseEpsilon", Some(self.regularise_epsilon)),
         ];
         for (name, value) in positive {

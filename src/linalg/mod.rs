@@ -21,6 +21,7 @@
 pub mod eigen;
 mod entry;
 mod error;
+mod gmres;
 mod ldlt;
 mod ledger;
 mod ordering;
@@ -32,6 +33,7 @@ mod vertex_cover;
 
 pub use entry::Entry;
 pub use error::LinalgError;
+pub use gmres::{GmresInfo, gmres};
 pub use ldlt::{Inertia, Ldlt};
 pub use pattern::Pattern;
 pub use solver::{Preconditioner, Refactor, SolveInfo, Solver};

@@ -5,6 +5,7 @@
 //! at a point. On a triangle that plane is constant and the centroid alone is exact; a
 //! quadrilateral takes 2 × 2 Gauss points.
 
+use super::dual::{Dual, DualVec};
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
 
@@ -143,6 +144,43 @@ impl Elements {
         self.points
             .iter()
             .map(move |point| node(&at[..degree], point))
+    }
+}
+
+/// An element at a quadrature point, with the derivatives of everything along a motion of
+/// the corners.
+#[derive(Clone, Copy, Debug)]
+pub struct DualNode {
+    /// See [`Node::area`].
+    pub area: Dual,
+    /// See [`Node::normal`].
+    pub normal: DualVec,
+    /// See [`Node::gradients`].
+    pub gradients: [DualVec; 4],
+}
+
+impl DualNode {
+    /// For corners at `x`, none of them collapsed.
+    pub fn new(x: &[DualVec], point: &Point) -> Self {
+        let (mut t1, mut t2) = (DualVec::default(), DualVec::default());
+        for (p, [d1, d2]) in x.iter().zip(point.slope) {
+            t1 = t1 + *p * d1;
+            t2 = t2 + *p * d2;
+        }
+        let cross = t1.cross(t2);
+        let size = cross.dot(cross).sqrt();
+        let inverse = size.recip();
+        let normal = cross * inverse;
+        let (a1, a2) = (t2.cross(normal) * inverse, normal.cross(t1) * inverse);
+        let mut gradients = [DualVec::default(); 4];
+        for (gradient, [d1, d2]) in gradients.iter_mut().zip(point.slope) {
+            *gradient = a1 * d1 + a2 * d2;
+        }
+        Self {
+            area: size * point.weight,
+            normal,
+            gradients,
+        }
     }
 }
 

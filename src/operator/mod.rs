@@ -1,7 +1,9 @@
 //! Discrete differential operators on surfaces.
 
+pub mod dual;
 pub mod element;
 pub mod laplacian;
 
+pub use dual::{Dual, DualVec};
 pub use element::{Elements, Node};
 pub use laplacian::Laplacian;

@@ -52,6 +52,11 @@ const syntax = {
       help: "p-willmore: conformal regularisation after each step (default nonlinear)",
     },
     "regularise-epsilon": { value: "VALUE", help: "p-willmore: its ε (default 0.01)" },
+    "tau-growth": {
+      value: "S",
+      help: "p-willmore, paper's scheme: factor on the step (default 1.2)",
+    },
+    "tau-max": { value: "VALUE", help: "p-willmore, paper's scheme: largest step without a unit" },
     "reduced-volume": { value: "V", help: "p-willmore: leads the volume there; both are kept" },
     "spontaneous-curvature": { value: "H0", help: "p-willmore, p = 2: times √(A/4π)" },
     tension: { value: "VALUE", help: "p-willmore, p = 2: times A/4π" },
@@ -159,6 +164,8 @@ function flowOptions(values) {
     keep: keep(values),
     regularise: values.regularise,
     regulariseEpsilon: positive(values, "regularise-epsilon"),
+    tauGrowth: positive(values, "tau-growth"),
+    tauMax: positive(values, "tau-max"),
     reducedVolume: positive(values, "reduced-volume"),
     spontaneousCurvature: number(values, "spontaneous-curvature"),
     tension: number(values, "tension"),
@@ -177,6 +184,7 @@ const own = {
   ],
   "p-willmore": [
     ...["p", "keep", "regularise", "regularise-epsilon", "reduced-volume"],
+    ...["tau-growth", "tau-max"],
     ...["spontaneous-curvature", "tension", "pressure"],
   ],
 };

@@ -101,6 +101,21 @@ impl PWillmore {
         self.p
     }
 
+    /// δ², which rounds |Y|² where p < 2.
+    pub fn rounding(&self) -> f64 {
+        self.rounding
+    }
+
+    /// W_i = |Y_i|^(p−2) Y_i, of an evaluation.
+    pub fn weighted(&self, evaluation: &Evaluation) -> Vec<DVec3> {
+        let weight = |y: &DVec3| power(y.length_squared() + self.rounding, 0.5 * self.p - 1.0);
+        let weighted = evaluation.curvature.iter().map(|y| weight(y) * *y);
+        // 0 · ∞ where Y vanishes and p = 0.
+        weighted
+            .map(|w| if w.is_finite() { w } else { DVec3::ZERO })
+            .collect()
+    }
+
     /// The mesh as elements.
     pub fn elements(&self) -> &Elements {
         &self.elements

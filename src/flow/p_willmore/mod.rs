@@ -6,13 +6,16 @@
 //! Laplacian, c_i = p max(1, p − 1) |Y_i|^(p−2)/m_i, P the projection onto vertex normals.
 //! The gradient is exact and local; without P linear elements would lower their energy by
 //! sliding vertices, below the minimum of smooth surfaces. τ has the unit length^(p+2).
+//! The paper's own scheme, centred and nonlinear, is there to be compared with.
 
+mod centred;
+mod paper;
 mod step;
 mod system;
 mod verdict;
 
 use super::constraint::Kept;
-use super::options::FlowOptions;
+use super::options::{FlowOptions, Scheme};
 use super::stop::Verdict;
 use super::{FlowError, Progress as Callback, StepReport};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
@@ -86,6 +89,9 @@ impl PWillmoreFlow {
         let Some(functional) = PWillmore::new(Rc::clone(&mesh), x, options.p, helfrich) else {
             return Err(FlowError::MixedFaces);
         };
+        if options.scheme == Scheme::Paper {
+            check_paper(&options, x.len())?;
+        }
         let system = System::new(functional.elements(), x, options.p == 0.0)?;
         let mut evaluation = Evaluation::default();
         let integrals = functional.integrals(x, &mut evaluation);
@@ -105,9 +111,13 @@ impl PWillmoreFlow {
             }
         };
         let power = scale.powf(options.p + 2.0);
+        let first_tau = match options.scheme {
+            Scheme::Auto => FIRST_TAU,
+            Scheme::Paper => paper::schedule(options.p).0,
+        };
         let dt = options
             .dt
-            .unwrap_or_else(|| options.tau.unwrap_or(FIRST_TAU) * power);
+            .unwrap_or_else(|| options.tau.unwrap_or(first_tau) * power);
         let pace = Pace {
             dt,
             time: 0.0,
@@ -269,7 +279,11 @@ impl super::Flow for PWillmoreFlow {
             return Ok((None, verdict));
         }
         let mut cost = step::Cost::default();
-        let Some(accepted) = self.advance(x, &mut cost)? else {
+        let advanced = match self.options.scheme {
+            Scheme::Auto => self.advance(x, &mut cost)?,
+            Scheme::Paper => self.paper_advance(x, &mut cost)?,
+        };
+        let Some(accepted) = advanced else {
             return Ok((None, self.stuck_verdict(&cost)));
         };
         let (mut report, verdict) = self.conclude(x, accepted, cost);
@@ -312,6 +326,29 @@ fn helfrich(options: &FlowOptions, scale: f64, triangles: bool) -> Result<Helfri
         });
     }
     Ok(helfrich)
+}
+
+/// What the paper's scheme does not take.
+fn check_paper(options: &FlowOptions, vertices: usize) -> Result<(), FlowError> {
+    if vertices > paper::LARGEST {
+        return Err(FlowError::TooLarge {
+            vertices,
+            limit: paper::LARGEST,
+        });
+    }
+    let terms = [
+        ("spontaneousCurvature", options.spontaneous_curvature),
+        ("tension", options.tension),
+        ("pressure", options.pressure),
+    ];
+    match terms.into_iter().find(|(_, value)| *value != 0.0) {
+        Some((name, value)) => Err(FlowError::BadOption {
+            name,
+            value: value.to_string(),
+            allowed: "only 0 in the paper's scheme",
+        }),
+        None => Ok(()),
+    }
 }
 
 /// Volume of the ball with that much surface: A^(3/2) / (6√π).

@@ -229,7 +229,7 @@ impl PWillmoreFlow {
         })
     }
 
-    fn turns_too_far(&self, x: &[DVec3], y: &[DVec3]) -> bool {
+    pub(super) fn turns_too_far(&self, x: &[DVec3], y: &[DVec3]) -> bool {
         let elements = self.functional.elements();
         (0..elements.len()).any(|e| {
             elements
@@ -240,14 +240,15 @@ impl PWillmoreFlow {
         })
     }
 
-    /// Slides vertices towards a conformal mesh, as far as neither the energy rises above
-    /// that before the step nor a face turns; `y` itself where that is nowhere.
-    fn regularised(
+    /// Slides vertices towards a conformal mesh, as far as no face turns, nor the energy
+    /// rises above that `before` the step unless it `may_rise`: while the volume is ramped,
+    /// and in the paper's scheme. `y` itself where that is nowhere.
+    pub(super) fn regularised(
         &mut self,
         x: &[DVec3],
         y: Vec<DVec3>,
         before: f64,
-        is_ramping: bool,
+        may_rise: bool,
         cost: &mut Cost,
     ) -> Result<Vec<DVec3>, FlowError> {
         if self.mode() == Mode::Off {
@@ -279,8 +280,7 @@ impl PWillmoreFlow {
                 .functional
                 .integrals(&trial, &mut self.scratch)
                 .objective;
-            // While the volume is ramped the energy has no bound to keep.
-            let falls = objective <= before || is_ramping;
+            let falls = objective <= before || may_rise;
             let improves = self
                 .regulariser
                 .as_ref()
@@ -302,7 +302,7 @@ impl PWillmoreFlow {
 }
 
 /// The volume wanted next on the way from `wanted` to `last`.
-fn ramped(wanted: Option<f64>, last: Option<f64>, share: f64) -> Option<f64> {
+pub(super) fn ramped(wanted: Option<f64>, last: Option<f64>, share: f64) -> Option<f64> {
     let (wanted, last) = (wanted?, last?);
     let most = share * wanted.abs();
     Some(if (last - wanted).abs() <= most {
@@ -313,7 +313,11 @@ fn ramped(wanted: Option<f64>, last: Option<f64>, share: f64) -> Option<f64> {
 }
 
 /// The constraints in force, of the values and gradients in `at`: area first.
-fn constraints(area: Option<f64>, volume: Option<f64>, at: &Evaluation) -> Vec<Constraint<'_>> {
+pub(super) fn constraints(
+    area: Option<f64>,
+    volume: Option<f64>,
+    at: &Evaluation,
+) -> Vec<Constraint<'_>> {
     let area = area.map(|target| Constraint {
         target,
         value: at.integrals.area,

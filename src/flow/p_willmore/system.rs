@@ -2,9 +2,10 @@
 //! coordinates.
 
 use crate::flow::FlowError;
-use crate::linalg::{Pattern, Refactor, SolveInfo, Solver};
+use crate::linalg::{Ldlt, Pattern, Refactor, SolveInfo, Solver};
 use crate::operator::{Elements, Laplacian};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// The residual asked of an iterative solve.
 const TOLERANCE: f64 = 1e-8;
@@ -75,6 +76,18 @@ impl System {
                 }
             }
         }
+    }
+
+    /// The factor of M/τ + s · stiffness, as a preconditioner.
+    pub(super) fn factor(&mut self, mass: &[f64], tau: f64, s: f64) -> Result<Ldlt, FlowError> {
+        self.matrix.clear();
+        self.matrix.extend(self.stiffness.iter().map(|k| s * k));
+        for (&slot, m) in self.solver.pattern().diagonal_slots().iter().zip(mass) {
+            self.matrix[slot as usize] += m / tau;
+        }
+        let mut factor = Ldlt::new(Arc::clone(self.solver.symbolic()))?;
+        factor.factor(&self.matrix)?;
+        Ok(factor)
     }
 
     /// Solves for one or more fields end to end.
