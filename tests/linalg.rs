@@ -315,6 +315,25 @@ fn a_dominant_diagonal_needs_no_factor() {
 }
 
 #[test]
+fn a_factor_that_takes_too_much_memory_is_done_without() {
+    let mesh = FlapMesh::icosphere(12);
+    let mut solver = solver(&mesh);
+    assert!(!solver.is_too_large_to_factor());
+    solver.set_factor_limit(8 * solver.symbolic().factor_len() - 1);
+    assert!(solver.is_too_large_to_factor());
+    let values = dominant_matrix(solver.pattern(), 5, false);
+    let rhs = mesh.points.clone();
+    let mut x = vec![DVec3::ZERO; rhs.len()];
+    let info = solver
+        .solve(&values, &rhs, &mut x, 1e-9, Refactor::Always)
+        .unwrap();
+    assert_eq!(info.preconditioner, Preconditioner::Diagonal);
+    assert!(info.iterations > 0 && info.relative_residual <= 1e-9);
+    let expected = dense_solution(solver.pattern(), &values, &rhs);
+    assert!(difference(&x, &expected) < 1e-7 * norm(&expected));
+}
+
+#[test]
 fn small_meshes_are_factored_every_time() {
     let mesh = FlapMesh::icosphere(8);
     let mut solver = Solver::new(mesh.pattern(), Some(&mesh.points)).unwrap();

@@ -83,9 +83,47 @@ pub(super) struct Outcome {
 pub(super) fn conjugate_gradients<T: Entry>(
     system: System<'_, T>,
     x: &mut [T],
-    mut precondition: impl FnMut(&mut [T]),
+    precondition: impl FnMut(&mut [T]),
     tolerance: f64,
     max_iterations: usize,
+    workspace: &mut Workspace<T>,
+) -> Outcome {
+    iterate(
+        system,
+        x,
+        precondition,
+        tolerance,
+        (max_iterations, true),
+        workspace,
+    )
+}
+
+/// As [`conjugate_gradients`], where there is nothing else to fall back on: goes on however
+/// slow it is.
+pub(super) fn iterate_to_the_end<T: Entry>(
+    system: System<'_, T>,
+    x: &mut [T],
+    precondition: impl FnMut(&mut [T]),
+    tolerance: f64,
+    max_iterations: usize,
+    workspace: &mut Workspace<T>,
+) -> Outcome {
+    iterate(
+        system,
+        x,
+        precondition,
+        tolerance,
+        (max_iterations, false),
+        workspace,
+    )
+}
+
+fn iterate<T: Entry>(
+    system: System<'_, T>,
+    x: &mut [T],
+    mut precondition: impl FnMut(&mut [T]),
+    tolerance: f64,
+    (max_iterations, gives_up): (usize, bool),
     workspace: &mut Workspace<T>,
 ) -> Outcome {
     let n = system.pattern.n().max(1);
@@ -116,7 +154,7 @@ pub(super) fn conjugate_gradients<T: Entry>(
         let rate = (relative_residual / initial).powf(1.0 / iterations.max(1) as f64);
         let expected = relative_residual * rate.powi(left as i32);
         // The first iteration says little about the rate.
-        if left == 0 || (iterations > 1 && expected > tolerance) {
+        if left == 0 || (gives_up && iterations > 1 && expected > tolerance) {
             return outcome;
         }
 

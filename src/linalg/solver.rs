@@ -6,7 +6,7 @@ use super::error::LinalgError;
 use super::ldlt::Ldlt;
 use super::ledger::{FLOPS_PER_ENTRY, Ledger, Patience};
 use super::pattern::Pattern;
-use super::pcg::{System, Workspace, conjugate_gradients, refine};
+use super::pcg::{System, Workspace, conjugate_gradients, iterate_to_the_end, refine};
 use super::symbolic::Symbolic;
 use glam::DVec3;
 use std::sync::Arc;
@@ -20,6 +20,17 @@ const ITERATIVE_FROM: usize = 30_000;
 /// Operations of a factorisation that take as long as an iteration with the diagonal
 /// spends on one row: 35 ns in wasm.
 const FLOPS_PER_ROW: f64 = 250.0;
+
+/// Bytes a factor may take: in a browser memory ends at 4 GiB, of which a flow needs some,
+/// and never shrinks again.
+const FACTOR_LIMIT: usize = if cfg!(target_arch = "wasm32") {
+    1_600_000_000
+} else {
+    usize::MAX
+};
+
+/// Iterations of a solve where the matrix may not be factored.
+const MAX_ITERATIONS: usize = 1000;
 
 /// Steps of iterative refinement with a new factor, at most.
 const REFINEMENTS: usize = 3;
@@ -83,6 +94,7 @@ pub struct Solver<T = DVec3> {
     pattern: Pattern,
     symbolic: Arc<Symbolic>,
     iterative_from: usize,
+    factor_limit: usize,
     factor: Option<Ldlt>,
     ledger: Ledger,
     diagonal: Patience,
@@ -118,6 +130,7 @@ impl<T: Entry> Solver<T> {
         Self {
             pattern,
             iterative_from: ITERATIVE_FROM,
+            factor_limit: FACTOR_LIMIT,
             factor: None,
             ledger: Ledger::new(&symbolic),
             symbolic,
@@ -130,6 +143,17 @@ impl<T: Entry> Solver<T> {
     /// Sets the number of rows from which [`Refactor::WhenCheaper`] tries iterations.
     pub fn set_iterative_from(&mut self, n: usize) {
         self.iterative_from = n;
+    }
+
+    /// Sets the bytes a factor may take.
+    pub fn set_factor_limit(&mut self, bytes: usize) {
+        self.factor_limit = bytes;
+    }
+
+    /// Whether a factor would take more memory than it may: every solve then iterates with
+    /// the diagonal, and the solution is the best of a thousand iterations.
+    pub fn is_too_large_to_factor(&self) -> bool {
+        self.symbolic.factor_len().saturating_mul(size_of::<f64>()) > self.factor_limit
     }
 
     /// Pattern of the matrices.
@@ -174,6 +198,26 @@ impl<T: Entry> Solver<T> {
         }
         let start = Instant::now();
         self.workspace.resize(rhs.len());
+        if self.is_too_large_to_factor() {
+            let (system, workspace) = (
+                System {
+                    pattern: &self.pattern,
+                    values,
+                    rhs,
+                },
+                &mut self.workspace,
+            );
+            let precondition = by_diagonal(&self.pattern, values);
+            let limit = MAX_ITERATIONS;
+            let outcome = iterate_to_the_end(system, x, precondition, tolerance, limit, workspace);
+            return Ok(SolveInfo {
+                preconditioner: Preconditioner::Diagonal,
+                iterations: outcome.iterations,
+                solve_seconds: start.elapsed().as_secs_f64(),
+                relative_residual: outcome.relative_residual,
+                ..SolveInfo::default()
+            });
+        }
         let may_iterate = policy == Refactor::WhenCheaper && n >= self.iterative_from.max(1);
         let iterated = if may_iterate {
             self.iterate(values, rhs, x, tolerance)
@@ -307,5 +351,19 @@ impl<T: Entry> Solver<T> {
             factor_seconds,
             ..SolveInfo::default()
         })
+    }
+}
+
+/// Division by the diagonal, field by field.
+fn by_diagonal<T: Entry>(pattern: &Pattern, values: &[f64]) -> impl FnMut(&mut [T]) + use<T> {
+    let slots = pattern.diagonal_slots();
+    let inverse: Vec<f64> = slots.iter().map(|&s| values[s as usize].recip()).collect();
+    move |fields| {
+        for field in fields.chunks_exact_mut(inverse.len()) {
+            field
+                .iter_mut()
+                .zip(&inverse)
+                .for_each(|(v, d)| *v = *v * *d);
+        }
     }
 }

@@ -100,6 +100,11 @@ impl Regulariser {
         })
     }
 
+    /// See [`Solver::is_too_large_to_factor`].
+    pub fn is_iterative(&self) -> bool {
+        self.solver.is_too_large_to_factor()
+    }
+
     /// The mesh as elements.
     pub fn elements(&self) -> &Elements {
         &self.elements

@@ -78,6 +78,11 @@ impl System {
         }
     }
 
+    /// See [`Solver::is_too_large_to_factor`].
+    pub(super) fn is_iterative(&self) -> bool {
+        self.solver.is_too_large_to_factor()
+    }
+
     /// The factor of M/τ + s · stiffness, as a preconditioner.
     pub(super) fn factor(&mut self, mass: &[f64], tau: f64, s: f64) -> Result<Ldlt, FlowError> {
         self.matrix.clear();

@@ -7,7 +7,7 @@ use crate::flow::{Multipliers, Status, StepReport};
 use crate::geometry::survey::survey;
 use crate::geometry::{measure, quality};
 use crate::mesh::counted;
-use crate::remesh::Mode;
+use crate::remesh::{Mode, Regulariser};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -76,6 +76,7 @@ pub(super) struct Warned {
     impossible: bool,
     coarse: bool,
     slivers: bool,
+    iterative: bool,
 }
 
 impl PWillmoreFlow {
@@ -218,6 +219,19 @@ impl PWillmoreFlow {
             report
                 .warnings
                 .push(format!("{count} folded over in this step."));
+        }
+        let is_iterative = self.system.is_iterative()
+            || self
+                .regulariser
+                .as_ref()
+                .is_some_and(Regulariser::is_iterative);
+        if is_iterative && !self.pace.warned.iterative {
+            self.pace.warned.iterative = true;
+            report.warnings.push(
+                "The mesh is too large to factor its matrices in memory: they are solved \
+                 iteratively, and steps take longer."
+                    .into(),
+            );
         }
         let angle = report.min_angle_degrees;
         let tolerated = if self.mode() == Mode::Off {
