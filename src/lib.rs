@@ -15,6 +15,12 @@
 //! and zero on a sphere. Its gradient flow, dx/dt = −∇W, is stepped semi-implicitly with
 //! the matrix K for which ∇W = K x.
 //!
+//! Gruber & Aulisa take powers of the mean curvature, W^p = ∫|Y|^p dA with the curvature
+//! vector Y = Δx = −2Hn, discretised by finite elements: Y_i = −s_i/m_i with s_i the area
+//! gradient and m_i the lumped mass of a vertex. The flow dx/dt = −∇W^p, for p = 0 the
+//! mean-curvature flow, may keep area and volume; vertices then slide along the surface
+//! towards a conformal mesh.
+//!
 //! # Conventions
 //!
 //! | quantity | convention |
@@ -25,14 +31,15 @@
 //! | circle energy | W = Σ W_i as printed; W/2 tends to ∫(H² − K) dA on curvature-aligned lattices only |
 //! | p-Willmore readings | ∫\|H\|^p dA; with the paper's Y = 2Hn, W^p is 2^p times that |
 //! | Laplacian | positive semi-definite cotangent stiffness |
-//! | step size | raw dt, and scale-free τ = dt/h² with h the mean edge length at the start |
+//! | step size | raw dt, and scale-free τ: dt/h² with h the mean edge length at the start, or dt/L^(p+2) with L = √(A/4π) |
+//! | multipliers | at rest ∇∫\|H\|^p + tension ∇A − pressure ∇V = 0 |
 //! | indices | vertices and faces count from 0, in the order of the file |
 //!
 //! # Modules
 //!
-//! Dependencies point one way: `mesh ← geometry ← energy ← flow ← session ← web`; `io` and
-//! `viewer` stand beside and know no flow; `soup` is what `io` and `mesh` share; `linalg`
-//! knows vectors only.
+//! Dependencies point one way: `mesh ← geometry ← operator ← energy ← remesh ← flow ←
+//! session ← web`; `io` and `viewer` stand beside and know no flow; `soup` is what `io` and
+//! `mesh` share; `linalg` knows vectors only.
 //!
 //! # References
 //!
