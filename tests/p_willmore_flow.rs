@@ -630,3 +630,29 @@ fn spontaneous_curvature_chooses_the_radius() {
         assert!(off_sphere(&found.x) < 5e-3);
     }
 }
+
+/// Figure 10: the energy against time on three meshes of one surface comes closer by a factor
+/// of four with each refinement.
+#[test]
+fn energy_against_time_converges_under_refinement() {
+    let at = [2.0, 3.0, 4.0].map(|level| {
+        let ellipsoid = sample("ellipsoid", &[("level", level)]);
+        let options = FlowOptions {
+            dt: Some(2e-4),
+            regularise: Mode::Off,
+            ..options(2.0, &[], 60)
+        };
+        let found = run(&ellipsoid, options);
+        [9, 29, 59].map(|k| (found.reports[k].time, found.reports[k].energy))
+    });
+    for k in 0..3 {
+        let [coarse, middle, fine] = [0, 1, 2].map(|level: usize| at[level][k]);
+        assert!((coarse.0 - fine.0).abs() < 1e-12, "not at the same time");
+        let ratio = (coarse.1 - middle.1) / (middle.1 - fine.1);
+        println!(
+            "t = {:.3}: ∫H² {:.4}, {:.4}, {:.4}: ratio {ratio:.2}",
+            fine.0, coarse.1, middle.1, fine.1
+        );
+        assert!((ratio - 4.0).abs() < 1.0, "ratio {ratio}");
+    }
+}

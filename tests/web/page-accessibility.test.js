@@ -20,7 +20,7 @@ async function crowd(page) {
   if ((await panel.getAttribute("aria-expanded")) === "false") await panel.click();
   await openMesh(page, "wavy.obj", obj(wavyTorus()));
   for (const part of ["#method", "#view", "#plot-data", ".explain"]) {
-    await page.locator(`${part} > summary`).click();
+    await page.locator(`${part} > summary`).filter({ visible: true }).click();
   }
   await choice(page, "Colour by").selectOption({ label: "Mean curvature H" });
   await page.getByRole("img", { name: /^Colours:/ }).waitFor();
@@ -43,6 +43,14 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       await check("with everything open, and an error");
       await page.keyboard.press("Escape");
       await button(page, "Dismiss").click();
+      await choice(page, "Flow").selectOption({ label: "p-Willmore" });
+      await page.locator("#p-willmore").waitFor();
+      await page.locator(".explain > summary").filter({ visible: true }).click();
+      await page.getByLabel("Volume", { exact: true }).check();
+      await until(page, "Ready");
+      await button(page, "Step").click();
+      await until(page, "Paused at step 1");
+      await check("under the p-Willmore flow");
       await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
       await page.keyboard.press("?");
       await page.getByRole("dialog").waitFor();

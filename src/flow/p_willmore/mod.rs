@@ -45,6 +45,8 @@ pub struct PWillmoreFlow {
     /// Mean edge length and smallest angle at the start.
     h: f64,
     start_angle: f64,
+    /// Area of the largest face at the start over the mean.
+    start_face: f64,
     pace: Pace,
     /// Integrals and derivatives at the present positions.
     evaluation: Evaluation,
@@ -129,7 +131,8 @@ impl PWillmoreFlow {
             stop: verdict::Window::default(),
             warned: verdict::Warned::default(),
         };
-        Ok(Self {
+        let mut flow = Self {
+            start_face: 1.0,
             h: measure::mean_edge_length(&mesh, x),
             start_angle: measure::min_angle_degrees(&mesh, x),
             mesh,
@@ -145,7 +148,9 @@ impl PWillmoreFlow {
             scratch: Evaluation::default(),
             flipped: Vec::new(),
             on_progress: None,
-        })
+        };
+        flow.start_face = flow.element_range(x).1;
+        Ok(flow)
     }
 
     fn tell(&self, stage: &str, share: f64) {

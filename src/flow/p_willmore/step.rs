@@ -173,14 +173,16 @@ impl PWillmoreFlow {
         Ok(None)
     }
 
-    /// Area of the smallest element over the mean.
-    fn smallest_element(&self, x: &[DVec3]) -> f64 {
+    /// Areas of the smallest and the largest element over the mean.
+    pub(super) fn element_range(&self, x: &[DVec3]) -> (f64, f64) {
         let elements = self.functional.elements();
         let area = |e| elements.nodes(x, e).map(|node| node.area).sum::<f64>();
-        let (least, total) = (0..elements.len())
-            .map(area)
-            .fold((f64::INFINITY, 0.0), |(l, t), a| (a.min(l), t + a));
-        least * elements.len() as f64 / total
+        let (mut least, mut most, mut total) = (f64::INFINITY, 0.0f64, 0.0);
+        for area in (0..elements.len()).map(area) {
+            (least, most, total) = (least.min(area), most.max(area), total + area);
+        }
+        let mean = total / elements.len() as f64;
+        (least / mean, most / mean)
     }
 
     fn constraints<'a>(&self, at: &'a Evaluation) -> Vec<Constraint<'a>> {
@@ -267,7 +269,7 @@ impl PWillmoreFlow {
         let distortion = regulariser.distortion(&y);
         let angle = GOOD_ANGLE.min(measure::min_angle_degrees(&self.mesh, &y));
         // At the new positions M⁻¹∇C serves as direction: smooth, and cheap.
-        let smallest = LEAST_ELEMENT.min(self.smallest_element(&y));
+        let smallest = LEAST_ELEMENT.min(self.element_range(&y).0);
         self.functional.measure(&y, &mut self.scratch);
         let directions = mass_directions(self.pace.area, self.pace.volume, &self.scratch);
         let mut best = None;
@@ -286,7 +288,7 @@ impl PWillmoreFlow {
                 .as_ref()
                 .is_some_and(|r| r.distortion(&trial) <= distortion)
                 && measure::min_angle_degrees(&self.mesh, &trial) >= angle
-                && self.smallest_element(&trial) >= smallest;
+                && self.element_range(&trial).0 >= smallest;
             if falls
                 && improves
                 && !self.turns_too_far(&y, &trial)

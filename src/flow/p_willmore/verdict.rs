@@ -2,6 +2,7 @@
 
 use super::PWillmoreFlow;
 use super::step::{Accepted, Cost};
+use crate::flow::options::Scheme;
 use crate::flow::stop::Verdict;
 use crate::flow::{Multipliers, Status, StepReport};
 use crate::geometry::survey::survey;
@@ -33,6 +34,12 @@ const STUCK: usize = 8;
 const SLIVER: f64 = 25.0;
 /// The same where regularisation sees to it that it need not get worse.
 const SHARP: f64 = 8.0;
+
+/// With faces of so many times the mean, and four times what there was at the start, the
+/// surface's curvature sits in a few tiny faces and the rest is not resolved; with so many
+/// more there is no sense in going on.
+const COARSE_FACE: f64 = 40.0;
+const HOPELESS_FACE: f64 = 200.0;
 
 /// The last few energies, and how many trials were refused on the way.
 #[derive(Clone, Copy, Debug, Default)]
@@ -77,6 +84,7 @@ pub(super) struct Warned {
     coarse: bool,
     slivers: bool,
     iterative: bool,
+    growth: bool,
 }
 
 impl PWillmoreFlow {
@@ -169,13 +177,22 @@ impl PWillmoreFlow {
             warnings: cost.warnings,
             ..StepReport::default()
         };
-        self.warn(&mut report);
-        let verdict = self.verdict(&report, accepted.is_ramping);
+        let largest = self.element_range(x).1;
+        self.warn(&mut report, largest);
+        let verdict = self.verdict(&report, largest, accepted.is_ramping);
         (report, verdict)
     }
 
-    fn verdict(&mut self, report: &StepReport, is_ramping: bool) -> Verdict {
+    fn verdict(&mut self, report: &StepReport, largest: f64, is_ramping: bool) -> Verdict {
         let steps = self.pace.step;
+        if largest > HOPELESS_FACE.max(4.0 * self.start_face) && self.options.scheme == Scheme::Auto
+        {
+            let why = format!(
+                "Stopped after {steps} steps: the largest face is {largest:.0} times the mean, and \
+                 the mesh no longer resolves the surface. Go back a few steps; a finer mesh helps"
+            );
+            return Verdict::Stop(Status::Stalled, why);
+        }
         if is_ramping {
             // A window that spans the ramp would see a fall that is none.
             self.pace.stop = Window::default();
@@ -213,7 +230,7 @@ impl PWillmoreFlow {
     }
 
     /// What the energy cannot tell; each is told once a run.
-    fn warn(&mut self, report: &mut StepReport) {
+    fn warn(&mut self, report: &mut StepReport, largest: f64) {
         if report.flipped_faces > 0 {
             let count = counted(report.flipped_faces, "face", "faces");
             report
@@ -232,6 +249,13 @@ impl PWillmoreFlow {
                  iteratively, and steps take longer."
                     .into(),
             );
+        }
+        if largest > COARSE_FACE.max(4.0 * self.start_face) && !self.pace.warned.growth {
+            self.pace.warned.growth = true;
+            report.warnings.push(format!(
+                "The largest face has grown to {largest:.0} times the mean: one part of the surface \
+                 inflates, and the energy shown is too low. A finer mesh helps."
+            ));
         }
         let angle = report.min_angle_degrees;
         let tolerated = if self.mode() == Mode::Off {

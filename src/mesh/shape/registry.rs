@@ -93,8 +93,13 @@ pub(super) static SHAPES: &[Shape] = &[
             real("b", "Semi-axis y", 1.0, 0.05, 20.0),
             real("c", "Semi-axis z", 0.7, 0.05, 20.0),
             level(4, 8),
+            real("jitter", "Jitter along the surface", 0.0, 0.0, 1.0),
+            SEED,
         ],
-        build: |v| sample(sphere::ellipsoid(DVec3::new(v[0], v[1], v[2]), n(v[3]))),
+        build: |v| {
+            let axes = DVec3::new(v[0], v[1], v[2]);
+            sample(sphere::ellipsoid(axes, n(v[3]), v[4], v[5] as u64))
+        },
     },
     Shape {
         name: "bumpy-sphere",

@@ -56,9 +56,27 @@ pub fn hemisphere(rings: usize) -> PolygonSoup {
     PolygonSoup::from_faces(points.iter().map(position).collect(), &faces)
 }
 
-/// The ellipsoid with semi-axes `axes`, the affine image of an icosphere.
-pub fn ellipsoid(axes: DVec3, level: usize) -> Result<PolygonSoup, SubdivisionError> {
-    moved(level, |p| p * axes)
+/// The ellipsoid with semi-axes `axes`, the affine image of an icosphere whose vertices have
+/// been pushed along the sphere by `jitter` edge lengths, in the mean of the squares of each
+/// of two directions: from about 0.3 on some triangles turn over.
+pub fn ellipsoid(
+    axes: DVec3,
+    level: usize,
+    jitter: f64,
+    seed: u64,
+) -> Result<PolygonSoup, SubdivisionError> {
+    let mut random = SplitMix64::new(seed);
+    // Of the equilateral triangles that would cover the sphere.
+    let triangles = 20.0 * 4f64.powi(level as i32);
+    let edge = (16.0 * PI / (3f64.sqrt() * triangles)).sqrt();
+    moved(level, |p| {
+        if jitter == 0.0 {
+            return p * axes;
+        }
+        let push = DVec3::from_array(std::array::from_fn(|_| random.gaussian()));
+        let along = push - push.dot(p) * p;
+        (p + jitter * edge * along).normalize() * axes
+    })
 }
 
 /// A sphere of radius `exp(amplitude·s)` with `s` a sum of twelve plane waves of random
@@ -102,7 +120,7 @@ pub fn dumbbell(level: usize, waist: f64) -> Result<PolygonSoup, SubdivisionErro
 /// An icosphere with each point moved.
 pub(super) fn moved(
     level: usize,
-    place: impl Fn(DVec3) -> DVec3,
+    mut place: impl FnMut(DVec3) -> DVec3,
 ) -> Result<PolygonSoup, SubdivisionError> {
     let mut soup = icosphere(level)?;
     for p in &mut soup.positions {
