@@ -645,8 +645,8 @@ fn energy_against_time_converges_under_refinement() {
         let found = run(&ellipsoid, options);
         [9, 29, 59].map(|k| (found.reports[k].time, found.reports[k].energy))
     });
-    for k in 0..3 {
-        let [coarse, middle, fine] = [0, 1, 2].map(|level: usize| at[level][k]);
+    let [coarse, middle, fine] = at;
+    for ((coarse, middle), fine) in coarse.into_iter().zip(middle).zip(fine) {
         assert!((coarse.0 - fine.0).abs() < 1e-12, "not at the same time");
         let ratio = (coarse.1 - middle.1) / (middle.1 - fine.1);
         println!(
