@@ -32,6 +32,7 @@
 //! | p-Willmore readings | ∫\|H\|^p dA; with the paper's Y = 2Hn, W^p is 2^p times that |
 //! | Laplacian | positive semi-definite cotangent stiffness |
 //! | step size | raw dt, and scale-free τ: dt/h² with h the mean edge length at the start, or dt/L^(p+2) with L = √(A/4π) |
+//! | reductions of edge flips | f(e) = before − after: positive is an improvement |
 //! | multipliers | at rest ∇∫\|H\|^p + tension ∇A − pressure ∇V = 0 |
 //! | indices | vertices and faces count from 0, in the order of the file |
 //!
@@ -47,6 +48,7 @@
 //!   Processing 2005.
 //! - A. Gruber, E. Aulisa: *Computational p-Willmore Flow with Conformal Penalty*. ACM
 //!   Transactions on Graphics 39 (2020).
+//! - W. Brink, L. Alboul: *Willmore energy vs area as criteria for mesh optimisation*.
 
 #[cfg(feature = "solver")]
 pub mod energy;

@@ -103,6 +103,26 @@
  */
 
 /**
+ * Options of `flip`, edge-flip optimisation.
+ * @typedef {object} FlipOptions
+ * @property {'area' | 'willmore' | 'localised'} [criterion]  default localised
+ * @property {number} [max]          flips at most
+ * @property {boolean} [guardFolds]  faces may not be turned over
+ * @property {boolean} [history]     every flip is listed
+ */
+
+/**
+ * What `flip` answers: the JSON of `umbilic flips`. `circle` is W = 2 Σ β − 2πV over
+ * interior edges.
+ * @typedef {object} Flipped
+ * @property {number} flips
+ * @property {number} rejected  flips that would have gained and were refused
+ * @property {{ area: number, circle: number }} before
+ * @property {{ area: number, circle: number }} after
+ * @property {string} [history]  CSV
+ */
+
+/**
  * What `configure` answers.
  * @typedef {object} Configured
  * @property {number} freeVertices

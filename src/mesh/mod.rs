@@ -10,6 +10,7 @@
 pub mod build;
 pub mod element;
 pub mod error;
+pub mod flip;
 pub mod noise;
 mod orient;
 mod outline;

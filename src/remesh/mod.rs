@@ -1,6 +1,8 @@
 //! Better meshes of the same surface.
 
 pub mod conformal;
+pub mod flips;
+pub mod reduction;
 pub mod static_pass;
 
 pub use conformal::{Mode, Regulariser};

@@ -6,6 +6,7 @@
 mod document;
 mod fault;
 mod field;
+mod flip;
 mod history;
 mod readings;
 mod work;
@@ -14,6 +15,7 @@ pub use crate::flow::Progress;
 pub use crate::remesh::static_pass::Settings as RegulariseOptions;
 pub use fault::Fault;
 pub use field::{Field, FieldName};
+pub use flip::{Costs, FlipOptions, FlipOutcome};
 pub use readings::{EnergyReadings, Info, State};
 pub use work::Configured;
 
@@ -161,6 +163,14 @@ impl Session {
     /// Open and one-sided surfaces; the mesh stays as it was.
     pub fn regularise(&mut self, settings: &RegulariseOptions) -> Result<Outcome, Fault> {
         self.ensure_configured()?.regularise(settings)
+    }
+
+    /// Optimises the connectivity by edge flips; the surface as it is now becomes the start.
+    ///
+    /// # Errors
+    /// Meshes with faces other than triangles; the mesh stays as it was.
+    pub fn flip(&mut self, options: &FlipOptions) -> Result<FlipOutcome, Fault> {
+        self.work_mut()?.flip(options)
     }
 
     /// Goes one step back, if an earlier state is stored.

@@ -54,6 +54,15 @@ impl Work {
         }
     }
 
+    /// Forgets flow, history and reports; the next configuration starts at `x`.
+    pub(super) fn restart(&mut self, x: Vec<DVec3>) {
+        self.flow = None;
+        self.x = x;
+        self.state = State::default();
+        self.reports.clear();
+        self.history = History::default();
+    }
+
     pub(super) fn configure(
         &mut self,
         mut options: FlowOptions,

@@ -7,7 +7,7 @@ use crate::energy::circle::Boundary;
 use crate::flow::options::FlowOptions;
 use crate::io::Format;
 use crate::mesh::shape;
-use crate::session::{Fault, Field, Loaded, RegulariseOptions, Session as Inner};
+use crate::session::{Fault, Field, FlipOptions, Loaded, RegulariseOptions, Session as Inner};
 use js_sys::{Float32Array, Function, Uint8Array, Uint32Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -208,6 +208,16 @@ impl Session {
     pub fn regularise(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
         let options: RegulariseOptions = from_js(options)?;
         Ok(to_js(&self.0.regularise(&options)?))
+    }
+
+    /// Edge-flip optimisation: `Flipped`. `options` is `{ criterion?, max?, guardFolds?,
+    /// history? }`. The surface as it is now becomes the start.
+    ///
+    /// # Errors
+    /// Meshes with faces other than triangles.
+    pub fn flip(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
+        let options: FlipOptions = from_js(options)?;
+        Ok(to_js(&self.0.flip(&options)?))
     }
 
     /// One step back: `State`.

@@ -313,3 +313,34 @@ test("regularise tells what it gained, and writes quadrilaterals as such", () =>
   const flow = json(["flow", name, "--flow", "p-willmore", "--steps", "5"]);
   assert.ok(flow.steps.at(-1).energy < flow.steps[0].energy);
 });
+
+test("flips: connectivity by three criteria, with its history, readable again", () => {
+  const name = file("rough.ply");
+  json(["shape", "ellipsoid", "--level", "3", "--jitter", "0.2", "--out", name]);
+  const energy = json(["energy", name]);
+  /** @type {Record<string, any>} */
+  const ends = {};
+  for (const criterion of ["area", "willmore", "localised"]) {
+    const [out, history] = [file(`${criterion}.off`), file(`${criterion}.csv`)];
+    const outcome = json(
+      ["flips", name, "--criterion", criterion, "--out", out].concat(["--history", history]),
+    );
+    assert.deepEqual(Object.keys(outcome), ["flips", "rejected", "before", "after"]);
+    assertNear(outcome.before.circle, energy.circle, 1e-10);
+    assertNear(outcome.before.area, energy.area, 1e-12);
+    const after = json(["energy", out]);
+    assertNear(outcome.after.circle, after.circle, 1e-9);
+    assertNear(outcome.after.area, after.area, 1e-12);
+    const rows = readFileSync(history, "utf8").trim().split("\n");
+    assert.equal(rows.length, outcome.flips + 1);
+    assert.equal(rows[0], "flip,fromA,fromB,toA,toB,reduction,area,circle");
+    assertNear(Number(rows.at(-1)?.split(",")[7]), outcome.after.circle, 1e-12);
+    ends[criterion] = outcome;
+  }
+  assert.ok(ends.area.after.area < ends.willmore.after.area);
+  const few = json(["flips", name, "--max", "5"]);
+  assert.equal(few.flips, 5);
+  // The default is the localised energy, and its first flips are those of the whole run.
+  const rows = readFileSync(file("localised.csv"), "utf8").split("\n");
+  assertNear(few.after.circle, Number(rows[5].split(",")[7]), 1e-12);
+});

@@ -3,6 +3,7 @@
 
 import { bench } from "./bench.js";
 import { energy } from "./energy.js";
+import { flips } from "./flips.js";
 import { flow } from "./flow.js";
 import { info } from "./info.js";
 import { regularise } from "./regularise.js";
@@ -25,10 +26,10 @@ import { shape } from "./shape.js";
  */
 
 /** @type {Record<string, Command>} */
-export const commands = { info, energy, flow, regularise, shape, bench };
+export const commands = { info, energy, flow, flips, regularise, shape, bench };
 
 /** Named by the design, in a coming version. */
-export const laterCommands = ["flips", "fill"];
+export const laterCommands = ["fill"];
 
 /** @returns {string} */
 export function overview() {

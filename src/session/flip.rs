@@ -1,0 +1,111 @@
+//! Edge-flip optimisation of the loaded mesh.
+
+use super::fault::Fault;
+use super::work::Work;
+use crate::flow::FlowError;
+use crate::mesh::HalfedgeMesh;
+use crate::remesh::flips::{Flip, FlipOptimiser};
+use crate::remesh::reduction::Criterion;
+use serde::{Deserialize, Serialize};
+use std::fmt::Write as _;
+use std::rc::Rc;
+
+/// How connectivity is optimised. Unknown names are refused.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct FlipOptions {
+    /// What is to become small.
+    pub criterion: Criterion,
+    /// Flips at most; all that gain anything if absent.
+    pub max: Option<usize>,
+    /// Whether faces may not be turned over.
+    pub guard_folds: bool,
+    /// Whether every flip is listed.
+    pub history: bool,
+}
+
+/// Costs before or after.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Costs {
+    /// Total area.
+    pub area: f64,
+    /// W = 2 Σ β − 2πV over interior edges: Σ W_i as printed on closed meshes.
+    pub circle: f64,
+}
+
+/// What the flips did.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct FlipOutcome {
+    /// Flips made.
+    pub flips: usize,
+    /// Flips that would have gained and were refused.
+    pub rejected: usize,
+    /// Before the first.
+    pub before: Costs,
+    /// After the last.
+    pub after: Costs,
+    /// A row a flip with a header, as comma-separated values, if asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub history: Option<String>,
+}
+
+impl Work {
+    /// Optimises the connectivity; the positions stay, and what was done before is forgotten.
+    pub(super) fn flip(&mut self, options: &FlipOptions) -> Result<FlipOutcome, Fault> {
+        let mesh = &self.document.polygons;
+        if let Some((face, corners)) = first_polygon(mesh) {
+            return Err(FlowError::NotTriangular { face, corners }.into());
+        }
+        let copy = HalfedgeMesh::clone(mesh);
+        let FlipOptions {
+            criterion,
+            guard_folds,
+            ..
+        } = *options;
+        let mut optimiser = FlipOptimiser::new(copy, self.x.clone(), criterion, guard_folds);
+        let costs = |optimiser: &FlipOptimiser| Costs {
+            area: optimiser.area(),
+            circle: optimiser.willmore(),
+        };
+        let before = costs(&optimiser);
+        let mut history = options
+            .history
+            .then(|| String::from("flip,fromA,fromB,toA,toB,reduction,area,circle\n"));
+        while options.max.is_none_or(|max| optimiser.flips() < max) {
+            let Some(flip) = optimiser.step() else { break };
+            if let Some(history) = &mut history {
+                write_row(history, optimiser.flips(), &flip);
+            }
+        }
+        let outcome = FlipOutcome {
+            flips: optimiser.flips(),
+            rejected: optimiser.rejected(),
+            before,
+            after: costs(&optimiser),
+            history,
+        };
+        let mesh = Rc::new(optimiser.into_mesh());
+        self.document.polygons = Rc::clone(&mesh);
+        self.document.triangles = mesh;
+        let x = std::mem::take(&mut self.x);
+        self.document.start.clone_from(&x);
+        self.restart(x);
+        Ok(outcome)
+    }
+}
+
+fn first_polygon(mesh: &HalfedgeMesh) -> Option<(u32, usize)> {
+    mesh.faces()
+        .map(|f| (f.0, mesh.face_vertices(f).count()))
+        .find(|(_, corners)| *corners != 3)
+}
+
+fn write_row(history: &mut String, number: usize, flip: &Flip) {
+    let ([a, b], [c, d]) = (flip.before, flip.after);
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        history,
+        "{number},{},{},{},{},{},{},{}",
+        a.0, b.0, c.0, d.0, flip.reduction, flip.area, flip.willmore
+    );
+}

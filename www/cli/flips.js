@@ -1,0 +1,63 @@
+// @ts-check
+// `umbilic flips`: edge-flip optimisation.
+
+import { orExit } from "./failure.js";
+import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
+import { number, parse } from "./options.js";
+import { format, table } from "./text.js";
+
+/** @typedef {import("../protocol.js").Flipped} Flipped */
+
+/** @type {import("./options.js").Syntax} */
+const syntax = {
+  summary: "flips edges as long as that lowers area or Willmore energy",
+  operands: ["MESH"],
+  options: {
+    criterion: {
+      value: "NAME",
+      choices: ["area", "willmore", "localised"],
+      help: "what is to fall (default localised: Willmore energy about the edge)",
+    },
+    max: { value: "N", help: "at most so many flips" },
+    "guard-folds": { help: "no flip turns a face over (it also forbids unfolding)" },
+    out: { value: "FILE", help: "the mesh at the end: .obj, .off, .ply, .stl or .glb" },
+    history: { value: "FILE.csv", help: "every flip: edge, reduction, area, W" },
+  },
+};
+
+/** @type {import("./commands.js").Command} */
+export const flips = {
+  syntax,
+  async run({ parameters, io, open }) {
+    const { operands, values } = parse(parameters, syntax);
+    const max = number(values, "max", { low: 0, integer: true });
+    checkOutputs([values.out, values.history]);
+    const outFormat = values.out && formatOf(values.out);
+    const { bytes, name } = readMesh(operands[0], io);
+    const session = await open();
+    orExit(3, () => session.load(bytes, name));
+    const options = {
+      ...(values.criterion && { criterion: values.criterion }),
+      ...(max !== undefined && { max }),
+      guardFolds: values["guard-folds"] === true,
+      history: values.history !== undefined,
+    };
+    /** @type {Flipped} */
+    const { history, ...outcome } = orExit(3, () => session.flip(options));
+    if (values.out) writeOutput(values.out, session.export(outFormat));
+    if (values.history) writeOutput(values.history, history ?? "");
+    if (values.json) io.write(`${JSON.stringify(outcome)}\n`);
+    else io.write(summary(outcome));
+    return 0;
+  },
+};
+
+/** @param {Flipped} outcome */
+function summary({ flips, rejected, before, after }) {
+  const rows = [
+    ["", "before", "after"],
+    ["area", format(before.area), format(after.area)],
+    ["circle", format(before.circle), format(after.circle)],
+  ];
+  return `${flips} flips, ${rejected} refused\n\n${table(rows)}`;
+}
