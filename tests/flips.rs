@@ -1,7 +1,10 @@
 //! Edge flips of Brink & Alboul: exact reductions, the greedy optimiser against a search of
 //! all edges, and the conjecture of the paper, which is false.
 #![allow(missing_docs, reason = "tests")]
-#![allow(clippy::excessive_precision, reason = "as they were computed, to 20 digits")]
+#![allow(
+    clippy::excessive_precision,
+    reason = "as they were computed, to 20 digits"
+)]
 
 mod support;
 

@@ -518,7 +518,7 @@ fn open_and_one_sided_surfaces_are_refused_in_words() {
         reduced_volume: Some(0.7),
         ..options(2.0, &[Kept::Volume], 1)
     };
-    assert!(bad(ramp).contains("reducedVolume"));
+    assert!(bad(ramp).contains("reduced volume"));
     let helfrich = FlowOptions {
         spontaneous_curvature: 1.0,
         ..options(3.0, &[], 1)

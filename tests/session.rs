@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use umbilic::energy::circle::Boundary;
 use umbilic::flow::Status;
-use umbilic::flow::options::FlowOptions;
+use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::io::{self, Format};
 use umbilic::session::Session;
 
@@ -318,4 +318,45 @@ fn energies_of_a_sphere_are_the_smooth_ones() {
     assert_eq!(found.willmore, found.p_willmore["2"]);
     assert!((found.volume.expect("closed") * 3.0 / sphere - 1.0).abs() < 5e-3);
     assert!(found.conformal_distortion >= 0.0 && found.gradient_norm < 1e-6);
+}
+
+/// Diagnosis, energies and flow tell one area, one volume and one ∫H² of quadrilaterals.
+#[test]
+fn quadrilaterals_are_measured_in_one_way() {
+    let mut text = String::new();
+    let (n, m) = (12, 8);
+    for i in 0..n {
+        for j in 0..m {
+            let (u, v) = (
+                std::f64::consts::TAU * f64::from(i) / f64::from(n),
+                std::f64::consts::TAU * f64::from(j) / f64::from(m),
+            );
+            let r = 2.0 + (0.7 + 0.1 * (3.0 * u).sin()) * v.cos();
+            text += &format!("v {} {} {}\n", r * u.cos(), r * u.sin(), 0.7 * v.sin());
+        }
+    }
+    for i in 0..n {
+        for j in 0..m {
+            let at = |i: i32, j: i32| (i % n) * m + j % m + 1;
+            let (a, b) = (at(i, j), at(i + 1, j));
+            text += &format!("f {a} {b} {} {}\n", at(i + 1, j + 1), at(i, j + 1));
+        }
+    }
+    let mut session = Session::new();
+    let loaded = session.load(text.as_bytes(), "quads.obj").expect("a mesh");
+    let options = FlowOptions {
+        flow: FlowName::PWillmore,
+        ..FlowOptions::default()
+    };
+    let state = session.configure(options).expect("a flow").state;
+    let energy = session.energy(Boundary::Fixed, &[]).expect("energies");
+    let close = |a: f64, b: f64| (a - b).abs() < 1e-12 * b.abs();
+    assert!(close(loaded.info.area, state.area) && close(energy.area, state.area));
+    let volumes = [loaded.info.volume, energy.volume].map(|v| v.expect("closed"));
+    assert!(
+        volumes
+            .iter()
+            .all(|v| close(*v, state.volume.expect("closed")))
+    );
+    assert!(close(energy.willmore, state.energy));
 }

@@ -15,7 +15,8 @@ import { transitions as to } from "./state.js";
 /**
  * @typedef {object} Voice  how the controller speaks to the user
  * @property {(fault: Pick<Fault, 'message' | 'hint'>) => void} error
- * @property {(text: string) => void} note
+ * @property {(text: string) => void} note    worth knowing, said once
+ * @property {(text: string) => void} answer  to what was asked for, said every time
  * @property {() => void} clear   a new mesh: what was said of the old one no longer holds
  */
 
@@ -81,9 +82,10 @@ export function createController(store, voice) {
    * @param {Source} source
    * @param {() => ReturnType<typeof solver.load>} ask
    * @param {Options} options
+   * @param {Options} fallback  for a mesh that the options do not suit
    * @param {Partial<Scene>} [scene]
    */
-  async function load(name, source, ask, options, scene = {}) {
+  async function load(name, source, ask, options, fallback, scene = {}) {
     await rest();
     store.update(to.loading, name);
     try {
@@ -92,8 +94,18 @@ export function createController(store, voice) {
       store.update(to.loaded, source, mesh);
       for (const warning of mesh.info.warnings) voice.note(warning);
       if (scene.camera) store.update(to.looked, scene.camera);
-      await configure(options);
+      const suits = await configure(options).then(
+        () => true,
+        async (error) => {
+          if (error?.kind === LOST) throw error;
+          // A mesh without a flow would be a dead end: said, and another flow in its place.
+          report(error);
+          await configure(fallback);
+          return false;
+        },
+      );
       await colour(scene.colour ?? store.get().colour);
+      if (!suits) return;
     } catch (error) {
       store.update(to.refused);
       throw error;
@@ -147,9 +159,11 @@ export function createController(store, voice) {
     sample: (id, scene = {}) =>
       enqueue(() => {
         const sample = samples.find((one) => one.id === id) ?? samples[0];
-        const options = { ...defaults, ...sample.options, ...scene.options };
+        const suggested = { ...defaults, ...sample.options };
+        const options = { ...suggested, ...scene.options };
+        const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
         const ask = () => solver.sample(sample.shape, sample.parameters);
-        return load(sample.label, { kind: "sample", id: sample.id }, ask, options, scene);
+        return load(sample.label, source, ask, options, suggested, scene);
       }),
 
     /** @param {File} file @param {Partial<Scene>} [scene] */
@@ -157,10 +171,13 @@ export function createController(store, voice) {
       enqueue(async () => {
         const bytes = await file.arrayBuffer();
         const name = file.name.replace(/\.[^.]+$/, "");
-        // What a sample or an earlier mesh was shown with says nothing about this one.
-        const options = { ...defaults, boundary: store.get().options.boundary, ...scene.options };
+        // Of what an earlier mesh was shown with, the choice of flow is the user's; the rest
+        // says nothing about this one.
+        const { flow, boundary, p, keep, regularise } = store.get().options;
+        const plain = { ...defaults, boundary };
+        const options = { ...plain, flow, p, keep, regularise, ...scene.options };
         const ask = () => solver.load(file.name, bytes);
-        return load(file.name, { kind: "file", name }, ask, options, scene);
+        return load(file.name, { kind: "file", name }, ask, options, plain, scene);
       }),
 
     play: () => enqueue(() => run(null)),
@@ -179,8 +196,12 @@ export function createController(store, voice) {
         await rest();
         if (!store.get().reading) return;
         const { regulariseEpsilon: epsilon } = store.get().options;
-        const { passes, before, after, distance } = await solver.regularise({ epsilon });
-        voice.note(
+        store.update(to.progress, { stage: "regularise", fraction: 0 });
+        const outcome = await solver.regularise({ epsilon }).finally(() => {
+          store.update(to.progress, null);
+        });
+        const { passes, before, after, distance } = outcome;
+        voice.answer(
           passes === 0
             ? "The mesh is as regular as it gets."
             : `Regularised in ${passes} ${passes === 1 ? "pass" : "passes"}: smallest angle ` +

@@ -189,9 +189,9 @@ impl FlowOptions {
             ("dt", self.dt),
             ("tau", self.tau),
             ("detail", self.detail),
-            ("tauMax", self.tau_max),
-            ("tauGrowth", Some(self.tau_growth)),
-            ("regulariseEpsilon", Some(self.regularise_epsilon)),
+            ("the largest τ", self.tau_max),
+            ("the growth of τ", Some(self.tau_growth)),
+            ("the ε of the regularisation", Some(self.regularise_epsilon)),
         ];
         for (name, value) in positive {
             if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
@@ -205,15 +205,19 @@ impl FlowOptions {
             return bad("smoothSteps", "0".into(), "1 or more");
         }
         if self.p != 0.0 && !(1.0..=MAX_EXPONENT).contains(&self.p) {
-            return bad("p", self.p.to_string(), "0, or a number from 1 to 16");
+            return bad(
+                "the exponent p",
+                self.p.to_string(),
+                "0, or a number from 1 to 16",
+            );
         }
         if let Some(v) = self.reduced_volume.filter(|v| !(*v > 0.0 && *v <= 1.0)) {
-            return bad("reducedVolume", v.to_string(), "above 0 and at most 1");
+            return bad("the reduced volume", v.to_string(), "above 0 and at most 1");
         }
         let terms = [
-            ("spontaneousCurvature", self.spontaneous_curvature),
-            ("tension", self.tension),
-            ("pressure", self.pressure),
+            ("the spontaneous curvature", self.spontaneous_curvature),
+            ("the tension", self.tension),
+            ("the pressure", self.pressure),
         ];
         match terms.into_iter().find(|(_, value)| !value.is_finite()) {
             Some((name, value)) => bad(name, value.to_string(), "any finite number"),

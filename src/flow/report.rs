@@ -36,7 +36,8 @@ pub struct StepReport {
     pub time: f64,
     /// Raw step size.
     pub dt: f64,
-    /// The flow's own reading: W = Σ W_i as printed, or ∫|H|^p dA.
+    /// The flow's own reading: W = Σ W_i as printed, or ∫|H|^p dA, or with the terms of
+    /// Helfrich ∫(H − H₀)² dA + (σA − PV)/4.
     pub energy: f64,
     /// The same made comparable: W/2, or ∫|H|^p dA over its value on the round sphere of
     /// the same area.

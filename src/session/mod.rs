@@ -294,7 +294,10 @@ impl Session {
         let mesh = &work.document.triangles;
         let free = boundary::free_vertices(mesh, boundary, None, None)
             .unwrap_or_else(|_| vec![false; mesh.n_vertices()]);
-        Ok(EnergyReadings::of(mesh, &work.x, boundary, &free, powers))
+        let polygons = &work.document.polygons;
+        Ok(EnergyReadings::of(
+            mesh, polygons, &work.x, boundary, &free, powers,
+        ))
     }
 
     /// The surface as a file, with the faces of the original.

@@ -2,15 +2,18 @@
 //! field names in camel case.
 
 use crate::energy::circle::angle::Smoothing;
-use crate::energy::circle::{Boundary, CircleEnergy, Evaluation};
+use crate::energy::circle::{self, Boundary, CircleEnergy};
+use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
 use crate::energy::{conformal, p_willmore};
 use crate::flow::{Multipliers, Status, StepReport};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
+use crate::operator::Elements;
 use glam::DVec3;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::rc::Rc;
 
 /// Diagnosis card of a mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -48,7 +51,9 @@ pub struct Info {
 
 impl Info {
     /// The card of a mesh.
-    pub fn of(mesh: &HalfedgeMesh, x: &[DVec3], warnings: &[String]) -> Self {
+    pub fn of(mesh: &Rc<HalfedgeMesh>, x: &[DVec3], warnings: &[String]) -> Self {
+        let quads = quadrilateral_integrals(mesh, x, 2.0);
+        let volume = measure::volume(mesh, x);
         Self {
             vertices: mesh.n_vertices(),
             edges: mesh.n_edges(),
@@ -59,8 +64,8 @@ impl Info {
             genus: mesh.genus(),
             closed: mesh.is_closed(),
             oriented: mesh.is_oriented(),
-            area: measure::area(mesh, x),
-            volume: measure::volume(mesh, x),
+            area: quads.map_or_else(|| measure::area(mesh, x), |q| q.area),
+            volume: volume.map(|v| quads.map_or(v, |q| q.volume)),
             mean_edge_length: measure::mean_edge_length(mesh, x),
             min_angle_degrees: measure::min_angle_degrees(mesh, x),
             warnings: warnings.to_vec(),
@@ -91,31 +96,40 @@ pub struct EnergyReadings {
 }
 
 impl EnergyReadings {
-    /// All readings of a triangle mesh; `free` tells which vertices may move.
+    /// All readings of a triangle mesh; `free` tells which vertices may move. Where it is the
+    /// copy of a mesh of quadrilaterals, `polygons`, area, volume and powers of H are those
+    /// of the bilinear faces.
     pub fn of(
         mesh: &HalfedgeMesh,
+        polygons: &Rc<HalfedgeMesh>,
         x: &[DVec3],
         boundary: Boundary,
         free: &[bool],
         powers: &[f64],
     ) -> Self {
         let energy = CircleEnergy::new(mesh, boundary);
-        let mut evaluation = Evaluation::default();
+        let mut evaluation = circle::Evaluation::default();
         energy.evaluate(x, Smoothing::EXACT, &mut evaluation);
         let gradient = evaluation
             .gradient
             .iter()
             .zip(free)
             .filter(|(_, free)| **free);
-        let power = |p: f64| (p.to_string(), p_willmore::integrated_power(mesh, x, p));
+        let power = |p: f64| match quadrilateral_integrals(polygons, x, p) {
+            Some(quads) => quads.energy / 2f64.powf(p),
+            None => p_willmore::integrated_power(mesh, x, p),
+        };
+        let named = |p: f64| (p.to_string(), power(p));
+        let quads = quadrilateral_integrals(polygons, x, 2.0);
+        let volume = measure::volume(mesh, x);
         let standard = [0.0, 1.0, 2.0, 3.0, 4.0];
         Self {
             circle: evaluation.value,
             circle_normalised: 0.5 * evaluation.value,
-            willmore: p_willmore::integrated_power(mesh, x, 2.0),
-            p_willmore: standard.iter().chain(powers).map(|&p| power(p)).collect(),
-            area: measure::area(mesh, x),
-            volume: measure::volume(mesh, x),
+            willmore: power(2.0),
+            p_willmore: standard.iter().chain(powers).map(|&p| named(p)).collect(),
+            area: quads.map_or_else(|| measure::area(mesh, x), |q| q.area),
+            volume: volume.map(|v| quads.map_or(v, |q| q.volume)),
             conformal_distortion: conformal::conformal_distortion(mesh, x),
             gradient_norm: gradient
                 .map(|(g, _)| g.length_squared())
@@ -123,6 +137,16 @@ impl EnergyReadings {
                 .sqrt(),
         }
     }
+}
+
+/// The integrals of a closed mesh of quadrilaterals, by the quadrature that flows use; `None`
+/// of any other mesh.
+fn quadrilateral_integrals(mesh: &Rc<HalfedgeMesh>, x: &[DVec3], p: f64) -> Option<Integrals> {
+    if !mesh.is_closed() || Elements::of(mesh)?.degree() != 4 {
+        return None;
+    }
+    let functional = PWillmore::new(Rc::clone(mesh), x, p, Helfrich::default())?;
+    Some(functional.integrals(x, &mut Evaluation::default()))
 }
 
 /// Where a session stands.

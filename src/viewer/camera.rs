@@ -20,9 +20,9 @@ use glam::{Mat4, Quat, Vec2, Vec3};
 /// a lens that a torus looks round, short enough that near and far can be told apart.
 const TAN_HALF_FIELD: f32 = 0.25;
 /// Air around a fitted bounding sphere.
-const FIT_MARGIN: f32 = 1.005;
+const FIT_MARGIN: f32 = 1.06;
 /// How far a followed surface may grow over the picture before the camera goes back.
-const TOLERATED: f32 = 1.03;
+const TOLERATED: f32 = 1.04;
 /// Distances allowed, in radii of what is looked at.
 const DISTANCE_RANGE: (f32, f32) = (0.02, 40.0);
 

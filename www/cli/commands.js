@@ -34,7 +34,7 @@ export const laterCommands = ["fill"];
 /** @returns {string} */
 export function overview() {
   const rows = Object.entries(commands).map(
-    ([name, { syntax }]) => `  ${[name, ...syntax.operands].join(" ").padEnd(14)}${syntax.summary}`,
+    ([name, { syntax }]) => `  ${[name, ...syntax.operands].join(" ").padEnd(17)}${syntax.summary}`,
   );
   return `umbilic <command> [options]
 

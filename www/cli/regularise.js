@@ -41,6 +41,8 @@ export const regularise = {
     const { bytes, name } = readMesh(operands[0], io);
     const session = await open();
     orExit(3, () => session.load(bytes, name));
+    // Without steps: the flow's checks of the mesh are those of the regularisation.
+    orExit(3, () => session.configure({ flow: "p-willmore" }));
     const options = Object.fromEntries(Object.entries(given).filter(([, v]) => v !== undefined));
     const start = performance.now();
     /** @type {Regularised} */

@@ -28,6 +28,18 @@ export function createMessages() {
     return message;
   }
 
+  /** @type {HTMLElement | null} */
+  let answered = null;
+
+  /** A message that goes by itself. @param {string} text */
+  function stay(text) {
+    const message = add(notes, text, "");
+    const leave = () =>
+      message.matches(":hover, :focus-within") ? setTimeout(leave, NOTE_STAYS) : message.remove();
+    setTimeout(leave, NOTE_STAYS);
+    return message;
+  }
+
   return {
     /** @param {{ message: string, hint: string }} fault */
     error({ message, hint }) {
@@ -41,10 +53,13 @@ export function createMessages() {
       const key = text.replace(/[\d.]+/g, "#");
       if (told.has(key)) return;
       told.add(key);
-      const message = add(notes, text, "");
-      const leave = () =>
-        message.matches(":hover, :focus-within") ? setTimeout(leave, NOTE_STAYS) : message.remove();
-      setTimeout(leave, NOTE_STAYS);
+      stay(text);
+    },
+    /** @param {string} text */
+    answer(text) {
+      // The answer before is of no use any more.
+      answered?.remove();
+      answered = stay(text);
     },
     clear() {
       told.clear();

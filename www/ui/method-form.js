@@ -50,6 +50,10 @@ export function createMethodForm(controller) {
     } else controller.configure({ [control.name]: chosen(form, control.name) });
   });
   form.addEventListener("submit", (event) => event.preventDefault());
+  // A value that was refused must not stay beside the one in force.
+  form.addEventListener("focusout", ({ target }) => {
+    if (target instanceof HTMLInputElement && !target.checkValidity()) restore();
+  });
   byId("recommended", HTMLButtonElement).addEventListener("click", () => {
     const { flow, boundary, free, fixed, p, keep } = shown;
     controller.configure({ ...defaults, flow, boundary, free, fixed, p, keep });
@@ -71,7 +75,8 @@ export function createMethodForm(controller) {
   let shown = defaults;
   /** @type {PageState["configured"]} */
   let configured = null;
-  fill(shown);
+  const restore = () => fill(shown);
+  restore();
   return {
     /** @param {Readonly<PageState>} state */
     update(state) {

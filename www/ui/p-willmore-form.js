@@ -40,6 +40,10 @@ export function createPWillmoreForm(controller) {
     } else controller.configure({ [control.name]: chosen(form, control.name) });
   });
   form.addEventListener("submit", (event) => event.preventDefault());
+  // A value that was refused must not stay beside the one in force.
+  form.addEventListener("focusout", ({ target }) => {
+    if (target instanceof HTMLInputElement && !target.checkValidity()) restore();
+  });
   byId("regularise-now", HTMLButtonElement).addEventListener("click", () =>
     controller.regularise(),
   );
@@ -57,19 +61,23 @@ export function createPWillmoreForm(controller) {
 
   /** @type {Options} */
   let shown = defaults;
-  show(form, shown);
+  /** Shows what is in force. */
+  function restore() {
+    show(form, shown);
+    area.checked = shown.keep.includes("area");
+    volume.checked = shown.keep.includes("volume");
+    lead.checked = shown.reducedVolume !== null;
+    target.value = String(shown.reducedVolume ?? DISCOCYTE);
+  }
+  restore();
   return {
     /** @param {Readonly<PageState>} state */
     update({ options, reading }) {
       describe(reading);
       if (options === shown) return;
       shown = options;
-      show(form, options);
+      restore();
       form.hidden = options.flow !== "p-willmore";
-      area.checked = options.keep.includes("area");
-      volume.checked = options.keep.includes("volume");
-      lead.checked = options.reducedVolume !== null;
-      target.value = String(options.reducedVolume ?? DISCOCYTE);
     },
   };
 }

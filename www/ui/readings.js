@@ -37,10 +37,24 @@ function volumeText({ volume, reducedVolume }) {
   return formatNumber(volume, 6) + share;
 }
 
+/** What the p-Willmore flow decreases. @param {PageState["options"]} options */
+function energyLabel({ p, spontaneousCurvature, tension, pressure }) {
+  if (spontaneousCurvature || tension || pressure) return "∫(H − H₀)² dA + ¼(σA − PV)";
+  const powers = new Map([
+    [0, "Area"],
+    [1, "∫|H| dA"],
+    [2, "∫H² dA"],
+    [3, "∫|H|³ dA"],
+    [4, "∫H⁴ dA"],
+  ]);
+  return powers.get(p) ?? `∫|H|^${p} dA`;
+}
+
 export function createReadings() {
   const energy = byId("energy", HTMLElement);
   const half = byId("energy-half", HTMLElement);
   const section = byId("energy-section", HTMLElement);
+  const label = byId("energy-label", HTMLElement);
   /** @type {NodeListOf<HTMLElement>} */
   const cells = byId("readings", HTMLTableElement).querySelectorAll("[data-reading]");
 
@@ -56,6 +70,7 @@ export function createReadings() {
       if (state.options !== options) {
         options = state.options;
         showParts(section, options);
+        setText(label, energyLabel(options));
       }
       if (state.reading === shown && state.mesh === mesh) return;
       shown = state.reading;

@@ -25,7 +25,8 @@ pub struct Helfrich {
 }
 
 impl Helfrich {
-    fn is_zero(self) -> bool {
+    /// Whether there are no such terms.
+    pub fn is_zero(self) -> bool {
         self == Self::default()
     }
 }
@@ -99,6 +100,17 @@ impl PWillmore {
     /// The exponent.
     pub fn p(&self) -> f64 {
         self.p
+    }
+
+    /// What a reader is shown: ∫|H|^p dA, or with the terms of Helfrich a quarter of the
+    /// functional, ∫(H − H₀)² dA + (σA − PV)/4.
+    pub fn reading(&self, integrals: &Integrals) -> f64 {
+        let shown = if self.helfrich.is_zero() {
+            integrals.energy
+        } else {
+            integrals.objective
+        };
+        shown / 2f64.powf(self.p)
     }
 
     /// δ², which rounds |Y|² where p < 2.

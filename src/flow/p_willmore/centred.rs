@@ -16,12 +16,14 @@ use crate::operator::{Dual, DualVec, Elements};
 use glam::DVec3;
 
 /// Newton's iterations, at most …
-const MAX_NEWTON: usize = 20;
+const MAX_NEWTON: usize = 12;
 /// … until the residual has fallen to this share of the first: two iterations, as in the
 /// paper, do not reach it near the largest stable step.
 const CONVERGED: f64 = 1e-8;
 /// Products with the Jacobian a linear system may take, and the residual asked of it.
-const MAX_KRYLOV: usize = 200;
+const MAX_KRYLOV: usize = 120;
+/// A residual so many times the first is on its way to nowhere.
+const DIVERGED: f64 = 10.0;
 const KRYLOV_TOLERANCE: f64 = 1e-6;
 /// Relative violation of a constraint that counts as none.
 const SATISFIED: f64 = 1e-12;
@@ -93,7 +95,8 @@ impl CentredStep<'_> {
             if newton == 0 {
                 first = size;
             }
-            if !size.is_finite() || newton == MAX_NEWTON {
+            let is_lost = newton > 0 && size > DIVERGED * first;
+            if !size.is_finite() || is_lost || newton == MAX_NEWTON {
                 return Ok(None);
             }
             if newton > 0 && size <= CONVERGED * first && violation <= SATISFIED {

@@ -104,7 +104,7 @@ impl PWillmoreFlow {
             Some(reduced) => {
                 if !(keeps(Kept::Area) && keeps(Kept::Volume)) {
                     return Err(FlowError::BadOption {
-                        name: "reducedVolume",
+                        name: "the reduced volume",
                         value: reduced.to_string(),
                         allowed: "given only where both area and volume are kept",
                     });
@@ -212,16 +212,11 @@ impl super::Flow for PWillmoreFlow {
     fn reading(&mut self, x: &[DVec3]) -> super::Reading {
         self.is_evaluated = false;
         self.evaluate(x);
-        let Integrals {
-            area,
-            volume,
-            energy,
-            ..
-        } = self.evaluation.integrals;
-        let energy = energy / 2f64.powf(self.options.p);
+        let integrals = self.evaluation.integrals;
+        let Integrals { area, volume, .. } = integrals;
         super::Reading {
-            energy,
-            energy_normalised: self.normalised(area, energy),
+            energy: self.functional.reading(&integrals),
+            energy_normalised: self.normalised(&integrals),
             gradient_norm: self.residual(&[]),
             area,
             volume: Some(volume),
@@ -299,9 +294,10 @@ impl super::Flow for PWillmoreFlow {
 
 impl PWillmoreFlow {
     /// ∫|H|^p dA over its value on the round sphere of the same area, 4π L^(2−p).
-    fn normalised(&self, area: f64, energy: f64) -> f64 {
-        let scale = (area / (4.0 * PI)).sqrt();
-        energy / (4.0 * PI * scale.powf(2.0 - self.options.p))
+    fn normalised(&self, integrals: &Integrals) -> f64 {
+        let p = self.options.p;
+        let scale = (integrals.area / (4.0 * PI)).sqrt();
+        integrals.energy / 2f64.powf(p) / (4.0 * PI * scale.powf(2.0 - p))
     }
 
     fn mode(&self) -> Mode {
@@ -318,14 +314,14 @@ fn helfrich(options: &FlowOptions, scale: f64, triangles: bool) -> Result<Helfri
     };
     if helfrich != Helfrich::default() && options.p != 2.0 {
         return Err(FlowError::BadOption {
-            name: "p",
+            name: "the exponent p",
             value: options.p.to_string(),
             allowed: "only 2 with spontaneous curvature, tension or pressure",
         });
     }
     if helfrich.spontaneous != 0.0 && !triangles {
         return Err(FlowError::BadOption {
-            name: "spontaneousCurvature",
+            name: "the spontaneous curvature",
             value: options.spontaneous_curvature.to_string(),
             allowed: "0 on quadrilaterals; triangulate the mesh for others",
         });
@@ -342,9 +338,9 @@ fn check_paper(options: &FlowOptions, vertices: usize) -> Result<(), FlowError> 
         });
     }
     let terms = [
-        ("spontaneousCurvature", options.spontaneous_curvature),
-        ("tension", options.tension),
-        ("pressure", options.pressure),
+        ("the spontaneous curvature", options.spontaneous_curvature),
+        ("the tension", options.tension),
+        ("the pressure", options.pressure),
     ];
     match terms.into_iter().find(|(_, value)| *value != 0.0) {
         Some((name, value)) => Err(FlowError::BadOption {

@@ -10,8 +10,9 @@ use web_time::Instant;
 /// Most vertices the scheme takes: a step solves several unsymmetric systems of three
 /// unknowns a vertex, where the recommended one solves a scalar one.
 pub(super) const LARGEST: usize = 20_000;
-/// Halvings of a step that does not converge.
-const MAX_HALVINGS: usize = 20;
+/// How often, and by what, a step is cut that does not converge.
+const MAX_CUTS: usize = 12;
+const CUT: f64 = 0.1;
 /// The volume moves by at most this share a step where it is led.
 const RAMP: f64 = 1e-2;
 
@@ -38,7 +39,7 @@ impl PWillmoreFlow {
         let is_ramping = wanted != self.pace.last_volume;
         let weighted = self.functional.weighted(&self.evaluation);
         let before = self.evaluation.integrals.objective;
-        for halvings in 0..MAX_HALVINGS {
+        for cuts in 0..MAX_CUTS {
             let dt = self.pace.dt;
             self.pace.volume = ramped(wanted, self.pace.last_volume, RAMP);
             self.tell("newton", 0.1);
@@ -63,19 +64,19 @@ impl PWillmoreFlow {
             let Some(found) = found.filter(|found| !self.turns_too_far(x, &found.x)) else {
                 cost.rejected += 1;
                 cost.refusal = "Newton’s method does not converge, or a face would turn over";
-                self.pace.dt *= 0.5;
+                self.pace.dt *= CUT;
                 continue;
             };
             cost.iterations += found.newton;
             let asked = self.options.dt.is_some();
-            self.pace.dt = if halvings == 0 && !asked {
+            self.pace.dt = if cuts == 0 && !asked {
                 (self.options.tau_growth * dt).min(self.largest_dt())
             } else {
                 self.options.dt.unwrap_or(dt)
             };
-            if halvings > 0 {
+            if cuts > 0 {
                 cost.warnings.push(format!(
-                    "Newton’s method did not converge: this step was halved {halvings} times."
+                    "Newton’s method did not converge: this step was cut to a tenth {cuts} times."
                 ));
             }
             let y = self.regularised(x, found.x, before, true, cost)?;

@@ -150,13 +150,12 @@ impl PWillmoreFlow {
         let tension = self.pace.area.and_then(|_| multipliers.next());
         let tension = tension.map(|m| -m);
         let pressure = self.pace.volume.and_then(|_| multipliers.next());
-        let energy = integrals.energy / scale;
         let mut report = StepReport {
             step: self.pace.step,
             time: self.pace.time,
             dt: accepted.dt,
-            energy,
-            energy_normalised: self.normalised(integrals.area, energy),
+            energy: self.functional.reading(&integrals),
+            energy_normalised: self.normalised(&integrals),
             objective_before: before,
             objective: integrals.objective,
             gradient_norm: self.residual(&accepted.multipliers),
@@ -274,7 +273,8 @@ impl PWillmoreFlow {
         }
         let handles = self.mesh.genus().unwrap_or_default() > 0;
         let least = if handles { 2.0 * PI * PI } else { 4.0 * PI };
-        let cheats = self.options.p == 2.0 && report.energy < (1.0 - IMPOSSIBLE) * least;
+        let bending = self.evaluation.integrals.energy / 4.0;
+        let cheats = self.options.p == 2.0 && bending < (1.0 - IMPOSSIBLE) * least;
         if cheats && !self.pace.warned.impossible {
             self.pace.warned.impossible = true;
             report.warnings.push(
