@@ -70,62 +70,36 @@ pub(super) struct Outcome {
     pub(super) relative_residual: f64,
 }
 
+/// When an iteration that has not converged ends.
+#[derive(Clone, Copy)]
+pub(super) enum Limit {
+    /// After so many iterations, or once the rate so far shows that they will not do.
+    WhileHopeful(usize),
+    /// After so many: there is nothing else to fall back on.
+    Whatever(usize),
+}
+
 /// Conjugate gradients for `A X = B` from `X = P⁻¹ B`.
 ///
 /// The coordinates of a field are one system with the matrix `A ⊗ I₃`, so the iteration
 /// commutes with rotations; fields have steps of their own. Costs one preconditioning
 /// and one product with A an iteration, and one of each at the start.
 ///
-/// Ends when the relative residual of every field is at most `tolerance`, after
-/// `max_iterations`, once the rate so far shows that these will not do, or when A or P
-/// turns out not to be positive definite. The caller compares the outcome's residual
-/// with the tolerance.
+/// Ends when the relative residual of every field is at most `tolerance`, at the limit, or
+/// when A or P turns out not to be positive definite. The caller compares the outcome's
+/// residual with the tolerance.
 pub(super) fn conjugate_gradients<T: Entry>(
-    system: System<'_, T>,
-    x: &mut [T],
-    precondition: impl FnMut(&mut [T]),
-    tolerance: f64,
-    max_iterations: usize,
-    workspace: &mut Workspace<T>,
-) -> Outcome {
-    iterate(
-        system,
-        x,
-        precondition,
-        tolerance,
-        (max_iterations, true),
-        workspace,
-    )
-}
-
-/// As [`conjugate_gradients`], where there is nothing else to fall back on: goes on however
-/// slow it is.
-pub(super) fn iterate_to_the_end<T: Entry>(
-    system: System<'_, T>,
-    x: &mut [T],
-    precondition: impl FnMut(&mut [T]),
-    tolerance: f64,
-    max_iterations: usize,
-    workspace: &mut Workspace<T>,
-) -> Outcome {
-    iterate(
-        system,
-        x,
-        precondition,
-        tolerance,
-        (max_iterations, false),
-        workspace,
-    )
-}
-
-fn iterate<T: Entry>(
     system: System<'_, T>,
     x: &mut [T],
     mut precondition: impl FnMut(&mut [T]),
     tolerance: f64,
-    (max_iterations, gives_up): (usize, bool),
+    limit: Limit,
     workspace: &mut Workspace<T>,
 ) -> Outcome {
+    let (max_iterations, gives_up) = match limit {
+        Limit::WhileHopeful(most) => (most, true),
+        Limit::Whatever(most) => (most, false),
+    };
     let n = system.pattern.n().max(1);
     let Workspace {
         residual,
@@ -267,7 +241,10 @@ mod tests {
         };
         let (mut x, mut workspace) = (vec![DVec3::NAN; n], Workspace::default());
         workspace.resize(n);
-        let mut run = |max| conjugate_gradients(system, &mut x, |_| (), 1e-9, max, &mut workspace);
+        let mut run = |max| {
+            let limit = Limit::WhileHopeful(max);
+            conjugate_gradients(system, &mut x, |_| (), 1e-9, limit, &mut workspace)
+        };
         let outcome = run(500);
         assert_eq!(outcome.iterations, 5);
         assert!(outcome.relative_residual < 1e-9);
@@ -286,7 +263,8 @@ mod tests {
         };
         let (mut x, mut workspace) = ([DVec3::ZERO; 2], Workspace::default());
         workspace.resize(2);
-        let outcome = conjugate_gradients(system, &mut x, |_| (), 1e-12, 9, &mut workspace);
+        let limit = Limit::WhileHopeful(9);
+        let outcome = conjugate_gradients(system, &mut x, |_| (), 1e-12, limit, &mut workspace);
         assert!(outcome.relative_residual > 0.1 && outcome.iterations < 9);
     }
 

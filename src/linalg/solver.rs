@@ -6,7 +6,7 @@ use super::error::LinalgError;
 use super::ldlt::Ldlt;
 use super::ledger::{FLOPS_PER_ENTRY, Ledger, Patience};
 use super::pattern::Pattern;
-use super::pcg::{System, Workspace, conjugate_gradients, iterate_to_the_end, refine};
+use super::pcg::{Limit, System, Workspace, conjugate_gradients, refine};
 use super::symbolic::Symbolic;
 use glam::DVec3;
 use std::sync::Arc;
@@ -208,8 +208,8 @@ impl<T: Entry> Solver<T> {
                 &mut self.workspace,
             );
             let precondition = by_diagonal(&self.pattern, values);
-            let limit = MAX_ITERATIONS;
-            let outcome = iterate_to_the_end(system, x, precondition, tolerance, limit, workspace);
+            let limit = Limit::Whatever(MAX_ITERATIONS);
+            let outcome = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
             return Ok(SolveInfo {
                 preconditioner: Preconditioner::Diagonal,
                 iterations: outcome.iterations,
@@ -269,7 +269,7 @@ impl<T: Entry> Solver<T> {
             };
             let per_row =
                 (self.symbolic.factor_len() as f64 / pattern.n() as f64) * FLOPS_PER_ENTRY;
-            let limit = (alternative * per_row / FLOPS_PER_ROW) as usize;
+            let limit = Limit::WhileHopeful((alternative * per_row / FLOPS_PER_ROW) as usize);
             let slots = pattern.diagonal_slots();
             let inverse: Vec<f64> = slots.iter().map(|&s| values[s as usize].recip()).collect();
             let precondition = |fields: &mut [T]| {
@@ -295,7 +295,7 @@ impl<T: Entry> Solver<T> {
             && self.kept.is_due()
         {
             let precondition = |fields: &mut [T]| factor.solve_in_place(fields);
-            let limit = ledger.price as usize + ledger.fresh_iterations;
+            let limit = Limit::WhileHopeful(ledger.price as usize + ledger.fresh_iterations);
             let outcome = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
             if self.kept.learn(outcome.relative_residual <= tolerance) {
                 let iterations = outcome.iterations;
