@@ -59,7 +59,28 @@ fn surfaces() -> Vec<(&'static str, Surface)> {
             jittered("hemisphere", &[("rings", 8.0)], 0.2, 9),
         ),
         ("monkey saddle", jittered("monkey-saddle", &[], 0.3, 11)),
+        ("scrambled sphere", scrambled()),
     ]
+}
+
+/// A sphere after a thousand random flips: flips that would gain have to wait for others.
+fn scrambled() -> Surface {
+    let s = sample("icosphere", &[("level", 2.0)]);
+    let mut mesh = (*s.mesh).clone();
+    let mut random = Random(13);
+    let mut flips = 0;
+    while flips < 1000 {
+        let at = (0.5 * (random.next() + 1.0) * mesh.n_edges() as f64) as usize;
+        let e = Edge::new(at.min(mesh.n_edges() - 1));
+        if mesh.flippable(e) == Flippable::Yes {
+            mesh.flip(e);
+            flips += 1;
+        }
+    }
+    Surface {
+        mesh: mesh.into(),
+        ..s
+    }
 }
 
 fn quad([i, j, k, l]: [[f64; 3]; 4]) -> Quad {
