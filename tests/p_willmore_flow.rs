@@ -420,6 +420,63 @@ fn a_vesicle_is_deflated_to_a_discocyte() {
     assert!((axis - 0.25).abs() < 0.05, "{axis}");
 }
 
+/// Figure 6 from a shape without any symmetry: a blob becomes a biconcave disc as well, if an
+/// elliptical one, elongation costing next to nothing.
+#[test]
+fn an_irregular_blob_is_deflated_to_a_discocyte() {
+    let values = [
+        ("level", 4.0),
+        ("amplitude", 0.2),
+        ("frequency", 3.0),
+        ("seed", 2.0),
+    ];
+    let blob = sample("bumpy-sphere", &values);
+    let options = FlowOptions {
+        reduced_volume: Some(0.6),
+        ..options(2.0, &[Kept::Area, Kept::Volume], 250)
+    };
+    let found = run(&blob, options);
+    let last = found.last();
+    let (e, v) = (
+        last.energy / (4.0 * PI),
+        last.reduced_volume.expect("closed"),
+    );
+    println!(
+        "blob: {} steps, v = {v:.6}, ∫H²/4π {e:.4}, angle {:.1}°",
+        found.reports.len(),
+        last.min_angle_degrees
+    );
+    assert_eq!(found.status(), Status::Converged);
+    assert!((v - 0.6).abs() < 1e-9, "v = {v}");
+    assert!((e / 1.95568 - 1.0).abs() < 1.2e-2, "{e}");
+    assert!(last.min_angle_degrees > 45.0);
+    // Concave on both sides: the disc is thinnest in its middle.
+    let centre = found.x.iter().sum::<DVec3>() / found.x.len() as f64;
+    let mut second = DMat3::ZERO;
+    for p in &found.x {
+        let q = *p - centre;
+        second += DMat3::from_cols(q * q.x, q * q.y, q * q.z);
+    }
+    // The short axis: power iteration on the inverse.
+    let inverse = second.inverse();
+    let mut axis = DVec3::new(0.3, 0.5, 0.8);
+    for _ in 0..200 {
+        axis = (inverse * axis).normalize();
+    }
+    let height = |p: &DVec3| (*p - centre).dot(axis).abs();
+    let radius = |p: &DVec3| ((*p - centre) - (*p - centre).dot(axis) * axis).length();
+    let scale = (last.area / (4.0 * PI)).sqrt();
+    let middle = found.x.iter().filter(|p| radius(p) < 0.15 * scale);
+    let middle = middle.map(height).fold(0.0, f64::max);
+    let rim = found.x.iter().map(height).fold(0.0, f64::max);
+    println!(
+        "half thickness {:.3} in the middle, {:.3} at the rim",
+        middle / scale,
+        rim / scale
+    );
+    assert!(middle < 0.6 * rim, "{middle} and {rim}");
+}
+
 #[test]
 fn the_same_mesh_in_millimetres_gives_the_same_film() {
     let bumpy = sample("bumpy-sphere", &[("level", 3.0)]);

@@ -97,6 +97,14 @@ export const samples = [
     options: { flow: "p-willmore", keep: ["area", "volume"], reducedVolume: 0.6 },
   },
   {
+    id: "blob",
+    label: "Blob, deflated",
+    note: "Without any symmetry at the start it ends as a biconcave disc too, an elliptical one (p-Willmore, figure 6).",
+    shape: "bumpy-sphere",
+    parameters: { level: 4, amplitude: 0.2, frequency: 3, seed: 2 },
+    options: { flow: "p-willmore", keep: ["area", "volume"], reducedVolume: 0.6 },
+  },
+  {
     id: "letter-c",
     label: "Letter C",
     note: "Rounds off to a sphere with p = 2; shrinks with p = 0, grows with p = 4 (p-Willmore, figure 2).",
