@@ -62,7 +62,8 @@ pub(super) struct Accepted {
     pub(super) is_ramping: bool,
 }
 
-/// −P∇J and friends: the part of the gradient along the vertex normals.
+/// (∇J · n) n at every vertex, n along the gradient of the volume: the part of the gradient
+/// that moves the surface and not only its vertices.
 pub(super) fn normal_part(evaluation: &Evaluation) -> Vec<DVec3> {
     let pairs = evaluation.gradient.iter().zip(&evaluation.volume_gradient);
     pairs
