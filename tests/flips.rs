@@ -16,13 +16,17 @@ use umbilic::geometry::measure;
 use umbilic::mesh::flip::Flippable;
 use umbilic::mesh::{Edge, HalfedgeMesh, shape};
 use umbilic::remesh::flips::FlipOptimiser;
-use umbilic::remesh::reduction::{Criterion, Quad, willmore_reduction};
+use umbilic::remesh::flips::reduction::{Criterion, Quad, willmore_reduction};
 
-const ALL: [Criterion; 3] = [Criterion::Area, Criterion::Willmore, Criterion::Localised];
+const ALL: [Criterion; 3] = Criterion::ALL;
 
 fn sample(name: &str, values: &[(&str, f64)]) -> Surface {
     let values: Vec<(String, f64)> = values.iter().map(|(n, v)| ((*n).to_owned(), *v)).collect();
     surface(&shape::make(name, &values).expect("a shape").soup)
+}
+
+fn optimiser(s: &Surface, criterion: Criterion) -> FlipOptimiser {
+    FlipOptimiser::new((*s.mesh).clone(), s.x.clone().into(), criterion, false)
 }
 
 /// Rough surfaces, closed and open.
@@ -243,8 +247,7 @@ fn naive(s: &Surface, criterion: Criterion) -> Vec<[u32; 2]> {
 fn the_queue_flips_what_a_search_of_all_edges_flips() {
     for (name, s) in surfaces() {
         for criterion in ALL {
-            let mut optimiser =
-                FlipOptimiser::new((*s.mesh).clone(), s.x.clone(), criterion, false);
+            let mut optimiser = optimiser(&s, criterion);
             let mut flipped = Vec::new();
             while let Some(flip) = optimiser.step() {
                 let [a, b] = flip.before.map(|v| v.0);
@@ -267,8 +270,7 @@ fn the_queue_flips_what_a_search_of_all_edges_flips() {
 fn running_totals_are_exact_and_the_cost_only_falls() {
     for (name, s) in surfaces() {
         for criterion in ALL {
-            let mut optimiser =
-                FlipOptimiser::new((*s.mesh).clone(), s.x.clone(), criterion, false);
+            let mut optimiser = optimiser(&s, criterion);
             let (mut area, mut w) = (optimiser.area(), optimiser.willmore());
             let mut step = 0;
             while let Some(flip) = optimiser.step() {
@@ -305,8 +307,7 @@ fn running_totals_are_exact_and_the_cost_only_falls() {
 fn a_regular_torus_stays() {
     let torus = sample("torus", &[("around", 20.0), ("tube", 10.0)]);
     for criterion in [Criterion::Area, Criterion::Localised] {
-        let mut optimiser =
-            FlipOptimiser::new((*torus.mesh).clone(), torus.x.clone(), criterion, false);
+        let mut optimiser = optimiser(&torus, criterion);
         assert!(optimiser.step().is_none(), "{criterion:?}");
     }
 }
@@ -317,7 +318,7 @@ fn a_regular_torus_stays() {
 fn willmore_energy_is_lower_by_the_other_criteria() {
     let s = sample("ellipsoid", &[("level", 4.0), ("jitter", 0.25)]);
     let ends = ALL.map(|criterion| {
-        let mut optimiser = FlipOptimiser::new((*s.mesh).clone(), s.x.clone(), criterion, false);
+        let mut optimiser = optimiser(&s, criterion);
         let start = optimiser.willmore();
         while optimiser.step().is_some() {}
         println!(
@@ -380,4 +381,71 @@ fn the_conjecture_fails_at_its_known_rate() {
         let agree = (quad.area_reduction() <= 0.0) == (quad.localised_reduction() <= 0.0);
         assert!(agree, "{quad:?}");
     }
+}
+
+/// Flips and their undoing leave nothing behind: totals to the last bit, the same queue, the
+/// same edges waiting.
+#[test]
+fn flips_go_back_and_come_again() {
+    let mut waited = 0;
+    for (name, s) in surfaces() {
+        for (criterion, guard) in ALL
+            .map(|c| (c, false))
+            .into_iter()
+            .chain(ALL.map(|c| (c, true)))
+        {
+            let new =
+                || FlipOptimiser::new((*s.mesh).clone(), s.x.clone().into(), criterion, guard);
+            let faces = |o: &FlipOptimiser| o.mesh().to_soup(&s.x);
+            let mut straight = new();
+            let mut states = vec![(straight.area(), straight.willmore(), 0)];
+            while straight.step().is_some() {
+                states.push((straight.area(), straight.willmore(), straight.rejected()));
+            }
+            let ended = straight.rejected();
+            waited += ended;
+            let mut wandering = new();
+            let mut random = Random(23);
+            let mut budget = 400;
+            loop {
+                let go_back = budget > 0 && random.next() > -0.2;
+                if go_back {
+                    budget -= 1;
+                    for _ in 0..(8.0 * random.next().abs()) as usize {
+                        wandering.back();
+                        wandering.mesh().validate().expect("valid");
+                    }
+                    let (area, w, _) = states[wandering.flips()];
+                    assert_eq!(
+                        (wandering.area(), wandering.willmore()),
+                        (area, w),
+                        "{name}"
+                    );
+                }
+                let ahead = (12.0 * random.next().abs()) as usize + 1;
+                if (0..ahead).map_while(|_| wandering.step()).count() < ahead && budget == 0 {
+                    break;
+                }
+                let (.., rejected) = states[wandering.flips()];
+                if wandering.flips() + 1 < states.len() {
+                    assert_eq!(wandering.rejected(), rejected, "{name}, {criterion:?}");
+                }
+            }
+            assert_eq!(wandering.made(), straight.made(), "{name}, {criterion:?}");
+            assert_eq!(wandering.rejected(), ended);
+            assert_eq!(faces(&wandering), faces(&straight), "{name}");
+            while wandering.back().is_some() {}
+            let start = new();
+            assert_eq!(wandering.willmore(), start.willmore());
+            assert_eq!(wandering.rejected(), 0);
+            for e in s.mesh.edges() {
+                assert_eq!(wandering.mesh().ends(e), s.mesh.ends(e), "{name}");
+                if !s.mesh.is_boundary_edge(e) {
+                    let apexes = |m: &HalfedgeMesh| m.opposite_vertices(e);
+                    assert_eq!(apexes(wandering.mesh()), apexes(&s.mesh), "{name}");
+                }
+            }
+        }
+    }
+    assert!(waited > 100, "{waited} refusals were undone");
 }

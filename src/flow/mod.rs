@@ -7,6 +7,7 @@ pub mod boundary;
 pub mod circle;
 pub mod constraint;
 pub mod error;
+pub mod flips;
 pub mod options;
 pub mod p_willmore;
 pub mod prefill;
@@ -20,6 +21,7 @@ pub use report::{Multipliers, Status, StepReport};
 use crate::mesh::HalfedgeMesh;
 use crate::operator::Elements;
 use circle::CircleFlow;
+use flips::FlipFlow;
 use glam::DVec3;
 use options::{FlowName, FlowOptions};
 use p_willmore::PWillmoreFlow;
@@ -43,6 +45,7 @@ pub fn start(
 ) -> Result<Box<dyn Flow>, FlowError> {
     Ok(match options.flow {
         FlowName::Circle => Box::new(CircleFlow::new(Rc::clone(triangles), x, options)?),
+        FlowName::Flips => Box::new(FlipFlow::new(Rc::clone(polygons), x, &options)?),
         FlowName::PWillmore => {
             let is_one_kind = Elements::of(polygons).is_some();
             let mesh = if is_one_kind { polygons } else { triangles };
@@ -58,6 +61,8 @@ pub enum Pace {
     Circle(circle::Pace),
     /// Of the p-Willmore flow.
     PWillmore(p_willmore::Pace),
+    /// Number of edge flips made.
+    Flips(usize),
 }
 
 /// What a flow says of positions that it has not just stepped to.
@@ -123,4 +128,15 @@ pub trait Flow {
 
     /// Grants the budget of steps once more, counted from here.
     fn extend_budget(&mut self);
+
+    /// The edge flips, where the flow consists of them: it changes the connectivity and
+    /// leaves the positions.
+    fn flips(&self) -> Option<&FlipFlow> {
+        None
+    }
+
+    /// The same, to be changed.
+    fn flips_mut(&mut self) -> Option<&mut FlipFlow> {
+        None
+    }
 }

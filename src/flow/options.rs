@@ -4,6 +4,7 @@ use super::FlowError;
 use super::constraint::Kept;
 use crate::energy::circle::Boundary;
 use crate::remesh::Mode;
+use crate::remesh::flips::reduction::Criterion;
 use serde::Deserialize;
 
 /// Which flow runs.
@@ -15,6 +16,8 @@ pub enum FlowName {
     Circle,
     /// Gruber & Aulisa's p-Willmore flow.
     PWillmore,
+    /// Brink & Alboul's edge flips.
+    Flips,
 }
 
 /// Recommended treatment or the paper's own.
@@ -125,6 +128,12 @@ pub struct FlowOptions {
     pub tension: f64,
     /// p-Willmore, p = 2: pressure P in ∫|Y|² dA − PV, times L³.
     pub pressure: f64,
+    /// Edge flips: what is to become small.
+    pub criterion: Criterion,
+    /// Edge flips: no flip may turn a face over.
+    pub guard_folds: bool,
+    /// Edge flips: so many a step; all that gain anything if absent.
+    pub flips_per_step: Option<usize>,
 }
 
 impl Default for FlowOptions {
@@ -156,6 +165,9 @@ impl Default for FlowOptions {
             spontaneous_curvature: 0.0,
             tension: 0.0,
             pressure: 0.0,
+            criterion: Criterion::default(),
+            guard_folds: false,
+            flips_per_step: Some(1),
         }
     }
 }
@@ -200,6 +212,9 @@ impl FlowOptions {
         }
         if !(0.0..=1.0).contains(&self.epsilon) {
             return bad("epsilon", self.epsilon.to_string(), "a number from 0 to 1");
+        }
+        if self.flips_per_step == Some(0) {
+            return bad("flipsPerStep", "0".into(), "1 or more, or absent for all");
         }
         if self.smooth_steps == 0 {
             return bad("smoothSteps", "0".into(), "1 or more");

@@ -1,5 +1,6 @@
 //! What a step tells.
 
+use super::flips::FlipReading;
 use serde::Serialize;
 
 /// Where a run stands.
@@ -81,6 +82,9 @@ pub struct StepReport {
     /// 6√π V / A^(3/2), 1 for a sphere; of closed surfaces under the p-Willmore flow.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reduced_volume: Option<f64>,
+    /// Edge flips: where each criterion stands, the chosen one first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flips: Option<Vec<FlipReading>>,
     /// Time for energy, gradient and matrix.
     pub assemble_milliseconds: f64,
     /// Time for factorisations.

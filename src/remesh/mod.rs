@@ -2,7 +2,6 @@
 
 pub mod conformal;
 pub mod flips;
-pub mod reduction;
 pub mod static_pass;
 
 pub use conformal::{Mode, Regulariser};

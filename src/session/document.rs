@@ -16,6 +16,7 @@ use std::rc::Rc;
 const NEARLY_COINCIDENT: f64 = 1e-6;
 
 /// A loaded mesh: connectivity as in the file, a triangulated copy, positions.
+#[derive(Clone)]
 pub(super) struct Document {
     /// Base name without extension.
     pub(super) name: String,
@@ -137,13 +138,8 @@ impl Document {
         self
     }
 
-    /// Diagnosis at given positions.
-    pub(super) fn info(&self, x: &[DVec3]) -> Info {
-        Info::of(&self.polygons, x, &self.warnings)
-    }
-
-    /// Faces of the file at given positions, in the file's coordinates.
-    pub(super) fn soup(&self, x: &[DVec3]) -> PolygonSoup {
-        self.polygons.to_soup(&self.frame.leave(x))
+    /// Diagnosis at the start.
+    pub(super) fn info(&self) -> Info {
+        Info::of(&self.polygons, &self.start, &self.warnings)
     }
 }

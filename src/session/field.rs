@@ -1,7 +1,7 @@
 //! Scalar fields to colour the surface by.
 
+use super::fault::Fault;
 use crate::energy::circle::{Boundary, CircleEnergy};
-use crate::flow::Flow;
 use crate::geometry::curvature;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
@@ -34,11 +34,16 @@ impl FieldName {
     ];
 
     /// From the name used by the page.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|(_, n)| *n == name)
-            .map(|(field, _)| field)
+    ///
+    /// # Errors
+    /// Unknown names.
+    pub fn parse(name: &str) -> Result<Self, Fault> {
+        let found = Self::ALL.into_iter().find(|(_, n)| *n == name);
+        found.map(|(field, _)| field).ok_or_else(|| {
+            let known: Vec<&str> = Self::ALL.iter().map(|(_, n)| *n).collect();
+            let hint = format!("It may be none, {}.", known.join(", "));
+            Fault::new("UnknownField", format!("there is no field `{name}`"), hint)
+        })
     }
 
     fn label(self) -> &'static str {
@@ -78,22 +83,22 @@ pub struct Field {
 const TAIL: f64 = 0.02;
 
 impl Field {
-    /// Computes a field on a triangle mesh that flows under `flow` and began at `start`;
-    /// `boundary` decides which terms of W_i count.
+    /// Computes a field on a triangle mesh; `boundary` decides which terms of W_i count, and
+    /// `vectors` gives what gradient and displacement are the sizes of.
     pub fn compute(
         name: FieldName,
         mesh: &HalfedgeMesh,
         boundary: Boundary,
-        flow: &dyn Flow,
         x: &[DVec3],
-        start: &[DVec3],
+        vectors: impl FnOnce(FieldName) -> Vec<DVec3>,
     ) -> Self {
         let values: Vec<f64> = match name {
             FieldName::MeanCurvature => curvature::pointwise_mean_curvature(mesh, x),
             FieldName::GaussCurvature => curvature::pointwise_gauss_curvature(mesh, x),
             FieldName::Willmore => CircleEnergy::new(mesh, boundary).vertex_energies(x),
-            FieldName::Gradient => flow.gradient(x).iter().map(|g| g.length()).collect(),
-            FieldName::Displacement => x.iter().zip(start).map(|(p, q)| p.distance(*q)).collect(),
+            FieldName::Gradient | FieldName::Displacement => {
+                vectors(name).iter().map(|v| v.length()).collect()
+            }
         };
         let (low, high) = robust_range(&values, name.is_signed());
         let values = values.into_iter().map(|v| v as f32).collect();

@@ -1,11 +1,12 @@
 //! Edge-flip optimisation of the loaded mesh.
 
+use super::document::Document;
 use super::fault::Fault;
 use super::work::Work;
 use crate::flow::FlowError;
 use crate::mesh::HalfedgeMesh;
+use crate::remesh::flips::reduction::Criterion;
 use crate::remesh::flips::{Flip, FlipOptimiser};
-use crate::remesh::reduction::Criterion;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 use std::rc::Rc;
@@ -57,39 +58,31 @@ impl Work {
             return Err(FlowError::NotTriangular { face, corners }.into());
         }
         let copy = HalfedgeMesh::clone(mesh);
-        let FlipOptions {
-            criterion,
-            guard_folds,
-            ..
-        } = *options;
-        let mut optimiser = FlipOptimiser::new(copy, self.x.clone(), criterion, guard_folds);
+        let x = Rc::new(std::mem::take(&mut self.x));
+        let mut optimiser =
+            FlipOptimiser::new(copy, Rc::clone(&x), options.criterion, options.guard_folds);
         let costs = |optimiser: &FlipOptimiser| Costs {
             area: optimiser.area(),
             circle: optimiser.willmore(),
         };
         let before = costs(&optimiser);
-        let mut history = options
-            .history
-            .then(|| String::from("flip,fromA,fromB,toA,toB,reduction,area,circle\n"));
-        while options.max.is_none_or(|max| optimiser.flips() < max) {
-            let Some(flip) = optimiser.step() else { break };
-            if let Some(history) = &mut history {
-                write_row(history, optimiser.flips(), &flip);
-            }
-        }
+        let most = options.max.unwrap_or(usize::MAX);
+        while optimiser.flips() < most && optimiser.step().is_some() {}
         let outcome = FlipOutcome {
             flips: optimiser.flips(),
             rejected: optimiser.rejected(),
             before,
             after: costs(&optimiser),
-            history,
+            history: options.history.then(|| history(optimiser.made())),
         };
         let mesh = Rc::new(optimiser.into_mesh());
-        self.document.polygons = Rc::clone(&mesh);
-        self.document.triangles = mesh;
-        let x = std::mem::take(&mut self.x);
-        self.document.start.clone_from(&x);
-        self.restart(x);
+        let x = Rc::unwrap_or_clone(x);
+        self.replace(Document {
+            polygons: Rc::clone(&mesh),
+            triangles: mesh,
+            start: x,
+            ..self.document.clone()
+        });
         Ok(outcome)
     }
 }
@@ -100,12 +93,16 @@ fn first_polygon(mesh: &HalfedgeMesh) -> Option<(u32, usize)> {
         .find(|(_, corners)| *corners != 3)
 }
 
-fn write_row(history: &mut String, number: usize, flip: &Flip) {
-    let ([a, b], [c, d]) = (flip.before, flip.after);
-    // Writing to a string cannot fail.
-    let _ = writeln!(
-        history,
-        "{number},{},{},{},{},{},{},{}",
-        a.0, b.0, c.0, d.0, flip.reduction, flip.area, flip.willmore
-    );
+fn history(made: &[Flip]) -> String {
+    let mut text = String::from("flip,fromA,fromB,toA,toB,reduction,area,circle\n");
+    for (number, flip) in (1..).zip(made) {
+        let ([a, b], [c, d]) = (flip.before, flip.after);
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{number},{},{},{},{},{},{},{}",
+            a.0, b.0, c.0, d.0, flip.reduction, flip.area, flip.willmore
+        );
+    }
+    text
 }

@@ -5,14 +5,13 @@ use crate::flow::Pace;
 use glam::DVec3;
 use std::collections::VecDeque;
 
-/// States kept at most …
-const MAX_MOMENTS: usize = 500;
-/// … and bytes of positions: a wasm heap of 4 GiB also holds the factor.
+/// Bytes at most: a wasm heap of 4 GiB also holds the factor.
 const MAX_BYTES: usize = 192 << 20;
 
 /// A state to go back to.
 pub(super) struct Moment {
-    pub(super) x: Vec<DVec3>,
+    /// Positions, where the flow moves any.
+    pub(super) x: Option<Vec<DVec3>>,
     pub(super) pace: Pace,
     pub(super) state: State,
     /// How many reports there were.
@@ -27,10 +26,11 @@ pub(super) struct History {
 
 impl History {
     pub(super) fn push(&mut self, moment: Moment) {
-        let bytes = size_of_val(moment.x.as_slice()).max(1);
+        let positions = moment.x.as_deref().unwrap_or_default();
+        let bytes = size_of::<Moment>() + size_of_val(positions);
         self.moments.push_back(moment);
         // At least one step back is always kept.
-        let most = (MAX_BYTES / bytes).clamp(1, MAX_MOMENTS);
+        let most = (MAX_BYTES / bytes).max(1);
         while self.moments.len() > most {
             self.moments.pop_front();
         }

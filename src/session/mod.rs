@@ -3,19 +3,24 @@
 //! Knows no wasm; `web::session` only converts. A failed request changes nothing: the
 //! mesh, its positions and its history stay as they were.
 
+mod conjecture;
 mod document;
+mod edit;
 mod fault;
 mod field;
 mod flip;
 mod history;
+mod pane;
 mod readings;
 mod work;
 
 pub use crate::flow::Progress;
 pub use crate::remesh::static_pass::Settings as RegulariseOptions;
+pub use conjecture::{ConjectureReport, LabReport, QuadReport};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
+pub use pane::{Arrangement, Compare, Pane};
 pub use readings::{EnergyReadings, Info, State};
 pub use work::Configured;
 
@@ -23,6 +28,7 @@ use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
 use crate::io::Format;
 use crate::mesh::shape;
+use crate::remesh::flips::lab::Lab;
 use crate::remesh::static_pass::Outcome;
 use document::Document;
 use glam::DVec3;
@@ -51,10 +57,27 @@ pub struct Loaded {
     pub free: Option<Vec<u32>>,
 }
 
+impl Loaded {
+    fn of(document: &Document) -> Self {
+        Self {
+            name: document.name.clone(),
+            info: document.info(),
+            positions: as_f32(&document.start),
+            triangles: document.triangles.triangle_indices(),
+            wire_edges: document.polygons.edge_indices(false),
+            boundary_edges: document.polygons.edge_indices(true),
+            triangles_only: document.polygons.is_triangular(),
+            fixed: document.fixed.clone(),
+            free: document.free.clone(),
+        }
+    }
+}
+
 /// One mesh, one flow, its history.
 #[derive(Default)]
 pub struct Session {
     work: Option<Work>,
+    lab: Option<Lab>,
     progress: Option<Progress>,
 }
 
@@ -100,17 +123,7 @@ impl Session {
 
     fn open(&mut self, document: Document) -> Loaded {
         let x = document.start.clone();
-        let loaded = Loaded {
-            name: document.name.clone(),
-            info: document.info(&x),
-            positions: as_f32(&x),
-            triangles: document.triangles.triangle_indices(),
-            wire_edges: document.polygons.edge_indices(false),
-            boundary_edges: document.polygons.edge_indices(true),
-            triangles_only: document.polygons.is_triangular(),
-            fixed: document.fixed.clone(),
-            free: document.free.clone(),
-        };
+        let loaded = Loaded::of(&document);
         self.work = Some(Work::new(document, x));
         loaded
     }
@@ -246,30 +259,7 @@ impl Session {
         if name == "none" {
             return Ok(None);
         }
-        let Some(name) = FieldName::from_name(name) else {
-            let known: Vec<&str> = FieldName::ALL.iter().map(|(_, n)| *n).collect();
-            let hint = format!("It may be none, {}.", known.join(", "));
-            return Err(Fault::new(
-                "UnknownField",
-                format!("there is no field `{name}`"),
-                hint,
-            ));
-        };
-        let Some(flow) = &work.flow else {
-            return Err(Fault::new(
-                "NotConfigured",
-                "no flow has been chosen yet",
-                "Configure one before asking for a field.",
-            ));
-        };
-        Ok(Some(Field::compute(
-            name,
-            &work.document.triangles,
-            work.options.boundary,
-            flow.as_ref(),
-            &work.x,
-            &work.document.start,
-        )))
+        work.field(FieldName::parse(name)?).map(Some)
     }
 
     /// Diagnosis of the surface as it is now.
@@ -278,7 +268,7 @@ impl Session {
     /// [`Fault::no_mesh`].
     pub fn info(&self) -> Result<Info, Fault> {
         let work = self.work()?;
-        Ok(work.document.info(&work.x))
+        Ok(work.info())
     }
 
     /// All energies of the surface as it is now, with ∫|H|^p also for `powers`.
@@ -291,9 +281,10 @@ impl Session {
         powers: &[f64],
     ) -> Result<EnergyReadings, Fault> {
         let work = self.work()?;
-        let mesh = &work.document.triangles;
+        let mesh = work.triangles();
         let free = boundary::free_vertices(mesh, boundary, None, None)
             .unwrap_or_else(|_| vec![false; mesh.n_vertices()]);
+        // Of the file's own faces only quadrilaterals have readings of their own.
         let polygons = &work.document.polygons;
         Ok(EnergyReadings::of(
             mesh, polygons, &work.x, boundary, &free, powers,
@@ -307,11 +298,7 @@ impl Session {
     pub fn export(&self, format: Format) -> Result<Vec<u8>, Fault> {
         let work = self.work()?;
         let comment = format!("Umbilic: {}, step {}", work.document.name, work.state.step);
-        Ok(crate::io::write(
-            &work.document.soup(&work.x),
-            format,
-            &comment,
-        )?)
+        Ok(crate::io::write(&work.soup(), format, &comment)?)
     }
 
     /// Reports of the steps taken, oldest first.

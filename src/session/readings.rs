@@ -5,6 +5,7 @@ use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{self, Boundary, CircleEnergy};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
 use crate::energy::{conformal, p_willmore};
+use crate::flow::flips::FlipReading;
 use crate::flow::{Multipliers, Status, StepReport};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
@@ -173,6 +174,8 @@ pub struct State {
     pub multipliers: Option<Multipliers>,
     /// See [`StepReport::reduced_volume`].
     pub reduced_volume: Option<f64>,
+    /// Edge flips: where each criterion stands, the chosen one first.
+    pub flips: Option<Vec<FlipReading>>,
     /// Total area.
     pub area: f64,
     /// Signed volume, of a closed oriented surface.

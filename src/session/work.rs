@@ -2,15 +2,20 @@
 
 use super::document::Document;
 use super::fault::Fault;
+use super::field::{Field, FieldName};
 use super::history::{History, Moment};
-use super::readings::State;
+use super::pane::Arrangement;
+use super::readings::{Info, State};
+use crate::flow::flips::FlipFlow;
 use crate::flow::options::FlowOptions;
 use crate::flow::stop::Verdict;
 use crate::flow::{self, Flow, FlowError, Progress, Status, StepReport, p_willmore};
 use crate::geometry::measure;
+use crate::mesh::HalfedgeMesh;
 use crate::operator::Elements;
 use crate::remesh::Regulariser;
 use crate::remesh::static_pass::{self, Outcome, Settings};
+use crate::soup::PolygonSoup;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -39,6 +44,9 @@ pub(super) struct Work {
     pub(super) state: State,
     pub(super) reports: Vec<StepReport>,
     history: History,
+    /// What was there before each edit, oldest first.
+    pub(super) earlier: Vec<Document>,
+    pub(super) arrangement: Arrangement,
 }
 
 impl Work {
@@ -51,7 +59,21 @@ impl Work {
             state: State::default(),
             reports: Vec::new(),
             history: History::default(),
+            earlier: Vec::new(),
+            arrangement: Arrangement::default(),
         }
+    }
+
+    /// The faces as they are now: edge flips change them.
+    pub(super) fn polygons(&self) -> &HalfedgeMesh {
+        let flips = self.flow.as_ref().and_then(|flow| flow.flips());
+        flips.map_or(&*self.document.polygons, |flips| flips.runs()[0].mesh())
+    }
+
+    /// The same cut into triangles.
+    pub(super) fn triangles(&self) -> &HalfedgeMesh {
+        let flips = self.flow.as_ref().and_then(|flow| flow.flips());
+        flips.map_or(&*self.document.triangles, |flips| flips.runs()[0].mesh())
     }
 
     /// Forgets flow, history and reports; the next configuration starts at `x`.
@@ -93,6 +115,7 @@ impl Work {
         self.reports.clear();
         self.history = History::default();
         self.flow = Some(flow);
+        self.arrange(self.arrangement);
         self.state = State::default();
         self.read_state();
         Ok(Configured {
@@ -104,9 +127,40 @@ impl Work {
         })
     }
 
+    pub(super) fn info(&self) -> Info {
+        let document = self.present();
+        Info::of(&document.polygons, &self.x, &document.warnings)
+    }
+
+    /// Faces as they are now, in the file's coordinates.
+    pub(super) fn soup(&self) -> PolygonSoup {
+        let x = self.document.frame.leave(&self.x);
+        self.polygons().to_soup(&x)
+    }
+
+    pub(super) fn field(&self, name: FieldName) -> Result<Field, Fault> {
+        let Some(flow) = &self.flow else {
+            let hint = "Configure one before asking for a field.";
+            return Err(Fault::new(
+                "NotConfigured",
+                "no flow has been chosen yet",
+                hint,
+            ));
+        };
+        let (x, start) = (&self.x, &self.document.start);
+        let vectors = |name| match name {
+            FieldName::Gradient => flow.gradient(x),
+            _ => x.iter().zip(start).map(|(p, q)| *p - *q).collect(),
+        };
+        let boundary = self.options.boundary;
+        Ok(Field::compute(name, self.triangles(), boundary, x, vectors))
+    }
+
     pub(super) fn back(&mut self) -> State {
         if let (Some(moment), Some(flow)) = (self.history.pop(), &mut self.flow) {
-            self.x = moment.x;
+            if let Some(x) = moment.x {
+                self.x = x;
+            }
             flow.set_pace(moment.pace);
             self.reports.truncate(moment.n_reports);
             self.state = moment.state;
@@ -134,7 +188,7 @@ impl Work {
         let outcome = static_pass::regularise(&mut regulariser, mesh, &mut y, settings)
             .map_err(FlowError::from)?;
         self.history.push(Moment {
-            x: std::mem::replace(&mut self.x, y),
+            x: Some(std::mem::replace(&mut self.x, y)),
             pace: flow.pace(),
             state: self.state.clone(),
             n_reports: self.reports.len(),
@@ -188,7 +242,7 @@ impl Work {
             flow.extend_budget();
         }
         let moment = Moment {
-            x: self.x.clone(),
+            x: flow.flips().is_none().then(|| self.x.clone()),
             pace: flow.pace(),
             state: self.state.clone(),
             n_reports: self.reports.len(),
@@ -217,6 +271,7 @@ impl Work {
                 tau: flow.tau(),
                 multipliers: report.multipliers,
                 reduced_volume: report.reduced_volume,
+                flips: report.flips.clone(),
                 can_step_back: true,
                 ..State::default()
             };
@@ -232,7 +287,6 @@ impl Work {
     /// Readings of the current positions, where no step has just told them.
     fn read_state(&mut self) {
         let Some(flow) = &mut self.flow else { return };
-        let mesh = &self.document.polygons;
         let reading = flow.reading(&self.x);
         self.state.energy = reading.energy;
         self.state.energy_normalised = reading.energy_normalised;
@@ -240,7 +294,9 @@ impl Work {
         self.state.volume = reading.volume;
         self.state.area = reading.area;
         self.state.reduced_volume = reading.reduced_volume;
-        self.state.min_angle_degrees = measure::min_angle_degrees(mesh, &self.x);
+        self.state.flips = flow.flips().map(FlipFlow::readings);
+        self.state.min_angle_degrees = measure::min_angle_degrees(self.polygons(), &self.x);
+        let Some(flow) = &self.flow else { return };
         self.state.dt = flow.dt();
         self.state.tau = flow.tau();
         self.state.can_step_back = !self.history.is_empty();

@@ -258,6 +258,13 @@ impl Camera {
         proper
     }
 
+    /// Where the line of sight through a pixel begins, and its direction.
+    pub fn ray(&self, x: f32, y: f32) -> (Vec3, Vec3) {
+        let offset = self.view_offset(Vec2::new(x, y) - 0.5 * self.viewport);
+        let seen = self.world_from_view * (offset - self.distance * Vec3::Z);
+        (self.eye(), seen.normalize())
+    }
+
     fn eye(&self) -> Vec3 {
         self.target + self.distance * self.backward()
     }

@@ -8,6 +8,7 @@
 //! | --- | --- |
 //! | [`camera`] | turntable, fit, zoom to the cursor, clip planes |
 //! | [`drawing`] | arrays of the surface as drawn; [`seams`], [`normals`] and [`edges`] serve it |
+//! | [`pick`] | what lies under a pixel |
 //! | [`colour`] | colour maps, palettes of the themes |
 //! | [`frame`] | uniform blocks, mirrored in WGSL |
 //! | `gpu` | device, passes and shaders; redraws only when something changed |
@@ -21,4 +22,5 @@ pub mod frame;
 #[cfg(all(feature = "viewer", target_arch = "wasm32"))]
 pub mod gpu;
 pub mod normals;
+pub mod pick;
 pub mod seams;

@@ -4,6 +4,8 @@
 
 #[cfg(target_arch = "wasm32")]
 mod fault;
+#[cfg(all(feature = "solver", target_arch = "wasm32"))]
+mod flips;
 #[cfg(target_arch = "wasm32")]
 mod panic;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]

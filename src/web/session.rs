@@ -7,7 +7,7 @@ use crate::energy::circle::Boundary;
 use crate::flow::options::FlowOptions;
 use crate::io::Format;
 use crate::mesh::shape;
-use crate::session::{Fault, Field, FlipOptions, Loaded, RegulariseOptions, Session as Inner};
+use crate::session::{Fault, Field, Loaded, RegulariseOptions, Session as Inner};
 use js_sys::{Float32Array, Function, Uint8Array, Uint32Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -22,7 +22,7 @@ impl From<Fault> for JsValue {
 }
 
 /// A plain object; maps become objects, `None` becomes null.
-fn to_js<T: Serialize>(value: &T) -> JsValue {
+pub(super) fn to_js<T: Serialize>(value: &T) -> JsValue {
     let serializer = serde_wasm_bindgen::Serializer::new()
         .serialize_maps_as_objects(true)
         .serialize_missing_as_null(true);
@@ -30,7 +30,7 @@ fn to_js<T: Serialize>(value: &T) -> JsValue {
     value.serialize(&serializer).unwrap_or(JsValue::NULL)
 }
 
-fn from_js<T: DeserializeOwned + Default>(value: JsValue) -> Result<T, JsValue> {
+pub(super) fn from_js<T: DeserializeOwned + Default>(value: JsValue) -> Result<T, JsValue> {
     if value.is_undefined() || value.is_null() {
         return Ok(T::default());
     }
@@ -43,11 +43,11 @@ fn from_js<T: DeserializeOwned + Default>(value: JsValue) -> Result<T, JsValue> 
     })
 }
 
-fn floats(values: &[f32]) -> JsValue {
+pub(super) fn floats(values: &[f32]) -> JsValue {
     Float32Array::from(values).into()
 }
 
-fn indices(values: &[u32]) -> JsValue {
+pub(super) fn indices(values: &[u32]) -> JsValue {
     Uint32Array::from(values).into()
 }
 
@@ -55,7 +55,7 @@ fn list(values: Option<&Vec<u32>>) -> JsValue {
     values.map_or(JsValue::NULL, |values| indices(values))
 }
 
-fn loaded(l: &Loaded) -> JsValue {
+pub(super) fn loaded(l: &Loaded) -> JsValue {
     object(&[
         ("name", l.name.as_str().into()),
         ("info", to_js(&l.info)),
@@ -69,7 +69,7 @@ fn loaded(l: &Loaded) -> JsValue {
     ])
 }
 
-fn field(f: &Field) -> JsValue {
+pub(super) fn field(f: &Field) -> JsValue {
     object(&[
         ("name", to_js(&f.name)),
         ("label", f.label.into()),
@@ -92,7 +92,7 @@ struct EnergyOptions {
 /// changes nothing.
 #[wasm_bindgen]
 #[derive(Default)]
-pub struct Session(Inner);
+pub struct Session(pub(super) Inner);
 
 #[wasm_bindgen]
 impl Session {
@@ -208,16 +208,6 @@ impl Session {
     pub fn regularise(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
         let options: RegulariseOptions = from_js(options)?;
         Ok(to_js(&self.0.regularise(&options)?))
-    }
-
-    /// Edge-flip optimisation: `Flipped`. `options` is `{ criterion?, max?, guardFolds?,
-    /// history? }`. The surface as it is now becomes the start.
-    ///
-    /// # Errors
-    /// Meshes with faces other than triangles.
-    pub fn flip(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
-        let options: FlipOptions = from_js(options)?;
-        Ok(to_js(&self.0.flip(&options)?))
     }
 
     /// One step back: `State`.

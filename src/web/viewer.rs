@@ -103,6 +103,20 @@ impl Viewer {
             .set_mesh(positions, triangles, wire_edges, boundary_edges)?)
     }
 
+    /// Shows another mesh from where the camera stands, without field and marks.
+    #[wasm_bindgen(js_name = replaceMesh)]
+    pub fn replace_mesh(
+        &mut self,
+        positions: &[f32],
+        triangles: &[u32],
+        wire_edges: &[u32],
+        boundary_edges: &[u32],
+    ) -> Result<(), JsValue> {
+        Ok(self
+            .0
+            .replace_mesh(positions, triangles, wire_edges, boundary_edges)?)
+    }
+
     /// Moves the vertices; the camera stays.
     #[wasm_bindgen(js_name = setPositions)]
     pub fn set_positions(&mut self, positions: &[f32]) -> Result<(), JsValue> {
@@ -131,6 +145,20 @@ impl Viewer {
     #[wasm_bindgen(js_name = setMarkedTriangles)]
     pub fn set_marked_triangles(&mut self, marked: &[u32]) -> Result<(), JsValue> {
         Ok(self.0.set_marked_triangles(marked)?)
+    }
+
+    /// Draws these edges over all others, two vertices each, and no others so.
+    #[wasm_bindgen(js_name = setHighlight)]
+    pub fn set_highlight(&mut self, ends: &[u32]) -> Result<(), JsValue> {
+        Ok(self.0.set_highlight(ends)?)
+    }
+
+    /// What lies under a pixel: `{ triangle, point: [x, y, z] }`, or null.
+    pub fn pick(&self, x: f32, y: f32) -> JsValue {
+        self.0.pick(x, y).map_or(JsValue::NULL, |hit| {
+            let point = Float32Array::from(hit.point.to_array().as_slice());
+            object(&[("triangle", hit.triangle.into()), ("point", point.into())])
+        })
     }
 
     /// Tints held vertices: a byte each, 1 where held; empty for none.

@@ -18,6 +18,7 @@ pub mod one_sided;
 pub mod patch;
 pub mod platonic;
 mod registry;
+pub mod rough;
 pub mod scan;
 pub mod scar;
 pub mod sphere;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Parameter, Sample, Shape};
-use super::{blocks, hole, knot, one_sided, patch, platonic, scan, scar, sphere, torus};
+use super::{blocks, hole, knot, one_sided, patch, platonic, rough, scan, scar, sphere, torus};
 use crate::mesh::subdivide::linear_levels;
 use crate::soup::PolygonSoup;
 
@@ -139,6 +139,43 @@ pub(super) static SHAPES: &[Shape] = &[
             }
             Ok(torus::torus(v[0], v[1], n(v[2]), n(v[3])).into())
         },
+    },
+    Shape {
+        name: "sampled-torus",
+        label: "Sampled torus",
+        parameters: &[
+            count("around", "Steps around", 28, 3, 1000),
+            count("tube", "Steps of the tube", 14, 4, 1000),
+            real("jitter", "Jitter in steps", 0.25, 0.0, 0.5),
+            SEED,
+        ],
+        build: |v| Ok(rough::sampled_torus(n(v[0]), n(v[1]), v[2], v[3] as u64)?.into()),
+    },
+    Shape {
+        name: "eared-head",
+        label: "Head with ears",
+        parameters: &[
+            level(4, 8),
+            real("jitter", "Jitter in edge lengths", 0.15, 0.0, 0.5),
+            SEED,
+        ],
+        build: |v| sample(rough::eared_head(n(v[0]), v[1], v[2] as u64)),
+    },
+    Shape {
+        name: "creased-face",
+        label: "Face with creases",
+        parameters: &[
+            count("rows", "Points along a line", 48, 4, 700),
+            real("crease", "Creases in steps", 0.25, 0.0, 2.0),
+            SEED,
+        ],
+        build: |v| Ok(rough::creased_face(n(v[0]), v[1], v[2] as u64).into()),
+    },
+    Shape {
+        name: "counterexample",
+        label: "Counterexample",
+        parameters: &[],
+        build: |_| Ok(rough::counterexample().into()),
     },
     Shape {
         name: "clifford-torus",

@@ -96,7 +96,7 @@ pub fn pipe(levels: usize) -> Result<PolygonSoup, SubdivisionError> {
     Ok(soup)
 }
 
-fn on_torus(major: f64, minor: f64, u: f64, v: f64) -> DVec3 {
+pub(super) fn on_torus(major: f64, minor: f64, u: f64, v: f64) -> DVec3 {
     let rho = major + minor * v.cos();
     DVec3::new(rho * u.cos(), rho * u.sin(), minor * v.sin())
 }

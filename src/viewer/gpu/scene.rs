@@ -16,6 +16,7 @@ use crate::viewer::drawing::{Drawing, expect_range};
 use crate::viewer::edges::edges;
 use crate::viewer::error::ViewerError;
 use crate::viewer::frame::{Frame, Line};
+use crate::viewer::pick::{Hit, pick};
 
 /// How the surface is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +84,7 @@ pub struct Viewer {
     lines: LinePass,
     wire: EdgeSet,
     boundary: EdgeSet,
+    highlight: EdgeSet,
     drawing: Drawing,
     camera: Camera,
     style: Style,
@@ -108,6 +110,7 @@ impl Viewer {
             surface: SurfacePass::new(&gpu, &bindings),
             wire: lines.edge_set(&gpu),
             boundary: lines.edge_set(&gpu),
+            highlight: lines.edge_set(&gpu),
             lines,
             bindings,
             gpu,
@@ -125,8 +128,24 @@ impl Viewer {
     /// Shows another mesh from the standard direction, without field and marks.
     ///
     /// # Errors
-    /// `WrongLength`, `OutOfRange`, `TooLarge`; the mesh shown before then stays.
+    /// As [`replace_mesh`](Self::replace_mesh).
     pub fn set_mesh(
+        &mut self,
+        positions: &[f32],
+        triangles: &[u32],
+        wire_edges: &[u32],
+        boundary_edges: &[u32],
+    ) -> Result<(), ViewerError> {
+        self.replace_mesh(positions, triangles, wire_edges, boundary_edges)?;
+        self.camera.home();
+        Ok(())
+    }
+
+    /// Shows another mesh from where the camera stands, without field and marks.
+    ///
+    /// # Errors
+    /// `WrongLength`, `OutOfRange`, `TooLarge`; the mesh shown before then stays.
+    pub fn replace_mesh(
         &mut self,
         positions: &[f32],
         triangles: &[u32],
@@ -143,9 +162,9 @@ impl Viewer {
         self.wire.set_edges(&self.gpu, &edges(vertices, wire_edges));
         self.boundary
             .set_edges(&self.gpu, &edges(vertices, boundary_edges));
+        self.highlight.set_edges(&self.gpu, &[]);
         self.field = None;
         self.camera.set_bounds(self.drawing.bounds());
-        self.camera.home();
         self.stale = Stale {
             picture: true,
             vertices: true,
@@ -215,6 +234,24 @@ impl Viewer {
         self.stale.flags = true;
         self.stale.picture = true;
         Ok(())
+    }
+
+    /// Draws these edges, two vertices each, over all others, and no others so.
+    ///
+    /// # Errors
+    /// `OutOfRange`.
+    pub fn set_highlight(&mut self, ends: &[u32]) -> Result<(), ViewerError> {
+        expect_range("highlight", ends, self.drawing.n_vertices())?;
+        let edges = edges(self.drawing.vertices(), ends);
+        self.highlight.set_edges(&self.gpu, &edges);
+        self.stale.picture = true;
+        Ok(())
+    }
+
+    /// What lies under a pixel.
+    pub fn pick(&self, x: f32, y: f32) -> Option<Hit> {
+        let (origin, direction) = self.camera.ray(x, y);
+        pick(&self.drawing, origin, direction)
     }
 
     /// How the surface is drawn.
@@ -319,6 +356,8 @@ impl Viewer {
         let (always, width) = ((-2.0, -1.0), BOUNDARY_WIDTH * width);
         self.boundary
             .set_line(gpu, &line(palette.boundary, 1.0, width, always));
+        self.highlight
+            .set_line(gpu, &line(palette.marked, 1.0, width, always));
     }
 
     fn frame(&self) -> Frame {
@@ -372,6 +411,7 @@ impl Viewer {
             if self.style.boundary {
                 self.lines.draw(pass, &self.boundary);
             }
+            self.lines.draw(pass, &self.highlight);
         });
     }
 }

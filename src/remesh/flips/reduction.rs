@@ -5,10 +5,16 @@ use crate::energy::circle::angle::diamond_angle;
 use crate::geometry::measure::triangle_angles;
 use crate::mesh::{Edge, Halfedge, HalfedgeMesh, Vertex};
 use glam::DVec3;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
+
+/// A flip must gain more than this share of the area of its two triangles: f_a falls like
+/// the fourth power of their size, and an absolute bound would stop fine meshes silently.
+const LEAST_AREA_GAIN: f64 = 1e-12;
+/// A flip must take more than this off the angles.
+const LEAST_ANGLE_GAIN: f64 = 1e-11;
 
 /// What is to become small.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Criterion {
     /// Surface area.
@@ -19,6 +25,19 @@ pub enum Criterion {
     /// experiments it ends at the lowest Willmore energy of the three.
     #[default]
     Localised,
+}
+
+impl Criterion {
+    /// All three, in the order of the paper.
+    pub const ALL: [Self; 3] = [Self::Area, Self::Willmore, Self::Localised];
+
+    /// What a reduction must exceed to be more than rounding.
+    pub fn threshold(self, quad: &Quad) -> f64 {
+        match self {
+            Self::Area => LEAST_AREA_GAIN * quad.area(),
+            _ => LEAST_ANGLE_GAIN,
+        }
+    }
 }
 
 /// The quadrilateral about an interior edge (i, j): apexes k and l.
@@ -68,6 +87,25 @@ impl Quad {
         let around =
             |m: DVec3| beta(m, i, l, k) + beta(m, j, k, l) + beta(m, k, i, j) + beta(m, l, j, i);
         around(0.5 * (i + j)) - around(0.5 * (k + l))
+    }
+
+    /// The quadrilateral after the flip: its edge is (k, l).
+    pub fn flipped(&self) -> Self {
+        let Self { i, j, k, l } = *self;
+        Self {
+            i: l,
+            j: k,
+            k: i,
+            l: j,
+        }
+    }
+
+    /// Angle between the normals of the two triangles about (i, j), in degrees: 0 where they
+    /// are coplanar, 180 where one lies on the other.
+    pub fn fold_degrees(&self) -> f64 {
+        let Self { i, j, k, l } = *self;
+        let (m, n) = ((k - j).cross(i - j), (l - i).cross(j - i));
+        m.cross(n).length().atan2(m.dot(n)).to_degrees()
     }
 
     /// Smallest angle of the two triangles about (i, j), in degrees.

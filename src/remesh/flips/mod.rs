@@ -1,21 +1,21 @@
 //! The edge-flip optimiser of Brink & Alboul: the flip that gains most, again and again,
-//! until none gains anything.
+//! until none gains anything; and every flip back again.
 
-use super::reduction::{Criterion, Quad, willmore_reduction};
+pub mod conjecture;
+pub mod lab;
+mod queue;
+pub mod reduction;
+
 use crate::energy::circle::angle::diamond_angle;
 use crate::geometry::measure;
 use crate::mesh::flip::Flippable;
 use crate::mesh::{Edge, HalfedgeMesh, Vertex};
 use glam::DVec3;
-use std::cmp::{Ordering, Reverse};
-use std::collections::{BinaryHeap, HashMap};
+use queue::{Key, Queue};
+use reduction::{Criterion, Quad, willmore_reduction};
+use std::collections::HashMap;
 use std::f64::consts::TAU;
-
-/// A flip must gain more than this share of the area of its two triangles: f_a falls like
-/// the fourth power of their size, and an absolute bound would stop fine meshes silently.
-const LEAST_AREA_GAIN: f64 = 1e-12;
-/// A flip must take more than this off the angles.
-const LEAST_ANGLE_GAIN: f64 = 1e-11;
+use std::rc::Rc;
 
 /// A flip that was made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,63 +34,43 @@ pub struct Flip {
     pub willmore: f64,
 }
 
-/// An edge that may gain from a flip. The greatest reduction comes first; of equal ones the
-/// edge with the smallest (min, max) of its ends.
-struct Candidate {
-    reduction: f64,
-    key: (u32, u32),
-    edge: Edge,
-    version: u32,
+/// What the search for a flip, and the flip itself, did to edges other than those about it.
+#[derive(Default)]
+struct Trace {
+    /// Would have gained, and were refused.
+    refused: Vec<Edge>,
+    /// Waited before, and no longer.
+    released: Vec<(Edge, Key)>,
 }
 
-impl Candidate {
-    fn rank(&self, other: &Self) -> Ordering {
-        let by_gain = self.reduction.total_cmp(&other.reduction);
-        by_gain.then_with(|| Reverse(self.key).cmp(&Reverse(other.key)))
-    }
-}
-
-impl PartialEq for Candidate {
-    fn eq(&self, other: &Self) -> bool {
-        self.rank(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Candidate {}
-
-impl PartialOrd for Candidate {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Candidate {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.rank(other)
+impl Trace {
+    fn is_empty(&self) -> bool {
+        self.refused.is_empty() && self.released.is_empty()
     }
 }
 
 /// Greedy optimisation of the connectivity of a triangle mesh; positions stay.
 ///
-/// A queue with lazy deletion: every edge has a version, raised when its reduction changes,
-/// and entries of an older version are passed over. A flip whose other diagonal is an edge
-/// already waits under that edge and is queued again when it is flipped away, so that the
-/// result is that of searching all edges every time. O(E log E) in practice.
+/// A flip whose other diagonal is an edge already waits under that edge and is queued again
+/// when it is flipped away, so that the result is that of searching all edges every time.
+/// O(E log E) in practice.
 pub struct FlipOptimiser {
     mesh: HalfedgeMesh,
-    x: Vec<DVec3>,
+    x: Rc<Vec<DVec3>>,
     criterion: Criterion,
     guards_folds: bool,
-    queue: BinaryHeap<Candidate>,
-    versions: Vec<u32>,
-    waiting: HashMap<(u32, u32), Vec<Edge>>,
-    area: f64,
-    angles: f64,
-    flips: usize,
+    queue: Queue,
+    made: Vec<Flip>,
+    /// Area and Σ β at the start and after each flip.
+    totals: Vec<[f64; 2]>,
+    /// By the number of flips made before.
+    traces: HashMap<usize, Trace>,
+    /// Since the last flip.
+    trace: Trace,
     rejected: usize,
 }
 
-fn key([a, b]: [Vertex; 2]) -> (u32, u32) {
+fn key([a, b]: [Vertex; 2]) -> Key {
     (a.0.min(b.0), a.0.max(b.0))
 }
 
@@ -99,17 +79,17 @@ impl FlipOptimiser {
     /// of the two there were; off by default, since it also forbids unfolding.
     pub fn new(
         mesh: HalfedgeMesh,
-        x: Vec<DVec3>,
+        x: Rc<Vec<DVec3>>,
         criterion: Criterion,
         guards_folds: bool,
     ) -> Self {
+        let totals = [measure::area(&mesh, &x), total_angles(&mesh, &x)];
         let mut this = Self {
-            versions: vec![0; mesh.n_edges()],
-            area: measure::area(&mesh, &x),
-            angles: total_angles(&mesh, &x),
-            queue: BinaryHeap::new(),
-            waiting: HashMap::new(),
-            flips: 0,
+            queue: Queue::new(mesh.n_edges()),
+            made: Vec::new(),
+            totals: vec![totals],
+            traces: HashMap::new(),
+            trace: Trace::default(),
             rejected: 0,
             mesh,
             x,
@@ -132,9 +112,19 @@ impl FlipOptimiser {
         self.mesh
     }
 
+    /// What is to become small.
+    pub fn criterion(&self) -> Criterion {
+        self.criterion
+    }
+
     /// Number of flips made.
     pub fn flips(&self) -> usize {
-        self.flips
+        self.made.len()
+    }
+
+    /// Flips made, oldest first.
+    pub fn made(&self) -> &[Flip] {
+        &self.made
     }
 
     /// How often a flip that would have gained was refused: its other diagonal was there, or
@@ -143,15 +133,19 @@ impl FlipOptimiser {
         self.rejected
     }
 
+    fn total(&self) -> [f64; 2] {
+        self.totals.last().copied().unwrap_or_default()
+    }
+
     /// Total area, kept up flip by flip.
     pub fn area(&self) -> f64 {
-        self.area
+        self.total()[0]
     }
 
     /// W = 2 Σ β − 2πV over interior edges, kept up flip by flip: Σ W_i as printed on closed
     /// meshes; on open ones it differs from that by a constant.
     pub fn willmore(&self) -> f64 {
-        2.0 * self.angles - TAU * self.mesh.n_vertices() as f64
+        2.0 * self.total()[1] - TAU * self.mesh.n_vertices() as f64
     }
 
     /// f(e) of the criterion; `None` on the boundary and across twisted edges.
@@ -166,50 +160,34 @@ impl FlipOptimiser {
         }
     }
 
-    fn threshold(&self, e: Edge) -> f64 {
-        match self.criterion {
-            Criterion::Area => LEAST_AREA_GAIN * Quad::of(&self.mesh, &self.x, e).area(),
-            _ => LEAST_ANGLE_GAIN,
-        }
-    }
-
     fn enqueue(&mut self, e: Edge) {
-        let version = &mut self.versions[e.index()];
-        *version += 1;
-        let version = *version;
+        if let Some(key) = self.queue.remove(e) {
+            self.trace.released.push((e, key));
+        }
         let Some(reduction) = self.reduction(e) else {
             return;
         };
-        if reduction > self.threshold(e) {
-            let key = key(self.mesh.ends(e));
-            self.queue.push(Candidate {
-                reduction,
-                key,
-                edge: e,
-                version,
-            });
+        let quad = Quad::of(&self.mesh, &self.x, e);
+        if reduction > self.criterion.threshold(&quad) {
+            self.queue.push(e, reduction, key(self.mesh.ends(e)));
         }
+    }
+
+    fn refuse(&mut self, e: Edge, until: Key) {
+        self.rejected += 1;
+        self.trace.refused.push(e);
+        self.queue.park(e, until);
     }
 
     /// Makes the flip that gains most; `None` when none gains anything.
     pub fn step(&mut self) -> Option<Flip> {
-        while let Some(candidate) = self.queue.pop() {
-            let Candidate {
-                edge,
-                version,
-                reduction,
-                ..
-            } = candidate;
-            if self.versions[edge.index()] != version {
-                continue;
-            }
+        while let Some((edge, reduction)) = self.queue.pop() {
             match self.mesh.flippable(edge) {
-                Flippable::Yes if self.guards_folds && self.folds(edge) => self.rejected += 1,
-                Flippable::Yes => return Some(self.flip(edge, reduction)),
-                Flippable::PartnerExists(k, l) => {
-                    self.rejected += 1;
-                    self.waiting.entry(key([k, l])).or_default().push(edge);
+                Flippable::Yes if self.guards_folds && self.folds(edge) => {
+                    self.refuse(edge, queue::NEVER);
                 }
+                Flippable::Yes => return Some(self.flip(edge, reduction)),
+                Flippable::PartnerExists(k, l) => self.refuse(edge, key([k, l])),
                 Flippable::Boundary | Flippable::NotTriangles => {}
             }
         }
@@ -218,23 +196,62 @@ impl FlipOptimiser {
 
     fn flip(&mut self, edge: Edge, reduction: f64) -> Flip {
         let before = self.mesh.ends(edge);
-        self.area -= Quad::of(&self.mesh, &self.x, edge).area_reduction();
-        self.angles -= 0.5 * willmore_reduction(&self.mesh, &self.x, edge);
+        let [area, angles] = self.total();
+        self.totals.push([
+            area - Quad::of(&self.mesh, &self.x, edge).area_reduction(),
+            angles - 0.5 * willmore_reduction(&self.mesh, &self.x, edge),
+        ]);
         self.mesh.flip(edge);
-        self.flips += 1;
         for e in self.affected(edge) {
             self.enqueue(e);
         }
-        for e in self.waiting.remove(&key(before)).unwrap_or_default() {
+        for e in self.queue.waiting_for(key(before)) {
             self.enqueue(e);
         }
-        Flip {
+        let trace = std::mem::take(&mut self.trace);
+        if !trace.is_empty() {
+            self.traces.insert(self.made.len(), trace);
+        }
+        let flip = Flip {
             edge,
             before,
             after: self.mesh.ends(edge),
             reduction,
-            area: self.area,
+            area: self.area(),
             willmore: self.willmore(),
+        };
+        self.made.push(flip);
+        flip
+    }
+
+    /// Takes the last flip back and answers it; everything is as before it, the totals to
+    /// the last bit, so that the same flips follow again.
+    pub fn back(&mut self) -> Option<Flip> {
+        let last = self.made.pop()?;
+        let trace = std::mem::take(&mut self.trace);
+        self.undo_refusals(trace.refused);
+        // The flip turns the quadrilateral by a quarter: three more make it whole.
+        for _ in 0..3 {
+            self.mesh.flip(last.edge);
+        }
+        self.totals.pop();
+        for e in self.affected(last.edge) {
+            self.enqueue(e);
+        }
+        let trace = self.traces.remove(&self.made.len()).unwrap_or_default();
+        for (e, until) in trace.released {
+            self.queue.remove(e);
+            self.queue.park(e, until);
+        }
+        self.undo_refusals(trace.refused);
+        self.trace = Trace::default();
+        Some(last)
+    }
+
+    fn undo_refusals(&mut self, refused: Vec<Edge>) {
+        self.rejected -= refused.len();
+        for e in refused {
+            self.enqueue(e);
         }
     }
 

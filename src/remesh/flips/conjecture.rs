@@ -1,0 +1,97 @@
+//! Brink & Alboul's conjecture, that a flip lowers the area if and only if it lowers the
+//! localised Willmore energy: f_a ≤ 0 ⇔ f_l ≤ 0 (Section 4). It is false.
+//!
+//! By hand: (0,0,0), (3,0,0), (0,4,0), (1,0,1) as i, j, k, l have f_a = 15/2 − 2√2 − √89/2 =
+//! −0.0454 and f_l = +0.0068. It looks true because both signs are that of the Delaunay test
+//! where the four points are nearly coplanar (for the area Rippa's theorem; for f_l so in
+//! experiments); away from that the share of counterexamples grows like a power
+//! of the angle between the faces, of the order of 1.5 to 2.
+
+use super::reduction::Quad;
+use crate::mesh::flip::Flippable;
+use crate::mesh::{Edge, HalfedgeMesh};
+use glam::DVec3;
+
+/// Reductions up to this are zero but for rounding, as a share of the area or in radians. Well
+/// below what the optimiser asks for: there, one of two tiny gains may count and the other not.
+const ROUNDING: f64 = 2e-14;
+
+/// Both reductions of one edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reductions {
+    /// f_a, Eq. (1), over the area of the two triangles.
+    pub area: f64,
+    /// f_l, Eq. (5), in radians.
+    pub localised: f64,
+    /// Whether f_a > 0, by more than rounding.
+    pub lowers_area: bool,
+    /// Whether f_l > 0, by more than rounding.
+    pub lowers_localised: bool,
+}
+
+impl Reductions {
+    /// Of the edge (i, j) of a quadrilateral.
+    pub fn of(quad: &Quad) -> Self {
+        let total = quad.area();
+        let area = if total > 0.0 {
+            quad.area_reduction() / total
+        } else {
+            0.0
+        };
+        let localised = quad.localised_reduction();
+        Self {
+            area,
+            localised,
+            lowers_area: area > ROUNDING,
+            lowers_localised: localised > ROUNDING,
+        }
+    }
+
+    /// Whether the conjecture holds here.
+    pub fn agree(&self) -> bool {
+        self.lowers_area == self.lowers_localised
+    }
+}
+
+/// Both reductions of every edge that can be flipped.
+pub fn survey(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<(Edge, Reductions)> {
+    mesh.edges()
+        .filter(|&e| mesh.flippable(e) == Flippable::Yes)
+        .map(|e| (e, Reductions::of(&Quad::of(mesh, x, e))))
+        .collect()
+}
+
+/// How many edges there are in each quadrant.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Quadrants {
+    /// The flip lowers both.
+    pub both: usize,
+    /// It lowers neither.
+    pub neither: usize,
+    /// It lowers the area only: a counterexample.
+    pub area_only: usize,
+    /// It lowers the localised energy only: a counterexample.
+    pub localised_only: usize,
+}
+
+impl Quadrants {
+    /// Counts one edge.
+    pub fn add(&mut self, reductions: &Reductions) {
+        *match (reductions.lowers_area, reductions.lowers_localised) {
+            (true, true) => &mut self.both,
+            (false, false) => &mut self.neither,
+            (true, false) => &mut self.area_only,
+            (false, true) => &mut self.localised_only,
+        } += 1;
+    }
+
+    /// Edges in all.
+    pub fn total(&self) -> usize {
+        self.both + self.neither + self.counterexamples()
+    }
+
+    /// Edges that the conjecture fails on.
+    pub fn counterexamples(&self) -> usize {
+        self.area_only + self.localised_only
+    }
+}

@@ -1,0 +1,94 @@
+//! What lies under a pixel.
+
+use glam::Vec3;
+
+use super::drawing::Drawing;
+
+/// Where a line of sight meets the surface first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// The triangle.
+    pub triangle: u32,
+    /// The point on it.
+    pub point: Vec3,
+}
+
+/// The first triangle along a ray, from either side (Möller & Trumbore 1997).
+pub fn pick(drawing: &Drawing, origin: Vec3, direction: Vec3) -> Option<Hit> {
+    let vertices = drawing.vertices();
+    let at = |v: u32| {
+        let [x, y, z, _] = vertices[v as usize];
+        Vec3::new(x, y, z)
+    };
+    let mut nearest: Option<(f32, u32)> = None;
+    for (t, corners) in (0..).zip(drawing.triangles().chunks_exact(3)) {
+        let a = at(corners[0]);
+        let (u, v) = (at(corners[1]) - a, at(corners[2]) - a);
+        let across = direction.cross(v);
+        let determinant = u.dot(across);
+        let from = origin - a;
+        let (s, turned) = (from.dot(across) / determinant, from.cross(u));
+        let r = direction.dot(turned) / determinant;
+        let depth = v.dot(turned) / determinant;
+        // A triangle seen from its edge divides by zero, and no comparison holds.
+        let is_inside = s >= 0.0 && r >= 0.0 && s + r <= 1.0 && depth > 0.0;
+        if is_inside && nearest.is_none_or(|(best, _)| depth < best) {
+            nearest = Some((depth, t));
+        }
+    }
+    nearest.map(|(depth, triangle)| Hit {
+        triangle,
+        point: origin + depth * direction,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::camera::Camera;
+    use super::*;
+
+    #[test]
+    fn the_nearer_of_two_squares_is_picked() {
+        let mut positions = Vec::new();
+        for z in [0.0, 1.0] {
+            for (x, y) in [(0., 0.), (1., 0.), (1., 1.), (0., 1.)] {
+                positions.extend([x, y, z]);
+            }
+        }
+        let triangles = [0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7];
+        let drawing = Drawing::new(&positions, &triangles, false).expect("a valid mesh");
+        let down = |x, y| pick(&drawing, Vec3::new(x, y, 9.0), Vec3::NEG_Z);
+        let hit = down(0.75, 0.25).expect("above the square");
+        assert_eq!((hit.triangle, hit.point), (2, Vec3::new(0.75, 0.25, 1.0)));
+        assert_eq!(down(0.25, 0.75).map(|hit| hit.triangle), Some(3));
+        assert_eq!(down(1.25, 0.75), None);
+        let up = pick(&drawing, Vec3::new(0.75, 0.25, -9.0), Vec3::Z);
+        assert_eq!(up.map(|hit| hit.triangle), Some(0));
+        let along = pick(&drawing, Vec3::new(-9.0, 0.5, 1.0), Vec3::X);
+        assert_eq!(along, None, "seen from the edge");
+    }
+
+    #[test]
+    fn what_is_drawn_at_a_pixel_is_picked_there() {
+        let positions = [-1., -1., 0.3, 1., -1., 0., 0., 1., -0.2];
+        let drawing = Drawing::new(&positions, &[0, 1, 2], false).expect("a valid mesh");
+        let mut camera = Camera::default();
+        camera.resize(640, 360);
+        camera.set_bounds(drawing.bounds());
+        camera.home();
+        camera.orbit(40.0, -25.0);
+        for (s, r) in [(0.2, 0.3), (0.7, 0.1), (0.1, 0.8)] {
+            let [a, b, c] = [0, 3, 6].map(|i| Vec3::from_slice(&positions[i..]));
+            let point = a + s * (b - a) + r * (c - a);
+            let clip = camera.clip_from_world() * point.extend(1.0);
+            let (x, y) = (clip.x / clip.w, clip.y / clip.w);
+            let (origin, direction) = camera.ray(320.0 * (1.0 + x), 180.0 * (1.0 - y));
+            let hit = pick(&drawing, origin, direction).expect("on the triangle");
+            assert!(
+                hit.point.distance(point) < 1e-5,
+                "{} is not {point}",
+                hit.point
+            );
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! What `Session` can do with connectivity: edge flips, pictures side by side, the
+//! conjecture, edits and their undoing.
+
+use super::fault::{fault, object};
+use super::session::{Session, field, floats, from_js, indices, loaded, to_js};
+use crate::session::{Arrangement, ConjectureReport, FlipOptions, Pane};
+use wasm_bindgen::prelude::*;
+
+fn pane(p: &Pane) -> JsValue {
+    object(&[
+        ("name", p.name.into()),
+        ("positions", floats(&p.positions)),
+        ("triangles", indices(&p.triangles)),
+        ("wireEdges", indices(&p.wire_edges)),
+        ("boundaryEdges", indices(&p.boundary_edges)),
+        ("highlight", indices(&p.highlight)),
+        ("field", p.field.as_ref().map_or(JsValue::NULL, field)),
+    ])
+}
+
+fn conjecture(r: &ConjectureReport) -> JsValue {
+    let count = |n: usize| JsValue::from(n as f64);
+    object(&[
+        ("both", count(r.counts.both)),
+        ("neither", count(r.counts.neither)),
+        ("areaOnly", count(r.counts.area_only)),
+        ("localisedOnly", count(r.counts.localised_only)),
+        ("counterexamples", count(r.n_counterexamples)),
+        ("corners", indices(&r.corners)),
+        ("area", floats(&r.area)),
+        ("localised", floats(&r.localised)),
+    ])
+}
+
+#[wasm_bindgen]
+impl Session {
+    /// Edge-flip optimisation to the end: `Flipped`. `options` is `{ criterion?, max?,
+    /// guardFolds?, history? }`. The mesh that comes of it becomes the start; `undo` brings
+    /// back the one before.
+    ///
+    /// # Errors
+    /// Meshes with faces other than triangles.
+    pub fn flip(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
+        let options: FlipOptions = from_js(options)?;
+        Ok(to_js(&self.0.flip(&options)?))
+    }
+
+    /// What `panes` shows: `{ compare?: 'none' | 'start' | 'criteria', subdivide?: number }`.
+    ///
+    /// # Errors
+    /// Unknown options.
+    pub fn arrange(&mut self, arrangement: JsValue) -> Result<(), JsValue> {
+        let arrangement: Arrangement = from_js(arrangement)?;
+        Ok(self.0.arrange(arrangement)?)
+    }
+
+    /// The pictures of edge flips: `Pane[]`, empty under other flows.
+    ///
+    /// # Errors
+    /// Unknown fields.
+    pub fn panes(&self, field: &str) -> Result<JsValue, JsValue> {
+        let panes = self.0.panes(field)?;
+        Ok(panes.iter().map(pane).collect::<js_sys::Array>().into())
+    }
+
+    /// f_a against f_l on the surface as it is now: `Conjecture`.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    pub fn conjecture(&self) -> Result<JsValue, JsValue> {
+        Ok(conjecture(&self.0.conjecture()?))
+    }
+
+    /// The numbers of the quadrilateral of vertices i, j, k, l: `Quadrilateral`.
+    ///
+    /// # Errors
+    /// If there is no such vertex.
+    pub fn quadrilateral(&self, corners: &[u32]) -> Result<JsValue, JsValue> {
+        let Ok(corners) = <[u32; 4]>::try_from(corners) else {
+            let message = format!("{} corners are given", corners.len());
+            return Err(fault("BadOption", &message, "A quadrilateral has four."));
+        };
+        Ok(to_js(&self.0.quadrilateral(corners)?))
+    }
+
+    /// Draws more random quadrilaterals and tells of all: `Lab`; 0 begins anew.
+    pub fn lab(&mut self, pairs: usize) -> JsValue {
+        to_js(&self.0.lab(pairs))
+    }
+
+    /// Makes the surface as it is now the start of what comes: `Loaded`.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    pub fn adopt(&mut self) -> Result<JsValue, JsValue> {
+        Ok(loaded(&self.0.adopt()?))
+    }
+
+    /// Takes the last edit back: `Loaded`.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn undo(&mut self) -> Result<JsValue, JsValue> {
+        Ok(loaded(&self.0.undo()?))
+    }
+}
