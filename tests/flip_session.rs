@@ -8,13 +8,21 @@ use umbilic::io::Format;
 use umbilic::remesh::flips::reduction::Criterion;
 use umbilic::session::{Arrangement, Compare, FlipOptions, Session};
 
-fn options(criterion: Criterion, flips_per_step: Option<usize>) -> FlowOptions {
+fn options(criterion: Criterion) -> FlowOptions {
     FlowOptions {
         flow: FlowName::Flips,
         criterion,
-        flips_per_step,
         ..FlowOptions::default()
     }
+}
+
+fn arrange(session: &mut Session, compare: Compare, subdivide: usize, per_step: Option<usize>) {
+    let arrangement = Arrangement {
+        compare,
+        subdivide,
+        flips_per_step: per_step,
+    };
+    session.arrange(arrangement).expect("arranged");
 }
 
 fn session(shape: &str, values: &[(&str, f64)]) -> Session {
@@ -38,14 +46,9 @@ fn edges(wire: &[u32]) -> Vec<[u32; 2]> {
 
 /// Where the three criteria end, run beside each other.
 fn ends(mut session: Session) -> Vec<(usize, f64, f64, Vec<[u32; 2]>)> {
+    arrange(&mut session, Compare::Criteria, 0, None);
     session
-        .arrange(Arrangement {
-            compare: Compare::Criteria,
-            subdivide: 0,
-        })
-        .expect("arranged");
-    session
-        .configure(options(Criterion::Area, None))
+        .configure(options(Criterion::Area))
         .expect("configured");
     session.run(10).expect("runs");
     let state = session.state().expect("a state");
@@ -101,7 +104,8 @@ fn the_figures_of_the_paper_come_out() {
 fn steps_of_any_length_lead_the_same_way_and_back() {
     let run = |per_step| {
         let mut session = session("sampled-torus", &[]);
-        let chosen = options(Criterion::Localised, per_step);
+        arrange(&mut session, Compare::None, 0, per_step);
+        let chosen = options(Criterion::Localised);
         session.configure(chosen).expect("configured");
         session
     };
@@ -154,7 +158,8 @@ fn edges_of(file: &[u8]) -> Vec<[u32; 2]> {
 #[test]
 fn panes_show_the_start_the_criteria_and_the_limit_surface() {
     let mut s = session("sampled-torus", &[]);
-    s.configure(options(Criterion::Willmore, Some(20)))
+    arrange(&mut s, Compare::None, 0, Some(20));
+    s.configure(options(Criterion::Willmore))
         .expect("configured");
     s.step().expect("a step");
     let panes = s.panes("none").expect("panes");
@@ -167,8 +172,7 @@ fn panes_show_the_start_the_criteria_and_the_limit_surface() {
     for edge in edges(&panes[0].highlight) {
         assert!(drawn.binary_search(&edge).is_ok());
     }
-    let arrangement = |compare, subdivide| Arrangement { compare, subdivide };
-    s.arrange(arrangement(Compare::Start, 1)).expect("arranged");
+    arrange(&mut s, Compare::Start, 1, Some(20));
     let panes = s.panes("gauss-curvature").expect("panes");
     assert_eq!([panes[0].name, panes[1].name], ["start", "willmore"]);
     let fields: Vec<_> = panes
@@ -183,15 +187,14 @@ fn panes_show_the_start_the_criteria_and_the_limit_surface() {
         assert_eq!(pane.positions.len(), 3 * (392 + 1176));
         assert_eq!(pane.triangles.len(), 3 * 4 * 784);
     }
-    s.arrange(arrangement(Compare::Criteria, 0))
-        .expect("arranged");
+    arrange(&mut s, Compare::Criteria, 0, Some(20));
     let state = s.state().expect("a state").flips.expect("flips");
     // The others have caught up with the chosen one.
     assert_eq!(
         state.iter().map(|r| r.flips).collect::<Vec<_>>(),
         [20, 20, 20]
     );
-    s.arrange(arrangement(Compare::None, 0)).expect("arranged");
+    arrange(&mut s, Compare::None, 0, Some(20));
     assert_eq!(s.panes("none").expect("panes").len(), 1);
     let mut flowing = session("icosphere", &[]);
     flowing
@@ -204,12 +207,8 @@ fn panes_show_the_start_the_criteria_and_the_limit_surface() {
 #[test]
 fn gaussian_curvature_of_the_subdivided_torus_improves() {
     let mut s = session("sampled-torus", &[("jitter", 0.05)]);
-    s.arrange(Arrangement {
-        compare: Compare::Start,
-        subdivide: 2,
-    })
-    .expect("arranged");
-    s.configure(options(Criterion::Localised, None))
+    arrange(&mut s, Compare::Start, 2, None);
+    s.configure(options(Criterion::Localised))
         .expect("configured");
     s.run(3).expect("runs");
     let panes = s.panes("gauss-curvature").expect("panes");
@@ -231,7 +230,8 @@ fn gaussian_curvature_of_the_subdivided_torus_improves() {
 #[test]
 fn a_flow_starts_from_the_flipped_mesh_and_undo_brings_the_old_one_back() {
     let mut s = session("sampled-torus", &[]);
-    s.configure(options(Criterion::Localised, None))
+    arrange(&mut s, Compare::None, 0, None);
+    s.configure(options(Criterion::Localised))
         .expect("configured");
     let before = export(&s);
     s.run(5).expect("runs");
@@ -248,11 +248,11 @@ fn a_flow_starts_from_the_flipped_mesh_and_undo_brings_the_old_one_back() {
     // The surface as it has flowed can be kept in turn, and each edit taken back.
     s.adopt().expect("adopted");
     s.undo().expect("undone");
-    s.configure(options(Criterion::Localised, None))
+    s.configure(options(Criterion::Localised))
         .expect("configured");
     assert!(edges_of(&export(&s)) == edges_of(&flipped));
     s.undo().expect("undone");
-    s.configure(options(Criterion::Localised, None))
+    s.configure(options(Criterion::Localised))
         .expect("configured");
     assert_eq!(export(&s), before);
     assert_eq!(s.undo().expect_err("none left").kind, "NothingToUndo");
@@ -268,24 +268,22 @@ fn what_cannot_be_flipped_is_refused_and_the_flow_before_stays() {
     let quads = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n";
     let mut s = Session::new();
     s.load(quads.as_bytes(), "quads.obj").expect("a mesh");
-    let refused = s
-        .configure(options(Criterion::Area, None))
-        .expect_err("quads");
+    let refused = s.configure(options(Criterion::Area)).expect_err("quads");
     assert_eq!(refused.kind, "NotTriangular");
-    let mut none = options(Criterion::Area, Some(0));
     let mut s = session("sampled-torus", &[]);
-    assert_eq!(
-        s.configure(none.clone()).expect_err("none").kind,
-        "BadOption"
-    );
-    none.flips_per_step = Some(1);
-    s.configure(none).expect("configured");
+    s.configure(options(Criterion::Area)).expect("configured");
+    let none = Arrangement {
+        flips_per_step: Some(0),
+        ..Arrangement::default()
+    };
+    assert_eq!(s.arrange(none).expect_err("none").kind, "BadOption");
+    s.step().expect("a step");
+    assert_eq!(s.state().expect("a state").step, 1);
     // Nothing to flip: one triangle, and the boundary.
     let mut s = Session::new();
     s.load(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "one.obj")
         .expect("a mesh");
-    s.configure(options(Criterion::Area, None))
-        .expect("configured");
+    s.configure(options(Criterion::Area)).expect("configured");
     assert_eq!(s.run(3).expect("runs"), 0);
     assert_eq!(s.state().expect("a state").status, Status::Converged);
 }
@@ -321,7 +319,7 @@ fn the_conjecture_fails_on_its_counterexample() {
     );
     // Each criterion by itself: the area keeps the edge, the localised energy flips it.
     for (criterion, flips) in [(Criterion::Area, 0), (Criterion::Localised, 1)] {
-        s.configure(options(criterion, None)).expect("configured");
+        s.configure(options(criterion)).expect("configured");
         s.run(3).expect("runs");
         assert_eq!(s.state().expect("a state").step, flips, "{criterion:?}");
     }
@@ -366,4 +364,42 @@ fn the_lab_grows_and_shows_the_law_of_the_angle() {
     let strongest = report.strongest.expect("a counterexample");
     assert!(strongest.area * strongest.localised < 0.0);
     assert_eq!(session.lab(0).tetrahedra, 0);
+}
+
+#[test]
+fn curves_follow_every_run_to_its_end() {
+    let mut s = session("sampled-torus", &[]);
+    s.configure(options(Criterion::Area)).expect("configured");
+    let curves = s.curves().expect("curves");
+    assert_eq!((curves.flips, curves.runs.len()), (vec![0.0], 1));
+    arrange(&mut s, Compare::Criteria, 0, Some(50));
+    s.run(100).expect("runs");
+    let curves = s.curves().expect("curves");
+    assert_eq!(curves.flips.len(), 241);
+    let state = s.state().expect("a state").flips.expect("flips");
+    for (name, area, circle) in &curves.runs {
+        let n = if *name == "willmore" { 235 } else { 240 };
+        let falls = |values: &[f64]| values[..=n].windows(2).all(|w| w[1] < w[0]);
+        match *name {
+            "area" => assert!(falls(area)),
+            "willmore" => assert!(falls(circle)),
+            _ => {}
+        }
+        let end = state.iter().find(|r| r.flips == n && r.circle == circle[n]);
+        assert_eq!(end.expect("as in the readings").area, area[n]);
+        assert!((n + 2..=240).all(|i| area[i].is_nan() && circle[i].is_nan()));
+    }
+    let mut large = session("creased-face", &[]);
+    arrange(&mut large, Compare::None, 0, None);
+    large
+        .configure(options(Criterion::Area))
+        .expect("configured");
+    large.run(3).expect("runs");
+    let curves = large.curves().expect("curves");
+    assert!(
+        (300..=401).contains(&curves.flips.len()),
+        "{}",
+        curves.flips.len()
+    );
+    assert_eq!(curves.flips.last(), Some(&1843.0));
 }

@@ -70,7 +70,7 @@ impl FlipFlow {
             start: mesh,
             x: Rc::new(x.to_vec()),
             guards_folds: options.guard_folds,
-            per_step: options.flips_per_step.unwrap_or(usize::MAX),
+            per_step: 1,
             runs: Vec::new(),
             before: 0,
             progress: None,
@@ -97,6 +97,11 @@ impl FlipFlow {
                 self.runs.push(run);
             }
         }
+    }
+
+    /// How many flips a step makes, as far as there are any.
+    pub fn set_per_step(&mut self, flips: usize) {
+        self.per_step = flips.max(1);
     }
 
     /// Flips made by the run that made most: the others have come to their ends.

@@ -132,8 +132,6 @@ pub struct FlowOptions {
     pub criterion: Criterion,
     /// Edge flips: no flip may turn a face over.
     pub guard_folds: bool,
-    /// Edge flips: so many a step; all that gain anything if absent.
-    pub flips_per_step: Option<usize>,
 }
 
 impl Default for FlowOptions {
@@ -167,7 +165,6 @@ impl Default for FlowOptions {
             pressure: 0.0,
             criterion: Criterion::default(),
             guard_folds: false,
-            flips_per_step: Some(1),
         }
     }
 }
@@ -212,9 +209,6 @@ impl FlowOptions {
         }
         if !(0.0..=1.0).contains(&self.epsilon) {
             return bad("epsilon", self.epsilon.to_string(), "a number from 0 to 1");
-        }
-        if self.flips_per_step == Some(0) {
-            return bad("flipsPerStep", "0".into(), "1 or more, or absent for all");
         }
         if self.smooth_steps == 0 {
             return bad("smoothSteps", "0".into(), "1 or more");

@@ -20,7 +20,7 @@ pub use conjecture::{ConjectureReport, LabReport, QuadReport};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
-pub use pane::{Arrangement, Compare, Pane};
+pub use pane::{Arrangement, Compare, Curves, Pane};
 pub use readings::{EnergyReadings, Info, State};
 pub use work::Configured;
 
@@ -124,7 +124,10 @@ impl Session {
     fn open(&mut self, document: Document) -> Loaded {
         let x = document.start.clone();
         let loaded = Loaded::of(&document);
-        self.work = Some(Work::new(document, x));
+        let arrangement = self.work.as_ref().map(|work| work.arrangement);
+        let mut work = Work::new(document, x);
+        work.arrangement = arrangement.unwrap_or_default();
+        self.work = Some(work);
         loaded
     }
 

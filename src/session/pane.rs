@@ -5,7 +5,10 @@ use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::work::Work;
 use super::{Session, as_f32};
+use crate::flow::Flow;
+use crate::flow::flips::FlipFlow;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
+use crate::remesh::flips::FlipOptimiser;
 use crate::remesh::flips::reduction::Criterion;
 use glam::DVec3;
 use serde::Deserialize;
@@ -24,14 +27,38 @@ pub enum Compare {
 }
 
 /// What is shown of edge flips.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct Arrangement {
     /// Side by side.
     pub compare: Compare,
     /// Steps of Loop's scheme before drawing.
     pub subdivide: usize,
+    /// Flips a step makes; all that gain anything if absent.
+    pub flips_per_step: Option<usize>,
 }
+
+impl Default for Arrangement {
+    fn default() -> Self {
+        Self {
+            compare: Compare::default(),
+            subdivide: 0,
+            flips_per_step: Some(1),
+        }
+    }
+}
+
+/// Area and W against the number of flips, for plots.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Curves {
+    /// Numbers of flips, from 0 to those of the run that made most.
+    pub flips: Vec<f64>,
+    /// A criterion's area and W after them; NaN after its last flip.
+    pub runs: Vec<(&'static str, Vec<f64>, Vec<f64>)>,
+}
+
+/// Points of a curve at most.
+const MAX_POINTS: usize = 400;
 
 /// A picture: all of what a viewer draws.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,11 +83,15 @@ pub struct Pane {
 const MAX_FACES: usize = 2_000_000;
 
 impl Session {
-    /// What the next [`panes`](Self::panes) show.
+    /// How edge flips are shown and how many a step makes; where the flow stands, it stays.
     ///
     /// # Errors
-    /// [`Fault::no_mesh`].
+    /// [`Fault::no_mesh`]; steps of no flip.
     pub fn arrange(&mut self, arrangement: Arrangement) -> Result<(), Fault> {
+        if arrangement.flips_per_step == Some(0) {
+            let hint = "It is 1 or more, or absent for all that gain anything.";
+            return Err(Fault::new("BadOption", "flipsPerStep cannot be 0", hint));
+        }
         self.work_mut()?.arrange(arrangement);
         Ok(())
     }
@@ -77,6 +108,17 @@ impl Session {
         };
         Ok(self.work()?.panes(field))
     }
+
+    /// The curves of edge flips so far; empty under any other flow.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn curves(&self) -> Result<Curves, Fault> {
+        let flow = self.work()?.flow.as_ref();
+        Ok(flow
+            .and_then(|f| f.flips())
+            .map_or_else(Curves::default, curves))
+    }
 }
 
 impl Work {
@@ -84,6 +126,9 @@ impl Work {
         self.arrangement = arrangement;
         if let Some(flips) = self.flow.as_mut().and_then(|flow| flow.flips_mut()) {
             flips.compare(arrangement.compare == Compare::Criteria);
+            flips.set_per_step(arrangement.flips_per_step.unwrap_or(usize::MAX));
+            self.state.dt = flips.dt();
+            self.state.tau = flips.tau();
             if self.state.flips.is_some() {
                 self.state.flips = Some(flips.readings());
             }
@@ -99,11 +144,7 @@ impl Work {
             panes.push(self.pane("start", flips.start(), Vec::new(), field));
         }
         for run in flips.runs() {
-            let name = match run.criterion() {
-                Criterion::Area => "area",
-                Criterion::Willmore => "willmore",
-                Criterion::Localised => "localised",
-            };
+            let name = name_of(run.criterion());
             let edges = flips.last_edges(run);
             panes.push(self.pane(name, run.mesh(), edges, field));
         }
@@ -142,6 +183,36 @@ impl Work {
             },
             field: field.map(|f| Field::compute(f, drawn, self.options.boundary, x, zero)),
         }
+    }
+}
+
+fn name_of(criterion: Criterion) -> &'static str {
+    match criterion {
+        Criterion::Area => "area",
+        Criterion::Willmore => "willmore",
+        Criterion::Localised => "localised",
+    }
+}
+
+fn curves(flow: &FlipFlow) -> Curves {
+    let most = flow.runs().iter().map(FlipOptimiser::flips).max();
+    let most = most.unwrap_or_default();
+    let stride = most.div_ceil(MAX_POINTS).max(1);
+    let mut flips: Vec<usize> = (0..most).step_by(stride).collect();
+    flips.push(most);
+    let run = |run: &FlipOptimiser| {
+        let costs = |n: &usize| run.costs_after(*n).unwrap_or([f64::NAN; 2]);
+        let mut both: Vec<[f64; 2]> = flips.iter().map(costs).collect();
+        // Its end, where that lies between two points.
+        if let Some(gap) = both.iter_mut().find(|c| c[0].is_nan()) {
+            *gap = [run.area(), run.willmore()];
+        }
+        let [area, circle] = [0, 1].map(|i| both.iter().map(|c| c[i]).collect());
+        (name_of(run.criterion()), area, circle)
+    };
+    Curves {
+        runs: flow.runs().iter().map(run).collect(),
+        flips: flips.iter().map(|&n| n as f64).collect(),
     }
 }
 

@@ -4,6 +4,7 @@
 use super::fault::{fault, object};
 use super::session::{Session, field, floats, from_js, indices, loaded, to_js};
 use crate::session::{Arrangement, ConjectureReport, FlipOptions, Pane};
+use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
 
 fn pane(p: &Pane) -> JsValue {
@@ -45,7 +46,8 @@ impl Session {
         Ok(to_js(&self.0.flip(&options)?))
     }
 
-    /// What `panes` shows: `{ compare?: 'none' | 'start' | 'criteria', subdivide?: number }`.
+    /// How edge flips are shown and how many a step makes: `{ compare?: 'none' | 'start' |
+    /// 'criteria', subdivide?: number, flipsPerStep?: number | null }`.
     ///
     /// # Errors
     /// Unknown options.
@@ -61,6 +63,27 @@ impl Session {
     pub fn panes(&self, field: &str) -> Result<JsValue, JsValue> {
         let panes = self.0.panes(field)?;
         Ok(panes.iter().map(pane).collect::<js_sys::Array>().into())
+    }
+
+    /// Area and W against the number of flips: `Curves`.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    pub fn curves(&self) -> Result<JsValue, JsValue> {
+        let curves = self.0.curves()?;
+        let numbers = |values: &[f64]| Float64Array::from(values).into();
+        let runs = js_sys::Array::new();
+        for (criterion, area, circle) in &curves.runs {
+            runs.push(&object(&[
+                ("criterion", (*criterion).into()),
+                ("area", numbers(area)),
+                ("circle", numbers(circle)),
+            ]));
+        }
+        Ok(object(&[
+            ("flips", numbers(&curves.flips)),
+            ("runs", runs.into()),
+        ]))
     }
 
     /// f_a against f_l on the surface as it is now: `Conjecture`.

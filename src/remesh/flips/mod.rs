@@ -133,6 +133,16 @@ impl FlipOptimiser {
         self.rejected
     }
 
+    /// Area and W after so many of the flips made.
+    pub fn costs_after(&self, flips: usize) -> Option<[f64; 2]> {
+        let [area, angles] = *self.totals.get(flips)?;
+        Some([area, self.energy(angles)])
+    }
+
+    fn energy(&self, angles: f64) -> f64 {
+        2.0 * angles - TAU * self.mesh.n_vertices() as f64
+    }
+
     fn total(&self) -> [f64; 2] {
         self.totals.last().copied().unwrap_or_default()
     }
@@ -145,7 +155,7 @@ impl FlipOptimiser {
     /// W = 2 Σ β − 2πV over interior edges, kept up flip by flip: Σ W_i as printed on closed
     /// meshes; on open ones it differs from that by a constant.
     pub fn willmore(&self) -> f64 {
-        2.0 * self.total()[1] - TAU * self.mesh.n_vertices() as f64
+        self.energy(self.total()[1])
     }
 
     /// f(e) of the criterion; `None` on the boundary and across twisted edges.
