@@ -2,10 +2,10 @@
 // What a user can ask for, as functions: each asks the solver and moves the state on.
 // Nothing here touches the document.
 
-/** @import { Fault, FieldName, Frame, Stopped } from "./protocol.js" */
+/** @import { Arrangement, Fault, FieldName, Frame, Stopped } from "./protocol.js" */
 /** @import { Scene } from "./link.js" */
 /** @import { Options } from "./options.js" */
-/** @import { Source, Store, View } from "./state.js" */
+/** @import { Marks, Source, Store, View } from "./state.js" */
 
 import { defaults } from "./options.js";
 import { samples } from "./samples.js";
@@ -94,6 +94,7 @@ export function createController(store, voice) {
       store.update(to.loaded, source, mesh);
       for (const warning of mesh.info.warnings) voice.note(warning);
       if (scene.camera) store.update(to.looked, scene.camera);
+      if (scene.arrangement) await arrange(scene.arrangement);
       const suits = await configure(options).then(
         () => true,
         async (error) => {
@@ -111,6 +112,29 @@ export function createController(store, voice) {
       throw error;
     }
     if (scene.step) await run(scene.step);
+  }
+
+  /** @param {Partial<Arrangement>} change */
+  async function arrange(change) {
+    const arrangement = { ...store.get().arrangement, ...change };
+    store.update(to.arranged, arrangement);
+    await solver.arrange(arrangement);
+  }
+
+  /**
+   * Makes the surface as it is the start; `undo` takes that back.
+   * @param {Options} options  that it goes on with
+   * @param {string} what      for people: what undoing takes back
+   */
+  async function adopt(options, what) {
+    const { source, options: before, earlier, mesh } = store.get();
+    if (!source || !mesh) return;
+    const loaded = await solver.adopt();
+    // No sample any more, and no file either: a link to it can only name it.
+    const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
+    store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
+    await configure(options);
+    await colour(store.get().colour);
   }
 
   /** @param {FieldName} name */
@@ -224,9 +248,16 @@ export function createController(store, voice) {
     configure: (change) =>
       enqueue(async () => {
         await rest();
-        const before = store.get().options;
+        const { options: before, reading } = store.get();
+        const options = { ...before, ...change };
         try {
-          await configure({ ...before, ...change });
+          if (before.flow === "flips" && options.flow !== "flips" && reading && reading.step > 0) {
+            // The point of better edges is what is done with them next.
+            await adopt(options, `${reading.step} flips`);
+            voice.answer(
+              "The flow starts from the mesh with its edges flipped; Undo brings the one before back.",
+            );
+          } else await configure(options);
         } catch (error) {
           // Told again, so that the form shows what is in force.
           store.update((state) => ({ ...state, options: { ...before } }));
@@ -235,6 +266,45 @@ export function createController(store, voice) {
       }),
     /** @param {FieldName} name */
     colour: (name) => enqueue(() => colour(name)),
+    /** How edge flips are shown; a run goes on. @param {Partial<Arrangement>} change */
+    arrange: (change) => enqueue(() => arrange(change)),
+    /** All flips that gain anything, at once. */
+    finish: () =>
+      enqueue(async () => {
+        await rest();
+        if (!store.get().reading) return;
+        const { flipsPerStep } = store.get().arrangement;
+        await solver.arrange({ ...store.get().arrangement, flipsPerStep: null });
+        store.update(to.progress, { stage: "flips", fraction: 0 });
+        await solver.step().finally(() => store.update(to.progress, null));
+        await arrange({ flipsPerStep });
+      }),
+    /** Makes the surface as it is the start of what comes. */
+    adopt: () =>
+      enqueue(async () => {
+        await rest();
+        const { options, reading } = store.get();
+        if (reading && reading.step > 0) await adopt(options, `${reading.step} steps`);
+      }),
+    /** Takes the last edit back. */
+    undo: () =>
+      enqueue(async () => {
+        await rest();
+        const { earlier } = store.get();
+        const last = earlier.at(-1);
+        if (!last) return;
+        store.update(to.edited, last.source, await solver.undo(), earlier.slice(0, -1));
+        await configure(last.options);
+        await colour(store.get().colour);
+      }),
+    // Questions that change nothing; the worker answers them between steps.
+    conjecture: () => solver.conjecture(),
+    /** @param {number[]} corners */
+    quadrilateral: (corners) => solver.quadrilateral(corners),
+    /** @param {number} pairs */
+    lab: (pairs) => solver.lab(pairs),
+    /** @param {Marks | null} marks */
+    mark: (marks) => store.update(to.marked, marks),
 
     /** @param {Float32Array} camera */
     look: (camera) => store.update(to.looked, camera),

@@ -5,7 +5,14 @@
 /** @import { FieldName } from "./protocol.js" */
 /** @import { PageState, View } from "./state.js" */
 
-import { asText, choices, defaults, readers } from "./options.js";
+import {
+  arrangementReaders,
+  asText,
+  choices,
+  defaults,
+  plainArrangement,
+  readers,
+} from "./options.js";
 import { samples } from "./samples.js";
 
 /**
@@ -13,6 +20,7 @@ import { samples } from "./samples.js";
  * @property {string | null} sample  id of a sample; null when the mesh came from a file
  * @property {string | null} mesh    name of that file's mesh
  * @property {Partial<import("./options.js").Options>} options
+ * @property {Partial<import("./protocol.js").Arrangement>} arrangement
  * @property {FieldName} colour
  * @property {number} step
  * @property {Float32Array | null} camera
@@ -33,19 +41,24 @@ export function readLink({ search, hash }) {
   const asked = words.get("sample");
   const mesh = words.get("mesh");
   const known = samples.some(({ id }) => id === asked);
-  /** @type {Record<string, unknown>} */
-  const options = {};
-  for (const [key, read] of Object.entries(readers)) {
-    const value = read(words.get(key) ?? "");
-    if (value !== undefined) options[key] = value;
-  }
+  /** @param {Readonly<Record<string, (text: string) => unknown>>} known */
+  const understood = (known) => {
+    /** @type {Record<string, unknown>} */
+    const values = {};
+    for (const [key, read] of Object.entries(known)) {
+      const value = read(words.get(key) ?? "");
+      if (value !== undefined) values[key] = value;
+    }
+    return values;
+  };
   const camera = (words.get("camera") ?? "").split(",").map(Number);
   const shading = words.get("shading");
   const colour = choices.colour.find(({ id }) => id === words.get("colour"))?.id ?? "none";
   return {
     sample: known ? asked : mesh ? null : samples[0].id,
     mesh: known ? null : mesh,
-    options,
+    options: understood(readers),
+    arrangement: understood(arrangementReaders),
     colour: /** @type {FieldName} */ (colour),
     step: Number(/^\d{1,7}$/.exec(words.get("step") ?? "")?.[0] ?? 0),
     camera: camera.length > 1 && camera.every(Number.isFinite) ? new Float32Array(camera) : null,
@@ -60,7 +73,7 @@ export function readLink({ search, hash }) {
  * @param {Readonly<PageState>} state
  * @returns {string} the address's part from `#` on
  */
-export function writeLink({ source, options, colour, camera, reading, view, goal }) {
+export function writeLink({ source, options, arrangement, colour, camera, reading, view, goal }) {
   if (!source) return "";
   const words = new URLSearchParams();
   if (source.kind === "sample") words.set("sample", source.id);
@@ -70,6 +83,13 @@ export function writeLink({ source, options, colour, camera, reading, view, goal
   for (const key of /** @type {(keyof typeof options)[]} */ (Object.keys(readers))) {
     if (key !== "flow" && asText(options[key]) !== asText(base[key]))
       words.set(key, asText(options[key]));
+  }
+  if (options.flow === "flips") {
+    const { compare, subdivide, flipsPerStep } = arrangement;
+    if (compare !== plainArrangement.compare) words.set("compare", compare);
+    if (subdivide !== plainArrangement.subdivide) words.set("subdivide", String(subdivide));
+    if (flipsPerStep !== plainArrangement.flipsPerStep)
+      words.set("flipsPerStep", String(flipsPerStep ?? "all"));
   }
   if (colour !== "none") words.set("colour", colour);
   if (view.shading !== "smooth") words.set("shading", view.shading);

@@ -8,13 +8,18 @@ import { createStore } from "./state.js";
 import { createChoices } from "./ui/choices.js";
 import { createHelp, createPanel, createPresenter } from "./ui/chrome.js";
 import { createColourBar } from "./ui/colour-bar.js";
+import { createConjecture } from "./ui/conjecture.js";
 import { createDownload } from "./ui/download.js";
 import { createEnergyPlot } from "./ui/energy-plot.js";
+import { createFlipPlots } from "./ui/flip-plots.js";
+import { createFlipsForm } from "./ui/flips-form.js";
 import { createKeys } from "./ui/keys.js";
+import { createLab } from "./ui/lab.js";
 import { createMeshInput } from "./ui/mesh-input.js";
 import { createMessages } from "./ui/messages.js";
 import { createMethodForm } from "./ui/method-form.js";
 import { createPWillmoreForm } from "./ui/p-willmore-form.js";
+import { createPanes } from "./ui/panes.js";
 import { createPicture } from "./ui/picture.js";
 import { createReadings } from "./ui/readings.js";
 import { createStatus } from "./ui/status.js";
@@ -30,6 +35,7 @@ const picture = createPicture(controller, store.get, msaa);
 const help = createHelp();
 
 createPanel();
+createLab(controller);
 createKeys(controller, help.open);
 createDownload(controller, store.get, picture.snapshot);
 /** A link to a mesh names it only; its scene waits for the user to open the file. */
@@ -45,11 +51,15 @@ const parts = [
   createChoices(controller),
   createReadings(),
   createPWillmoreForm(controller),
+  createFlipsForm(controller),
   createMethodForm(controller),
   createViewForm(controller, picture.fit),
   picture,
+  createPanes(controller, msaa),
   createColourBar(picture.colours, pictured),
   createEnergyPlot(controller, pictured),
+  createFlipPlots(controller),
+  createConjecture(controller, picture.pick),
   createPresenter(controller),
   createLinkWriter(),
   help,

@@ -33,18 +33,29 @@ export const defaults = Object.freeze({
   spontaneousCurvature: 0,
   tension: 0,
   pressure: 0,
+  criterion: "localised",
+  guardFolds: false,
 });
+
+/** @type {Readonly<import("./protocol.js").Arrangement>} */
+export const plainArrangement = Object.freeze({ compare: "none", subdivide: 0, flipsPerStep: 1 });
 
 /** @type {Readonly<Record<string, readonly { id: string, label: string }[]>>} */
 export const choices = {
   flow: [
     { id: "circle", label: "Willmore, circle angles" },
     { id: "p-willmore", label: "p-Willmore" },
+    { id: "flips", label: "Edge flips" },
   ],
   boundary: [
     { id: "clamped", label: "Clamped (with tangent)" },
     { id: "fixed", label: "Fixed (position only)" },
     { id: "free", label: "Free" },
+  ],
+  criterion: [
+    { id: "area", label: "Area" },
+    { id: "willmore", label: "Willmore energy" },
+    { id: "localised", label: "Localised Willmore energy" },
   ],
   colour: [
     { id: "none", label: "Nothing" },
@@ -97,7 +108,7 @@ const count = (text) => (/^[1-9]\d{0,6}$/.test(text) ? Number(text) : undefined)
  * @type {Readonly<Record<string, (text: string) => string | number | boolean | string[] | null | undefined>>}
  */
 export const readers = {
-  flow: oneOf("circle", "p-willmore"),
+  flow: oneOf("circle", "p-willmore", "flips"),
   scheme: oneOf("auto", "paper"),
   integrator: oneOf("semi-implicit", "forward-euler", "backward-euler", "l-bfgs"),
   boundary: oneOf("clamped", "fixed", "free"),
@@ -121,6 +132,18 @@ export const readers = {
   spontaneousCurvature: between(-1e3, 1e3),
   tension: between(-1e6, 1e6),
   pressure: between(-1e6, 1e6),
+  criterion: oneOf("area", "willmore", "localised"),
+  guardFolds: flag,
+};
+
+/**
+ * The same for an arrangement.
+ * @type {Readonly<Record<string, (text: string) => string | number | null | undefined>>}
+ */
+export const arrangementReaders = {
+  compare: oneOf("none", "start", "criteria"),
+  subdivide: (text) => (/^[0-3]$/.test(text) ? Number(text) : undefined),
+  flipsPerStep: (text) => (text === "all" ? null : count(text)),
 };
 
 /**

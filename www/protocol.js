@@ -47,7 +47,7 @@
 /**
  * Options of a flow. Every field may be left out; `Configured` tells what was chosen.
  * @typedef {object} FlowOptions
- * @property {'circle' | 'p-willmore'} [flow]
+ * @property {'circle' | 'p-willmore' | 'flips'} [flow]
  * @property {'auto' | 'paper'} [scheme]   `paper`: constant dt, exact energy, plain K, uniform mass
  * @property {'semi-implicit' | 'forward-euler' | 'backward-euler' | 'l-bfgs'} [integrator]
  * @property {'clamped' | 'fixed' | 'free'} [boundary]
@@ -73,6 +73,82 @@
  * @property {number} [spontaneousCurvature]  p-Willmore, p = 2: H₀ L, L = √(A/4π) at the start
  * @property {number} [tension]            p-Willmore, p = 2: σ L²
  * @property {number} [pressure]           p-Willmore, p = 2: P L³
+ * @property {Criterion} [criterion]       edge flips: what is to become small (default localised)
+ * @property {boolean} [guardFolds]        edge flips: faces may not be turned over
+ */
+
+/** @typedef {'area' | 'willmore' | 'localised'} Criterion */
+
+/**
+ * How edge flips are shown, and how many a step makes.
+ * @typedef {object} Arrangement
+ * @property {'none' | 'start' | 'criteria'} compare  what stands beside the surface
+ * @property {number} subdivide            steps of Loop's scheme before drawing
+ * @property {number | null} flipsPerStep  null: all that gain anything
+ */
+
+/**
+ * A picture of edge flips, with connectivity of its own.
+ * @typedef {object} Pane
+ * @property {Criterion | 'start'} name
+ * @property {Float32Array} positions
+ * @property {Uint32Array} triangles
+ * @property {Uint32Array} wireEdges
+ * @property {Uint32Array} boundaryEdges
+ * @property {Uint32Array} highlight  two ends an edge that the last step made
+ * @property {Field | null} field     all panes share one range
+ */
+
+/**
+ * Where edge flips by one criterion stand.
+ * @typedef {object} FlipReading
+ * @property {Criterion} criterion
+ * @property {number} flips
+ * @property {number} rejected
+ * @property {number} area
+ * @property {number} circle
+ * @property {number | null} reduction  what the last flip gained
+ */
+
+/**
+ * Area and W against the number of flips; NaN after the last flip of a criterion.
+ * @typedef {object} Curves
+ * @property {Float64Array} flips
+ * @property {{ criterion: Criterion, area: Float64Array, circle: Float64Array }[]} runs
+ */
+
+/**
+ * f_a against f_l for the edges that can be flipped, counterexamples first, the strongest
+ * foremost; of those that agree a selection.
+ * @typedef {object} Conjecture
+ * @property {number} both           edges whose flip lowers area and localised energy, …
+ * @property {number} neither
+ * @property {number} areaOnly       … and the counterexamples
+ * @property {number} localisedOnly
+ * @property {number} counterexamples  of those listed
+ * @property {Uint32Array} corners   i, j, k, l of each
+ * @property {Float32Array} area     f_a over the area of both triangles
+ * @property {Float32Array} localised  f_l, radians
+ */
+
+/**
+ * The numbers of a quadrilateral about an edge (i, j) with apexes k, l.
+ * @typedef {object} Quadrilateral
+ * @property {[number, number, number][]} points  of i, j, k, l
+ * @property {number} area        f_a
+ * @property {number} localised   f_l
+ * @property {number} totalArea
+ * @property {[number, number]} foldDegrees      between the faces, before and after the flip
+ * @property {[number, number]} minAngleDegrees  before and after
+ */
+
+/**
+ * Random quadrilaterals so far.
+ * @typedef {object} Lab
+ * @property {number} tetrahedra
+ * @property {[number, number]} counterexamples  of the tetrahedra: area only, localised only
+ * @property {{ below: number, total: number, counterexamples: number }[]} classes  by the larger angle between the faces
+ * @property {Quadrilateral | null} strongest
  */
 
 /**
@@ -103,9 +179,9 @@
  */
 
 /**
- * Options of `flip`, edge-flip optimisation.
+ * Options of `flip`, edge-flip optimisation to the end.
  * @typedef {object} FlipOptions
- * @property {'area' | 'willmore' | 'localised'} [criterion]  default localised
+ * @property {Criterion} [criterion]  default localised
  * @property {number} [max]          flips at most
  * @property {boolean} [guardFolds]  faces may not be turned over
  * @property {boolean} [history]     every flip is listed
@@ -160,6 +236,7 @@
  * @property {number} maxDisplacement   from the start, in mean edge lengths
  * @property {Multipliers} [multipliers]  where area or volume is kept
  * @property {number} [reducedVolume]   6√π V/A^(3/2), 1 for a sphere; p-Willmore only
+ * @property {FlipReading[]} [flips]    edge flips: each criterion, the chosen one first
  * @property {number} assembleMilliseconds
  * @property {number} factorMilliseconds
  * @property {number} solveMilliseconds
@@ -189,6 +266,7 @@
  * @property {number} milliseconds    of the last step
  * @property {Multipliers | null} multipliers
  * @property {number | null} reducedVolume
+ * @property {FlipReading[] | null} flips
  * @property {boolean} canStepBack
  */
 
@@ -216,6 +294,8 @@
  * @property {Float32Array} positions
  * @property {Field | null} field
  * @property {Uint32Array} flippedTriangles  triangles to highlight
+ * @property {Pane[]} panes          of edge flips, which change the connectivity; else none
+ * @property {Curves | null} curves  of edge flips
  */
 
 /**
@@ -229,10 +309,15 @@
  * | `load`      | `name`, `bytes: ArrayBuffer`  | `Loaded`                    |
  * | `sample`    | `name`, `parameters`          | `Loaded`                    |
  * | `configure` | `options: FlowOptions`, `run` | `Configured`                |
- * | `run`       | `run`, `until: number | null` | `true`, at once; pauses by itself at step `until` |
+ * | `run`       | `run`, `until: number | null` | `true`, at once; pauses by itself at step `until`; otherwise edge flips take a step a frame |
  * | `pause`     |                               | `State`, after the current step |
  * | `step`      | `run`                         | `StepReport \| null`: null when there was none to take |
  * | `regularise` | `options: RegulariseOptions`, `run` | `Regularised`       |
+ * | `arrange`   | `arrangement`                 | `State`; a run goes on      |
+ * | `adopt`, `undo` |                           | `Loaded`                    |
+ * | `conjecture` |                              | `Conjecture`                |
+ * | `quadrilateral` | `corners: number[]`       | `Quadrilateral`             |
+ * | `lab`       | `pairs`                       | `Lab`                       |
  * | `back`      | `run`                         | `State`                     |
  * | `reset`     | `run`                         | `State`                     |
  * | `colour`    | `field: FieldName`            | `Field \| null`             |

@@ -2,7 +2,7 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Configured, Fault, Field, FieldName, FlowOptions, Frame, Loaded, RegulariseOptions, Regularised, State, StepReport, Stopped } from "./protocol.js" */
+/** @import { Arrangement, Configured, Conjecture, Fault, Field, FieldName, FlowOptions, Frame, Lab, Loaded, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped } from "./protocol.js" */
 
 /**
  * @typedef {object} Listener
@@ -31,6 +31,8 @@ export function createSolver(listener) {
   let options = {};
   /** @type {FieldName} */
   let field = "none";
+  /** @type {Arrangement | null} */
+  let arrangement = null;
   /** @type {{ positions: Float32Array, step: number, time: number } | null} */
   let last = null;
 
@@ -104,6 +106,19 @@ export function createSolver(listener) {
     return loaded;
   }
 
+  /**
+   * A mesh made of the one at hand: for a new worker it is a file of its own.
+   * @param {"adopt" | "undo"} type
+   * @returns {Promise<Loaded>}
+   */
+  async function edit(type) {
+    const loaded = await ask(type);
+    const bytes = await ask("export", { format: "ply" });
+    origin = { type: "load", name: `${loaded.name}.ply`, bytes: bytes.buffer };
+    last = null;
+    return loaded;
+  }
+
   /** @param {string} type @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
   function move(type, fields) {
     run += 1;
@@ -140,6 +155,22 @@ export function createSolver(listener) {
     step: () => move("step"),
     /** @param {RegulariseOptions} wanted @returns {Promise<Regularised>} */
     regularise: (wanted) => move("regularise", { options: wanted }),
+    /** @param {Arrangement} wanted @returns {Promise<State>} */
+    async arrange(wanted) {
+      const state = await ask("arrange", { arrangement: wanted });
+      arrangement = wanted;
+      return state;
+    },
+    /** Makes the surface as it is the start. */
+    adopt: () => edit("adopt"),
+    /** Takes the last edit back. */
+    undo: () => edit("undo"),
+    /** @returns {Promise<Conjecture>} */
+    conjecture: () => ask("conjecture"),
+    /** @param {number[]} corners @returns {Promise<Quadrilateral>} */
+    quadrilateral: (corners) => ask("quadrilateral", { corners }),
+    /** @param {number} pairs @returns {Promise<Lab>} */
+    lab: (pairs) => ask("lab", { pairs }),
     /** @returns {Promise<State>} */
     back: () => move("back"),
     /** @returns {Promise<State>} */
@@ -161,6 +192,7 @@ export function createSolver(listener) {
       // As part of no run: its frame, of the start, must not be taken for the last one.
       await ask("configure", { options, run: 0 });
       if (field !== "none") await ask("colour", { field });
+      if (arrangement) await ask("arrange", { arrangement });
       return last && last.step > 0 ? move("restore", last) : move("reset");
     },
   };

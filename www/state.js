@@ -2,9 +2,9 @@
 // What the page shows, as one frozen object, and the only functions that change it.
 // Transitions are pure: (state, …) → state. Parts read; the controller writes.
 
-/** @import { Loaded, State as Reading, Configured, FlowOptions, Field, FieldName, Frame } from "./protocol.js" */
+/** @import { Arrangement, Loaded, State as Reading, Configured, Curves, FlowOptions, Field, FieldName, Frame, Pane } from "./protocol.js" */
 
-import { defaults } from "./options.js";
+import { defaults, plainArrangement } from "./options.js";
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'running' | 'paused' | 'failed'} Phase */
 
@@ -12,6 +12,16 @@ import { defaults } from "./options.js";
 
 /**
  * @typedef {{ kind: 'sample', id: string } | { kind: 'file', name: string }} Source
+ */
+
+/**
+ * What an edit was made of.
+ * @typedef {{ source: Source, options: Readonly<Required<FlowOptions>>, what: string }} Earlier
+ */
+
+/**
+ * Edges, two ends each, and triangles to be seen.
+ * @typedef {{ edges: Uint32Array, triangles: Uint32Array }} Marks
  */
 
 /**
@@ -30,11 +40,14 @@ import { defaults } from "./options.js";
  * @property {string | null} loadingName
  * @property {Source | null} source
  * @property {Loaded | null} mesh
- * @property {{ positions: Float32Array, field: Field | null, flippedTriangles: Uint32Array } | null} frame
+ * @property {{ positions: Float32Array, field: Field | null, flippedTriangles: Uint32Array, panes: readonly Pane[], curves: Curves | null } | null} frame
  * @property {Reading | null} reading
  * @property {readonly Sample[]} history  from the start to the present step
  * @property {Readonly<Required<FlowOptions>>} options
  * @property {Configured | null} configured
+ * @property {Readonly<Arrangement>} arrangement  of edge flips
+ * @property {readonly Earlier[]} earlier  what `undo` brings back, oldest first
+ * @property {Marks | null} marks         drawn over the surface
  * @property {FieldName} colour
  * @property {number | null} goal         the step a link asks for, while running to it
  * @property {boolean} pausing            asked to pause; the step in hand is not done
@@ -56,6 +69,9 @@ export const initial = Object.freeze({
   history: [],
   options: defaults,
   configured: null,
+  arrangement: plainArrangement,
+  earlier: [],
+  marks: null,
   colour: "none",
   goal: null,
   pausing: false,
@@ -93,6 +109,15 @@ function extended(history, reading, added) {
   return added.length > 0 ? [...kept, ...added.map(sample)] : [...kept, sample(reading)];
 }
 
+/** @param {Loaded} mesh */
+const firstFrame = (mesh) => ({
+  positions: mesh.positions,
+  field: null,
+  flippedTriangles: new Uint32Array(0),
+  panes: [],
+  curves: null,
+});
+
 /** @typedef {Readonly<PageState>} S */
 
 export const transitions = {
@@ -111,14 +136,39 @@ export const transitions = {
     loadingName: null,
     source,
     mesh,
-    frame: { positions: mesh.positions, field: null, flippedTriangles: new Uint32Array(0) },
+    frame: firstFrame(mesh),
     reading: null,
     history: [],
     configured: null,
+    earlier: [],
+    marks: null,
     goal: null,
     progress: null,
     camera: null,
   }),
+
+  /**
+   * Another mesh made of the one at hand; the camera stays.
+   * @param {S} s @param {Source} source @param {Loaded} mesh @param {readonly Earlier[]} earlier
+   * @returns {S}
+   */
+  edited: (s, source, mesh, earlier) => ({
+    ...s,
+    source,
+    mesh,
+    frame: firstFrame(mesh),
+    reading: null,
+    history: [],
+    configured: null,
+    earlier,
+    marks: null,
+  }),
+
+  /** @param {S} s @param {Readonly<Arrangement>} arrangement @returns {S} */
+  arranged: (s, arrangement) => ({ ...s, arrangement }),
+
+  /** @param {S} s @param {Marks | null} marks @returns {S} */
+  marked: (s, marks) => ({ ...s, marks }),
 
   /** @param {S} s @param {S["options"]} options @param {Configured} configured @returns {S} */
   configured: (s, options, configured) => ({
@@ -137,12 +187,13 @@ export const transitions = {
   pausing: (s) => ({ ...s, pausing: true }),
 
   /** @param {S} s @param {Frame} frame @returns {S} */
-  frame: (s, { state, reports, positions, field, flippedTriangles }) => ({
+  frame: (s, { state, reports, positions, field, flippedTriangles, panes, curves }) => ({
     ...s,
     phase: s.phase === "running" || s.phase === "loading" ? s.phase : still(state),
     reading: state,
     history: extended(s.history, state, reports),
-    frame: { positions, field, flippedTriangles },
+    // All panes share one scale of colours.
+    frame: { positions, field: panes[0]?.field ?? field, flippedTriangles, panes, curves },
     progress: null,
   }),
 

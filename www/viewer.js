@@ -36,6 +36,11 @@ import { listenForGestures } from "./gestures.js";
  * @property {Uint32Array} marked
  */
 
+/**
+ * What lies under a point of the picture.
+ * @typedef {{ triangle: number, point: Float32Array }} Hit
+ */
+
 /** Attempts to replace a lost graphics device before it is given up, … */
 const ATTEMPTS = 3;
 /** … each waiting longer than the last: right after a crash there may be no adapter yet … */
@@ -86,6 +91,8 @@ class SurfaceView {
   #shown = null;
   /** @type {Uint8Array} */
   #fixed = new Uint8Array();
+  /** @type {Uint32Array} */
+  #highlight = new Uint32Array();
   /** @type {Style} */
   #style = { lineWidth: 1.25 };
   #size = { width: 1, height: 1 };
@@ -117,9 +124,26 @@ class SurfaceView {
   setMesh(loaded) {
     // First the viewer, which throws where it refuses, then the memory of it.
     this.#putMesh(loaded);
+    this.#remember(loaded);
+  }
+
+  /**
+   * The same from where the camera stands: another mesh of the same surface.
+   * @param {Drawable} loaded
+   */
+  replaceMesh(loaded) {
+    if (!this.#mesh) return this.setMesh(loaded);
+    const { positions, triangles, wireEdges, boundaryEdges } = loaded;
+    this.#viewer?.replaceMesh(positions, triangles, wireEdges, boundaryEdges);
+    this.#remember(loaded);
+  }
+
+  /** @param {Drawable} loaded */
+  #remember(loaded) {
     this.#mesh = loaded;
     this.#shown = null;
     this.#fixed = new Uint8Array();
+    this.#highlight = new Uint32Array();
     this.#redraw();
   }
 
@@ -136,6 +160,13 @@ class SurfaceView {
     this.#redraw();
   }
 
+  /** Highlights these triangles and no others. @param {Uint32Array} marked */
+  setMarked(marked) {
+    this.#viewer?.setMarkedTriangles(marked);
+    if (this.#shown) this.#shown = { ...this.#shown, marked };
+    this.#redraw();
+  }
+
   /**
    * Tints the vertices that are held: a byte each, 1 where held; empty for none.
    * @param {Uint8Array} fixed
@@ -144,6 +175,26 @@ class SurfaceView {
     this.#viewer?.setMarkedVertices(fixed);
     this.#fixed = fixed;
     this.#redraw();
+  }
+
+  /**
+   * Draws these edges over all others: two ends each; empty for none.
+   * @param {Uint32Array} ends
+   */
+  setHighlight(ends) {
+    this.#viewer?.setHighlight(ends);
+    this.#highlight = ends;
+    this.#redraw();
+  }
+
+  /**
+   * @param {{ clientX: number, clientY: number }} event
+   * @returns {Hit | null} what lies there
+   */
+  pick({ clientX, clientY }) {
+    const box = this.#canvas.getBoundingClientRect();
+    const scale = this.#size.width / Math.max(this.#canvas.clientWidth, 1);
+    return this.#viewer?.pick((clientX - box.left) * scale, (clientY - box.top) * scale) ?? null;
   }
 
   /**
@@ -255,6 +306,7 @@ class SurfaceView {
     if (this.#mesh) this.#putMesh(this.#mesh);
     if (this.#shown) this.#putFrame(this.#shown);
     viewer.setMarkedVertices(this.#fixed);
+    viewer.setHighlight(this.#highlight);
     this.#redraw();
   }
 

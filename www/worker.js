@@ -2,7 +2,7 @@
 // The solver's side: one session, a table of what may be asked of it, and a run loop
 // that lets messages in after every step.
 
-/** @import { Fault, FieldName, Request, State, StepReport } from "./protocol.js" */
+/** @import { Fault, FieldName, Pane, Request, State, StepReport } from "./protocol.js" */
 
 import init, { Session } from "./pkg/solver/solver.js";
 
@@ -19,6 +19,8 @@ let running = false;
 let until = null;
 /** Whether the page has taken the last frame of the run. */
 let taken = true;
+/** Whether each step is to be seen: edge flips are far faster than any screen. */
+let paced = false;
 /** Work shorter than this says nothing of its progress. */
 const PATIENCE = 500;
 let nextProgress = 0;
@@ -33,6 +35,8 @@ turns.port1.onmessage = ({ data }) => running && data === run && guarded(advance
 
 /** One step of a run. */
 function advance() {
+  // Goes on when the page has taken the last frame.
+  if (paced && until === null && !taken) return;
   /** @type {StepReport | null} */
   let report = null;
   /** @type {Fault | null} */
@@ -61,12 +65,15 @@ const isOver = ({ status }) => status !== "ready" && status !== "running";
 /** Shows the page where the session stands. @param {State} state */
 function frame(state) {
   const positions = session.positions();
-  const colours = session.field(field);
+  /** @type {Pane[]} */
+  const panes = state.flips ? session.panes(field) : [];
+  const colours = state.flips ? null : session.field(field);
   const flippedTriangles = session.flippedTriangles();
-  const transfer = [positions.buffer, flippedTriangles.buffer];
-  if (colours) transfer.push(colours.values.buffer);
+  const curves = state.flips ? session.curves() : null;
+  const transfer = [positions.buffer, flippedTriangles.buffer, ...buffersOf(colours)];
+  for (const pane of panes) transfer.push(...buffersOf(pane), ...buffersOf(pane.field));
   const message = { type: "frame", run, state, reports: untold, positions, field: colours };
-  page.postMessage({ ...message, flippedTriangles }, transfer);
+  page.postMessage({ ...message, flippedTriangles, panes, curves }, transfer);
   untold = [];
   taken = false;
 }
@@ -99,6 +106,7 @@ const actions = {
   configure: (request) =>
     moved(request.run, () => {
       const configured = session.configure(request.options);
+      paced = request.options.flow === "flips";
       return { ...configured, heldVertices: session.heldVertices() };
     }),
   run(request) {
@@ -123,11 +131,24 @@ const actions = {
       return report;
     }),
   regularise: (request) => moved(request.run, () => session.regularise(request.options)),
+  arrange({ arrangement }) {
+    session.arrange(arrangement);
+    const state = session.state();
+    if (!running) frame(state);
+    return state;
+  },
+  adopt: () => session.adopt(),
+  undo: () => session.undo(),
+  conjecture: () => session.conjecture(),
+  quadrilateral: ({ corners }) => session.quadrilateral(corners),
+  lab: ({ pairs }) => session.lab(pairs),
   back: (request) => moved(request.run, () => session.back()),
   reset: (request) => moved(request.run, () => session.reset()),
   colour(request) {
     const colours = session.field(request.field);
     field = request.field;
+    const state = session.state();
+    if (state.flips && !running) frame(state);
     return colours;
   },
   export: ({ format }) => session.export(format),
@@ -136,7 +157,11 @@ const actions = {
     moved(run, () => session.restore(positions, step, time)),
 };
 
-/** Every typed array of an answer is a copy of its own and can be handed over. @param {any} answer */
+/**
+ * Every typed array of an answer is a copy of its own and can be handed over.
+ * @param {any} answer
+ * @returns {Transferable[]}
+ */
 function buffersOf(answer) {
   if (ArrayBuffer.isView(answer)) return [answer.buffer];
   return Object.values(answer ?? {}).flatMap((value) =>
@@ -176,7 +201,9 @@ function guarded(work) {
 /** @param {Request} request */
 function answer(request) {
   if (request.type === "ack") {
-    taken ||= request.run === run;
+    if (request.run !== run || taken) return;
+    taken = true;
+    if (running && paced && until === null) turns.port2.postMessage(run);
     return;
   }
   try {

@@ -15,6 +15,9 @@ use serde::Serialize;
 use std::rc::Rc;
 use web_time::Instant;
 
+/// More edges than this would hide the mesh.
+const SHOWN: usize = 100;
+
 /// Where the optimisation by one criterion stands.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
@@ -120,9 +123,11 @@ impl FlipFlow {
         &self.start
     }
 
-    /// Ends of the edges that the last step made in a run, where they are still edges.
+    /// Ends of the edges that the last step made in a run, the latest hundred at most.
     pub fn last_edges(&self, run: &FlipOptimiser) -> Vec<[Vertex; 2]> {
-        let last = run.made().get(self.before..).unwrap_or_default();
+        let made = run.made();
+        let first = self.before.max(made.len().saturating_sub(SHOWN));
+        let last = made.get(first..).unwrap_or_default();
         let mut edges: Vec<_> = last.iter().map(|flip| flip.edge).collect();
         edges.sort_unstable();
         edges.dedup();

@@ -31,6 +31,7 @@ const reading = (change) => ({
   canStepBack: false,
   multipliers: null,
   reducedVolume: null,
+  flips: null,
   ...change,
 });
 

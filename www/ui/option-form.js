@@ -19,7 +19,7 @@ export function chosen(form, name) {
 
 /**
  * Shows the options in the controls of their names, and only the parts that have a meaning:
- * `data-flow` and `data-goal` name the flow and the goal a part belongs to.
+ * `data-flow` and `data-goal` name the flows and the goal a part belongs to.
  * @param {HTMLFormElement} form
  * @param {Options} options
  */
@@ -32,7 +32,9 @@ export function show(form, options) {
       if (control.type === "radio") control.checked = control.value === value;
       else if (control.type === "checkbox") control.checked = value === true;
       else control.value = String(value);
-    } else if (control instanceof HTMLSelectElement) control.value = String(values[control.name]);
+    } else if (control instanceof HTMLSelectElement && control.name in values) {
+      control.value = String(values[control.name]);
+    }
   }
   showParts(form, options);
 }
@@ -46,6 +48,6 @@ export function showParts(root, { flow, goal }) {
   const parts = root.querySelectorAll("[data-flow], [data-goal]");
   for (const part of parts) {
     const { flow: ofFlow = flow, goal: ofGoal = goal } = part.dataset;
-    part.hidden = ofFlow !== flow || ofGoal !== goal;
+    part.hidden = !ofFlow.split(" ").includes(flow) || ofGoal !== goal;
   }
 }

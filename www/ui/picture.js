@@ -2,7 +2,7 @@
 // The canvas: hands the viewer what changed, and says in words what it shows. Where
 // there is no WebGPU it says so in place of the picture.
 
-/** @import { Fault } from "../protocol.js" */
+/** @import { Fault, Pane } from "../protocol.js" */
 /** @import { PageState, View } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
@@ -20,6 +20,12 @@ export function surfaceLabel({ mesh, reading }) {
   const energy = formatNumber(reading.energy, 4);
   const area = formatNumber(reading.area, 4);
   return `Surface: ${mesh.name}, step ${reading.step}, energy ${energy}, area ${area}`;
+}
+
+/** The pane that stands in the place of the surface. @param {Readonly<PageState>} state */
+export function ownPane({ frame, reading }) {
+  const chosen = reading?.flips?.[0].criterion;
+  return frame?.panes.find(({ name }) => name === chosen) ?? null;
 }
 
 /** @param {PageState["source"]} source */
@@ -48,6 +54,10 @@ export function createPicture(controller, state, samples) {
   let held = null;
   /** @type {Readonly<View> | null} */
   let view = null;
+  /** @type {PageState["marks"]} */
+  let marks = null;
+  /** @type {Pane | null} what the viewer draws in place of the mesh */
+  let pane = null;
   /** @type {PageState["camera"]} what the viewer has; it tells us of every change */
   let camera = null;
 
@@ -79,21 +89,41 @@ export function createPicture(controller, state, samples) {
       mesh = s.mesh;
       frame = null;
       viewer.setMesh(mesh);
+      pane = null;
       held = null;
       camera = null;
     }
-    if (s.configured && s.configured.heldVertices !== held) {
-      held = s.configured.heldVertices;
-      viewer.setFixed(held);
-    }
     if (s.frame !== frame && s.frame) {
       frame = s.frame;
-      viewer.setFrame(frame.positions, frame.field, frame.flippedTriangles);
+      drawFrame(viewer, s.frame, s);
+    } else if (s.marks !== marks) drawMarks(viewer, s);
+    if (!pane && s.configured && s.configured.heldVertices !== held) {
+      held = s.configured.heldVertices;
+      viewer.setFixed(held);
     }
     if (s.camera !== camera && s.camera) {
       camera = s.camera;
       viewer.setCamera(camera);
     }
+  }
+
+  /** @param {Viewer} opened @param {NonNullable<PageState["frame"]>} now @param {Readonly<PageState>} s */
+  function drawFrame(opened, now, s) {
+    const next = ownPane(s);
+    if (next) opened.replaceMesh(next);
+    else if (pane && mesh) opened.replaceMesh(mesh);
+    if (next || pane) held = null;
+    pane = next;
+    const { positions, field } = pane ?? now;
+    opened.setFrame(positions, field, now.flippedTriangles);
+    drawMarks(opened, s);
+  }
+
+  /** @param {Viewer} opened @param {Readonly<PageState>} s */
+  function drawMarks(opened, s) {
+    if (s.marks || marks) opened.setMarked(s.marks?.triangles ?? new Uint32Array());
+    marks = s.marks;
+    opened.setHighlight(marks?.edges ?? pane?.highlight ?? new Uint32Array());
   }
 
   return {
@@ -132,6 +162,8 @@ export function createPicture(controller, state, samples) {
       setText(title, titleOf(s.source));
     },
     fit: () => viewer?.fit(),
+    /** @param {{ clientX: number, clientY: number }} event */
+    pick: (event) => viewer?.pick(event) ?? null,
     /** @returns {Promise<Blob | null>} */
     snapshot: async () => viewer?.snapshot() ?? null,
     /** @param {boolean} signed @param {number} count @returns {Uint8Array | null} rgb */

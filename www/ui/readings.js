@@ -4,7 +4,7 @@
 /** @import { PageState } from "../state.js" */
 
 import { byId, setText } from "./element.js";
-import { formatNumber } from "./number.js";
+import { formatCount, formatNumber } from "./number.js";
 import { showParts } from "./option-form.js";
 
 /** @param {Readonly<PageState>} state @returns {Record<string, string>} */
@@ -22,13 +22,19 @@ function readingsOf({ reading, mesh }) {
     energy: formatNumber(reading.energy, 6),
     step: String(reading.step),
     time: formatNumber(reading.time),
-    dt: `${formatNumber(reading.dt, 4)} (τ = ${formatNumber(reading.tau, 3)})`,
+    dt: reading.flips
+      ? flipsText(reading.dt)
+      : `${formatNumber(reading.dt, 4)} (τ = ${formatNumber(reading.tau, 3)})`,
     area: formatNumber(reading.area, 6),
     volume: volumeText(reading),
     angle: `${formatNumber(reading.minAngleDegrees, 4)}°`,
     milliseconds: reading.milliseconds > 0 ? formatNumber(reading.milliseconds, 3) : "–",
   };
 }
+
+/** @param {number} perStep  above what a mesh can hold: all there are */
+const flipsText = (perStep) =>
+  perStep > 2 ** 31 - 1 ? "All flips" : formatCount(perStep, { one: "# flip", other: "# flips" });
 
 /** @param {NonNullable<PageState["reading"]>} reading */
 function volumeText({ volume, reducedVolume }) {
@@ -53,7 +59,7 @@ function energyLabel({ p, spontaneousCurvature, tension, pressure }) {
 export function createReadings() {
   const energy = byId("energy", HTMLElement);
   const half = byId("energy-half", HTMLElement);
-  const section = byId("energy-section", HTMLElement);
+  const panel = byId("panel", HTMLElement);
   const label = byId("energy-label", HTMLElement);
   /** @type {NodeListOf<HTMLElement>} */
   const cells = byId("readings", HTMLTableElement).querySelectorAll("[data-reading]");
@@ -69,7 +75,7 @@ export function createReadings() {
     update(state) {
       if (state.options !== options) {
         options = state.options;
-        showParts(section, options);
+        showParts(panel, options);
         setText(label, energyLabel(options));
       }
       if (state.reading === shown && state.mesh === mesh) return;

@@ -23,6 +23,7 @@ const stages = {
   newton: "Newton iterations",
   project: "Keeping area and volume",
   regularise: "Regularising the mesh",
+  flips: "Flipping edges",
   finish: "Measuring the surface",
 };
 
@@ -61,7 +62,7 @@ function progressOf({ progress, goal, reading, phase }) {
 
 /** The energy's symbol. @param {Readonly<PageState>} state */
 const symbol = ({ options }) => {
-  if (options.flow === "circle") return "W";
+  if (options.flow !== "p-willmore") return "W";
   if (options.spontaneousCurvature || options.tension || options.pressure) return "Energy";
   return options.p === 0 ? "Area" : options.p === 2 ? "∫H²" : `∫|H|^${options.p}`;
 };

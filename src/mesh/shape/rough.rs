@@ -90,7 +90,7 @@ pub fn creased_face(rows: usize, crease: f64, seed: u64) -> PolygonSoup {
 /// # Errors
 /// None with levels up to 8.
 pub fn eared_head(level: usize, jitter: f64, seed: u64) -> Result<PolygonSoup, SubdivisionError> {
-    const EARS: [DVec3; 2] = [DVec3::new(0.3, 0.05, 1.0), DVec3::new(-0.3, 0.05, 1.0)];
+    const EARS: [DVec3; 2] = [DVec3::new(0.3, 1.0, 0.05), DVec3::new(-0.3, 1.0, 0.05)];
     /// Cosine of the angle within which a direction belongs to an ear, and the ear's length.
     const WIDTH: f64 = 0.955;
     const LENGTH: f64 = 1.1;
@@ -105,7 +105,7 @@ pub fn eared_head(level: usize, jitter: f64, seed: u64) -> Result<PolygonSoup, S
             inside.clamp(0.0, 1.0).powf(0.6)
         });
         let length = LENGTH * ear.fold(0.0, f64::max);
-        *p = d + length * DVec3::new(0.18 * d.x.signum(), 0.0, 1.0);
+        *p = d + length * DVec3::new(0.18 * d.x.signum(), 1.0, 0.0);
     }
     Ok(soup)
 }

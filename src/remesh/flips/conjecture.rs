@@ -12,9 +12,8 @@ use crate::mesh::flip::Flippable;
 use crate::mesh::{Edge, HalfedgeMesh};
 use glam::DVec3;
 
-/// Reductions up to this are zero but for rounding, as a share of the area or in radians. Well
-/// below what the optimiser asks for: there, one of two tiny gains may count and the other not.
-const ROUNDING: f64 = 2e-14;
+/// Reductions up to this are zero but for rounding, as a share of the area or in radians.
+const ROUNDING: f64 = 1e-13;
 
 /// Both reductions of one edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +26,8 @@ pub struct Reductions {
     pub lowers_area: bool,
     /// Whether f_l > 0, by more than rounding.
     pub lowers_localised: bool,
+    /// Whether all four points lie in a plane.
+    pub coplanar: bool,
 }
 
 impl Reductions {
@@ -44,12 +45,18 @@ impl Reductions {
             localised,
             lowers_area: area > ROUNDING,
             lowers_localised: localised > ROUNDING,
+            coplanar: quad.flatness() < ROUNDING,
         }
     }
 
-    /// Whether the conjecture holds here.
+    /// Whether the conjecture holds here, or cannot be decided: a reduction of zero but for
+    /// rounding says nothing, with one exception. In a plane every convex quadrilateral has
+    /// f_a = 0 exactly, and one with f_l > 0 is a counterexample.
     pub fn agree(&self) -> bool {
-        self.lowers_area == self.lowers_localised
+        let against_area = self.lowers_area && self.localised < -ROUNDING;
+        let keeps_area = self.area < -ROUNDING || (self.coplanar && !self.lowers_area);
+        let against_localised = self.lowers_localised && keeps_area;
+        !against_area && !against_localised
     }
 }
 
@@ -77,11 +84,11 @@ pub struct Quadrants {
 impl Quadrants {
     /// Counts one edge.
     pub fn add(&mut self, reductions: &Reductions) {
-        *match (reductions.lowers_area, reductions.lowers_localised) {
+        *match (reductions.lowers_area, reductions.agree()) {
             (true, true) => &mut self.both,
-            (false, false) => &mut self.neither,
+            (false, true) => &mut self.neither,
             (true, false) => &mut self.area_only,
-            (false, true) => &mut self.localised_only,
+            (false, false) => &mut self.localised_only,
         } += 1;
     }
 

@@ -100,6 +100,17 @@ impl Quad {
         }
     }
 
+    /// |det(j − i, k − i, l − i)| over the product of the three lengths: 0 in a plane.
+    pub fn flatness(&self) -> f64 {
+        let [a, b, c] = [self.j, self.k, self.l].map(|p| p - self.i);
+        let product = a.length() * b.length() * c.length();
+        if product > 0.0 {
+            (a.cross(b).dot(c) / product).abs()
+        } else {
+            0.0
+        }
+    }
+
     /// Angle between the normals of the two triangles about (i, j), in degrees: 0 where they
     /// are coplanar, 180 where one lies on the other.
     pub fn fold_degrees(&self) -> f64 {
