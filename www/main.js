@@ -59,7 +59,7 @@ const parts = [
   createColourBar(picture.colours, pictured),
   createEnergyPlot(controller, pictured),
   createFlipPlots(controller),
-  createConjecture(controller, picture.pick),
+  createConjecture(controller, picture.nearestEdge),
   createPresenter(controller),
   createLinkWriter(),
   help,

@@ -36,10 +36,8 @@ import { listenForGestures } from "./gestures.js";
  * @property {Uint32Array} marked
  */
 
-/**
- * What lies under a point of the picture.
- * @typedef {{ triangle: number, point: Float32Array }} Hit
- */
+/** How near to an edge a click counts, in CSS pixels. */
+const CLICK_REACH = 12;
 
 /** Attempts to replace a lost graphics device before it is given up, … */
 const ATTEMPTS = 3;
@@ -189,12 +187,14 @@ class SurfaceView {
 
   /**
    * @param {{ clientX: number, clientY: number }} event
-   * @returns {Hit | null} what lies there
+   * @param {Uint32Array} ends  two vertices an edge
+   * @returns {number | null} which of the edges is seen next to the pointer
    */
-  pick({ clientX, clientY }) {
+  nearestEdge({ clientX, clientY }, ends) {
     const box = this.#canvas.getBoundingClientRect();
     const scale = this.#size.width / Math.max(this.#canvas.clientWidth, 1);
-    return this.#viewer?.pick((clientX - box.left) * scale, (clientY - box.top) * scale) ?? null;
+    const [x, y] = [(clientX - box.left) * scale, (clientY - box.top) * scale];
+    return this.#viewer?.nearestEdge(ends, x, y, CLICK_REACH * scale) ?? null;
   }
 
   /**

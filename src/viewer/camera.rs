@@ -265,6 +265,15 @@ impl Camera {
         (self.eye(), seen.normalize())
     }
 
+    /// The pixel a point is seen at, and its distance from the plane of the eye; `None` from
+    /// behind.
+    pub fn project(&self, point: Vec3) -> Option<(Vec2, f32)> {
+        let seen = self.world_from_view.conjugate() * (point - self.eye());
+        let depth = -seen.z;
+        let offset = Vec2::new(seen.x, -seen.y) / (depth * self.pixel_size());
+        (depth > 0.0).then(|| (0.5 * self.viewport + offset, depth))
+    }
+
     fn eye(&self) -> Vec3 {
         self.target + self.distance * self.backward()
     }

@@ -1,7 +1,8 @@
 //! What lies under a pixel.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
+use super::camera::Camera;
 use super::drawing::Drawing;
 
 /// Where a line of sight meets the surface first.
@@ -42,9 +43,39 @@ pub fn pick(drawing: &Drawing, origin: Vec3, direction: Vec3) -> Option<Hit> {
     })
 }
 
+/// Which of these edges, two vertices each, is seen next to a pixel, `reach` pixels away at
+/// most. One that lies behind the surface there is not seen.
+pub fn nearest_edge(
+    drawing: &Drawing,
+    camera: &Camera,
+    ends: &[u32],
+    at: Vec2,
+    reach: f32,
+) -> Option<usize> {
+    let (origin, direction) = camera.ray(at.x, at.y);
+    let surface = pick(drawing, origin, direction).and_then(|hit| camera.project(hit.point));
+    let mut best = (reach, None);
+    for (n, pair) in ends.chunks_exact(2).enumerate() {
+        let [a, b] = [pair[0], pair[1]].map(|v| {
+            let [x, y, z, _] = drawing.vertices()[v as usize];
+            Vec3::new(x, y, z)
+        });
+        let (Some((from, near)), Some((to, far))) = (camera.project(a), camera.project(b)) else {
+            continue;
+        };
+        let is_hidden = surface.is_some_and(|(_, depth)| near.min(far) > depth + a.distance(b));
+        let span = to - from;
+        let along = (at - from).dot(span) / span.length_squared().max(f32::MIN_POSITIVE);
+        let distance = at.distance(from + along.clamp(0.0, 1.0) * span);
+        if !is_hidden && distance < best.0 {
+            best = (distance, Some(n));
+        }
+    }
+    best.1
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::camera::Camera;
     use super::*;
 
     #[test]
@@ -89,6 +120,35 @@ mod tests {
                 "{} is not {point}",
                 hit.point
             );
+            let (pixel, _) = camera.project(point).expect("in front");
+            let expected = Vec2::new(320.0 * (1.0 + x), 180.0 * (1.0 - y));
+            assert!(pixel.distance(expected) < 1e-2, "{pixel}, {expected}");
         }
+    }
+
+    #[test]
+    fn edges_are_found_from_beside_them_but_not_through_the_surface() {
+        // A square in front, an edge beyond its rim, an edge behind it, one in it.
+        let positions = [
+            -1., -1., 0., 1., -1., 0., 1., 1., 0., -1., 1., 0., // the square
+            1.05, -0.3, 0., 1.05, 0.3, 0., -0.2, 0.5, -1., 0.2, 0.5, -1., -0.2, -0.5, 0., 0.2,
+            -0.5, 0.,
+        ];
+        let drawing = Drawing::new(&positions, &[0, 1, 2, 0, 2, 3], false).expect("a valid mesh");
+        let mut camera = Camera::default();
+        camera.resize(600, 600);
+        camera.set_bounds(drawing.bounds());
+        let front = [0., 0., 0., 8., 0., 0., 0., 1., 0., 1., 0.];
+        assert!(camera.set_from_slice(&front));
+        let ends = [4, 5, 6, 7, 8, 9];
+        let at = |x: f32, y: f32| {
+            let (pixel, _) = camera.project(Vec3::new(x, y, 0.0)).expect("in front");
+            nearest_edge(&drawing, &camera, &ends, pixel, 12.0)
+        };
+        assert_eq!(at(1.04, 0.0), Some(0));
+        assert_eq!(at(0.99, 0.2), Some(0), "over the rim");
+        assert_eq!(at(0.0, 0.44), None, "behind the square");
+        assert_eq!(at(0.0, -0.48), Some(2));
+        assert_eq!(at(0.5, 0.0), None, "nothing within reach");
     }
 }

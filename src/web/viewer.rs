@@ -1,5 +1,6 @@
 //! JavaScript class `Viewer`: see the methods for what `www/viewer.js` may call.
 
+use glam::Vec2;
 use js_sys::{Float32Array, Function, Promise, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{future_to_promise, spawn_local};
@@ -153,12 +154,16 @@ impl Viewer {
         Ok(self.0.set_highlight(ends)?)
     }
 
-    /// What lies under a pixel: `{ triangle, point: [x, y, z] }`, or null.
-    pub fn pick(&self, x: f32, y: f32) -> JsValue {
-        self.0.pick(x, y).map_or(JsValue::NULL, |hit| {
-            let point = Float32Array::from(hit.point.to_array().as_slice());
-            object(&[("triangle", hit.triangle.into()), ("point", point.into())])
-        })
+    /// Which of these edges, two vertices each, is seen within `reach` of a pixel: its number.
+    #[wasm_bindgen(js_name = nearestEdge)]
+    pub fn nearest_edge(
+        &self,
+        ends: &[u32],
+        x: f32,
+        y: f32,
+        reach: f32,
+    ) -> Result<Option<usize>, JsValue> {
+        Ok(self.0.nearest_edge(ends, Vec2::new(x, y), reach)?)
     }
 
     /// Tints held vertices: a byte each, 1 where held; empty for none.

@@ -5,7 +5,6 @@
 /** @import { Conjecture } from "../protocol.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
-/** @import { Hit } from "../viewer.js" */
 
 import { byId, setText } from "./element.js";
 import { formatCount } from "./number.js";
@@ -22,9 +21,9 @@ const DRAWN = 20_000;
 
 /**
  * @param {Controller} controller
- * @param {(event: MouseEvent) => Hit | null} pick  what of the surface lies under the pointer
+ * @param {(event: MouseEvent, ends: Uint32Array) => number | null} nearestEdge  on the surface
  */
-export function createConjecture(controller, pick) {
+export function createConjecture(controller, nearestEdge) {
   const section = byId("conjecture", HTMLDetailsElement);
   const canvas = byId("scatter", HTMLCanvasElement);
   const surface = byId("surface", HTMLCanvasElement);
@@ -53,13 +52,19 @@ export function createConjecture(controller, pick) {
   /** @param {Conjecture} of @param {number} n */
   const cornersOf = ({ corners }, n) => [...corners.subarray(4 * n, 4 * n + 4)];
 
+  /** @param {Conjecture} of */
+  function counterexampleEdges(of) {
+    const count = Math.min(of.counterexamples, DRAWN);
+    const edges = new Uint32Array(2 * count);
+    for (let n = 0; n < count; n += 1) edges.set(cornersOf(of, n).slice(0, 2), 2 * n);
+    return edges;
+  }
+
   /** The edges of all counterexamples, and the triangles of the one that is looked at. */
   function mark() {
     // The lines of a subdivided surface are not the edges of the mesh.
     if (!report || !state || state.arrangement.subdivide > 0) return controller.mark(null);
-    const count = Math.min(report.counterexamples, DRAWN);
-    const edges = new Uint32Array(2 * count);
-    for (let n = 0; n < count; n += 1) edges.set(cornersOf(report, n).slice(0, 2), 2 * n);
+    const edges = counterexampleEdges(report);
     const pane = ownPane(state) ?? state.mesh;
     const [i, j, k, l] = selected === null ? [] : cornersOf(report, selected);
     const triangles = [];
@@ -165,30 +170,9 @@ export function createConjecture(controller, pick) {
       Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4
     )
       return;
-    const hit = pick(event);
-    const found = hit && nearestEdge(hit, report);
+    const found = nearestEdge(event, counterexampleEdges(report));
     if (found !== null) select(found);
   });
-
-  /**
-   * The counterexample next to a point of the surface.
-   * @param {Hit} hit @param {Conjecture} of
-   */
-  function nearestEdge({ point }, of) {
-    const positions = (state && ownPane(state)?.positions) ?? state?.mesh?.positions;
-    if (!positions) return null;
-    const at = (/** @type {number} */ v) => positions.subarray(3 * v, 3 * v + 3);
-    let best = Number.POSITIVE_INFINITY;
-    let found = null;
-    for (let n = 0; n < of.counterexamples; n += 1) {
-      const [a, b] = cornersOf(of, n).slice(0, 2).map(at);
-      const distance = Math.hypot(...[0, 1, 2].map((c) => 0.5 * (a[c] + b[c]) - point[c]));
-      const length = Math.hypot(...[0, 1, 2].map((c) => a[c] - b[c]));
-      // Not farther than about the size of the faces at the edge.
-      if (distance < best && distance < length) [best, found] = [distance, n];
-    }
-    return found;
-  }
 
   return {
     /** @param {Readonly<PageState>} now */

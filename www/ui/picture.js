@@ -162,8 +162,8 @@ export function createPicture(controller, state, samples) {
       setText(title, titleOf(s.source));
     },
     fit: () => viewer?.fit(),
-    /** @param {{ clientX: number, clientY: number }} event */
-    pick: (event) => viewer?.pick(event) ?? null,
+    /** @param {MouseEvent} event @param {Uint32Array} ends */
+    nearestEdge: (event, ends) => viewer?.nearestEdge(event, ends) ?? null,
     /** @returns {Promise<Blob | null>} */
     snapshot: async () => viewer?.snapshot() ?? null,
     /** @param {boolean} signed @param {number} count @returns {Uint8Array | null} rgb */

@@ -16,7 +16,7 @@ use crate::viewer::drawing::{Drawing, expect_range};
 use crate::viewer::edges::edges;
 use crate::viewer::error::ViewerError;
 use crate::viewer::frame::{Frame, Line};
-use crate::viewer::pick::{Hit, pick};
+use crate::viewer::pick::nearest_edge;
 
 /// How the surface is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -248,10 +248,18 @@ impl Viewer {
         Ok(())
     }
 
-    /// What lies under a pixel.
-    pub fn pick(&self, x: f32, y: f32) -> Option<Hit> {
-        let (origin, direction) = self.camera.ray(x, y);
-        pick(&self.drawing, origin, direction)
+    /// Which of these edges, two vertices each, is seen next to a pixel.
+    ///
+    /// # Errors
+    /// `OutOfRange`.
+    pub fn nearest_edge(
+        &self,
+        ends: &[u32],
+        at: Vec2,
+        reach: f32,
+    ) -> Result<Option<usize>, ViewerError> {
+        expect_range("edges", ends, self.drawing.n_vertices())?;
+        Ok(nearest_edge(&self.drawing, &self.camera, ends, at, reach))
     }
 
     /// How the surface is drawn.
