@@ -37,6 +37,21 @@ const tables = {
     ],
     rows: pWillmoreRows,
   },
+  flips: {
+    title:
+      "Edge flips to the end on a torus of jittered points, its cells cut at random: milliseconds,\n" +
+      "thousands of flips a second, and nanoseconds over E log₂ E",
+    columns: [
+      "edges",
+      "criterion",
+      "flips",
+      "milliseconds",
+      "kiloflips",
+      "nanoseconds",
+      "megabytes",
+    ],
+    rows: flipRows,
+  },
 };
 
 /** @type {import("./options.js").Syntax} */
@@ -79,6 +94,37 @@ export const bench = {
 
 function names() {
   return Object.keys(tables).join(", ");
+}
+
+/** Points around the tube of a torus with twice as many along: 10 to 3000 thousand edges. */
+const tubes = [42, 128, 200, 224, 708];
+
+/**
+ * @param {Session} session
+ * @param {Limits} limits
+ * @returns {Generator<Row>}
+ */
+function* flipRows(session, { maxVertices }) {
+  for (const tube of tubes) {
+    // The shape has 1000 points at most each way.
+    const around = Math.min(2 * tube, 1000);
+    if (around * tube > maxVertices) return;
+    for (const criterion of ["area", "willmore", "localised"]) {
+      const { info } = session.sample("sampled-torus", { around, tube });
+      const start = performance.now();
+      const { flips } = session.flip({ criterion });
+      const milliseconds = performance.now() - start;
+      yield {
+        edges: info.edges,
+        criterion,
+        flips,
+        milliseconds,
+        kiloflips: flips / milliseconds,
+        nanoseconds: (1e6 * milliseconds) / (info.edges * Math.log2(info.edges)),
+        megabytes: memoryBytes() / 1e6,
+      };
+    }
+  }
 }
 
 /** @param {number | string | null} value */
