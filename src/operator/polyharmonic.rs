@@ -61,7 +61,10 @@ pub fn fill(
     }
     let operator = Stencils::new(mesh, x, &near, k.max(1));
     let (pattern, values) = operator.matrix(n_free);
-    let points: Vec<DVec3> = near.members[..n_free].iter().map(|v| x[v.index()]).collect();
+    let points: Vec<DVec3> = near.members[..n_free]
+        .iter()
+        .map(|v| x[v.index()])
+        .collect();
     let symbolic = Arc::new(Symbolic::analyse(&pattern, Some(&points))?);
     let mut factor = Ldlt::new(symbolic)?;
     factor.factor(&values)?;
@@ -222,7 +225,11 @@ impl Stencils {
             let mut support = vec![(f, 1.0)];
             for level in 0..self.k {
                 for (i, value) in support.drain(..) {
-                    let value = if level == 0 { value } else { value / self.masses[i] };
+                    let value = if level == 0 {
+                        value
+                    } else {
+                        value / self.masses[i]
+                    };
                     for (j, w) in self.row(i) {
                         if sums[j] == 0.0 {
                             touched.push(j);
@@ -249,7 +256,9 @@ impl Stencils {
 fn cotangent_weight(mesh: &HalfedgeMesh, x: &[DVec3], e: Edge) -> f64 {
     let [a, b] = mesh.ends(e).map(|v| x[v.index()]);
     let h = e.halfedge();
-    let inner = [h, h.twin()].into_iter().filter(|&h| !mesh.is_boundary_halfedge(h));
+    let inner = [h, h.twin()]
+        .into_iter()
+        .filter(|&h| !mesh.is_boundary_halfedge(h));
     let cotangent = inner.map(|h| {
         let apex = x[mesh.tail(mesh.prev(h)).index()];
         let (u, v) = (a - apex, b - apex);

@@ -58,14 +58,6 @@ pub enum FillError {
         /// The other end.
         b: u32,
     },
-    /// More new vertices would be needed than the limit allows.
-    #[error("the loops have {edges} edges, too many for a limit of {limit} new vertices")]
-    LimitTooLow {
-        /// Edges of the loops.
-        edges: usize,
-        /// The limit.
-        limit: usize,
-    },
     /// The caller asked to stop.
     #[error("filling was cancelled")]
     Cancelled,
@@ -88,7 +80,6 @@ impl FillError {
             Self::TooFewLoops { .. } => "TooFewLoops",
             Self::HiddenLoop { .. } => "HiddenLoop",
             Self::LoopsTooClose { .. } => "LoopsTooClose",
-            Self::LimitTooLow { .. } => "LimitTooLow",
             Self::Cancelled => "Cancelled",
             Self::Mesh(error) => error.kind(),
             Self::Linear(error) => error.kind(),
@@ -111,7 +102,6 @@ impl FillError {
                  other can be connected."
             }
             Self::LoopsTooClose { .. } => "Fill the loops one by one.",
-            Self::LimitTooLow { .. } => "Raise the limit.",
             Self::Cancelled => "Start again whenever you like.",
             Self::Mesh(error) => return error.hint(),
             Self::Linear(error) => return error.hint(),

@@ -141,8 +141,11 @@ impl Outline<'_> {
                 continue;
             }
             faces.push([u as u32, v as u32, w as u32]);
-            let (to_u, to_w, chord) =
-                (self.x[v] - self.x[u], self.x[w] - self.x[v], self.x[w] - self.x[u]);
+            let (to_u, to_w, chord) = (
+                self.x[v] - self.x[u],
+                self.x[w] - self.x[v],
+                self.x[w] - self.x[u],
+            );
             angles[u] -= to_u.angle_between(chord);
             angles[w] -= to_w.angle_between(chord);
             (next[u], prev[w]) = (w, u);
@@ -151,7 +154,11 @@ impl Outline<'_> {
             left -= 1;
             for end in [u, w] {
                 versions[end] += 1;
-                queue.push((rank(end, &prev, &next, &angles), Reverse(end), versions[end]));
+                queue.push((
+                    rank(end, &prev, &next, &angles),
+                    Reverse(end),
+                    versions[end],
+                ));
             }
         }
         (0..m).filter(|&v| is_left[v]).map(|v| v as u32).collect()
@@ -183,7 +190,10 @@ mod tests {
                 *count.entry(side).or_default() += 1;
             }
         }
-        assert!(count.values().all(|&n| n == 1), "an edge twice the same way");
+        assert!(
+            count.values().all(|&n| n == 1),
+            "an edge twice the same way"
+        );
         for &(a, b) in count.keys() {
             let is_side = a < m && b < m && (a + 1) % m == b;
             assert_eq!(count.contains_key(&(b, a)), !is_side, "edge {a} {b}");
@@ -202,7 +212,9 @@ mod tests {
 
     fn circle(m: usize) -> Vec<DVec3> {
         let at = |i: usize| TAU * i as f64 / m as f64;
-        (0..m).map(|i| DVec3::new(at(i).cos(), at(i).sin(), 0.0)).collect()
+        (0..m)
+            .map(|i| DVec3::new(at(i).cos(), at(i).sin(), 0.0))
+            .collect()
     }
 
     #[test]

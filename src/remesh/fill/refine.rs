@@ -1,0 +1,170 @@
+//! Incremental remeshing of a patch to a target edge length (Botsch & Kobbelt 2004): split,
+//! collapse, flip, smooth.
+
+use super::patch::Patch;
+use crate::geometry::measure::triangle_angles;
+use std::collections::VecDeque;
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+
+/// Edges longer than this many target lengths are split …
+const LONG: f64 = 4.0 / 3.0;
+/// … and shorter ones collapsed.
+const SHORT: f64 = 4.0 / 5.0;
+/// Sweeps of smoothing a round.
+const SMOOTHINGS: usize = 3;
+/// Sweeps of flips at most: in space Delaunay flips need not end by themselves.
+const FLIP_SWEEPS: usize = 12;
+/// Edges at a vertex of a regular mesh.
+const REGULAR: usize = 6;
+
+/// How vertices are smoothed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Smoothing {
+    /// To the mean of the neighbours: the patch becomes a membrane.
+    Umbrella,
+    /// The same along the surface only: the patch keeps its shape. Across a neck a membrane
+    /// would pinch off.
+    Tangential,
+}
+
+/// What a patch is remeshed to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Target {
+    /// Edge length wanted.
+    pub(super) length: f64,
+    /// Rounds; in the second half flips even out the valences.
+    pub(super) rounds: usize,
+    /// How vertices move.
+    pub(super) smoothing: Smoothing,
+    /// Free vertices at most.
+    pub(super) most: usize,
+}
+
+/// Remeshes the patch; `progress` is told the share done and may end it.
+pub(super) fn refine(
+    patch: &mut Patch,
+    target: &Target,
+    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    // From coarse to fine: cut to length at once, the chords of a long loop would be
+    // slivers with far too many vertices.
+    let longest = patch
+        .inner_edges()
+        .iter()
+        .map(|&(a, b)| patch.length(a, b))
+        .fold(0.0, f64::max);
+    let mut length = longest;
+    while length > 2.0 * target.length {
+        length *= 0.5;
+        split_long(patch, length, target.most);
+        flip_delaunay(patch);
+        smooth(patch, target.smoothing);
+        progress(0.0)?;
+    }
+    for round in 0..target.rounds {
+        progress(round as f64 / target.rounds as f64)?;
+        split_long(patch, target.length, target.most);
+        collapse_short(patch, target.length);
+        if 2 * round < target.rounds {
+            flip_delaunay(patch);
+        } else {
+            flip_for_valence(patch);
+        }
+        for _ in 0..SMOOTHINGS {
+            smooth(patch, target.smoothing);
+        }
+    }
+    patch.compact();
+    progress(1.0)
+}
+
+fn split_long(patch: &mut Patch, length: f64, most: usize) {
+    let mut edges = patch.inner_edges();
+    edges.retain(|&(a, b)| patch.length(a, b) > LONG * length);
+    edges.sort_by(|p, q| patch.length(q.0, q.1).total_cmp(&patch.length(p.0, p.1)));
+    let mut room = most.saturating_sub(patch.n_free());
+    let mut queue = VecDeque::from(edges);
+    while room > 0 {
+        let Some((a, b)) = queue.pop_front() else {
+            break;
+        };
+        if let Some(middle) = patch.split(a, b) {
+            room -= 1;
+            let long = |v: &u32| patch.length(middle, *v) > LONG * length;
+            queue.extend(
+                patch
+                    .neighbours(middle)
+                    .into_iter()
+                    .filter(long)
+                    .map(|v| (middle, v)),
+            );
+        }
+    }
+}
+
+fn collapse_short(patch: &mut Patch, length: f64) {
+    for (a, b) in patch.inner_edges() {
+        // The ends of an edge that is gone by now have no face together.
+        if patch.length(a, b) < SHORT * length {
+            let (gone, kept) = if patch.is_rim(a) { (b, a) } else { (a, b) };
+            let longest = LONG * length;
+            if !patch.collapse(gone, kept, longest) && !patch.is_rim(kept) {
+                patch.collapse(kept, gone, longest);
+            }
+        }
+    }
+}
+
+fn flip_delaunay(patch: &mut Patch) {
+    let is_bad = |patch: &Patch, [a, b, c, d]: [u32; 4]| {
+        let at = |v: u32| patch.x[v as usize];
+        let opposite = |apex: u32| triangle_angles([at(apex), at(a), at(b)])[0];
+        opposite(c) + opposite(d) > PI + 1e-9
+    };
+    for _ in 0..FLIP_SWEEPS {
+        let mut flips = 0;
+        for (a, b) in patch.inner_edges() {
+            flips += usize::from(patch.flip(a, b, is_bad).is_some());
+        }
+        if flips == 0 {
+            break;
+        }
+    }
+}
+
+fn flip_for_valence(patch: &mut Patch) {
+    let gains = |patch: &Patch, [a, b, c, d]: [u32; 4]| {
+        let excess =
+            |v: u32, change: i64| (patch.valence(v) as i64 + change - REGULAR as i64).pow(2);
+        let cost =
+            |lost: i64| excess(a, -lost) + excess(b, -lost) + excess(c, lost) + excess(d, lost);
+        cost(1) < cost(0)
+    };
+    for _ in 0..FLIP_SWEEPS {
+        let mut flips = 0;
+        for (a, b) in patch.inner_edges() {
+            flips += usize::from(patch.flip(a, b, gains).is_some());
+        }
+        if flips == 0 {
+            break;
+        }
+    }
+}
+
+fn smooth(patch: &mut Patch, smoothing: Smoothing) {
+    let free: Vec<u32> = patch.free_vertices().collect();
+    for v in free {
+        let neighbours = patch.neighbours(v);
+        let sum: glam::DVec3 = neighbours.iter().map(|&w| patch.x[w as usize]).sum();
+        let at = patch.x[v as usize];
+        let mut step = sum / neighbours.len() as f64 - at;
+        if smoothing == Smoothing::Tangential {
+            let normal = patch.vertex_normal(v);
+            step -= step.dot(normal) * normal;
+        }
+        if !patch.try_move(v, at + step) {
+            patch.try_move(v, at + 0.25 * step);
+        }
+    }
+}
