@@ -22,6 +22,7 @@ pub mod scan;
 pub mod scar;
 pub mod sphere;
 pub mod torus;
+pub mod tubes;
 
 use serde::Serialize;
 
