@@ -4,11 +4,11 @@
 mod support;
 
 use glam::DVec3;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use support::*;
 use umbilic::geometry::quality::{is_folded, triangle_quality};
-use umbilic::geometry::{curvature, measure};
+use umbilic::geometry::measure;
 use umbilic::mesh::shape;
 use umbilic::mesh::{Face, HalfedgeMesh};
 use umbilic::remesh::fill::{FillError, FillOptions, Filled, boundary_loops, fill};

@@ -16,6 +16,7 @@ use std::rc::Rc;
 const NEARLY_COINCIDENT: f64 = 1e-6;
 
 /// A loaded mesh: connectivity as in the file, a triangulated copy, positions.
+#[derive(Clone)]
 pub(super) struct Document {
     /// Base name without extension.
     pub(super) name: String,
@@ -68,14 +69,12 @@ impl Document {
         drop(soup);
         warnings.extend(repairs);
         let polygons = Rc::new(polygons);
-        let triangles = if polygons.is_triangular() {
-            Rc::clone(&polygons)
-        } else {
+        let triangles = triangulated(&polygons, &start)?;
+        if !polygons.is_triangular() {
             let larger = polygons
                 .faces()
                 .filter(|&f| polygons.face_vertices(f).count() > 3)
                 .count();
-            let cut = mesh::triangulate(&polygons.to_soup(&start));
             let how = if larger == polygons.n_faces() && Elements::of(&polygons).is_some() {
                 "the p-Willmore flow keeps them, other flows work on a triangulated copy"
             } else {
@@ -86,8 +85,7 @@ impl Document {
                  original faces.",
                 counted(larger, "face", "faces")
             ));
-            Rc::new(mesh::build(&cut)?.mesh)
-        };
+        }
         let frame = Frame::of(&start);
         frame.enter(&mut start);
         let document = Self {
@@ -146,4 +144,16 @@ impl Document {
     pub(super) fn soup(&self, x: &[DVec3]) -> PolygonSoup {
         self.polygons.to_soup(&self.frame.leave(x))
     }
+}
+
+/// The same surface with triangles only; the mesh itself if it has no others.
+pub(super) fn triangulated(
+    polygons: &Rc<HalfedgeMesh>,
+    x: &[DVec3],
+) -> Result<Rc<HalfedgeMesh>, Fault> {
+    if polygons.is_triangular() {
+        return Ok(Rc::clone(polygons));
+    }
+    let cut = mesh::triangulate(&polygons.to_soup(x));
+    Ok(Rc::new(mesh::build(&cut)?.mesh))
 }

@@ -1,5 +1,6 @@
 //! Edge-flip optimisation of the loaded mesh.
 
+use super::document::Document;
 use super::fault::Fault;
 use super::work::Work;
 use crate::flow::FlowError;
@@ -50,8 +51,8 @@ pub struct FlipOutcome {
 }
 
 impl Work {
-    /// Optimises the connectivity; the positions stay, and what was done before is forgotten.
-    pub(super) fn flip(&mut self, options: &FlipOptions) -> Result<FlipOutcome, Fault> {
+    /// A document with its connectivity optimised, which starts at the positions as they are.
+    pub(super) fn flipped(&self, options: &FlipOptions) -> Result<(Document, FlipOutcome), Fault> {
         let mesh = &self.document.polygons;
         if let Some((face, corners)) = first_polygon(mesh) {
             return Err(FlowError::NotTriangular { face, corners }.into());
@@ -85,12 +86,13 @@ impl Work {
             history,
         };
         let mesh = Rc::new(optimiser.into_mesh());
-        self.document.polygons = Rc::clone(&mesh);
-        self.document.triangles = mesh;
-        let x = std::mem::take(&mut self.x);
-        self.document.start.clone_from(&x);
-        self.restart(x);
-        Ok(outcome)
+        let document = Document {
+            polygons: Rc::clone(&mesh),
+            triangles: mesh,
+            start: self.x.clone(),
+            ..self.document.clone()
+        };
+        Ok((document, outcome))
     }
 }
 

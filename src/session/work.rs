@@ -6,7 +6,7 @@ use super::history::{History, Moment};
 use super::readings::State;
 use crate::flow::options::FlowOptions;
 use crate::flow::stop::Verdict;
-use crate::flow::{self, Flow, FlowError, Progress, Status, StepReport, p_willmore};
+use crate::flow::{self, Flow, FlowError, Pace, Progress, Status, StepReport, p_willmore};
 use crate::geometry::measure;
 use crate::operator::Elements;
 use crate::remesh::Regulariser;
@@ -54,13 +54,10 @@ impl Work {
         }
     }
 
-    /// Forgets flow, history and reports; the next configuration starts at `x`.
-    pub(super) fn restart(&mut self, x: Vec<DVec3>) {
-        self.flow = None;
-        self.x = x;
-        self.state = State::default();
-        self.reports.clear();
-        self.history = History::default();
+    /// Lets go of the flow, whose factors are large, but not of what it takes to go on.
+    pub(super) fn suspend(mut self) -> Suspended {
+        let pace = self.flow.take().map(|flow| flow.pace());
+        Suspended { work: self, pace }
     }
 
     pub(super) fn configure(
@@ -244,5 +241,30 @@ impl Work {
         self.state.dt = flow.dt();
         self.state.tau = flow.tau();
         self.state.can_step_back = !self.history.is_empty();
+    }
+}
+
+/// A document whose flow can be started where it stood.
+pub(super) struct Suspended {
+    work: Work,
+    pace: Option<Pace>,
+}
+
+impl Suspended {
+    /// Puts everything back as it was.
+    pub(super) fn resume(self, progress: Option<Progress>) -> Work {
+        let Self { mut work, pace } = self;
+        let Some(pace) = pace else { return work };
+        let (document, options) = (&work.document, work.options.clone());
+        let mut start = document.start.clone();
+        // It started from here before; if memory is short now, the next step will say so.
+        if let Ok(mut flow) =
+            flow::start(&document.triangles, &document.polygons, &mut start, options)
+        {
+            flow.set_pace(pace);
+            flow.set_progress(progress);
+            work.flow = Some(flow);
+        }
+        work
     }
 }

@@ -7,11 +7,14 @@ use crate::energy::circle::Boundary;
 use crate::flow::options::FlowOptions;
 use crate::io::Format;
 use crate::mesh::shape;
-use crate::session::{Fault, Field, FlipOptions, Loaded, RegulariseOptions, Session as Inner};
+use crate::session::{
+    Fault, Field, FillOptions, FlipOptions, Loaded, RegulariseOptions, Session as Inner,
+};
 use js_sys::{Float32Array, Function, Uint8Array, Uint32Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
@@ -218,6 +221,53 @@ impl Session {
     pub fn flip(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
         let options: FlipOptions = from_js(options)?;
         Ok(to_js(&self.0.flip(&options)?))
+    }
+
+    /// Boundary loops of the surface as it is now: `[{ edges, length, vertices }]`.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    #[wasm_bindgen(js_name = boundaryLoops)]
+    pub fn boundary_loops(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&self.0.boundary_loops()?))
+    }
+
+    /// Fills holes or connects loops: `Filled`. `options` is `{ loops?: 'all' | number[],
+    /// connect?, maxVertices? }`. `callback(stage, share)` is told how far it is; answering
+    /// `false` cancels. What it amounts to is told by `loaded`.
+    ///
+    /// # Errors
+    /// Closed and one-sided surfaces, loops that touch themselves or cannot be connected.
+    pub fn fill(&mut self, options: JsValue, callback: JsValue) -> Result<JsValue, JsValue> {
+        let options: FillOptions = from_js(options)?;
+        let callback = callback.dyn_into::<Function>().ok();
+        let mut progress = |stage: &str, share: f64| {
+            let answer = callback
+                .as_ref()
+                .and_then(|f| f.call2(&JsValue::NULL, &stage.into(), &share.into()).ok());
+            match answer.and_then(|answer| answer.as_bool()) {
+                Some(false) => ControlFlow::Break(()),
+                _ => ControlFlow::Continue(()),
+            }
+        };
+        Ok(to_js(&self.0.fill(&options, &mut progress)?))
+    }
+
+    /// The mesh as it is now: `Loaded`.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    pub fn loaded(&self) -> Result<JsValue, JsValue> {
+        Ok(loaded(&self.0.loaded()?))
+    }
+
+    /// Undoes the last fill or edge flips: `Loaded`.
+    ///
+    /// # Errors
+    /// If there is nothing to undo.
+    #[wasm_bindgen(js_name = undoEdit)]
+    pub fn undo_edit(&mut self) -> Result<JsValue, JsValue> {
+        Ok(loaded(&self.0.undo_edit()?))
     }
 
     /// One step back: `State`.

@@ -1,0 +1,78 @@
+//! Changes of connectivity, and the way back.
+
+use super::document::Document;
+use super::fault::Fault;
+use super::work::{Suspended, Work};
+use super::{Loaded, Session};
+use crate::flow::options::FlowOptions;
+
+/// Edits that can be undone.
+const MAX_EDITS: usize = 8;
+
+/// What was there before each edit, oldest first.
+#[derive(Default)]
+pub(super) struct Edits(Vec<Suspended>);
+
+impl Edits {
+    fn push(&mut self, before: Suspended) {
+        if self.0.len() == MAX_EDITS {
+            self.0.remove(0);
+        }
+        self.0.push(before);
+    }
+
+    /// Forgets all of them, as the mesh is another.
+    pub(super) fn clear(&mut self) {
+        self.0.clear();
+    }
+}
+
+impl Session {
+    /// Replaces the mesh by an edited one; on a failure nothing has changed. The flow's
+    /// options stay, less a selection of vertices that `edit` has one of its own for.
+    pub(super) fn edit<T>(
+        &mut self,
+        edit: impl FnOnce(&Work) -> Result<(Document, T), Fault>,
+    ) -> Result<T, Fault> {
+        let (document, outcome) = edit(self.work()?)?;
+        let Some(before) = self.work.take() else {
+            return Err(Fault::no_mesh());
+        };
+        let mut options = before.options.clone();
+        if document.free.is_some() || document.fixed.is_some() {
+            options = FlowOptions {
+                free: None,
+                fixed: None,
+                ..options
+            };
+        }
+        let x = document.start.clone();
+        let mut work = Work::new(document, x);
+        work.options = options;
+        self.work = Some(work);
+        self.edits.push(before.suspend());
+        Ok(outcome)
+    }
+
+    /// Whether there is an edit to undo.
+    pub fn can_undo_edit(&self) -> bool {
+        !self.edits.0.is_empty()
+    }
+
+    /// Undoes the last edit of the connectivity, a fill or edge flips: mesh, positions,
+    /// flow, history and reports are those before it, bit for bit.
+    ///
+    /// # Errors
+    /// `NothingToUndo`.
+    pub fn undo_edit(&mut self) -> Result<Loaded, Fault> {
+        let Some(before) = self.edits.0.pop() else {
+            return Err(Fault::new(
+                "NothingToUndo",
+                "there is no edit to undo",
+                "A fill or edge flips can be undone once they are done.",
+            ));
+        };
+        self.work = Some(before.resume(self.progress.clone()));
+        self.loaded()
+    }
+}
