@@ -7,8 +7,8 @@ use glam::DVec3;
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use support::*;
-use umbilic::geometry::quality::{is_folded, triangle_quality};
 use umbilic::geometry::measure;
+use umbilic::geometry::quality::{is_folded, triangle_quality};
 use umbilic::mesh::shape;
 use umbilic::mesh::{Face, HalfedgeMesh};
 use umbilic::remesh::fill::{FillError, FillOptions, Filled, boundary_loops, fill};
@@ -59,6 +59,14 @@ fn assert_sound(before: &Surface, filled: &Filled) {
     assert_eq!(x[..before.x.len()], before.x[..], "old vertices moved");
     let old: Vec<Vec<u32>> = faces_of(&before.mesh).collect();
     let new: Vec<Vec<u32>> = faces_of(mesh).take(old.len()).collect();
+    // The documented exception.
+    let turned = |f: &Vec<u32>| f.iter().rev().copied().collect();
+    let is_turned = filled.warnings.iter().any(|w| w.contains("inside out"));
+    let old: Vec<Vec<u32>> = if is_turned {
+        old.iter().map(turned).collect()
+    } else {
+        old
+    };
     assert_eq!(old, new, "old faces changed");
 
     let (mut vertex, mut face) = (before.x.len() as u32, old.len() as u32);
@@ -206,4 +214,428 @@ fn tubes_are_blended_into_one_surface() {
         println!("reach {reach}");
         assert_eq!(folded, 0);
     }
+}
+
+/// A collar of `rings` strips of quads, cut in two, around an inner loop; ring r lies at
+/// `place(i, r)`.
+fn collar(m: usize, rings: usize, place: impl Fn(usize, usize) -> DVec3) -> Surface {
+    let positions = (0..m * (rings + 1)).map(|k| place(k % m, k / m)).collect();
+    let mut soup = PolygonSoup {
+        positions,
+        ..PolygonSoup::default()
+    };
+    for r in 0..rings {
+        for i in 0..m {
+            let vertex = |i: usize, r: usize| (r * m + i % m) as u32;
+            soup.push_face(&[vertex(i, r), vertex(i + 1, r + 1), vertex(i + 1, r)]);
+            soup.push_face(&[vertex(i, r), vertex(i, r + 1), vertex(i + 1, r + 1)]);
+        }
+    }
+    surface(&soup)
+}
+
+/// Fills the loop that vertex 0 lies on.
+fn fill_inner(s: &Surface) -> Filled {
+    let all = boundary_loops(&s.mesh, &s.x);
+    let inner = all.iter().position(|l| l.vertices.contains(&0));
+    let options = FillOptions {
+        loops: Some(vec![inner.expect("a loop")]),
+        ..FillOptions::default()
+    };
+    let filled = try_fill(&s.mesh, &s.x, &options).expect("filled");
+    assert_sound(s, &filled);
+    filled
+}
+
+fn turn(i: usize, m: usize) -> (f64, f64) {
+    let angle = std::f64::consts::TAU * i as f64 / m as f64;
+    (angle.cos(), angle.sin())
+}
+
+#[test]
+fn small_holes_of_a_sphere_are_closed_with_few_triangles() {
+    let sphere = sample("icosphere", &[("level", 3.0)]);
+    let full = surface(&sphere);
+    let first = full.mesh.triangle(Face(0)).map(|v| v.0);
+    // One face, two faces, and all around a vertex.
+    let two = |f: &[u32]| f.contains(&first[0]) && f.contains(&first[1]);
+    for (removed, edges) in [
+        (cut(&sphere, |_, f| f != first), 3),
+        (cut(&sphere, |_, f| !two(f)), 4),
+        (
+            cut(&sphere, |_, f| !f.contains(&first[0])),
+            full.mesh.valence(umbilic::mesh::Vertex(first[0])),
+        ),
+    ] {
+        assert_eq!(
+            boundary_loops(&removed.mesh, &removed.x)[0].vertices.len(),
+            edges
+        );
+        let filled = fill_all(&removed);
+        assert!(filled.mesh.is_closed());
+        let (worst, folded) = quality(&filled);
+        assert!(
+            worst > 0.5 && folded == 0,
+            "{edges} edges: {worst}, {folded}"
+        );
+        assert!(new_points(&filled).len() <= 2, "{edges} edges");
+        assert!(off_the_sphere(&filled) < 2e-3);
+    }
+}
+
+#[test]
+fn chords_that_are_edges_already_are_not_used_again() {
+    let triangle = surface(&PolygonSoup::from_faces(
+        vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+        &[[0, 1, 2]],
+    ));
+    assert!(fill_all(&triangle).mesh.is_closed());
+    // Fans: all their inner edges are chords of the loop.
+    for m in 4..14 {
+        let rim = (0..m).map(|i| {
+            let (cos, sin) = turn(i, m);
+            DVec3::new(cos, sin, 0.3 * cos * sin)
+        });
+        let faces: Vec<[u32; 3]> = (1..m as u32 - 1).map(|i| [0, i, i + 1]).collect();
+        let fan = surface(&PolygonSoup::from_faces(rim.clone().collect(), &faces));
+        let filled = fill_all(&fan);
+        assert!(
+            filled.mesh.is_closed() && filled.mesh.genus() == Some(0),
+            "{m}"
+        );
+        // The diagonals of a polygon are edges as soon as it is cut into triangles.
+        let corners: Vec<u32> = (0..m as u32).collect();
+        let polygon = surface(&PolygonSoup::from_faces(rim.collect(), &[corners]));
+        let filled = fill_all(&polygon);
+        let cut = umbilic::mesh::triangulate(&filled.mesh.to_soup(&filled.positions));
+        assert!(surface(&cut).mesh.is_closed(), "{m}");
+    }
+}
+
+#[test]
+fn thin_curled_and_noisy_loops() {
+    // A slit fifty times as long as wide.
+    let slit = collar(80, 4, |i, r| {
+        let ((cos, sin), out) = (turn(i, 80), 0.04 * r as f64);
+        DVec3::new((1.0 + out) * cos, (0.02 + out) * sin, 0.0)
+    });
+    let filled = fill_inner(&slit);
+    let (worst, folded) = quality(&filled);
+    println!(
+        "slit: worst {worst}, folded {folded}, {} new {:?}",
+        new_points(&filled).len(),
+        filled.warnings
+    );
+    assert!(folded == 0);
+    assert!(
+        filled.positions.iter().all(|p| p.z == 0.0),
+        "flat stays flat"
+    );
+
+    // A ribbon wound once and a half.
+    let spiral = |i: usize| {
+        let (at, side) = if i < 60 { (i, 1.0) } else { (119 - i, 0.8) };
+        let angle = 9.4 * at as f64 / 59.0;
+        let radius = side * (1.0 + 0.25 * angle);
+        DVec3::new(radius * angle.cos(), radius * angle.sin(), 0.02 * angle)
+    };
+    let wound = collar(120, 4, |i, r| {
+        let along = spiral((i + 1) % 120) - spiral((i + 119) % 120);
+        spiral(i) + 0.02 * r as f64 * along.cross(DVec3::Z).normalize()
+    });
+    let filled = fill_inner(&wound);
+    let (worst, folded) = quality(&filled);
+    println!(
+        "spiral: worst {worst}, folded {folded}, {} new {:?}",
+        new_points(&filled).len(),
+        filled.warnings
+    );
+    assert!(folded == 0);
+
+    // A crown.
+    let crown = collar(90, 5, |i, r| {
+        let ((cos, sin), out) = (turn(i, 90), 1.0 + 0.07 * r as f64);
+        DVec3::new(out * cos, out * sin, 0.5 * turn(3 * i, 90).1)
+    });
+    let filled = fill_inner(&crown);
+    let (worst, folded) = quality(&filled);
+    println!(
+        "crown: worst {worst}, folded {folded}, {} new {:?}",
+        new_points(&filled).len(),
+        filled.warnings
+    );
+    assert!(folded == 0);
+
+    // Noise of two fifths of an edge.
+    for seed in 0..10 {
+        let mut random = Random(seed);
+        let noise: Vec<DVec3> = (0..60 * 6).map(|_| 0.04 * random.vector()).collect();
+        let rough = collar(60, 5, |i, r| {
+            let ((cos, sin), out) = (turn(i, 60), 1.0 + 0.1 * r as f64);
+            DVec3::new(out * cos, out * sin, 0.0) + noise[r * 60 + i]
+        });
+        let filled = fill_inner(&rough);
+        let (worst, folded) = quality(&filled);
+        let height = new_points(&filled)
+            .iter()
+            .map(|p| p.z.abs())
+            .fold(0.0, f64::max);
+        println!(
+            "noise {seed}: worst {worst}, folded {folded}, height {height}, {} new, {} {:?}",
+            new_points(&filled).len(),
+            filled.patches[0].order,
+            filled.warnings
+        );
+        assert!(
+            folded == 0 && height < 1.0,
+            "seed {seed}: {folded} folded, height {height}"
+        );
+    }
+}
+
+#[test]
+fn coinciding_neighbours_do_no_harm_and_other_coincidences_are_refused() {
+    let twice = collar(40, 4, |i, r| {
+        let ((cos, sin), out) = (
+            turn(if i == 7 && r == 0 { 6 } else { i }, 40),
+            1.0 + 0.15 * r as f64,
+        );
+        DVec3::new(out * cos, out * sin, 0.0)
+    });
+    fill_inner(&twice);
+    // Two faces at a vertex that share no edge: around the vertex two fans are left, and one
+    // loop passes it twice.
+    let sphere = sample("icosphere", &[("level", 2.0)]);
+    let full = surface(&sphere);
+    let v = umbilic::mesh::Vertex(20);
+    let around: Vec<[u32; 3]> = full
+        .mesh
+        .star(v)
+        .map(|s| full.mesh.triangle(s.face).map(|v| v.0))
+        .collect();
+    let bow_tie = cut(&sphere, |_, f| f != around[0] && f != around[3]);
+    assert_eq!(bow_tie.mesh.n_boundary_loops(), 1);
+    for loops in [None, Some(vec![0])] {
+        let options = FillOptions {
+            loops,
+            ..FillOptions::default()
+        };
+        match try_fill(&bow_tie.mesh, &bow_tie.x, &options) {
+            Err(FillError::TouchingLoop { index: 0, a, b }) => {
+                assert_eq!(bow_tie.x[a as usize], bow_tie.x[b as usize]);
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+    // With another hole elsewhere, that one is filled and this one is left.
+    let far = (0..sphere.n_faces())
+        .map(|f| sphere.face(f))
+        .find(|f| sphere.positions[f[0] as usize].dot(full.x[20]) < -0.9);
+    let far = far.expect("a face").to_vec();
+    let both = cut(&sphere, |_, f| f != around[0] && f != around[3] && f != far);
+    let filled = fill_all(&both);
+    assert_eq!(filled.mesh.n_boundary_loops(), 1);
+    assert!(
+        filled.warnings[0].starts_with("Left open: boundary loop"),
+        "{:?}",
+        filled.warnings
+    );
+}
+
+#[test]
+fn requests_that_make_no_sense_are_refused() {
+    let of = |name: &str, loops: Option<Vec<usize>>, connect: bool| {
+        let s = surface(&sample(name, &[]));
+        let options = FillOptions {
+            loops,
+            connect,
+            ..FillOptions::default()
+        };
+        try_fill(&s.mesh, &s.x, &options).err()
+    };
+    assert_eq!(of("icosphere", None, false), Some(FillError::NoLoops));
+    assert_eq!(of("moebius", None, false), Some(FillError::NotOrientable));
+    let out_of_range = FillError::LoopOutOfRange { index: 2, loops: 2 };
+    assert_eq!(of("cylinder", Some(vec![0, 2]), false), Some(out_of_range));
+    assert_eq!(
+        of("cylinder", Some(vec![]), false),
+        Some(FillError::NoLoops)
+    );
+    assert_eq!(
+        of("disk", None, true),
+        Some(FillError::TooFewLoops { loops: 1 })
+    );
+    // A ring: its inner loop is not on the hull.
+    let ring = collar(20, 4, |i, r| {
+        let (cos, sin) = turn(i, 20);
+        DVec3::new(cos, sin, 0.0) * (1.0 + 0.2 * r as f64)
+    });
+    let connect = FillOptions {
+        connect: true,
+        ..FillOptions::default()
+    };
+    let hidden = try_fill(&ring.mesh, &ring.x, &connect).err();
+    assert!(
+        matches!(hidden, Some(FillError::HiddenLoop { .. })),
+        "{hidden:?}"
+    );
+    // A ring of one strip: its ends are joined by edges already.
+    let short = surface(&sample("cylinder", &[("along", 1.0)]));
+    let close = try_fill(&short.mesh, &short.x, &connect).err();
+    assert!(
+        matches!(close, Some(FillError::LoopsTooClose { .. })),
+        "{close:?}"
+    );
+}
+
+#[test]
+fn the_order_falls_where_the_surroundings_are_narrow_and_says_so() {
+    for (along, order) in [(1.0, 2), (2.0, 3)] {
+        let s = surface(&sample(
+            "cylinder",
+            &[("along", along), ("length", 0.2 * along)],
+        ));
+        let options = FillOptions {
+            loops: Some(vec![0]),
+            ..FillOptions::default()
+        };
+        let filled = try_fill(&s.mesh, &s.x, &options).expect("filled");
+        assert_sound(&s, &filled);
+        assert_eq!(filled.patches[0].order, order);
+        let says = filled.warnings.iter().any(|w| w.contains("three rings"));
+        assert_eq!(says, order < 3, "{:?}", filled.warnings);
+    }
+}
+
+#[test]
+fn the_number_of_new_vertices_is_bounded() {
+    let s = open_sphere(5.0, 0.0, 60.0);
+    let free = new_points(&fill_all(&s)).len();
+    for most in [0, 1, 40, 500] {
+        let options = FillOptions {
+            max_vertices: most,
+            ..FillOptions::default()
+        };
+        let filled = try_fill(&s.mesh, &s.x, &options).expect("filled");
+        assert_sound(&s, &filled);
+        let new = new_points(&filled).len();
+        assert!(new <= most && 500 < free, "{new} of {most}");
+        assert!(
+            filled.warnings.iter().any(|w| w.contains("limit")),
+            "{:?}",
+            filled.warnings
+        );
+        println!("{most}: {new}, {:?}", quality(&filled));
+    }
+}
+
+#[test]
+fn a_fill_can_be_stopped_at_any_moment() {
+    let s = open_sphere(3.0, 0.0, 40.0);
+    let mut calls = 0;
+    let options = FillOptions::default();
+    let count = &mut |_: &str, share: f64| {
+        assert!((0.0..=1.0).contains(&share));
+        calls += 1;
+        ControlFlow::Continue(())
+    };
+    fill(&s.mesh, &s.x, &options, count).expect("filled");
+    assert!(calls > 10);
+    for last in 0..calls {
+        let mut left = last;
+        let stop = &mut |_: &str, _: f64| {
+            if left == 0 {
+                return ControlFlow::Break(());
+            }
+            left -= 1;
+            ControlFlow::Continue(())
+        };
+        let stopped = fill(&s.mesh, &s.x, &options, stop);
+        assert_eq!(
+            stopped.err(),
+            Some(FillError::Cancelled),
+            "call {last} of {calls}"
+        );
+    }
+}
+
+#[test]
+fn the_fill_does_not_depend_on_the_unit_of_length() {
+    let s = open_sphere(3.0, 0.2, 50.0);
+    let filled = fill_all(&s);
+    for factor in [2f64.powi(-30), 2f64.powi(30)] {
+        let x: Vec<DVec3> = s.x.iter().map(|&p| factor * p).collect();
+        let other = try_fill(&s.mesh, &x, &FillOptions::default()).expect("filled");
+        assert_eq!(filled.positions.len(), other.positions.len());
+        let back: Vec<DVec3> = other.positions.iter().map(|&p| p / factor).collect();
+        assert!(largest_difference(&filled.positions, &back) < 1e-9);
+    }
+}
+
+#[test]
+fn two_holes_of_a_sphere_become_a_handle() {
+    let s = cut(&sample("icosphere", &[("level", 4.0)]), |c, _| {
+        c.z.abs() < 0.8
+    });
+    let options = FillOptions {
+        connect: true,
+        ..FillOptions::default()
+    };
+    let filled = try_fill(&s.mesh, &s.x, &options).expect("connected");
+    assert_sound(&s, &filled);
+    assert_eq!(filled.mesh.genus(), Some(1));
+    assert!(filled.mesh.is_closed());
+    let (worst, folded) = quality(&filled);
+    println!("handle: {worst} {folded} {:?}", filled.warnings);
+}
+
+#[test]
+fn ragged_tubes_are_blended_too() {
+    for seed in 0..4 {
+        let mut soup = sample("tubes", &[("count", 4.0), ("around", 24.0)]);
+        let mut random = Random(seed);
+        soup.positions
+            .iter_mut()
+            .for_each(|p| *p += 0.03 * random.vector());
+        let s = surface(&soup);
+        let all = boundary_loops(&s.mesh, &s.x);
+        let near = |i: &usize| s.x[all[*i].vertices[0] as usize].length() < 1.4;
+        let options = FillOptions {
+            loops: Some((0..all.len()).filter(near).collect()),
+            connect: true,
+            ..FillOptions::default()
+        };
+        let filled = try_fill(&s.mesh, &s.x, &options).expect("blended");
+        assert_sound(&s, &filled);
+        assert_eq!(
+            (filled.mesh.components().1, filled.mesh.genus()),
+            (1, Some(0))
+        );
+        let (worst, folded) = quality(&filled);
+        println!("ragged: {worst} {folded} {:?}", filled.warnings);
+    }
+}
+
+#[test]
+fn tubes_turned_against_each_other_are_turned_to_agree() {
+    let mut soup = sample("tubes", &[("count", 3.0)]);
+    // The faces of the second tube.
+    for f in 960..1920 {
+        soup.corners[3 * f..3 * f + 3].swap(0, 1);
+    }
+    let s = surface(&soup);
+    let options = FillOptions {
+        loops: Some(inner_loops(&s)),
+        connect: true,
+        ..FillOptions::default()
+    };
+    let filled = try_fill(&s.mesh, &s.x, &options).expect("blended");
+    filled.mesh.validate().expect("valid");
+    assert!(filled.mesh.is_oriented());
+    assert_eq!(filled.mesh.components().1, 1);
+    assert!(
+        filled.warnings.iter().any(|w| w.contains("Turned")),
+        "{:?}",
+        filled.warnings
+    );
 }

@@ -19,6 +19,11 @@ const MOST: [(usize, usize); 2] = [(3, 60_000), (2, 120_000)];
 /// A patch may grow to so many times the size of its rim.
 const LARGEST: f64 = 4.0;
 
+/// Order 3 may take a vertex so many times as far from the membrane as order 2 does, and this
+/// share of the size of the rim besides. It continues the curvature of the surroundings, and
+/// where they are rough there is none to continue.
+const BOLDEST: (f64, f64) = (2.0, 0.05);
+
 /// Why a lower order was used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lowered {
@@ -28,6 +33,8 @@ pub(super) enum Lowered {
     Size,
     /// The higher order turned faces over or left all bounds.
     Folds,
+    /// The higher order bulges far more than the lower.
+    Rough,
 }
 
 /// Fairs the vertices in `free` in place; answers the order used, 0 for none, and why it is
@@ -57,29 +64,55 @@ pub(super) fn fair(
     }
     let (faces, rim) = surroundings(mesh, &is_free);
     let folds = |x: &[DVec3]| faces.iter().filter(|&&f| is_folded(mesh, x, f)).count();
-    let size = LARGEST * bounding_diagonal(&rim.iter().map(|v| x[v.index()]).collect::<Vec<_>>());
+    let rim_size = bounding_diagonal(&rim.iter().map(|v| x[v.index()]).collect::<Vec<_>>());
+    let range = free.start as usize..free.end as usize;
     let folds_before = folds(x);
-    while order > 0 {
+    let attempt = |x: &[DVec3], order: usize, passes: usize| {
         let mut y = x.to_vec();
-        let mut solved = Ok(());
         for _ in 0..passes {
-            solved = solved.and_then(|()| polyharmonic::fill(mesh, &mut y, &is_free, order));
+            polyharmonic::fill(mesh, &mut y, &is_free, order)?;
         }
-        let patch = &y[free.start as usize..free.end as usize];
-        let is_bounded = patch.iter().all(|p| p.is_finite()) && bounding_diagonal(patch) <= size;
-        if solved.is_ok() && is_bounded && folds(&y) <= folds_before {
-            x.copy_from_slice(&y);
-            break;
-        }
-        match solved {
+        let patch = &y[range.clone()];
+        let is_bounded =
+            patch.iter().all(|p| p.is_finite()) && bounding_diagonal(patch) <= LARGEST * rim_size;
+        Ok((is_bounded && folds(&y) <= folds_before).then_some(y))
+    };
+    while order > 0 {
+        match attempt(x, order, passes) {
+            Ok(Some(y)) => {
+                let rough = order == ORDER
+                    && is_bold(&y[range.clone()], rim_size, |k| {
+                        let mut y = x.to_vec();
+                        let solved = polyharmonic::fill(mesh, &mut y, &is_free, k);
+                        solved.ok().map(|()| y[range.clone()].to_vec())
+                    });
+                if !rough {
+                    x.copy_from_slice(&y);
+                    break;
+                }
+                lowered = Some(Lowered::Rough);
+            }
+            Ok(None) => lowered = Some(Lowered::Folds),
             // Without memory for this order there may be some for a lower one.
             Err(error) if order == 1 => return Err(error),
             Err(_) => lowered = Some(Lowered::Size),
-            Ok(()) => lowered = Some(Lowered::Folds),
         }
         order -= 1;
     }
     Ok((order, lowered))
+}
+
+/// Whether the patch goes much farther from the membrane than the fill of order 2;
+/// `of_order` makes both.
+fn is_bold(patch: &[DVec3], rim_size: f64, of_order: impl Fn(usize) -> Option<Vec<DVec3>>) -> bool {
+    let (Some(membrane), Some(plate)) = (of_order(1), of_order(2)) else {
+        return false;
+    };
+    let farthest = |a: &[DVec3]| {
+        let distances = a.iter().zip(&membrane).map(|(p, q)| p.distance(*q));
+        distances.fold(0.0, f64::max)
+    };
+    farthest(patch) > BOLDEST.0 * farthest(&plate) + BOLDEST.1 * rim_size
 }
 
 /// The faces with a free vertex, and the held vertices of those.

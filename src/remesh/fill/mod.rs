@@ -91,6 +91,10 @@ const PASSES: usize = 3;
 /// The fill of a hole bulges out of its membrane, and takes more vertices than that.
 const BULGE: f64 = 1.5;
 
+/// A patch takes so many times the vertices it should at most: edge lengths of a loop that
+/// vary wildly must not let it run away.
+const AMPLE: f64 = 4.0;
+
 /// A patch under way.
 struct Job {
     rim: Rim,
@@ -229,8 +233,13 @@ fn begin(
         points.extend(found.middles);
         found.faces
     };
+    let (valences, joined) = (rim.valences.clone(), rim.joined.clone());
+    let mut patch = Patch::new(points, faces, valences, joined, rim.mean_edge);
+    if rim.is_face(mesh) {
+        patch.forbid_face();
+    }
     Ok(Job {
-        patch: Patch::new(points, faces, rim.valences.clone(), rim.joined.clone()),
+        patch,
         length: rim.mean_edge,
         most: usize::MAX,
         order: ORDER,
@@ -250,7 +259,12 @@ fn limit_sizes(jobs: &mut [Job], most: usize, warnings: &mut Vec<String>) {
     let coarser = (total / most.max(1) as f64).max(1.0);
     for job in jobs {
         let share = wanted(job) / total.max(1.0) * most as f64;
-        job.most = if coarser > 1.0 { share as usize } else { most };
+        let ample = AMPLE * wanted(job) + job.patch.x.len() as f64;
+        job.most = if coarser > 1.0 {
+            share
+        } else {
+            ample.min(most as f64)
+        } as usize;
         job.length *= coarser.sqrt();
     }
     if coarser > 1.0 {
@@ -343,6 +357,7 @@ fn warn_of_orders(jobs: &[Job], warnings: &mut Vec<String>) {
                 counted(job.patch.n_free(), "new vertex", "new vertices")
             ),
             Lowered::Folds => "a smoother one would fold over".to_owned(),
+            Lowered::Rough => "the surface around it is too rough to be continued".to_owned(),
         };
         let how = match job.order {
             2 => "meets the surface around it with its tangent planes but not its curvature",

@@ -21,12 +21,17 @@ const GOOD: f64 = 0.6;
 pub(super) struct Patch {
     /// Positions, those of the rim first.
     pub(super) x: Vec<DVec3>,
+    /// Edge length wanted at each vertex.
+    pub(super) sizes: Vec<f64>,
     faces: Vec<[u32; 3]>,
     /// The faces at each vertex.
     stars: Vec<Vec<u32>>,
     /// Number of edges at each rim vertex outside the patch, the rim's own included.
     outer_valences: Vec<usize>,
     forbidden: HashSet<(u32, u32)>,
+    /// Whether the three vertices of the rim have a face outside: the patch must not become
+    /// that face again.
+    is_face: bool,
     is_gone: Vec<bool>,
 }
 
@@ -42,12 +47,14 @@ fn key(a: u32, b: u32) -> (u32, u32) {
 }
 
 impl Patch {
-    /// A patch of these faces; the rim has one outer valence a vertex.
+    /// A patch of these faces, for edges of that length; the rim has one outer valence a
+    /// vertex.
     pub(super) fn new(
         x: Vec<DVec3>,
         faces: Vec<[u32; 3]>,
         outer_valences: Vec<usize>,
         forbidden: HashSet<(u32, u32)>,
+        size: f64,
     ) -> Self {
         let mut stars = vec![Vec::new(); x.len()];
         for (f, face) in faces.iter().enumerate() {
@@ -57,12 +64,19 @@ impl Patch {
         }
         Self {
             is_gone: vec![false; x.len()],
+            sizes: vec![size; x.len()],
+            is_face: false,
             x,
             faces,
             stars,
             outer_valences,
             forbidden,
         }
+    }
+
+    /// Forbids the single triangle.
+    pub(super) fn forbid_face(&mut self) {
+        self.is_face = true;
     }
 
     /// Number of held vertices.
@@ -99,6 +113,19 @@ impl Patch {
         sides
             .filter(|&(a, b)| a < b && self.diamond(a, b).is_some())
             .collect()
+    }
+
+    /// Lengths of the rim's edges, with their ends.
+    pub(super) fn rim_edges(&self) -> Vec<(u32, u32, f64)> {
+        let sides = self.faces().flat_map(|[a, b, c]| [(a, b), (b, c), (c, a)]);
+        let outer = sides.filter(|&(a, b)| self.is_rim(a) && self.is_rim(b));
+        let outer = outer.filter(|&(a, b)| self.diamond(a, b).is_none());
+        outer.map(|(a, b)| (a, b, self.length(a, b))).collect()
+    }
+
+    /// Edge length wanted between two vertices.
+    pub(super) fn size(&self, a: u32, b: u32) -> f64 {
+        0.5 * (self.sizes[a as usize] + self.sizes[b as usize])
     }
 
     /// Length of an edge.
@@ -177,6 +204,7 @@ impl Patch {
         let middle = self.x.len() as u32;
         self.x.push(0.5 * (self.x[a as usize] + self.x[b as usize]));
         self.is_gone.push(false);
+        self.sizes.push(self.size(a, b));
         self.stars.push(Vec::with_capacity(6));
         for (f, apex) in faces.into_iter().zip([c, d]) {
             let half = self.faces[f as usize].map(|v| if v == a { middle } else { v });
@@ -215,6 +243,9 @@ impl Patch {
             .iter()
             .filter(|&&v| ![kept, c, d].contains(&v))
             .all(|&v| self.may_join(v, kept));
+        if self.is_face && self.n_free() == 1 {
+            return false;
+        }
         if self.is_rim(gone) || shared != 2 || !keeps_fans || !joins {
             return false;
         }
@@ -324,21 +355,22 @@ impl Patch {
     /// Numbers the vertices without gaps, the rim as it was.
     pub(super) fn compact(&mut self) {
         let mut number = vec![u32::MAX; self.x.len()];
-        let mut x = Vec::new();
+        let (mut x, mut sizes) = (Vec::new(), Vec::new());
         for v in (0..self.x.len()).filter(|&v| !self.is_gone[v]) {
             number[v] = x.len() as u32;
             x.push(self.x[v]);
+            sizes.push(self.sizes[v]);
         }
         let faces = self
             .faces()
             .map(|f| f.map(|v| number[v as usize]))
             .collect();
         let outer_valences = std::mem::take(&mut self.outer_valences);
-        *self = Self::new(
-            x,
-            faces,
-            outer_valences,
-            std::mem::take(&mut self.forbidden),
-        );
+        let forbidden = std::mem::take(&mut self.forbidden);
+        *self = Self {
+            sizes,
+            is_face: self.is_face,
+            ..Self::new(x, faces, outer_valences, forbidden, 0.0)
+        };
     }
 }

@@ -15,6 +15,8 @@ const SHORT: f64 = 4.0 / 5.0;
 const SMOOTHINGS: usize = 3;
 /// Sweeps of flips at most: in space Delaunay flips need not end by themselves.
 const FLIP_SWEEPS: usize = 12;
+/// From ring to ring edges grow by this factor at most.
+const GROWTH: f64 = 1.2;
 /// Edges at a vertex of a regular mesh.
 const REGULAR: usize = 6;
 
@@ -47,6 +49,7 @@ pub(super) fn refine(
     target: &Target,
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
+    set_sizes(patch, target.length);
     // From coarse to fine: cut to length at once, the chords of a long loop would be
     // slivers with far too many vertices.
     let longest = patch
@@ -57,15 +60,15 @@ pub(super) fn refine(
     let mut length = longest;
     while length > 2.0 * target.length {
         length *= 0.5;
-        split_long(patch, length, target.most);
+        split_long(patch, length, target);
         flip_delaunay(patch);
         smooth(patch, target.smoothing);
         progress(0.0)?;
     }
     for round in 0..target.rounds {
         progress(round as f64 / target.rounds as f64)?;
-        split_long(patch, target.length, target.most);
-        collapse_short(patch, target.length);
+        split_long(patch, target.length, target);
+        collapse_short(patch);
         if 2 * round < target.rounds {
             flip_delaunay(patch);
         } else {
@@ -74,16 +77,48 @@ pub(super) fn refine(
         for _ in 0..SMOOTHINGS {
             smooth(patch, target.smoothing);
         }
+        spread_sizes(patch, target.length);
     }
     patch.compact();
     progress(1.0)
 }
 
-fn split_long(patch: &mut Patch, length: f64, most: usize) {
+/// Sizes of the rim from its own edges, which cannot be changed: `length` unless they are
+/// much longer, where splitting would never end, or much shorter, where slivers would be left.
+fn set_sizes(patch: &mut Patch, length: f64) {
+    let n_rim = patch.n_rim();
+    let (mut longest, mut sum) = (vec![0.0f64; n_rim], vec![0.0; n_rim]);
+    for (a, b, edge) in patch.rim_edges() {
+        for v in [a, b] {
+            longest[v as usize] = longest[v as usize].max(edge);
+            sum[v as usize] += 0.5 * edge;
+        }
+    }
+    for v in 0..n_rim {
+        patch.sizes[v] = length.min(1.5 * sum[v]).max(longest[v] / LONG);
+    }
+    spread_sizes(patch, length);
+}
+
+/// Sizes of the free vertices from those around them.
+fn spread_sizes(patch: &mut Patch, length: f64) {
+    let free: Vec<u32> = patch.free_vertices().collect();
+    for v in free {
+        let neighbours = patch.neighbours(v);
+        let sum: f64 = neighbours.iter().map(|&w| patch.sizes[w as usize]).sum();
+        patch.sizes[v as usize] = length.min(GROWTH * sum / neighbours.len() as f64);
+    }
+}
+
+fn split_long(patch: &mut Patch, length: f64, target: &Target) {
+    let is_long = |patch: &Patch, a: u32, b: u32| {
+        let coarse = if length > target.length { length } else { 0.0 };
+        patch.length(a, b) > LONG * patch.size(a, b).max(coarse)
+    };
     let mut edges = patch.inner_edges();
-    edges.retain(|&(a, b)| patch.length(a, b) > LONG * length);
+    edges.retain(|&(a, b)| is_long(patch, a, b));
     edges.sort_by(|p, q| patch.length(q.0, q.1).total_cmp(&patch.length(p.0, p.1)));
-    let mut room = most.saturating_sub(patch.n_free());
+    let mut room = target.most.saturating_sub(patch.n_free());
     let mut queue = VecDeque::from(edges);
     while room > 0 {
         let Some((a, b)) = queue.pop_front() else {
@@ -91,7 +126,7 @@ fn split_long(patch: &mut Patch, length: f64, most: usize) {
         };
         if let Some(middle) = patch.split(a, b) {
             room -= 1;
-            let long = |v: &u32| patch.length(middle, *v) > LONG * length;
+            let long = |v: &u32| is_long(patch, middle, *v);
             queue.extend(
                 patch
                     .neighbours(middle)
@@ -103,12 +138,13 @@ fn split_long(patch: &mut Patch, length: f64, most: usize) {
     }
 }
 
-fn collapse_short(patch: &mut Patch, length: f64) {
+fn collapse_short(patch: &mut Patch) {
     for (a, b) in patch.inner_edges() {
         // The ends of an edge that is gone by now have no face together.
-        if patch.length(a, b) < SHORT * length {
+        let size = patch.size(a, b);
+        if patch.length(a, b) < SHORT * size {
             let (gone, kept) = if patch.is_rim(a) { (b, a) } else { (a, b) };
-            let longest = LONG * length;
+            let longest = LONG * size;
             if !patch.collapse(gone, kept, longest) && !patch.is_rim(kept) {
                 patch.collapse(kept, gone, longest);
             }
