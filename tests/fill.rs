@@ -639,3 +639,169 @@ fn tubes_turned_against_each_other_are_turned_to_agree() {
         filled.warnings
     );
 }
+
+/// Star-shaped regions of a sphere, cut out: everything must hold of any of them.
+#[test]
+fn any_star_shaped_hole_of_a_sphere_is_filled() {
+    use proptest::prelude::*;
+    let sphere = sample("icosphere", &[("level", 3.0)]);
+    let waves = proptest::collection::vec((-0.35..0.35, 0.0..6.3), 5);
+    let config = ProptestConfig {
+        cases: 48,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
+    let mut runner = proptest::test_runner::TestRunner::new_with_rng(
+        config,
+        proptest::test_runner::TestRng::deterministic_rng(
+            proptest::test_runner::RngAlgorithm::ChaCha,
+        ),
+    );
+    let case = (0.3..1.1, waves, -1.0..1.0);
+    runner
+        .run(&case, |(size, waves, tilt)| {
+            let pole = DVec3::new(tilt, 0.4, 0.8).normalize();
+            let (u, v) = pole.any_orthonormal_pair();
+            let radius = |c: DVec3| {
+                let angle = c.dot(u).atan2(c.dot(v));
+                let wave = |(k, (a, phase)): (usize, &(f64, f64))| {
+                    a * ((k + 1) as f64 * angle + phase).sin()
+                };
+                size * (1.0 + waves.iter().enumerate().map(wave).sum::<f64>())
+            };
+            let s = cut(&sphere, |c, _| c.angle_between(pole) > radius(c));
+            match try_fill(&s.mesh, &s.x, &FillOptions::default()) {
+                Ok(filled) => {
+                    assert_sound(&s, &filled);
+                    let (worst, folded) = quality(&filled);
+                    prop_assert!(folded == 0 && worst > 0.02, "{folded} folded, {worst}");
+                    let error = off_the_sphere(&filled);
+                    prop_assert!(error < 0.5, "off by {error}");
+                }
+                // The cut may leave parts that hang together by a vertex.
+                Err(FillError::TouchingLoop { .. } | FillError::NoLoops) => {}
+                Err(other) => prop_assert!(false, "{other}"),
+            }
+            Ok(())
+        })
+        .unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn quadrilaterals_stay_quadrilaterals() {
+    let Some(folder) = shared_meshes() else {
+        return;
+    };
+    let bytes = std::fs::read(folder.join("spot_quadrangulated.obj")).expect("a file");
+    let soup = umbilic::io::read(&bytes, "spot.obj")
+        .expect("readable")
+        .soup;
+    let centre = soup.positions[100];
+    let s = cut(&soup, |c, _| c.distance(centre) > 0.15);
+    let filled = fill_all(&s);
+    assert!(filled.mesh.is_closed());
+    assert_eq!(filled.mesh.face_vertices(Face(0)).count(), 4);
+}
+
+#[test]
+fn real_scans_are_closed() {
+    if let Some(s) = real("plane_holes.obj") {
+        let start = std::time::Instant::now();
+        let filled = fill_all(&s);
+        println!(
+            "plane_holes: {} loops, {} new, {:?}, {:?}, {:?}",
+            filled.patches.len(),
+            new_points(&filled).len(),
+            quality(&filled),
+            start.elapsed(),
+            filled.warnings
+        );
+        assert!(filled.mesh.is_closed());
+        let (worst, folded) = quality(&filled);
+        assert!(folded == 0 && worst > 0.0, "{worst} {folded}");
+    }
+    for (file, points) in [
+        ("demosthenes_low_res.obj", [500, 4000, 9000]),
+        ("bunny.obj", [100, 2000, 5000]),
+    ] {
+        let Some(whole) = real(file) else { return };
+        let soup = whole.mesh.to_soup(&whole.x);
+        let radius = 0.04 * measure::bounding_diagonal(&whole.x);
+        let centres = points.map(|v: usize| whole.x[v % whole.x.len()]);
+        let s = cut(&soup, |c, _| centres.iter().all(|p| p.distance(c) > radius));
+        let filled = fill_all(&s);
+        println!(
+            "{file}: {} loops, {} new, {:?}, {:?}",
+            filled.patches.len(),
+            new_points(&filled).len(),
+            quality(&filled),
+            filled.warnings
+        );
+        let (worst, folded) = quality(&filled);
+        assert!(
+            filled.mesh.is_closed() && folded == 0 && worst > 0.1,
+            "{worst} {folded}"
+        );
+        // How far the patches of our own holes are from what was there.
+        let all = boundary_loops(&s.mesh, &s.x);
+        let ours = filled
+            .patches
+            .iter()
+            .filter(|p| all[p.loops[0]].length < 9.0 * radius);
+        let near = |p: DVec3| {
+            whole
+                .x
+                .iter()
+                .map(|q| q.distance(p))
+                .fold(f64::INFINITY, f64::min)
+        };
+        let new = ours.flat_map(|p| p.vertices.clone());
+        let off = new
+            .map(|v| near(filled.positions[v as usize]))
+            .fold(0.0, f64::max)
+            / radius;
+        println!("off {off} radii");
+    }
+}
+
+#[test]
+fn broken_files_are_filled_or_refused() {
+    let Some(folder) = shared_meshes() else {
+        return;
+    };
+    let mut filled_some = 0;
+    for entry in std::fs::read_dir(folder.join("broken")).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let name = path
+            .file_name()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned();
+        let bytes = std::fs::read(&path).expect("a file");
+        let Ok(read) = umbilic::io::read(&bytes, &name) else {
+            continue;
+        };
+        let Ok(built) = umbilic::mesh::build(&read.soup) else {
+            continue;
+        };
+        let s = Surface {
+            mesh: std::rc::Rc::new(built.mesh),
+            x: built.positions,
+            warnings: built.warnings,
+        };
+        match try_fill(&s.mesh, &s.x, &FillOptions::default()) {
+            Ok(filled) => {
+                assert_sound(&s, &filled);
+                filled_some += 1;
+                println!(
+                    "{name}: {} patches, {:?}, {:?}",
+                    filled.patches.len(),
+                    quality(&filled),
+                    filled.warnings
+                );
+            }
+            Err(error) => println!("{name}: {}: {error}", error.kind()),
+        }
+    }
+    assert!(filled_some > 1, "{filled_some}");
+}

@@ -88,15 +88,34 @@ pub fn fill(
     Ok(())
 }
 
-/// `free` without the components that have no held vertex.
+/// `free` without the components that have no held vertex; looks at free vertices only.
 fn anchored(mesh: &HalfedgeMesh, free: &[bool]) -> Vec<bool> {
-    let (component, count) = mesh.components();
-    let mut has_held = vec![false; count];
-    for (v, _) in free.iter().enumerate().filter(|(_, f)| !**f) {
-        has_held[component[v] as usize] = true;
+    let mut anchored = free.to_vec();
+    let mut is_seen = vec![false; free.len()];
+    let mut region: Vec<Vertex> = Vec::new();
+    for seed in mesh.vertices() {
+        if !free[seed.index()] || is_seen[seed.index()] {
+            continue;
+        }
+        region.clear();
+        region.push(seed);
+        is_seen[seed.index()] = true;
+        let (mut at, mut meets_held) = (0, false);
+        while at < region.len() {
+            for w in mesh.neighbours(region[at]) {
+                meets_held |= !free[w.index()];
+                if free[w.index()] && !is_seen[w.index()] {
+                    is_seen[w.index()] = true;
+                    region.push(w);
+                }
+            }
+            at += 1;
+        }
+        if !meets_held {
+            region.iter().for_each(|v| anchored[v.index()] = false);
+        }
     }
-    let keep = |(v, f): (usize, &bool)| *f && has_held[component[v] as usize];
-    free.iter().enumerate().map(keep).collect()
+    anchored
 }
 
 /// The vertices within some number of edges of a free one, nearest first.
