@@ -266,6 +266,8 @@ fn limit_sizes(jobs: &mut [Job], most: usize, warnings: &mut Vec<String>) {
             ample.min(most as f64)
         } as usize;
         job.length *= coarser.sqrt();
+        let n_rim = job.patch.n_rim();
+        job.patch.sizes[n_rim..].fill(job.length);
     }
     if coarser > 1.0 {
         warnings.push(format!(

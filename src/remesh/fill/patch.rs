@@ -296,7 +296,7 @@ impl Patch {
         wants: impl FnOnce(&Self, [u32; 4]) -> bool,
     ) -> Option<(u32, u32)> {
         let Diamond { faces, c, d } = self.diamond(a, b)?;
-        if !self.may_join(c, d) || !wants(self, [a, b, c, d]) {
+        if !wants(self, [a, b, c, d]) || !self.may_join(c, d) {
             return None;
         }
         let keeps_fans = [a, b]

@@ -2,9 +2,7 @@
 //! collapse, flip, smooth.
 
 use super::patch::Patch;
-use crate::geometry::measure::triangle_angles;
 use std::collections::VecDeque;
-use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 /// Edges longer than this many target lengths are split …
@@ -13,10 +11,13 @@ const LONG: f64 = 4.0 / 3.0;
 const SHORT: f64 = 4.0 / 5.0;
 /// Sweeps of smoothing a round.
 const SMOOTHINGS: usize = 3;
-/// Sweeps of flips at most: in space Delaunay flips need not end by themselves.
-const FLIP_SWEEPS: usize = 12;
+/// How often an edge is looked at, on average and at most: in space Delaunay flips need not
+/// end by themselves.
+const VISITS: usize = 12;
 /// From ring to ring edges grow by this factor at most.
 const GROWTH: f64 = 1.2;
+/// Sweeps in which the sizes of the rim spread into the patch, before the first round.
+const SPREADS: usize = 10;
 /// Edges at a vertex of a regular mesh.
 const REGULAR: usize = 6;
 
@@ -64,6 +65,9 @@ pub(super) fn refine(
         flip_delaunay(patch);
         smooth(patch, target.smoothing);
         progress(0.0)?;
+    }
+    for _ in 0..SPREADS {
+        spread_sizes(patch, target.length);
     }
     for round in 0..target.rounds {
         progress(round as f64 / target.rounds as f64)?;
@@ -152,37 +156,38 @@ fn collapse_short(patch: &mut Patch) {
     }
 }
 
+/// Flips edges until the angles opposite to each sum to at most π.
 fn flip_delaunay(patch: &mut Patch) {
-    let is_bad = |patch: &Patch, [a, b, c, d]: [u32; 4]| {
-        let at = |v: u32| patch.x[v as usize];
-        let opposite = |apex: u32| triangle_angles([at(apex), at(a), at(b)])[0];
-        opposite(c) + opposite(d) > PI + 1e-9
-    };
-    for _ in 0..FLIP_SWEEPS {
-        let mut flips = 0;
-        for (a, b) in patch.inner_edges() {
-            flips += usize::from(patch.flip(a, b, is_bad).is_some());
-        }
-        if flips == 0 {
-            break;
-        }
-    }
+    flip_while(patch, |patch, [a, b, c, d]| {
+        let cotangent = |apex: u32| {
+            let at = |v: u32| patch.x[v as usize];
+            let (u, v) = (at(a) - at(apex), at(b) - at(apex));
+            u.dot(v) / u.cross(v).length().max(f64::MIN_POSITIVE)
+        };
+        cotangent(c) + cotangent(d) < -1e-9
+    });
 }
 
+/// Flips edges as long as that brings the valences of their four vertices nearer to six.
 fn flip_for_valence(patch: &mut Patch) {
-    let gains = |patch: &Patch, [a, b, c, d]: [u32; 4]| {
+    flip_while(patch, |patch, [a, b, c, d]| {
         let excess =
             |v: u32, change: i64| (patch.valence(v) as i64 + change - REGULAR as i64).pow(2);
         let cost =
             |lost: i64| excess(a, -lost) + excess(b, -lost) + excess(c, lost) + excess(d, lost);
         cost(1) < cost(0)
-    };
-    for _ in 0..FLIP_SWEEPS {
-        let mut flips = 0;
-        for (a, b) in patch.inner_edges() {
-            flips += usize::from(patch.flip(a, b, gains).is_some());
+    });
+}
+
+fn flip_while(patch: &mut Patch, wants: impl Fn(&Patch, [u32; 4]) -> bool) {
+    let mut queue = VecDeque::from(patch.inner_edges());
+    let mut visits = VISITS * queue.len();
+    while let Some((a, b)) = queue.pop_front() {
+        if let Some((c, d)) = patch.flip(a, b, &wants) {
+            queue.extend([(a, c), (c, b), (b, d), (d, a)]);
         }
-        if flips == 0 {
+        visits -= 1;
+        if visits == 0 {
             break;
         }
     }
