@@ -146,28 +146,42 @@ fn the_first_fill_of_a_sphere_is_nearly_that_sphere() {
     // Largest distance from the unit sphere by half-angle of the hole: on the icosphere, on
     // a jittered one.
     for (degrees, regular, rough) in [
-        (20.0, 1.0, 1.0),
-        (35.0, 1.0, 1.0),
-        (50.0, 1.0, 1.0),
-        (60.0, 1.0, 1.0),
-        (70.0, 1.0, 1.0),
+        (20.0, 1.5e-3, 1.5e-3),
+        (35.0, 1.5e-3, 2.2e-3),
+        (50.0, 2.8e-3, 2.8e-3),
+        (60.0, 7.5e-3, 7.5e-3),
+        (70.0, 2e-2, 2e-2),
     ] {
         for (jitter, bound) in [(0.0, regular), (0.25, rough)] {
             let s = open_sphere(4.0, jitter, degrees);
-            let start = std::time::Instant::now();
             let filled = fill_all(&s);
-            let (worst, folded) = quality(&filled);
+            assert!(filled.warnings.is_empty(), "{:?}", filled.warnings);
             let error = off_the_sphere(&filled);
-            println!(
-                "{degrees} {jitter}: {error:.2e}, {} new, worst {worst:.3}, folded {folded}, {:?} {:?}",
-                new_points(&filled).len(),
-                start.elapsed(),
-                filled.warnings
-            );
             assert!(error < bound, "{degrees}°, jitter {jitter}: {error}");
-            assert_eq!(folded, 0);
+            let (worst, folded) = quality(&filled);
+            assert!(
+                folded == 0 && worst > 0.5,
+                "{degrees}°: {folded} folded, {worst}"
+            );
+            let all = boundary_loops(&s.mesh, &s.x);
+            let wanted = all[0].length / all[0].vertices.len() as f64;
+            let ratio = new_edge_length(&filled) / wanted;
+            assert!(
+                (0.85..1.15).contains(&ratio),
+                "{degrees}°: edges of {ratio}"
+            );
         }
     }
+}
+
+/// Mean length of the edges at new vertices.
+fn new_edge_length(filled: &Filled) -> f64 {
+    let mesh = &filled.mesh;
+    let first = filled.patches[0].vertices.start;
+    let is_new = |e: &umbilic::mesh::Edge| mesh.ends(*e).iter().any(|v| v.0 >= first);
+    let new: Vec<_> = mesh.edges().filter(is_new).collect();
+    let length = |e: &umbilic::mesh::Edge| measure::edge_length(mesh, &filled.positions, *e);
+    new.iter().map(length).sum::<f64>() / new.len() as f64
 }
 
 /// The numbers of the loops around the origin's side of each tube.
@@ -189,7 +203,6 @@ fn tubes_are_blended_into_one_surface() {
             connect: true,
             ..FillOptions::default()
         };
-        let start = std::time::Instant::now();
         let filled = try_fill(&s.mesh, &s.x, &options).expect("blended");
         assert_sound(&s, &filled);
         let mesh = &filled.mesh;
@@ -200,19 +213,21 @@ fn tubes_are_blended_into_one_surface() {
         );
         assert_eq!(mesh.n_boundary_loops(), count);
         let (worst, folded) = quality(&filled);
-        println!(
-            "{count}: {} new, worst {worst:.3}, folded {folded}, order {}, {:?} {:?}",
-            new_points(&filled).len(),
-            filled.patches[0].order,
-            start.elapsed(),
-            filled.warnings
+        assert!(
+            folded == 0 && worst > 0.4,
+            "{count} tubes: {folded} folded, {worst}"
         );
-        let reach = new_points(&filled)
-            .iter()
-            .map(|p| p.length())
-            .fold(0.0, f64::max);
-        println!("reach {reach}");
-        assert_eq!(folded, 0);
+        assert_eq!((filled.patches[0].order, filled.warnings.len()), (3, 0));
+        // Between the tubes, whose rims are at 1.118 from the origin.
+        let farthest =
+            |of: &dyn Fn(&DVec3) -> f64| new_points(&filled).iter().map(of).fold(0.0, f64::max);
+        let reach = farthest(&|p| p.length());
+        assert!(reach < 1.118, "{count} tubes: {reach}");
+        if count == 2 {
+            let error = farthest(&|p| (p.truncate().length() - 0.5).abs());
+            // Order 3 reproduces no cylinder: this is where a flow begins.
+            assert!(error < 0.05, "off the cylinder by {error}");
+        }
     }
 }
 
@@ -320,13 +335,7 @@ fn thin_curled_and_noisy_loops() {
         DVec3::new((1.0 + out) * cos, (0.02 + out) * sin, 0.0)
     });
     let filled = fill_inner(&slit);
-    let (worst, folded) = quality(&filled);
-    println!(
-        "slit: worst {worst}, folded {folded}, {} new {:?}",
-        new_points(&filled).len(),
-        filled.warnings
-    );
-    assert!(folded == 0);
+    assert_fair(&filled, 0.3);
     assert!(
         filled.positions.iter().all(|p| p.z == 0.0),
         "flat stays flat"
@@ -344,13 +353,7 @@ fn thin_curled_and_noisy_loops() {
         spiral(i) + 0.02 * r as f64 * along.cross(DVec3::Z).normalize()
     });
     let filled = fill_inner(&wound);
-    let (worst, folded) = quality(&filled);
-    println!(
-        "spiral: worst {worst}, folded {folded}, {} new {:?}",
-        new_points(&filled).len(),
-        filled.warnings
-    );
-    assert!(folded == 0);
+    assert_fair(&filled, 0.3);
 
     // A crown.
     let crown = collar(90, 5, |i, r| {
@@ -358,13 +361,8 @@ fn thin_curled_and_noisy_loops() {
         DVec3::new(out * cos, out * sin, 0.5 * turn(3 * i, 90).1)
     });
     let filled = fill_inner(&crown);
-    let (worst, folded) = quality(&filled);
-    println!(
-        "crown: worst {worst}, folded {folded}, {} new {:?}",
-        new_points(&filled).len(),
-        filled.warnings
-    );
-    assert!(folded == 0);
+    assert_fair(&filled, 0.5);
+    assert_eq!(filled.patches[0].order, 3);
 
     // Noise of two fifths of an edge.
     for seed in 0..10 {
@@ -375,22 +373,19 @@ fn thin_curled_and_noisy_loops() {
             DVec3::new(out * cos, out * sin, 0.0) + noise[r * 60 + i]
         });
         let filled = fill_inner(&rough);
-        let (worst, folded) = quality(&filled);
+        assert_fair(&filled, 0.3);
         let height = new_points(&filled)
             .iter()
             .map(|p| p.z.abs())
             .fold(0.0, f64::max);
-        println!(
-            "noise {seed}: worst {worst}, folded {folded}, height {height}, {} new, {} {:?}",
-            new_points(&filled).len(),
-            filled.patches[0].order,
-            filled.warnings
-        );
-        assert!(
-            folded == 0 && height < 1.0,
-            "seed {seed}: {folded} folded, height {height}"
-        );
+        assert!(height < 0.1, "seed {seed}: height {height}");
     }
+}
+
+/// No face folded over, none worse than that.
+fn assert_fair(filled: &Filled, least: f64) {
+    let (worst, folded) = quality(filled);
+    assert!(folded == 0 && worst > least, "{folded} folded, {worst}");
 }
 
 #[test]
@@ -525,7 +520,6 @@ fn the_number_of_new_vertices_is_bounded() {
             "{:?}",
             filled.warnings
         );
-        println!("{most}: {new}, {:?}", quality(&filled));
     }
 }
 
@@ -585,8 +579,8 @@ fn two_holes_of_a_sphere_become_a_handle() {
     assert_sound(&s, &filled);
     assert_eq!(filled.mesh.genus(), Some(1));
     assert!(filled.mesh.is_closed());
-    let (worst, folded) = quality(&filled);
-    println!("handle: {worst} {folded} {:?}", filled.warnings);
+    // At the rims the surface turns back on itself, so some of its faces count as folded.
+    assert!(quality(&filled).0 > 0.1);
 }
 
 #[test]
@@ -611,8 +605,7 @@ fn ragged_tubes_are_blended_too() {
             (filled.mesh.components().1, filled.mesh.genus()),
             (1, Some(0))
         );
-        let (worst, folded) = quality(&filled);
-        println!("ragged: {worst} {folded} {:?}", filled.warnings);
+        assert_fair(&filled, 0.4);
     }
 }
 
@@ -706,19 +699,9 @@ fn quadrilaterals_stay_quadrilaterals() {
 #[test]
 fn real_scans_are_closed() {
     if let Some(s) = real("plane_holes.obj") {
-        let start = std::time::Instant::now();
         let filled = fill_all(&s);
-        println!(
-            "plane_holes: {} loops, {} new, {:?}, {:?}, {:?}",
-            filled.patches.len(),
-            new_points(&filled).len(),
-            quality(&filled),
-            start.elapsed(),
-            filled.warnings
-        );
-        assert!(filled.mesh.is_closed());
-        let (worst, folded) = quality(&filled);
-        assert!(folded == 0 && worst > 0.0, "{worst} {folded}");
+        assert!(filled.mesh.is_closed() && filled.patches.len() == 27);
+        assert_fair(&filled, 0.5);
     }
     for (file, points) in [
         ("demosthenes_low_res.obj", [500, 4000, 9000]),
@@ -730,18 +713,8 @@ fn real_scans_are_closed() {
         let centres = points.map(|v: usize| whole.x[v % whole.x.len()]);
         let s = cut(&soup, |c, _| centres.iter().all(|p| p.distance(c) > radius));
         let filled = fill_all(&s);
-        println!(
-            "{file}: {} loops, {} new, {:?}, {:?}",
-            filled.patches.len(),
-            new_points(&filled).len(),
-            quality(&filled),
-            filled.warnings
-        );
-        let (worst, folded) = quality(&filled);
-        assert!(
-            filled.mesh.is_closed() && folded == 0 && worst > 0.1,
-            "{worst} {folded}"
-        );
+        assert!(filled.mesh.is_closed());
+        assert_fair(&filled, 0.3);
         // How far the patches of our own holes are from what was there.
         let all = boundary_loops(&s.mesh, &s.x);
         let ours = filled
@@ -758,9 +731,8 @@ fn real_scans_are_closed() {
         let new = ours.flat_map(|p| p.vertices.clone());
         let off = new
             .map(|v| near(filled.positions[v as usize]))
-            .fold(0.0, f64::max)
-            / radius;
-        println!("off {off} radii");
+            .fold(0.0, f64::max);
+        assert!(off < 0.35 * radius, "{file}: off by {} radii", off / radius);
     }
 }
 
@@ -793,14 +765,11 @@ fn broken_files_are_filled_or_refused() {
             Ok(filled) => {
                 assert_sound(&s, &filled);
                 filled_some += 1;
-                println!(
-                    "{name}: {} patches, {:?}, {:?}",
-                    filled.patches.len(),
-                    quality(&filled),
-                    filled.warnings
-                );
             }
-            Err(error) => println!("{name}: {}: {error}", error.kind()),
+            Err(FillError::NoLoops) => assert!(s.mesh.is_closed(), "{name}"),
+            Err(FillError::NotOrientable) => assert_eq!(name, "moebius.obj"),
+            Err(FillError::TouchingLoop { .. }) => assert_eq!(name, "sphere_with_hole.stl"),
+            Err(error) => panic!("{name}: {error}"),
         }
     }
     assert!(filled_some > 1, "{filled_some}");

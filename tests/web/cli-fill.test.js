@@ -87,7 +87,7 @@ test("fill --loops closes the loops named, --max-vertices bounds the patches", (
   assert.ok(few.verticesAdded <= 30 && both.verticesAdded > 30);
   assert.match(few.warnings[0], /limit of 30/);
   const words = umbilic(["fill", mesh, "--max-vertices", "30"]);
-  assert.match(words.out, /^2 boundary loops: \d+ new vertices[^]*warning: /);
+  assert.match(words.out, /^2 boundary loops: \d+ new vertices[\s\S]*warning: /);
 });
 
 test("fill --connect blends tubes into one surface", () => {
