@@ -45,10 +45,10 @@ fn circles(rim: &Rim, x: &[DVec3]) -> Vec<DVec3> {
         let v = normal.cross(u);
         let length: f64 = (0..m).map(|i| points[i].distance(next(i))).sum();
         let mut along = 0.0;
-        for i in 0..m {
+        for (i, p) in points.iter().enumerate() {
             let (sin, cos) = (TAU * along / length).sin_cos();
             round.push(centre + radius * (cos * u + sin * v));
-            along += points[i].distance(next(i));
+            along += p.distance(next(i));
         }
     }
     round
