@@ -8,7 +8,7 @@
 //!
 //! Old vertices keep their numbers and positions bit for bit, old faces their numbers and
 //! corners; what is new follows. (Only where the closed result would be inside out all
-//! faces are turned, as [`build`] does, and a warning says so.) Nothing depends on position,
+//! faces are turned, as [`build`](crate::mesh::build()) does, and a warning says so.) Nothing depends on position,
 //! orientation or size of the mesh.
 
 mod blend;
