@@ -382,6 +382,29 @@ fn thin_curled_and_noisy_loops() {
     }
 }
 
+#[test]
+fn a_flat_hole_with_deep_bays_is_covered_once() {
+    let place = |i: usize, out: f64| {
+        let (cos, sin) = turn(i, 120);
+        let radius = 1.0 + 0.7 * turn(5 * i, 120).0 + out;
+        DVec3::new(radius * cos, radius * sin, 0.0)
+    };
+    let bays = collar(120, 4, |i, r| place(i, 0.05 * r as f64));
+    let filled = fill_inner(&bays);
+    assert_fair(&filled, 0.2);
+    let corner = |i: usize| place(i % 120, 0.0);
+    let polygon: f64 = (0..120)
+        .map(|i| 0.5 * corner(i).cross(corner(i + 1)).z)
+        .sum();
+    let faces = filled.patches[0].faces.clone().map(Face);
+    let area = |f| measure::face_vector_area(&filled.mesh, &filled.positions, f).length();
+    let covered: f64 = faces.map(area).sum();
+    assert!(
+        (covered - polygon.abs()).abs() < 1e-9,
+        "{covered} for {polygon}"
+    );
+}
+
 /// No face folded over, none worse than that.
 fn assert_fair(filled: &Filled, least: f64) {
     let (worst, folded) = quality(filled);
@@ -536,9 +559,11 @@ fn a_fill_can_be_stopped_at_any_moment() {
     fill(&s.mesh, &s.x, &options, count).expect("filled");
     assert!(calls > 10);
     for last in 0..calls {
-        let mut left = last;
+        let (mut left, mut is_told) = (last, false);
         let stop = &mut |_: &str, _: f64| {
+            assert!(!is_told, "asked again after it was told to stop");
             if left == 0 {
+                is_told = true;
                 return ControlFlow::Break(());
             }
             left -= 1;

@@ -231,14 +231,10 @@ impl Patch {
             return false;
         };
         let ring = self.neighbours(gone);
-        // The link condition.
-        let shared = ring
-            .iter()
-            .filter(|&&v| v != kept && self.has_edge(v, kept))
-            .count();
         let keeps_fans = [c, d]
             .iter()
             .all(|&v| self.stars[v as usize].len() > if self.is_rim(v) { 1 } else { 3 });
+        // The link condition, and nothing that is there outside the patch.
         let joins = ring
             .iter()
             .filter(|&&v| ![kept, c, d].contains(&v))
@@ -246,7 +242,7 @@ impl Patch {
         if self.is_face && self.n_free() == 1 {
             return false;
         }
-        if self.is_rim(gone) || shared != 2 || !keeps_fans || !joins {
+        if self.is_rim(gone) || !keeps_fans || !joins {
             return false;
         }
         let target = if self.is_rim(kept) {
