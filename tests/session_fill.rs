@@ -139,6 +139,13 @@ fn undo_restores_a_session_bit_for_bit_and_the_flow_goes_on() {
     s.run(1).expect("a step");
     twin.run(1).expect("a step");
     assert_eq!(s.positions(), twin.positions());
+    let last = |s: &Session| {
+        s.reports()
+            .expect("reports")
+            .last()
+            .map(|r| (r.step, r.time, r.tau))
+    };
+    assert_eq!(last(&s), last(&twin));
     s.back().expect("back");
     twin.back().expect("back");
     assert!(everything(&s) == everything(&twin));

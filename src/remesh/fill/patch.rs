@@ -370,3 +370,38 @@ impl Patch {
         };
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_collapse_makes_no_double_edge() {
+        // The triangle 3, 4, 5 is the foot of a bubble: without the edge 3, 4 it would be
+        // an edge with four faces.
+        let place = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+        let x = vec![
+            place(0.0, -1.0, 0.0),
+            place(2.0, 1.5, 0.0),
+            place(-2.0, 1.5, 0.0),
+            place(-0.1, 0.0, 0.0),
+            place(0.1, 0.0, 0.0),
+            place(0.0, 1.0, 0.0),
+            place(0.0, 0.3, 1.0),
+            place(0.0, 0.6, 1.0),
+        ];
+        let ring = [
+            [0, 1, 4],
+            [1, 2, 5],
+            [2, 0, 3],
+            [0, 4, 3],
+            [1, 5, 4],
+            [2, 3, 5],
+        ];
+        let bubble = [[3, 4, 6], [4, 7, 6], [7, 5, 6], [5, 3, 6], [4, 5, 7]];
+        let faces = [&ring[..], &bubble[..]].concat();
+        let mut patch = Patch::new(x, faces, vec![2; 3], HashSet::new(), 1.0);
+        assert!(!patch.collapse(4, 3, 10.0));
+        assert_eq!(patch.faces().count(), 11);
+    }
+}
