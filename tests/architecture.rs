@@ -23,7 +23,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     (
         "remesh",
-        &["mesh", "geometry", "operator", "energy", "linalg"],
+        &["soup", "mesh", "geometry", "operator", "energy", "linalg"],
     ),
     (
         "session",

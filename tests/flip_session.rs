@@ -264,19 +264,19 @@ fn a_flow_starts_from_the_flipped_mesh_and_undo_brings_the_old_one_back() {
     assert!(s.state().expect("a state").energy < start);
     // The surface as it has flowed can be kept in turn, and each edit taken back.
     s.adopt().expect("adopted");
-    s.undo().expect("undone");
+    s.undo_edit().expect("undone");
     s.configure(options(Criterion::Localised))
         .expect("configured");
     assert!(edges_of(&export(&s)) == edges_of(&flipped));
-    s.undo().expect("undone");
+    s.undo_edit().expect("undone");
     s.configure(options(Criterion::Localised))
         .expect("configured");
     assert_eq!(export(&s), before);
-    assert_eq!(s.undo().expect_err("none left").kind, "NothingToUndo");
+    assert_eq!(s.undo_edit().expect_err("none left").kind, "NothingToUndo");
     // The one-shot optimisation is such an edit too.
     let outcome = s.flip(&FlipOptions::default()).expect("flips");
     assert_eq!(outcome.flips, 240);
-    s.undo().expect("undone");
+    s.undo_edit().expect("undone");
     assert_eq!(export(&s), before);
 }
 

@@ -199,6 +199,33 @@
  */
 
 /**
+ * Options of `fill`, hole filling and blending.
+ * @typedef {object} FillOptions
+ * @property {'all' | number[]} [loops]  boundary loops by number, from 0 (default all)
+ * @property {boolean} [connect]      one patch connects the loops, instead of one closing each
+ * @property {number} [maxVertices]   new vertices at most (default 200,000)
+ */
+
+/**
+ * What `fill` answers; `loaded` then tells the new mesh, in which what was there keeps its
+ * numbers. `umbilic fill` prints it without `firstVertex`, with `info` and what `--fair` did.
+ * @typedef {object} Filled
+ * @property {number[]} loops       those that are no more, by the numbers they had
+ * @property {number} verticesAdded
+ * @property {number} facesAdded
+ * @property {number} firstVertex   the first new vertex; the next flow moves it and those after it
+ * @property {string[]} warnings
+ */
+
+/**
+ * One of the `boundaryLoops`.
+ * @typedef {object} BoundaryLoop
+ * @property {number} edges
+ * @property {number} length
+ * @property {number[]} vertices  in order
+ */
+
+/**
  * What `configure` answers.
  * @typedef {object} Configured
  * @property {number} freeVertices

@@ -138,7 +138,7 @@ const actions = {
     return state;
   },
   adopt: () => session.adopt(),
-  undo: () => session.undo(),
+  undo: () => session.undoEdit(),
   conjecture: () => session.conjecture(),
   quadrilateral: ({ corners }) => session.quadrilateral(corners),
   lab: ({ pairs }) => session.lab(pairs),

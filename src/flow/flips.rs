@@ -171,6 +171,14 @@ impl FlipFlow {
         self.before = self.clock().saturating_sub(self.per_step);
     }
 
+    /// To a number of flips, from before or after it.
+    fn seek(&mut self, goal: usize) {
+        self.rewind(goal);
+        if self.clock() < goal {
+            self.advance(goal);
+        }
+    }
+
     fn end(&self) -> String {
         let what = match self.runs[0].criterion() {
             Criterion::Area => "the area",
@@ -265,13 +273,12 @@ impl Flow for FlipFlow {
 
     fn set_pace(&mut self, pace: Pace) {
         if let Pace::Flips(clock) = pace {
-            self.rewind(clock);
+            self.seek(clock);
         }
     }
 
     fn set_clock(&mut self, step: usize, _: f64) {
-        self.rewind(step);
-        self.advance(step);
+        self.seek(step);
     }
 
     fn extend_budget(&mut self) {}

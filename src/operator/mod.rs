@@ -3,6 +3,7 @@
 pub mod dual;
 pub mod element;
 pub mod laplacian;
+pub mod polyharmonic;
 
 pub use dual::{Dual, DualVec};
 pub use element::{Elements, Node};

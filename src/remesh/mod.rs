@@ -1,6 +1,7 @@
-//! Better meshes of the same surface.
+//! Better meshes of the same surface, and surfaces where there were holes.
 
 pub mod conformal;
+pub mod fill;
 pub mod flips;
 pub mod static_pass;
 

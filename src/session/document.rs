@@ -69,14 +69,12 @@ impl Document {
         drop(soup);
         warnings.extend(repairs);
         let polygons = Rc::new(polygons);
-        let triangles = if polygons.is_triangular() {
-            Rc::clone(&polygons)
-        } else {
+        let triangles = triangulated(&polygons, &start)?;
+        if !polygons.is_triangular() {
             let larger = polygons
                 .faces()
                 .filter(|&f| polygons.face_vertices(f).count() > 3)
                 .count();
-            let cut = mesh::triangulate(&polygons.to_soup(&start));
             let how = if larger == polygons.n_faces() && Elements::of(&polygons).is_some() {
                 "the p-Willmore flow keeps them, other flows work on a triangulated copy"
             } else {
@@ -87,8 +85,7 @@ impl Document {
                  original faces.",
                 counted(larger, "face", "faces")
             ));
-            Rc::new(mesh::build(&cut)?.mesh)
-        };
+        }
         let frame = Frame::of(&start);
         frame.enter(&mut start);
         let document = Self {
@@ -142,4 +139,16 @@ impl Document {
     pub(super) fn info(&self) -> Info {
         Info::of(&self.polygons, &self.start, &self.warnings)
     }
+}
+
+/// The same surface with triangles only; the mesh itself if it has no others.
+pub(super) fn triangulated(
+    polygons: &Rc<HalfedgeMesh>,
+    x: &[DVec3],
+) -> Result<Rc<HalfedgeMesh>, Fault> {
+    if polygons.is_triangular() {
+        return Ok(Rc::clone(polygons));
+    }
+    let cut = mesh::triangulate(&polygons.to_soup(x));
+    Ok(Rc::new(mesh::build(&cut)?.mesh))
 }

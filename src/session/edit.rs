@@ -2,34 +2,40 @@
 
 use super::document::Document;
 use super::fault::Fault;
-use super::work::Work;
+use super::work::{Suspended, Work};
 use super::{Loaded, Session};
+use crate::flow::options::FlowOptions;
 use crate::mesh::HalfedgeMesh;
 use std::rc::Rc;
 
-/// Edits that can be undone; each keeps the positions of its mesh.
-const MAX_EARLIER: usize = 20;
+/// Edits that can be undone.
+const MAX_EDITS: usize = 8;
 
-impl Work {
-    /// Puts another document in place; the one before can be had again.
-    pub(super) fn replace(&mut self, document: Document) {
-        let before = std::mem::replace(&mut self.document, document);
-        self.earlier.push(before);
-        if self.earlier.len() > MAX_EARLIER {
-            self.earlier.remove(0);
+/// What was there before each edit, oldest first.
+#[derive(Default)]
+pub(super) struct Edits(Vec<Suspended>);
+
+impl Edits {
+    fn push(&mut self, before: Suspended) {
+        if self.0.len() == MAX_EDITS {
+            self.0.remove(0);
         }
-        self.restart(self.document.start.clone());
+        self.0.push(before);
     }
 
+    /// Forgets all of them, as the mesh is another.
+    pub(super) fn clear(&mut self) {
+        self.0.clear();
+    }
+}
+
+impl Work {
     /// The surface as it is now, as a document of its own.
     pub(super) fn present(&self) -> Document {
         let mut document = self.document.clone();
         document.start.clone_from(&self.x);
-        if self
-            .flow
-            .as_ref()
-            .is_some_and(|flow| flow.flips().is_some())
-        {
+        let flow = self.flow.as_ref();
+        if flow.is_some_and(|flow| flow.flips().is_some()) {
             let mesh = Rc::new(HalfedgeMesh::clone(self.triangles()));
             document.polygons = Rc::clone(&mesh);
             document.triangles = mesh;
@@ -39,32 +45,62 @@ impl Work {
 }
 
 impl Session {
+    /// Replaces the mesh by an edited one; on a failure nothing has changed. The flow's
+    /// options stay, less a selection of vertices that `edit` has one of its own for.
+    pub(super) fn edit<T>(
+        &mut self,
+        edit: impl FnOnce(&Work) -> Result<(Document, T), Fault>,
+    ) -> Result<T, Fault> {
+        let (document, outcome) = edit(self.work()?)?;
+        let Some(before) = self.work.take() else {
+            return Err(Fault::no_mesh());
+        };
+        let mut options = before.options.clone();
+        if document.free.is_some() || document.fixed.is_some() {
+            options = FlowOptions {
+                free: None,
+                fixed: None,
+                ..options
+            };
+        }
+        let x = document.start.clone();
+        let mut work = Work::new(document, x);
+        work.options = options;
+        work.arrangement = before.arrangement;
+        self.work = Some(work);
+        self.edits.push(before.suspend());
+        Ok(outcome)
+    }
+
     /// Makes the surface as it is now, connectivity and positions, the start of what comes.
+    /// [`undo_edit`](Self::undo_edit) undoes it.
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn adopt(&mut self) -> Result<Loaded, Fault> {
-        let work = self.work_mut()?;
-        work.replace(work.present());
-        Ok(Loaded::of(&work.document))
+        self.edit(|work| Ok((work.present(), ())))?;
+        self.loaded()
     }
 
-    /// Takes the last edit back: [`adopt`](Self::adopt), or whatever else made another mesh.
+    /// Whether there is an edit to undo.
+    pub fn can_undo_edit(&self) -> bool {
+        !self.edits.0.is_empty()
+    }
+
+    /// Undoes the last edit, a fill, edge flips or a surface that was kept: mesh, positions,
+    /// flow, history and reports are those before it, bit for bit.
     ///
     /// # Errors
-    /// If there is none.
-    pub fn undo(&mut self) -> Result<Loaded, Fault> {
-        let work = self.work_mut()?;
-        let Some(document) = work.earlier.pop() else {
-            let hint = "Open the mesh again to begin anew.";
+    /// `NothingToUndo`.
+    pub fn undo_edit(&mut self) -> Result<Loaded, Fault> {
+        let Some(before) = self.edits.0.pop() else {
             return Err(Fault::new(
                 "NothingToUndo",
                 "there is no edit to undo",
-                hint,
+                "A fill or edge flips can be undone once they are done.",
             ));
         };
-        work.document = document;
-        work.restart(work.document.start.clone());
-        Ok(Loaded::of(&work.document))
+        self.work = Some(before.resume(self.progress.clone()));
+        self.loaded()
     }
 }

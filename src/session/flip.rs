@@ -51,14 +51,15 @@ pub struct FlipOutcome {
 }
 
 impl Work {
-    /// Optimises the connectivity; the positions stay, and what was done before is forgotten.
-    pub(super) fn flip(&mut self, options: &FlipOptions) -> Result<FlipOutcome, Fault> {
-        let mesh = &self.document.polygons;
+    /// A document with its connectivity optimised, which starts at the positions as they are.
+    pub(super) fn flipped(&self, options: &FlipOptions) -> Result<(Document, FlipOutcome), Fault> {
+        let present = self.present();
+        let mesh = &present.polygons;
         if let Some((face, corners)) = first_polygon(mesh) {
             return Err(FlowError::NotTriangular { face, corners }.into());
         }
         let copy = HalfedgeMesh::clone(mesh);
-        let x = Rc::new(std::mem::take(&mut self.x));
+        let x = Rc::new(self.x.clone());
         let mut optimiser =
             FlipOptimiser::new(copy, Rc::clone(&x), options.criterion, options.guard_folds);
         let costs = |optimiser: &FlipOptimiser| Costs {
@@ -76,14 +77,12 @@ impl Work {
             history: options.history.then(|| history(optimiser.made())),
         };
         let mesh = Rc::new(optimiser.into_mesh());
-        let x = Rc::unwrap_or_clone(x);
-        self.replace(Document {
+        let document = Document {
             polygons: Rc::clone(&mesh),
             triangles: mesh,
-            start: x,
-            ..self.document.clone()
-        });
-        Ok(outcome)
+            ..present
+        };
+        Ok((document, outcome))
     }
 }
 

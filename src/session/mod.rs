@@ -8,6 +8,7 @@ mod document;
 mod edit;
 mod fault;
 mod field;
+mod fill;
 mod flip;
 mod history;
 mod pane;
@@ -19,6 +20,7 @@ pub use crate::remesh::static_pass::Settings as RegulariseOptions;
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
+pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
 pub use pane::{Arrangement, Compare, Curves, Pane};
 pub use readings::{EnergyReadings, Info, State};
@@ -28,9 +30,11 @@ use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
 use crate::io::Format;
 use crate::mesh::shape;
+use crate::remesh::fill::FillProgress;
 use crate::remesh::flips::lab::Lab;
 use crate::remesh::static_pass::Outcome;
 use document::Document;
+use edit::Edits;
 use glam::DVec3;
 use work::Work;
 
@@ -78,6 +82,7 @@ impl Loaded {
 pub struct Session {
     work: Option<Work>,
     lab: Option<Lab>,
+    edits: Edits,
     progress: Option<Progress>,
 }
 
@@ -109,7 +114,7 @@ impl Session {
     /// What is wrong with the file and where; the mesh loaded before stays.
     pub fn load(&mut self, bytes: &[u8], file_name: &str) -> Result<Loaded, Fault> {
         let document = Document::from_file(bytes, file_name)?;
-        Ok(self.open(document))
+        self.open(document)
     }
 
     /// Loads a sample shape by name; parameters not given take their defaults.
@@ -118,17 +123,25 @@ impl Session {
     /// Unknown names and values out of range; the mesh loaded before stays.
     pub fn sample(&mut self, name: &str, values: &[(String, f64)]) -> Result<Loaded, Fault> {
         let document = Document::from_sample(name, shape::make(name, values)?)?;
-        Ok(self.open(document))
+        self.open(document)
     }
 
-    fn open(&mut self, document: Document) -> Loaded {
+    fn open(&mut self, document: Document) -> Result<Loaded, Fault> {
         let x = document.start.clone();
-        let loaded = Loaded::of(&document);
         let arrangement = self.work.as_ref().map(|work| work.arrangement);
         let mut work = Work::new(document, x);
         work.arrangement = arrangement.unwrap_or_default();
         self.work = Some(work);
-        loaded
+        self.edits.clear();
+        self.loaded()
+    }
+
+    /// The mesh as it is now, as after loading it.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn loaded(&self) -> Result<Loaded, Fault> {
+        Ok(Loaded::of(&self.work()?.present()))
     }
 
     /// Chooses flow and parameters and goes back to the start.
@@ -182,11 +195,35 @@ impl Session {
     }
 
     /// Optimises the connectivity by edge flips; the surface as it is now becomes the start.
+    /// [`undo_edit`](Self::undo_edit) undoes it.
     ///
     /// # Errors
     /// Meshes with faces other than triangles; the mesh stays as it was.
     pub fn flip(&mut self, options: &FlipOptions) -> Result<FlipOutcome, Fault> {
-        self.work_mut()?.flip(options)
+        self.edit(|work| work.flipped(options))
+    }
+
+    /// The boundary loops of the surface as it is now, in the order of their numbers.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn boundary_loops(&self) -> Result<Vec<LoopInfo>, Fault> {
+        Ok(self.work()?.boundary_loops())
+    }
+
+    /// Fills holes, or connects boundary loops by one patch. The surface as it is now, with
+    /// the patches, becomes the start, and the new vertices are those that the next flow
+    /// moves. [`undo_edit`](Self::undo_edit) undoes it. `progress` is told a stage and the
+    /// share done; breaking cancels.
+    ///
+    /// # Errors
+    /// See [`crate::remesh::fill::FillError`]; the mesh stays as it was.
+    pub fn fill(
+        &mut self,
+        options: &FillOptions,
+        progress: FillProgress<'_>,
+    ) -> Result<FillOutcome, Fault> {
+        self.edit(|work| work.filled(options, progress))
     }
 
     /// Goes one step back, if an earlier state is stored.

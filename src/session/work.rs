@@ -9,7 +9,7 @@ use super::readings::{Info, State};
 use crate::flow::flips::FlipFlow;
 use crate::flow::options::FlowOptions;
 use crate::flow::stop::Verdict;
-use crate::flow::{self, Flow, FlowError, Progress, Status, StepReport, p_willmore};
+use crate::flow::{self, Flow, FlowError, Pace, Progress, Status, StepReport, p_willmore};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::operator::Elements;
@@ -44,8 +44,6 @@ pub(super) struct Work {
     pub(super) state: State,
     pub(super) reports: Vec<StepReport>,
     history: History,
-    /// What was there before each edit, oldest first.
-    pub(super) earlier: Vec<Document>,
     pub(super) arrangement: Arrangement,
 }
 
@@ -59,7 +57,6 @@ impl Work {
             state: State::default(),
             reports: Vec::new(),
             history: History::default(),
-            earlier: Vec::new(),
             arrangement: Arrangement::default(),
         }
     }
@@ -76,13 +73,10 @@ impl Work {
         flips.map_or(&*self.document.triangles, |flips| flips.runs()[0].mesh())
     }
 
-    /// Forgets flow, history and reports; the next configuration starts at `x`.
-    pub(super) fn restart(&mut self, x: Vec<DVec3>) {
-        self.flow = None;
-        self.x = x;
-        self.state = State::default();
-        self.reports.clear();
-        self.history = History::default();
+    /// Lets go of the flow, whose factors are large, but not of what it takes to go on.
+    pub(super) fn suspend(mut self) -> Suspended {
+        let pace = self.flow.take().map(|flow| flow.pace());
+        Suspended { work: self, pace }
     }
 
     pub(super) fn configure(
@@ -300,5 +294,31 @@ impl Work {
         self.state.dt = flow.dt();
         self.state.tau = flow.tau();
         self.state.can_step_back = !self.history.is_empty();
+    }
+}
+
+/// A document whose flow can be started where it stood.
+pub(super) struct Suspended {
+    work: Work,
+    pace: Option<Pace>,
+}
+
+impl Suspended {
+    /// Puts everything back as it was.
+    pub(super) fn resume(self, progress: Option<Progress>) -> Work {
+        let Self { mut work, pace } = self;
+        let Some(pace) = pace else { return work };
+        let (document, options) = (&work.document, work.options.clone());
+        let mut start = document.start.clone();
+        // It started from here before; if memory is short now, the next step will say so.
+        if let Ok(mut flow) =
+            flow::start(&document.triangles, &document.polygons, &mut start, options)
+        {
+            flow.set_pace(pace);
+            flow.set_progress(progress);
+            work.flow = Some(flow);
+            work.arrange(work.arrangement);
+        }
+        work
     }
 }

@@ -2,10 +2,10 @@
 //!
 //! Conversions only. Every refusal is thrown as a `Fault` of `www/protocol.js`.
 
+#[cfg(all(feature = "solver", target_arch = "wasm32"))]
+mod edit;
 #[cfg(target_arch = "wasm32")]
 mod fault;
-#[cfg(all(feature = "solver", target_arch = "wasm32"))]
-mod flips;
 #[cfg(target_arch = "wasm32")]
 mod panic;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]

@@ -77,6 +77,7 @@ fn every_shape_is_the_manifold_it_should_be() {
         ("disk",                    817,  1536,   1,  1, true),
         ("hyperbolic-paraboloid",   625,  1152,   1,  1, true),
         ("monkey-saddle",           817,  1536,   1,  1, true),
+        ("tubes",                  1560,  2880,   0,  6, true),
     ];
     assert_eq!(
         expected.map(|row| row.0).to_vec(),
@@ -93,7 +94,7 @@ fn every_shape_is_the_manifold_it_should_be() {
         let expected = Topology {
             euler,
             loops,
-            components: 1,
+            components: if name == "tubes" { 3 } else { 1 },
             orientable,
             oriented: orientable,
         };
@@ -101,8 +102,10 @@ fn every_shape_is_the_manifold_it_should_be() {
         if orientable && loops == 0 {
             assert!(volume(&soup) > 0.0, "{name} is inside out");
         }
+        // Starts for edge flips have bad triangles on purpose.
+        let least = if name == "sampled-torus" { 0.5 } else { 2.0 };
         assert!(
-            smallest_angle(&soup) > 2.0,
+            smallest_angle(&soup) > least,
             "{name}: {}°",
             smallest_angle(&soup)
         );

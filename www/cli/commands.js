@@ -3,6 +3,7 @@
 
 import { bench } from "./bench.js";
 import { energy } from "./energy.js";
+import { fill } from "./fill.js";
 import { flips } from "./flips.js";
 import { flow } from "./flow.js";
 import { info } from "./info.js";
@@ -26,10 +27,10 @@ import { shape } from "./shape.js";
  */
 
 /** @type {Record<string, Command>} */
-export const commands = { info, energy, flow, flips, regularise, shape, bench };
+export const commands = { info, energy, flow, flips, regularise, fill, shape, bench };
 
-/** Named by the design, in a coming version. */
-export const laterCommands = ["fill"];
+/** Named by the design, in a coming version. @type {string[]} */
+export const laterCommands = [];
 
 /** @returns {string} */
 export function overview() {

@@ -231,7 +231,7 @@ function positive(values, name) {
  * @returns {{ status: string, message: string, steps: StepReport[],
  *             fault?: { kind: string, hint: string } }}
  */
-function runSteps(session, limit = Infinity, onStep) {
+export function runSteps(session, limit = Infinity, onStep) {
   /** @type {StepReport[]} */
   const steps = [];
   try {

@@ -23,6 +23,7 @@ pub mod scan;
 pub mod scar;
 pub mod sphere;
 pub mod torus;
+pub mod tubes;
 
 use serde::Serialize;
 

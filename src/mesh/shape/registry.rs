@@ -3,7 +3,9 @@
 use glam::DVec3;
 
 use super::{Parameter, Sample, Shape};
-use super::{blocks, hole, knot, one_sided, patch, platonic, rough, scan, scar, sphere, torus};
+use super::{
+    blocks, hole, knot, one_sided, patch, platonic, rough, scan, scar, sphere, torus, tubes,
+};
 use crate::mesh::subdivide::linear_levels;
 use crate::soup::PolygonSoup;
 
@@ -343,6 +345,18 @@ pub(super) static SHAPES: &[Shape] = &[
         label: "Monkey saddle",
         parameters: &[RINGS, HEIGHT],
         build: |v| Ok(patch::monkey_saddle(n(v[0]), v[1]).into()),
+    },
+    Shape {
+        name: "tubes",
+        label: "Tubes to be blended",
+        parameters: &[
+            count("count", "Tubes", 3, 2, 6),
+            real("radius", "Radius", 0.5, 0.05, 0.9),
+            real("length", "Length", 1.0, 0.05, 10.0),
+            count("around", "Steps around", 40, 3, 400),
+            count("along", "Steps along", 12, 1, 200),
+        ],
+        build: |v| Ok(tubes::tubes(n(v[0]), v[1], v[2], n(v[3]), n(v[4]))?.into()),
     },
 ];
 

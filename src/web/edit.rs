@@ -1,10 +1,11 @@
 //! What `Session` can do with connectivity: edge flips, pictures side by side, the
-//! conjecture, edits and their undoing.
+//! conjecture, fills, edits and their undoing.
 
 use super::fault::{fault, object};
 use super::session::{Session, field, floats, from_js, indices, loaded, to_js};
-use crate::session::{Arrangement, ConjectureReport, FlipOptions, Pane};
-use js_sys::Float64Array;
+use crate::session::{Arrangement, ConjectureReport, FillOptions, FlipOptions, Pane};
+use js_sys::{Float64Array, Function};
+use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
 
 fn pane(p: &Pane) -> JsValue {
@@ -36,7 +37,7 @@ fn conjecture(r: &ConjectureReport) -> JsValue {
 #[wasm_bindgen]
 impl Session {
     /// Edge-flip optimisation to the end: `Flipped`. `options` is `{ criterion?, max?,
-    /// guardFolds?, history? }`. The mesh that comes of it becomes the start; `undo` brings
+    /// guardFolds?, history? }`. The mesh that comes of it becomes the start; `undoEdit` brings
     /// back the one before.
     ///
     /// # Errors
@@ -119,11 +120,50 @@ impl Session {
         Ok(loaded(&self.0.adopt()?))
     }
 
-    /// Takes the last edit back: `Loaded`.
+    /// Boundary loops of the surface as it is now: `[{ edges, length, vertices }]`.
     ///
     /// # Errors
-    /// If there is none.
-    pub fn undo(&mut self) -> Result<JsValue, JsValue> {
-        Ok(loaded(&self.0.undo()?))
+    /// Without a mesh.
+    #[wasm_bindgen(js_name = boundaryLoops)]
+    pub fn boundary_loops(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&self.0.boundary_loops()?))
+    }
+
+    /// Fills holes or connects loops: `Filled`. `options` is `{ loops?: 'all' | number[],
+    /// connect?, maxVertices? }`. `callback(stage, share)` is told how far it is; answering
+    /// `false` cancels. What it amounts to is told by `loaded`.
+    ///
+    /// # Errors
+    /// Closed and one-sided surfaces, loops that touch themselves or cannot be connected.
+    pub fn fill(&mut self, options: JsValue, callback: JsValue) -> Result<JsValue, JsValue> {
+        let options: FillOptions = from_js(options)?;
+        let callback = callback.dyn_into::<Function>().ok();
+        let mut progress = |stage: &str, share: f64| {
+            let answer = callback
+                .as_ref()
+                .and_then(|f| f.call2(&JsValue::NULL, &stage.into(), &share.into()).ok());
+            match answer.and_then(|answer| answer.as_bool()) {
+                Some(false) => ControlFlow::Break(()),
+                _ => ControlFlow::Continue(()),
+            }
+        };
+        Ok(to_js(&self.0.fill(&options, &mut progress)?))
+    }
+
+    /// The mesh as it is now: `Loaded`.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    pub fn loaded(&self) -> Result<JsValue, JsValue> {
+        Ok(loaded(&self.0.loaded()?))
+    }
+
+    /// Undoes the last fill or edge flips: `Loaded`.
+    ///
+    /// # Errors
+    /// If there is nothing to undo.
+    #[wasm_bindgen(js_name = undoEdit)]
+    pub fn undo_edit(&mut self) -> Result<JsValue, JsValue> {
+        Ok(loaded(&self.0.undo_edit()?))
     }
 }

@@ -1,0 +1,402 @@
+//! N-sided hole filling and blending: the first surface, which a flow then fairs.
+//!
+//! After Xu & Zhang (2007), Sections 5.1 and 5.2. Each hole is triangulated by least area,
+//! remeshed to the mean edge length of its loop, and drawn into the surface around it by
+//! polyharmonic fills of order 3 ([`crate::operator::polyharmonic`]), so that position,
+//! tangent plane and curvature continue nearly. Several loops can instead be connected by
+//! one patch, which begins as their convex hull.
+//!
+//! Old vertices keep their numbers and positions bit for bit, old faces their numbers and
+//! corners; what is new follows. (Only where the closed result would be inside out all
+//! faces are turned, as [`build`](crate::mesh::build()) does, and a warning says so.) Nothing depends on position,
+//! orientation or size of the mesh.
+
+mod blend;
+mod boundary;
+mod error;
+mod fair;
+mod hull;
+mod minimal_area;
+mod patch;
+mod refine;
+
+pub use boundary::{BoundaryLoop, boundary_loops};
+pub use error::FillError;
+
+use crate::mesh::{Built, HalfedgeMesh, build, counted, triangulate};
+use crate::soup::PolygonSoup;
+use boundary::{Rim, check_simple};
+use fair::{Lowered, ORDER, fair};
+use glam::DVec3;
+use minimal_area::{Outline, Triangulation};
+use patch::Patch;
+use refine::{Smoothing, Target, refine};
+use std::ops::{ControlFlow, Range};
+
+/// Told a stage's name and the share done; breaking ends the fill.
+pub type FillProgress<'a> = &'a mut dyn FnMut(&str, f64) -> ControlFlow<()>;
+
+/// What is filled, and how finely.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FillOptions {
+    /// Numbers of the loops; all if absent.
+    pub loops: Option<Vec<usize>>,
+    /// Whether one patch connects the loops, instead of one patch each.
+    pub connect: bool,
+    /// New vertices at most, of all patches together. Where the loops' own edge lengths ask
+    /// for more, patches are coarser.
+    pub max_vertices: usize,
+}
+
+impl Default for FillOptions {
+    fn default() -> Self {
+        Self {
+            loops: None,
+            connect: false,
+            max_vertices: 200_000,
+        }
+    }
+}
+
+/// A new piece of surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilledPatch {
+    /// The loops it closes or connects.
+    pub loops: Vec<usize>,
+    /// Its new vertices.
+    pub vertices: Range<u32>,
+    /// Its faces.
+    pub faces: Range<u32>,
+    /// Order of the polyharmonic fill; 3 unless a warning says why not.
+    pub order: usize,
+}
+
+/// The filled mesh.
+#[derive(Clone, Debug)]
+pub struct Filled {
+    /// Connectivity: the old faces, of any degree, and the triangles of the patches.
+    pub mesh: HalfedgeMesh,
+    /// Positions.
+    pub positions: Vec<DVec3>,
+    /// The patches in the order of their loops.
+    pub patches: Vec<FilledPatch>,
+    /// What is worth knowing, a sentence each.
+    pub warnings: Vec<String>,
+}
+
+/// Rounds of remeshing of the membrane or hull, and of the curved patch it becomes.
+const ROUNDS: [usize; 2] = [8, 4];
+/// Fills after the second remeshing: each takes its weights from the last.
+const PASSES: usize = 3;
+/// The fill of a hole bulges out of its membrane, and takes more vertices than that.
+const BULGE: f64 = 1.5;
+
+/// A patch takes so many times the vertices it should at most: edge lengths of a loop that
+/// vary wildly must not let it run away.
+const AMPLE: f64 = 4.0;
+
+/// A patch under way.
+struct Job {
+    rim: Rim,
+    patch: Patch,
+    length: f64,
+    most: usize,
+    order: usize,
+    lowered: Option<Lowered>,
+}
+
+/// Fills holes, or connects loops, of a mesh at `x`.
+///
+/// A loop that [touches itself](FillError::TouchingLoop) is left open with a warning if all
+/// loops were asked for.
+///
+/// # Errors
+/// [`FillError`].
+pub fn fill(
+    mesh: &HalfedgeMesh,
+    x: &[DVec3],
+    options: &FillOptions,
+    progress: FillProgress<'_>,
+) -> Result<Filled, FillError> {
+    let mut warnings = Vec::new();
+    let all = boundary_loops(mesh, x);
+    if !mesh.is_oriented() {
+        return Err(FillError::NotOrientable);
+    }
+    let chosen = choose(&all, x, options, &mut warnings)?;
+    let groups: Vec<Vec<usize>> = if options.connect {
+        vec![chosen]
+    } else {
+        chosen.into_iter().map(|index| vec![index]).collect()
+    };
+    let mut jobs = Vec::with_capacity(groups.len());
+    for (done, group) in groups.iter().enumerate() {
+        tell(progress, "triangulate", done as f64 / groups.len() as f64)?;
+        jobs.push(begin(
+            mesh,
+            x,
+            Rim::new(mesh, &all, group.clone()),
+            options,
+        )?);
+    }
+    limit_sizes(&mut jobs, options.max_vertices, &mut warnings);
+
+    let first = if options.connect {
+        Smoothing::Tangential
+    } else {
+        Smoothing::Umbrella
+    };
+    remesh(&mut jobs, ROUNDS[0], first, progress)?;
+    let old = mesh.to_soup(x);
+    let triangles = triangulate(&old);
+    draw_in(&mut jobs, &triangles, 1, progress)?;
+    if !options.connect {
+        remesh(&mut jobs, ROUNDS[1], Smoothing::Tangential, progress)?;
+        draw_in(&mut jobs, &triangles, PASSES, progress)?;
+    }
+    warn_of_orders(&jobs, &mut warnings);
+    finish(old, jobs, warnings)
+}
+
+fn tell(progress: FillProgress<'_>, stage: &str, share: f64) -> Result<(), FillError> {
+    match progress(stage, share) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(FillError::Cancelled),
+    }
+}
+
+/// The loops to fill, checked.
+fn choose(
+    all: &[BoundaryLoop],
+    x: &[DVec3],
+    options: &FillOptions,
+    warnings: &mut Vec<String>,
+) -> Result<Vec<usize>, FillError> {
+    if all.is_empty() {
+        return Err(FillError::NoLoops);
+    }
+    let mut chosen = match &options.loops {
+        Some(loops) => loops.clone(),
+        None => (0..all.len()).collect(),
+    };
+    chosen.sort_unstable();
+    chosen.dedup();
+    if let Some(&index) = chosen.iter().find(|index| **index >= all.len()) {
+        let loops = all.len();
+        return Err(FillError::LoopOutOfRange { index, loops });
+    }
+    let mut touching = None;
+    let mut simple = Vec::with_capacity(chosen.len());
+    for index in chosen {
+        match check_simple(index, &all[index], x) {
+            Ok(()) => simple.push(index),
+            Err(error) if options.loops.is_some() => return Err(error),
+            Err(error) => {
+                warnings.push(format!("Left open: {error}."));
+                touching.get_or_insert(error);
+            }
+        }
+    }
+    if options.connect && simple.len() < 2 {
+        let loops = simple.len();
+        return Err(FillError::TooFewLoops { loops });
+    }
+    match touching {
+        Some(error) if simple.is_empty() => Err(error),
+        _ if simple.is_empty() => Err(FillError::NoLoops),
+        _ => Ok(simple),
+    }
+}
+
+/// The first, coarse patch.
+fn begin(
+    mesh: &HalfedgeMesh,
+    x: &[DVec3],
+    rim: Rim,
+    options: &FillOptions,
+) -> Result<Job, FillError> {
+    let mut points: Vec<DVec3> = rim.vertices.iter().map(|&v| x[v as usize]).collect();
+    let faces = if options.connect {
+        blend::connect(&rim, &points)?
+    } else {
+        let outline = Outline {
+            x: &points,
+            angles: &rim.angles(mesh, x),
+            is_forbidden: &|i, j| rim.is_joined(i, j),
+        };
+        let mut found = Triangulation::default();
+        if rim.is_face(mesh) {
+            outline.fan(&[0, 1, 2], &mut found);
+        } else {
+            found = outline.triangulate();
+        }
+        points.extend(found.middles);
+        found.faces
+    };
+    let (valences, joined) = (rim.valences.clone(), rim.joined.clone());
+    let mut patch = Patch::new(points, faces, valences, joined, rim.mean_edge);
+    if rim.is_face(mesh) {
+        patch.forbid_face();
+    }
+    Ok(Job {
+        patch,
+        length: rim.mean_edge,
+        most: usize::MAX,
+        order: ORDER,
+        lowered: None,
+        rim,
+    })
+}
+
+/// Shares out the number of new vertices, and coarsens where it would be exceeded.
+fn limit_sizes(jobs: &mut [Job], most: usize, warnings: &mut Vec<String>) {
+    let hexagon = 0.5 * 3f64.sqrt();
+    let wanted = |job: &Job| {
+        let vertices = BULGE * job.patch.area() / (hexagon * job.length.powi(2));
+        if vertices.is_finite() { vertices } else { 0.0 }
+    };
+    let total: f64 = jobs.iter().map(wanted).sum();
+    let coarser = (total / most.max(1) as f64).max(1.0);
+    for job in jobs {
+        let share = wanted(job) / total.max(1.0) * most as f64;
+        let ample = AMPLE * wanted(job) + job.patch.x.len() as f64;
+        job.most = if coarser > 1.0 {
+            share
+        } else {
+            ample.min(most as f64)
+        } as usize;
+        job.length *= coarser.sqrt();
+        let n_rim = job.patch.n_rim();
+        job.patch.sizes[n_rim..].fill(job.length);
+    }
+    if coarser > 1.0 {
+        warnings.push(format!(
+            "The loops' edge lengths ask for about {total:.0} new vertices, more than the limit of \
+             {most}: the patches' edges are {:.1} times as long.",
+            coarser.sqrt()
+        ));
+    }
+}
+
+fn remesh(
+    jobs: &mut [Job],
+    rounds: usize,
+    smoothing: Smoothing,
+    progress: FillProgress<'_>,
+) -> Result<(), FillError> {
+    let n = jobs.len() as f64;
+    for (done, job) in jobs.iter_mut().enumerate() {
+        let target = Target {
+            length: job.length,
+            rounds,
+            smoothing,
+            most: job.most,
+        };
+        let tell = &mut |share: f64| progress("remesh", (done as f64 + share) / n);
+        if refine(&mut job.patch, &target, tell).is_break() {
+            return Err(FillError::Cancelled);
+        }
+    }
+    Ok(())
+}
+
+/// Old faces and patches as one soup, and where each patch's new vertices and faces are.
+fn assemble(old: &PolygonSoup, jobs: &[Job]) -> (PolygonSoup, Vec<[Range<u32>; 2]>) {
+    let mut soup = old.clone();
+    let mut ranges = Vec::with_capacity(jobs.len());
+    for Job { rim, patch, .. } in jobs {
+        let (first, first_face) = (soup.positions.len() as u32, soup.n_faces() as u32);
+        let n_rim = patch.n_rim();
+        soup.positions.extend_from_slice(&patch.x[n_rim..]);
+        for face in patch.faces() {
+            soup.push_face(&face.map(|v| match rim.vertices.get(v as usize) {
+                Some(&old) => old,
+                None => first + v - n_rim as u32,
+            }));
+        }
+        let (end, end_face) = (soup.positions.len() as u32, soup.n_faces() as u32);
+        ranges.push([first..end, first_face..end_face]);
+    }
+    (soup, ranges)
+}
+
+/// Fills every patch by the highest order it allows, one after the other.
+fn draw_in(
+    jobs: &mut [Job],
+    triangles: &PolygonSoup,
+    passes: usize,
+    progress: FillProgress<'_>,
+) -> Result<(), FillError> {
+    let (soup, ranges) = assemble(triangles, jobs);
+    let Built {
+        mesh,
+        mut positions,
+        ..
+    } = build(&soup)?;
+    let n = jobs.len() as f64;
+    for (done, (job, [free, _])) in jobs.iter_mut().zip(ranges).enumerate() {
+        tell(progress, "draw in", done as f64 / n)?;
+        let (order, lowered) = fair(&mesh, &mut positions, &free, passes, job.order)?;
+        if order < job.order {
+            (job.order, job.lowered) = (order, lowered);
+        }
+        let n_rim = job.patch.n_rim();
+        let moved = &positions[free.start as usize..free.end as usize];
+        job.patch.x[n_rim..].copy_from_slice(moved);
+    }
+    Ok(())
+}
+
+fn warn_of_orders(jobs: &[Job], warnings: &mut Vec<String>) {
+    for job in jobs {
+        let Some(lowered) = job.lowered else { continue };
+        let why = match lowered {
+            Lowered::NearBoundary => {
+                "there are fewer than three rings of surface around it".to_owned()
+            }
+            Lowered::Size => format!(
+                "it has {}",
+                counted(job.patch.n_free(), "new vertex", "new vertices")
+            ),
+            Lowered::Folds => "a smoother one would fold over".to_owned(),
+            Lowered::Rough => "the surface around it is too rough to be continued".to_owned(),
+        };
+        let how = match job.order {
+            2 => "meets the surface around it with its tangent planes but not its curvature",
+            1 => "meets the surface around it with a kink",
+            _ => "stays a membrane",
+        };
+        let loops: Vec<String> = job.rim.loops.iter().map(usize::to_string).collect();
+        let noun = if loops.len() == 1 { "loop" } else { "loops" };
+        let loops = loops.join(", ");
+        warnings.push(format!("The patch at {noun} {loops} {how}, as {why}."));
+    }
+}
+
+fn finish(
+    old: PolygonSoup,
+    jobs: Vec<Job>,
+    mut warnings: Vec<String>,
+) -> Result<Filled, FillError> {
+    let (soup, ranges) = assemble(&old, &jobs);
+    let Built {
+        mesh,
+        positions,
+        warnings: repairs,
+        ..
+    } = build(&soup)?;
+    debug_assert!(mesh.n_faces() == soup.n_faces() && positions.len() == soup.positions.len());
+    warnings.extend(repairs);
+    let report = |(job, [vertices, faces]): (Job, [Range<u32>; 2])| FilledPatch {
+        loops: job.rim.loops,
+        vertices,
+        faces,
+        order: job.order,
+    };
+    Ok(Filled {
+        mesh,
+        positions,
+        patches: jobs.into_iter().zip(ranges).map(report).collect(),
+        warnings,
+    })
+}

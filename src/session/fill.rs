@@ -1,0 +1,141 @@
+//! Hole filling and blending of the loaded mesh.
+
+use super::document::{Document, triangulated};
+use super::fault::Fault;
+use super::work::Work;
+use crate::mesh::counted;
+use crate::remesh::fill::{self, BoundaryLoop, FillProgress, Filled, boundary_loops};
+use serde::{Deserialize, Serialize};
+use std::rc::Rc;
+
+/// Which loops are filled: the word `all`, or their numbers, counted from 0.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub enum Loops {
+    /// All, by name.
+    #[default]
+    #[serde(skip)]
+    All,
+    /// Some of them.
+    Some(Vec<usize>),
+    /// A word, of which only `all` is known.
+    Word(String),
+}
+
+/// How holes are filled. Unknown names are refused.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct FillOptions {
+    /// Which loops.
+    pub loops: Loops,
+    /// Whether one patch connects them all.
+    pub connect: bool,
+    /// New vertices at most; 200,000 if absent.
+    pub max_vertices: Option<usize>,
+}
+
+/// What the fill did. The new vertices are those from `first_vertex` on, and the free ones
+/// of the next flow.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct FillOutcome {
+    /// The loops that are no more, by the numbers they had.
+    pub loops: Vec<usize>,
+    /// Number of new vertices.
+    pub vertices_added: usize,
+    /// Number of new faces.
+    pub faces_added: usize,
+    /// The first new vertex.
+    pub first_vertex: usize,
+    /// What is worth knowing, a sentence each.
+    pub warnings: Vec<String>,
+}
+
+/// A boundary loop, for people to choose from.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LoopInfo {
+    /// Number of edges, and of vertices.
+    pub edges: usize,
+    /// Sum of the edge lengths.
+    pub length: f64,
+    /// Its vertices in order.
+    pub vertices: Vec<u32>,
+}
+
+impl Work {
+    /// The boundary loops of the surface as it is now.
+    pub(super) fn boundary_loops(&self) -> Vec<LoopInfo> {
+        let info = |BoundaryLoop { vertices, length }: BoundaryLoop| LoopInfo {
+            edges: vertices.len(),
+            length,
+            vertices,
+        };
+        let loops = boundary_loops(self.polygons(), &self.x);
+        loops.into_iter().map(info).collect()
+    }
+
+    /// A document with the holes of the surface as it is now filled.
+    pub(super) fn filled(
+        &self,
+        options: &FillOptions,
+        progress: FillProgress<'_>,
+    ) -> Result<(Document, FillOutcome), Fault> {
+        let loops = match &options.loops {
+            Loops::All => None,
+            Loops::Word(word) if word == "all" => None,
+            Loops::Some(loops) => Some(loops.clone()),
+            Loops::Word(word) => {
+                let message = format!("`{word}` names no boundary loops");
+                return Err(Fault::new(
+                    "BadOption",
+                    message,
+                    "Use all, or a list of numbers.",
+                ));
+            }
+        };
+        let document = self.present();
+        let defaults = fill::FillOptions::default();
+        let settings = fill::FillOptions {
+            loops,
+            connect: options.connect,
+            max_vertices: options.max_vertices.unwrap_or(defaults.max_vertices),
+        };
+        let Filled {
+            mesh,
+            positions,
+            patches,
+            warnings,
+        } = fill::fill(&document.polygons, &self.x, &settings, progress)?;
+        let (n_old, n_new) = (self.x.len(), positions.len() - self.x.len());
+        let outcome = FillOutcome {
+            loops: patches
+                .iter()
+                .flat_map(|p| p.loops.iter().copied())
+                .collect(),
+            vertices_added: n_new,
+            faces_added: mesh.n_faces() - document.polygons.n_faces(),
+            first_vertex: n_old,
+            warnings,
+        };
+        let polygons = Rc::new(mesh);
+        let mut said = document.warnings.clone();
+        said.push(format!(
+            "Filled {} with {}.",
+            counted(outcome.loops.len(), "boundary loop", "boundary loops"),
+            counted(n_new, "new vertex", "new vertices")
+        ));
+        said.extend(outcome.warnings.iter().cloned());
+        let document = Document {
+            name: document.name.clone(),
+            triangles: triangulated(&polygons, &positions)?,
+            polygons,
+            frame: document.frame,
+            start: positions,
+            warnings: said,
+            fixed: None,
+            // Where there is no new vertex, no flow should find that nothing may move.
+            free: (n_new > 0).then(|| (n_old as u32..(n_old + n_new) as u32).collect()),
+        };
+        Ok((document, outcome))
+    }
+}

@@ -1,0 +1,198 @@
+//! Filling as a session does it: the free set, cancelling, undoing.
+#![allow(missing_docs, reason = "tests")]
+
+use std::ops::ControlFlow;
+use umbilic::flow::options::FlowOptions;
+use umbilic::io::Format;
+use umbilic::remesh::fill::FillProgress;
+use umbilic::session::{Fault, FillOptions, FillOutcome, FlipOptions, Loops, Session};
+
+fn session(name: &str, values: &[(&str, f64)]) -> Session {
+    let values: Vec<(String, f64)> = values.iter().map(|&(n, v)| (n.into(), v)).collect();
+    let mut session = Session::new();
+    session.sample(name, &values).expect("a shape");
+    session
+}
+
+fn fill(session: &mut Session, options: &FillOptions) -> Result<FillOutcome, Fault> {
+    let go_on: FillProgress<'_> = &mut |_, _| ControlFlow::Continue(());
+    session.fill(options, go_on)
+}
+
+/// Everything a session tells of its mesh and its run.
+fn everything(session: &Session) -> impl PartialEq + std::fmt::Debug + use<> {
+    let reports = session.reports().expect("reports");
+    (
+        session.export(Format::Ply).expect("exported"),
+        session.loaded().expect("a mesh"),
+        session.state().expect("a state"),
+        // All their numbers: they are printed so that they can be read back.
+        format!("{reports:?}"),
+        session.held_vertices().expect("a selection"),
+    )
+}
+
+#[test]
+fn the_next_flow_moves_the_new_vertices_only() {
+    let mut s = session("monkey-saddle", &[]);
+    let before = s.positions().expect("positions");
+    let n = before.len() / 3;
+    let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
+    assert_eq!(
+        (outcome.loops.as_slice(), outcome.first_vertex),
+        (&[0][..], n)
+    );
+    let info = s.info().expect("a mesh");
+    assert!(info.closed && info.genus == Some(0));
+    assert_eq!(info.vertices, n + outcome.vertices_added);
+    assert!(
+        info.warnings
+            .iter()
+            .any(|w| w.starts_with("Filled 1 boundary loop"))
+    );
+    // Whatever was asked of the flow before.
+    let configured = s.configure(FlowOptions::default()).expect("configured");
+    assert_eq!(configured.free_vertices, outcome.vertices_added);
+    let held = s.held_vertices().expect("a selection");
+    assert!(held[..n].iter().all(|&h| h == 1) && held[n..].iter().all(|&h| h == 0));
+    let start = s.positions().expect("positions");
+    s.run(5).expect("steps");
+    let after = s.positions().expect("positions");
+    assert_eq!(after[..3 * n], before[..]);
+    assert_ne!(after[3 * n..], start[3 * n..]);
+}
+
+#[test]
+fn a_selection_from_before_does_not_outlive_the_fill() {
+    let mut s = session("hemisphere", &[]);
+    s.configure(FlowOptions::default()).expect("configured");
+    let held = s.held_vertices().expect("a selection");
+    let inner = held.iter().position(|h| *h == 0).expect("a free vertex");
+    let options = FlowOptions {
+        free: Some(vec![inner as u32]),
+        ..FlowOptions::default()
+    };
+    s.configure(options).expect("configured");
+    let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
+    s.reset().expect("reset");
+    let free = s
+        .held_vertices()
+        .expect("a selection")
+        .iter()
+        .filter(|h| **h == 0)
+        .count();
+    assert_eq!(free, outcome.vertices_added);
+}
+
+#[test]
+fn cancelling_and_failing_leave_everything_as_it_was() {
+    let mut s = session("cylinder", &[]);
+    s.run(3).expect("steps");
+    let before = everything(&s);
+    for calls in [0, 3, 9] {
+        let mut left = calls;
+        let stop: FillProgress<'_> = &mut |_, _| {
+            left -= 1;
+            if left < 0 {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        };
+        let fault = s
+            .fill(&FillOptions::default(), stop)
+            .expect_err("cancelled");
+        assert_eq!(fault.kind, "Cancelled");
+        assert!(everything(&s) == before && !s.can_undo_edit(), "{calls}");
+    }
+    for (loops, kind) in [
+        (Loops::Some(vec![7]), "LoopOutOfRange"),
+        (Loops::Word("some".into()), "BadOption"),
+    ] {
+        let options = FillOptions {
+            loops,
+            ..FillOptions::default()
+        };
+        assert_eq!(fill(&mut s, &options).expect_err("refused").kind, kind);
+        assert!(everything(&s) == before);
+    }
+    assert_eq!(
+        Session::new().boundary_loops().expect_err("no mesh").kind,
+        "NoMesh"
+    );
+}
+
+#[test]
+fn undo_restores_a_session_bit_for_bit_and_the_flow_goes_on() {
+    let mut s = session("monkey-saddle", &[("rings", 8.0)]);
+    let mut twin = session("monkey-saddle", &[("rings", 8.0)]);
+    s.run(4).expect("steps");
+    twin.run(4).expect("steps");
+    let before = everything(&s);
+    assert_eq!(s.positions(), twin.positions());
+    fill(&mut s, &FillOptions::default()).expect("filled");
+    s.run(2).expect("steps");
+    assert!(before != everything(&s) && s.can_undo_edit());
+    let loaded = s.undo_edit().expect("undone");
+    assert!(everything(&s) == before && loaded == twin.loaded().expect("a mesh"));
+    assert!(!s.can_undo_edit());
+    // And on as if nothing had been.
+    s.run(1).expect("a step");
+    twin.run(1).expect("a step");
+    assert_eq!(s.positions(), twin.positions());
+    let last = |s: &Session| {
+        s.reports()
+            .expect("reports")
+            .last()
+            .map(|r| (r.step, r.time, r.tau))
+    };
+    assert_eq!(last(&s), last(&twin));
+    s.back().expect("back");
+    twin.back().expect("back");
+    assert_eq!(s.positions(), twin.positions());
+    assert_eq!(s.undo_edit().expect_err("nothing").kind, "NothingToUndo");
+}
+
+#[test]
+fn flips_and_fills_are_undone_in_turn_and_a_new_mesh_forgets_them() {
+    let mut s = session("scar", &[]);
+    let start = everything(&s);
+    let flips = s.flip(&FlipOptions::default()).expect("flips").flips;
+    assert!(flips > 0);
+    s.undo_edit().expect("undone");
+    assert!(everything(&s) == start);
+
+    let mut s = session("cylinder", &[]);
+    let start = everything(&s);
+    let options = FillOptions {
+        loops: Loops::Some(vec![1]),
+        ..FillOptions::default()
+    };
+    fill(&mut s, &options).expect("filled");
+    let half = everything(&s);
+    fill(&mut s, &FillOptions::default()).expect("filled");
+    s.undo_edit().expect("undone");
+    assert!(everything(&s) == half);
+    s.undo_edit().expect("undone");
+    assert!(everything(&s) == start);
+    fill(&mut s, &options).expect("filled");
+    s.sample("disk", &[]).expect("a shape");
+    assert!(!s.can_undo_edit());
+}
+
+#[test]
+fn loops_are_told_in_the_order_of_their_numbers() {
+    let mut s = session("cylinder", &[("around", 30.0)]);
+    let loops = s.boundary_loops().expect("a mesh");
+    assert_eq!(loops.iter().map(|l| l.edges).collect::<Vec<_>>(), [30, 30]);
+    for l in &loops {
+        let polygon = 60.0 * (std::f64::consts::PI / 30.0).sin();
+        assert!((l.length - polygon).abs() < 1e-12 && l.vertices.len() == 30);
+    }
+    let options = FillOptions {
+        loops: Loops::Some(vec![0]),
+        ..FillOptions::default()
+    };
+    fill(&mut s, &options).expect("filled");
+    assert_eq!(s.boundary_loops().expect("a mesh"), loops[1..]);
+}

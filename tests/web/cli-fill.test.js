@@ -1,0 +1,122 @@
+// @ts-check
+// `umbilic fill` as it is started, on the wasm solver as it is shipped. Needs the wasm build.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const program = fileURLToPath(new URL("../../www/cli.js", import.meta.url));
+
+let folder = "";
+before(() => {
+  folder = mkdtempSync(path.join(tmpdir(), "umbilic-"));
+});
+after(() => rmSync(folder, { recursive: true }));
+
+/** @param {string} name */
+const file = (name) => path.join(folder, name);
+
+/** @param {string[]} parameters */
+function umbilic(parameters) {
+  const result = spawnSync(process.execPath, [program, ...parameters], { encoding: "utf8" });
+  return { exit: result.status, out: result.stdout, log: result.stderr };
+}
+
+/**
+ * The JSON of a command.
+ * @param {string[]} parameters
+ * @param {number} [expected]  exit code
+ */
+function json(parameters, expected = 0) {
+  const { exit, out, log } = umbilic([...parameters, "--json"]);
+  assert.equal(exit, expected, `${parameters.join(" ")}\n${out}\n${log}`);
+  return JSON.parse(out);
+}
+
+/**
+ * A sample shape as a file.
+ * @param {string} name
+ * @param {string[]} parameters
+ */
+function shape(name, ...parameters) {
+  const out = file(`${name}.off`);
+  json(["shape", name, ...parameters, "--out", out]);
+  return out;
+}
+
+/**
+ * Lines of an OFF file's vertices and faces.
+ * @param {string} name
+ */
+function lines(name) {
+  const text = readFileSync(name, "utf8").split("\n");
+  const [header, ...rest] = text.filter((line) => line && line !== "OFF" && !line.startsWith("#"));
+  const [vertices, faces] = header.split(" ").map(Number);
+  return { vertices: rest.slice(0, vertices), faces: rest.slice(vertices, vertices + faces) };
+}
+
+test("fill closes a hemisphere and leaves what was there as it was", () => {
+  const [mesh, out] = [shape("hemisphere"), file("closed.off")];
+  const report = json(["fill", mesh, "--out", out]);
+  assert.deepEqual(Object.keys(report), [
+    ...["loops", "verticesAdded", "facesAdded", "warnings", "info"],
+  ]);
+  assert.deepEqual(report.loops, [0]);
+  assert.deepEqual(report.warnings, []);
+  const { info } = report;
+  assert.deepEqual([info.closed, info.genus, info.boundaryLoops], [true, 0, 0]);
+  assert.deepEqual(json(["info", out]).vertices, info.vertices);
+  const [before, after] = [lines(mesh), lines(out)];
+  assert.deepEqual(after.vertices.slice(0, before.vertices.length), before.vertices);
+  assert.deepEqual(after.faces.slice(0, before.faces.length), before.faces);
+  assert.equal(after.vertices.length, before.vertices.length + report.verticesAdded);
+  assert.equal(after.faces.length, before.faces.length + report.facesAdded);
+});
+
+test("fill --loops closes the loops named, --max-vertices bounds the patches", () => {
+  const mesh = shape("cylinder");
+  const one = json(["fill", mesh, "--loops", "1"]);
+  assert.deepEqual([one.loops, one.info.boundaryLoops], [[1], 1]);
+  const both = json(["fill", mesh, "--loops", "0,1"]);
+  assert.deepEqual([both.loops, both.info.closed], [[0, 1], true]);
+  const few = json(["fill", mesh, "--max-vertices", "30"]);
+  assert.ok(few.verticesAdded <= 30 && both.verticesAdded > 30);
+  assert.match(few.warnings[0], /limit of 30/);
+  const words = umbilic(["fill", mesh, "--max-vertices", "30"]);
+  assert.match(words.out, /^2 boundary loops: \d+ new vertices[\s\S]*warning: /);
+});
+
+test("fill --connect blends tubes into one surface", () => {
+  const mesh = shape("tubes", "--count", "2", "--around", "16", "--along", "4");
+  const report = json(["fill", mesh, "--connect", "--loops", "0,2"]);
+  const { components, genus, boundaryLoops } = report.info;
+  assert.deepEqual([components, genus, boundaryLoops], [1, 0, 2]);
+});
+
+test("fill --fair runs a flow on the new vertices only", () => {
+  const [mesh, out] = [shape("hemisphere", "--rings", "8"), file("faired.off")];
+  const plain = json(["fill", mesh, "--out", file("plain.off")]);
+  const report = json(["fill", mesh, "--fair", "circle", "--steps", "5", "--out", out]);
+  assert.equal(report.fair.flow, "circle");
+  assert.ok(report.fair.steps > 0 && report.fair.steps <= 5);
+  assert.equal(report.info.vertices, plain.info.vertices);
+  const [before, after] = [lines(mesh).vertices, lines(out).vertices];
+  assert.deepEqual(after.slice(0, before.length), before);
+  assert.notDeepEqual(after, lines(file("plain.off")).vertices);
+});
+
+test("fill refuses in words", () => {
+  const sphere = shape("icosphere", "--level", "1");
+  assert.equal(json(["fill", sphere], 3).kind, "NoLoops");
+  const cylinder = shape("cylinder");
+  assert.equal(json(["fill", cylinder, "--loops", "5"], 3).kind, "LoopOutOfRange");
+  assert.equal(json(["fill", shape("moebius")], 3).kind, "NotOrientable");
+  assert.equal(json(["fill", shape("disk"), "--connect"], 3).kind, "TooFewLoops");
+  // A single triangle has no room for a flow, but is closed all the same.
+  writeFileSync(file("triangle.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  assert.equal(json(["fill", file("triangle.off")]).info.closed, true);
+});

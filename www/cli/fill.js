@@ -1,0 +1,118 @@
+// @ts-check
+// `umbilic fill`: closes holes or connects boundary loops, and fairs what is new.
+
+import { orExit, usage } from "./failure.js";
+import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
+import { runSteps } from "./flow.js";
+import { number, parse } from "./options.js";
+
+/** @typedef {import("../protocol.js").Filled} Filled */
+/** @typedef {import("../protocol.js").Info} Info */
+/** @typedef {import("./options.js").Values} Values */
+
+const fairings = ["none", "circle", "mean-curvature", "surface-diffusion", "willmore", "mmcv"];
+
+/** @type {import("./options.js").Syntax} */
+const syntax = {
+  summary: "closes holes, or connects boundary loops, and fairs the patches",
+  operands: ["MESH"],
+  options: {
+    loops: { value: "all|0,2", help: "which boundary loops, counted from 0 (default all)" },
+    connect: { help: "connects these loops by one patch instead of closing each" },
+    fair: {
+      value: "FLOW",
+      choices: fairings,
+      help: "a flow that moves the new vertices afterwards (default none)",
+    },
+    steps: { value: "N", help: "at most so many steps of it" },
+    "max-vertices": { value: "N", help: "at most so many new vertices (default 200000)" },
+    out: { value: "FILE", help: "the filled mesh: .obj, .off, .ply, .stl or .glb" },
+  },
+};
+
+/** @type {import("./commands.js").Command} */
+export const fill = {
+  syntax,
+  async run({ parameters, io, open }) {
+    const { operands, values } = parse(parameters, syntax);
+    const maxVertices = number(values, "max-vertices", { low: 0, integer: true });
+    const steps = number(values, "steps", { low: 0, integer: true });
+    const options = {
+      loops: loops(values),
+      connect: values.connect === true,
+      ...(maxVertices !== undefined && { maxVertices }),
+    };
+    const flow = values.fair ?? "none";
+    if (steps !== undefined && flow === "none") throw usage("--steps needs --fair FLOW.");
+    checkOutputs([values.out]);
+    const outFormat = values.out && formatOf(values.out);
+    const { bytes, name } = readMesh(operands[0], io);
+    const session = await open();
+    orExit(3, () => session.load(bytes, name));
+
+    /** @type {Filled} */
+    const { firstVertex, ...filled } = orExit(3, () => session.fill(options, undefined));
+    const { verticesAdded } = filled;
+    const fairing =
+      flow === "none" || verticesAdded === 0
+        ? undefined
+        : fair(session, flow, firstVertex, verticesAdded, steps, io);
+    /** @type {Info} */
+    const info = session.info();
+
+    if (values.out) writeOutput(values.out, session.export(outFormat));
+    const report = { ...filled, ...(fairing && { fair: fairing }), info };
+    if (values.json) io.write(`${JSON.stringify(report)}\n`);
+    else io.write(summary(filled, fairing, info));
+    return fairing?.status === "failed" ? 4 : 0;
+  },
+};
+
+/**
+ * The loops asked for.
+ * @param {Values} values
+ * @returns {"all" | number[]}
+ */
+function loops(values) {
+  const text = values.loops ?? "all";
+  if (text === "all") return text;
+  const parts = text.split(",");
+  if (parts.every((/** @type {string} */ part) => /^\d+$/.test(part.trim()))) {
+    return parts.map(Number);
+  }
+  throw usage(`--loops is \`${text}\`, not all, or numbers like 0,2.`);
+}
+
+/**
+ * Runs a flow on the new vertices.
+ * @param {import("./solver.js").Session} session
+ * @param {string} flow
+ * @param {number} first
+ * @param {number} count
+ * @param {number | undefined} maxSteps
+ * @param {import("./terminal.js").Terminal} io
+ */
+function fair(session, flow, first, count, maxSteps, io) {
+  const free = Array.from({ length: count }, (_, i) => first + i);
+  const options = { flow, boundary: "fixed", free, ...(maxSteps !== undefined && { maxSteps }) };
+  orExit(3, () => session.configure(options));
+  const { status, message, steps } = runSteps(session, maxSteps, ({ step, energy }) =>
+    io.log(`step ${step}  energy ${energy}`),
+  );
+  return { flow, status, message, steps: steps.length };
+}
+
+/**
+ * @param {Omit<Filled, "firstVertex">} filled
+ * @param {ReturnType<typeof fair> | undefined} fairing
+ * @param {Info} info
+ */
+function summary({ loops, verticesAdded, facesAdded, warnings }, fairing, info) {
+  const lines = [
+    `${loops.length} boundary loops: ${verticesAdded} new vertices, ${facesAdded} new faces`,
+    ...(fairing ? [`${fairing.flow}: ${fairing.status} after ${fairing.steps} steps`] : []),
+    `${info.boundaryLoops} boundary loops left`,
+    ...warnings.map((warning) => `warning: ${warning}`),
+  ];
+  return `${lines.join("\n")}\n`;
+}
