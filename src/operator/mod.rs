@@ -2,8 +2,10 @@
 
 pub mod dual;
 pub mod element;
+pub mod fitted;
 pub mod laplacian;
 
 pub use dual::{Dual, DualVec};
 pub use element::{Elements, Node};
+pub use fitted::FittedOperators;
 pub use laplacian::Laplacian;

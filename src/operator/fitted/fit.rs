@@ -1,0 +1,224 @@
+//! One weighted least-squares fit of a quadratic through its centre.
+
+use glam::{DVec2, DVec3};
+
+/// Derivatives fitted: f_u, f_v, f_uu, f_uv, f_vv.
+const N: usize = 5;
+
+/// Columns shorter than this share of the longest in their place lie in the span of the
+/// others: the neighbours are in special position.
+const RANK: f64 = 1e-9;
+
+/// Weights that give the five derivatives from differences f_j − f_i.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Fit {
+    rows: Vec<[f64; N]>,
+    triangle: [[f64; N]; N],
+}
+
+impl Fit {
+    /// Fits to neighbours at `parameters`, each with the weight 1/d^`power`, d its distance.
+    /// `None` if they do not determine a quadratic.
+    ///
+    /// By Gram–Schmidt with a second pass: as orthogonal as Householder's reflections on
+    /// the few well-scaled columns there are, and without a singular value decomposition a
+    /// vertex.
+    pub(super) fn compute(&mut self, parameters: &[DVec2], power: i32) -> Option<()> {
+        if parameters.len() < N {
+            return None;
+        }
+        let distance = |p: &DVec2| p.length();
+        let h = parameters.iter().map(distance).sum::<f64>() / parameters.len() as f64;
+        // Scaled by h: the condition does not depend on the unit.
+        let weight = |p: &DVec2| (h / p.length()).powi(power);
+        self.rows.clear();
+        self.rows.extend(parameters.iter().map(|p| {
+            let (u, v) = (p.x / h, p.y / h);
+            let row = [u, v, 0.5 * u * u, u * v, 0.5 * v * v];
+            row.map(|c| c * weight(p))
+        }));
+        self.triangle = [[0.0; N]; N];
+        for k in 0..N {
+            let before = self.column_norm(k);
+            for _ in 0..2 {
+                for i in 0..k {
+                    let along: f64 = self.rows.iter().map(|row| row[i] * row[k]).sum();
+                    self.rows
+                        .iter_mut()
+                        .for_each(|row| row[k] -= along * row[i]);
+                    self.triangle[i][k] += along;
+                }
+            }
+            let norm = self.column_norm(k);
+            // Also refuses what is not a number.
+            if !(norm > RANK * before) {
+                return None;
+            }
+            self.rows.iter_mut().for_each(|row| row[k] /= norm);
+            self.triangle[k][k] = norm;
+        }
+        // R⁻¹ Qᵀ W, in units of h.
+        let scale = [h, h, h * h, h * h, h * h];
+        for (row, p) in self.rows.iter_mut().zip(parameters) {
+            for i in (0..N).rev() {
+                for k in i + 1..N {
+                    row[i] -= self.triangle[i][k] * row[k];
+                }
+                row[i] /= self.triangle[i][i];
+            }
+            let weight = weight(p);
+            row.iter_mut()
+                .zip(scale)
+                .for_each(|(c, s)| *c *= weight / s);
+        }
+        Some(())
+    }
+
+    fn column_norm(&self, k: usize) -> f64 {
+        self.rows
+            .iter()
+            .map(|row| row[k] * row[k])
+            .sum::<f64>()
+            .sqrt()
+    }
+
+    /// Ratio of the largest to the smallest singular value of the weighted, scaled rows;
+    /// good to a few digits up to 10⁶.
+    pub(super) fn condition(&self) -> f64 {
+        let r = &self.triangle;
+        let mut gram = [[0.0; N]; N];
+        for (i, row) in gram.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                *entry = (0..N).map(|k| r[k][i] * r[k][j]).sum();
+            }
+        }
+        let eigenvalues = jacobi(gram);
+        let largest = eigenvalues.iter().fold(0.0, |a: f64, &b| a.max(b));
+        let smallest = eigenvalues.iter().fold(largest, |a, &b| a.min(b));
+        (largest / smallest.max(f64::MIN_POSITIVE)).sqrt()
+    }
+
+    /// Weights of the derivatives, a row a neighbour.
+    pub(super) fn functionals(&self) -> impl Iterator<Item = [f64; N]> + '_ {
+        self.rows.iter().copied()
+    }
+
+    /// Derivatives of a vector-valued function with these differences to its centre.
+    pub(super) fn derivatives(&self, differences: impl Iterator<Item = DVec3>) -> [DVec3; N] {
+        let mut sums = [DVec3::ZERO; N];
+        for (row, difference) in self.rows.iter().zip(differences) {
+            for (sum, weight) in sums.iter_mut().zip(row) {
+                *sum += *weight * difference;
+            }
+        }
+        sums
+    }
+}
+
+/// Eigenvalues of a symmetric matrix by cyclic Jacobi rotations.
+fn jacobi(mut a: [[f64; N]; N]) -> [f64; N] {
+    for _ in 0..12 {
+        let (mut off, mut diagonal) = (0.0, 0.0);
+        for i in 0..N {
+            diagonal += a[i][i] * a[i][i];
+            off += (0..i).map(|j| a[i][j] * a[i][j]).sum::<f64>();
+        }
+        if off <= 1e-20 * diagonal {
+            break;
+        }
+        for p in 0..N {
+            for q in p + 1..N {
+                if a[p][q] == 0.0 {
+                    continue;
+                }
+                let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+                let t = 1f64.copysign(theta) / (theta.abs() + theta.hypot(1.0));
+                let c = 1.0 / t.hypot(1.0);
+                let s = t * c;
+                for row in &mut a {
+                    (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
+                }
+                for k in 0..N {
+                    (a[p][k], a[q][k]) = (c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]);
+                }
+            }
+        }
+    }
+    std::array::from_fn(|i| a[i][i])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scattered(m: usize) -> Vec<DVec2> {
+        let angle = |k: usize| 1.1 * k as f64 + 0.3 * (k as f64).sin();
+        let radius = |k: usize| 0.02 * (1.0 + 0.3 * (2.0 * k as f64).cos());
+        (0..m)
+            .map(|k| radius(k) * DVec2::from_angle(angle(k)))
+            .collect()
+    }
+
+    #[test]
+    fn quadratics_are_reproduced() {
+        let wanted = [0.7, -1.3, 2.0, 0.4, -3.0];
+        for (m, power) in [(5, 1), (6, 1), (9, 2)] {
+            let parameters = scattered(m);
+            let mut fit = Fit::default();
+            fit.compute(&parameters, power).expect("a fit");
+            let values = parameters.iter().map(|p| {
+                let (u, v) = (p.x, p.y);
+                let f = wanted[0] * u + wanted[1] * v + 0.5 * wanted[2] * u * u;
+                DVec3::splat(f + wanted[3] * u * v + 0.5 * wanted[4] * v * v)
+            });
+            for (found, wanted) in fit.derivatives(values).iter().zip(wanted) {
+                assert!((found.x - wanted).abs() < 1e-11, "{m}: {found} {wanted}");
+            }
+        }
+    }
+
+    #[test]
+    fn weights_are_those_of_the_normal_equations() {
+        let (parameters, power) = (scattered(8), 2);
+        let mut fit = Fit::default();
+        fit.compute(&parameters, power).expect("a fit");
+        // Residuals of least squares are orthogonal to the columns, in the weights' metric.
+        let values: Vec<f64> = (0..8).map(|k| f64::from(k % 3) - 1.0).collect();
+        let d = fit.derivatives(values.iter().map(|&v| DVec3::splat(v)));
+        let columns = |p: DVec2| [p.x, p.y, 0.5 * p.x * p.x, p.x * p.y, 0.5 * p.y * p.y];
+        for k in 0..N {
+            let (mut sum, mut size) = (0.0, 0.0);
+            for (p, v) in parameters.iter().zip(&values) {
+                let c = columns(*p);
+                let fitted: f64 = (0..N).map(|i| c[i] * d[i].x).sum();
+                let weight = p.length().powi(-2 * power);
+                sum += weight * (v - fitted) * c[k];
+                size += (weight * c[k]).abs();
+            }
+            assert!(sum.abs() < 1e-11 * size, "{k}: {sum:e} of {size:e}");
+        }
+    }
+
+    #[test]
+    fn the_condition_is_that_of_the_singular_values() {
+        let mut fit = Fit::default();
+        // A regular hexagon's columns are orthogonal but for u²/2 and v²/2, whose Gram matrix
+        // is 3/16·[[3, 1], [1, 3]]: singular values √3, √3, √(3/4), √(3/4), √(3/8).
+        let hexagon: Vec<DVec2> = (0..6)
+            .map(|k| 3.0 * DVec2::from_angle(std::f64::consts::FRAC_PI_3 * f64::from(k)))
+            .collect();
+        fit.compute(&hexagon, 1).expect("a fit");
+        assert!((fit.condition() - 8f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn neighbours_in_special_position_are_refused() {
+        let mut fit = Fit::default();
+        let line: Vec<DVec2> = (1..9).map(|k| DVec2::new(f64::from(k), 0.0)).collect();
+        assert!(fit.compute(&line, 1).is_none());
+        assert!(fit.compute(&scattered(4), 1).is_none());
+        let mut touching = scattered(6);
+        touching[2] = DVec2::ZERO;
+        assert!(fit.compute(&touching, 1).is_none());
+    }
+}
