@@ -337,7 +337,7 @@ fn figure_9_pipe() {
     );
     assert!(clamped.energy(5) < 150.0 && clamped.energy(50) < 80.0);
     let options = FlowOptions {
-        boundary: Boundary::Fixed,
+        boundary: Some(Boundary::Fixed),
         ..FlowOptions::default()
     };
     let fixed = run(&pipe, options, 50);
@@ -455,7 +455,7 @@ fn figure_12_scan_is_smoothed() {
             goal: Goal::Smooth,
             smooth_steps: steps,
             tau: Some(0.01),
-            boundary: Boundary::Fixed,
+            boundary: Some(Boundary::Fixed),
             ..FlowOptions::default()
         };
         let found = run(&scan, options, steps);
@@ -563,7 +563,7 @@ fn figure_7_cat_head() {
     let constant = run(
         &cat,
         FlowOptions {
-            boundary: Boundary::Free,
+            boundary: Some(Boundary::Free),
             ..paper(0.01)
         },
         100,

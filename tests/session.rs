@@ -207,7 +207,7 @@ fn the_samples_selection_is_held_unless_told_otherwise() {
     }
     let options = FlowOptions {
         fixed: Some(vec![0]),
-        boundary: Boundary::Free,
+        boundary: Some(Boundary::Free),
         ..FlowOptions::default()
     };
     let configured = session.configure(options).expect("options");

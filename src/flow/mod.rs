@@ -6,6 +6,7 @@
 pub mod boundary;
 pub mod circle;
 pub mod constraint;
+pub mod curvature;
 pub mod error;
 pub mod options;
 pub mod p_willmore;
@@ -20,6 +21,7 @@ pub use report::{Multipliers, Status, StepReport};
 use crate::mesh::HalfedgeMesh;
 use crate::operator::Elements;
 use circle::CircleFlow;
+use curvature::CurvatureFlow;
 use glam::DVec3;
 use options::{FlowName, FlowOptions};
 use p_willmore::PWillmoreFlow;
@@ -30,7 +32,7 @@ use stop::Verdict;
 pub type Progress = Rc<dyn Fn(&str, f64)>;
 
 /// The flow that the options ask for, on a triangle mesh; on `polygons`, the same surface
-/// before it was cut into triangles, where the flow takes its faces. A harmonic pre-fill
+/// before it was cut into triangles, where the flow takes its faces. A pre-fill
 /// may change `x`.
 ///
 /// # Errors
@@ -48,6 +50,10 @@ pub fn start(
             let mesh = if is_one_kind { polygons } else { triangles };
             Box::new(PWillmoreFlow::new(Rc::clone(mesh), x, options)?)
         }
+        FlowName::MeanCurvature
+        | FlowName::SurfaceDiffusion
+        | FlowName::Willmore
+        | FlowName::Mmcv => Box::new(CurvatureFlow::new(Rc::clone(triangles), x, options)?),
     })
 }
 
@@ -58,6 +64,8 @@ pub enum Pace {
     Circle(circle::Pace),
     /// Of the p-Willmore flow.
     PWillmore(p_willmore::Pace),
+    /// Of the flows by mean curvature and its derivatives.
+    Curvature(curvature::Pace),
 }
 
 /// What a flow says of positions that it has not just stepped to.

@@ -15,6 +15,14 @@ pub enum FlowName {
     Circle,
     /// Gruber & Aulisa's p-Willmore flow.
     PWillmore,
+    /// Flow by mean curvature.
+    MeanCurvature,
+    /// Surface diffusion.
+    SurfaceDiffusion,
+    /// Willmore flow by fitted operators.
+    Willmore,
+    /// Xu & Zhang's minimal mean-curvature-variation flow.
+    Mmcv,
 }
 
 /// Recommended treatment or the paper's own.
@@ -78,8 +86,9 @@ pub struct FlowOptions {
     pub scheme: Scheme,
     /// Time discretisation.
     pub integrator: Integrator,
-    /// What happens at the boundary.
-    pub boundary: Boundary,
+    /// What happens at the boundary; by default it is clamped under the circle flow and
+    /// fixed under the flows by mean curvature and its derivatives.
+    pub boundary: Option<Boundary>,
     /// Relax or smooth.
     pub goal: Goal,
     /// Smoothing: wavelengths below this many mean edge lengths are at least halved.
@@ -88,7 +97,9 @@ pub struct FlowOptions {
     pub smooth_steps: usize,
     /// Raw step size; overrides `tau` and `detail`.
     pub dt: Option<f64>,
-    /// Step size over h², h the mean edge length at the start; overrides `detail`.
+    /// Step size over h², h the mean edge length at the start; overrides `detail`. Under the
+    /// flows by mean curvature and its derivatives, over L^k, k the order of the flow and L²
+    /// the area of a free patch.
     pub tau: Option<f64>,
     /// Metric.
     pub mass: MassChoice,
@@ -96,7 +107,8 @@ pub struct FlowOptions {
     pub epsilon: f64,
     /// Whether ε goes to 0 at the end of relaxing.
     pub sharpen: bool,
-    /// Harmonic pre-fill of the free vertices before the first step.
+    /// Pre-fill of the free vertices before the first step: harmonic under the circle flow,
+    /// smooth under the flows by mean curvature and its derivatives.
     pub prefill: bool,
     /// Only these vertices move.
     pub free: Option<Vec<u32>>,
@@ -125,6 +137,9 @@ pub struct FlowOptions {
     pub tension: f64,
     /// p-Willmore, p = 2: pressure P in ∫|Y|² dA − PV, times L³.
     pub pressure: f64,
+    /// Mean-curvature variation: steps of surface diffusion taken first; by default some
+    /// where the start is rough.
+    pub rungs: Option<usize>,
 }
 
 impl Default for FlowOptions {
@@ -133,7 +148,7 @@ impl Default for FlowOptions {
             flow: FlowName::default(),
             scheme: Scheme::default(),
             integrator: Integrator::default(),
-            boundary: Boundary::default(),
+            boundary: None,
             goal: Goal::default(),
             detail: None,
             smooth_steps: 10,
@@ -156,6 +171,7 @@ impl Default for FlowOptions {
             spontaneous_curvature: 0.0,
             tension: 0.0,
             pressure: 0.0,
+            rungs: None,
         }
     }
 }

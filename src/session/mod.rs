@@ -265,7 +265,7 @@ impl Session {
         Ok(Some(Field::compute(
             name,
             &work.document.triangles,
-            work.options.boundary,
+            work.options.boundary.unwrap_or_default(),
             flow.as_ref(),
             &work.x,
             &work.document.start,

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Parameter, Sample, Shape};
-use super::{blocks, hole, knot, one_sided, patch, platonic, scan, scar, sphere, torus};
+use super::{blocks, gap, hole, knot, one_sided, patch, platonic, scan, scar, sphere, torus};
 use crate::mesh::subdivide::linear_levels;
 use crate::soup::PolygonSoup;
 
@@ -306,6 +306,37 @@ pub(super) static SHAPES: &[Shape] = &[
         label: "Monkey saddle",
         parameters: &[RINGS, HEIGHT],
         build: |v| Ok(patch::monkey_saddle(n(v[0]), v[1]).into()),
+    },
+    Shape {
+        name: "cylinder-gaps",
+        label: "Cylinder with four gaps",
+        parameters: &[
+            count("around", "Steps around", 88, 24, 1000),
+            count("along", "Steps along", 40, 12, 1000),
+            real("radius", "Radius of a gap", 0.69, 0.05, 0.72),
+        ],
+        build: |v| gap::cylinder_with_gaps(n(v[0]), n(v[1]), v[2]),
+    },
+    Shape {
+        name: "sphere-openings",
+        label: "Sphere with eight openings",
+        parameters: &[
+            level(5, 7),
+            real("radius", "Radius of an opening in degrees", 24.6, 5.0, 30.0),
+        ],
+        build: |v| gap::sphere_with_openings(n(v[0]), v[1]).map_err(|error| error.to_string()),
+    },
+    Shape {
+        name: "dodecahedron",
+        label: "Dodecahedron",
+        parameters: &[level(3, 6)],
+        build: |v| gap::dodecahedron(n(v[0])).map_err(|error| error.to_string()),
+    },
+    Shape {
+        name: "four-bumps",
+        label: "Four bumps",
+        parameters: &[count("vertices", "Vertices a side", 61, 31, 601)],
+        build: |v| Ok(gap::four_bumps(n(v[0]))),
     },
 ];
 

@@ -27,13 +27,6 @@ use glam::DVec3;
 use std::ops::Range;
 use stencil::Stencils;
 
-/// A vertex whose neighbours do not determine a quadratic: too few, or in special position.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Unfit {
-    /// The vertex.
-    pub vertex: u32,
-}
-
 /// The operators at some vertices of a triangle mesh, by rows.
 #[derive(Clone, Debug, Default)]
 pub struct FittedOperators {
@@ -50,11 +43,9 @@ pub struct FittedOperators {
 const NONE: u32 = u32::MAX;
 
 impl FittedOperators {
-    /// Fits at every vertex that `wanted` marks.
-    ///
-    /// # Errors
-    /// The first vertex that cannot be fitted.
-    pub fn fit(mesh: &HalfedgeMesh, x: &[DVec3], wanted: &[bool]) -> Result<Self, Unfit> {
+    /// Fits at every vertex that `wanted` marks. There is no row where the neighbours do not
+    /// determine a quadratic: too few, in special position, or not finite.
+    pub fn fit(mesh: &HalfedgeMesh, x: &[DVec3], wanted: &[bool]) -> Self {
         let mut this = Self {
             row_of_vertex: vec![NONE; mesh.n_vertices()],
             starts: vec![0],
@@ -63,20 +54,16 @@ impl FittedOperators {
         let mut stencils = Stencils::new(mesh);
         let mut fit = Fit::default();
         for v in mesh.vertices().filter(|v| wanted[v.index()]) {
-            this.row_of_vertex[v.index()] = this.normal.len() as u32;
-            stencils
-                .choose(x, v, &mut fit)
-                .ok_or(Unfit { vertex: v.0 })?;
-            this.push(x, v, stencils.members(), &fit);
+            if stencils.choose(x, v, &mut fit).is_some() {
+                this.row_of_vertex[v.index()] = this.normal.len() as u32;
+                this.push(x, v, stencils.members(), &fit);
+            }
         }
-        Ok(this)
+        this
     }
 
     /// Fits at every vertex.
-    ///
-    /// # Errors
-    /// The first vertex that cannot be fitted.
-    pub fn everywhere(mesh: &HalfedgeMesh, x: &[DVec3]) -> Result<Self, Unfit> {
+    pub fn everywhere(mesh: &HalfedgeMesh, x: &[DVec3]) -> Self {
         Self::fit(mesh, x, &vec![true; mesh.n_vertices()])
     }
 

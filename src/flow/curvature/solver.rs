@@ -1,0 +1,140 @@
+//! Solving a step's system: directly, or for very many unknowns by GMRES.
+
+use super::system::Quality;
+use crate::flow::FlowError;
+use crate::linalg::{LinalgError, Lu, Pattern, Symbolic, Unsymmetric, gmres};
+use glam::DVec3;
+use std::sync::Arc;
+use web_time::Instant;
+
+/// Entries of L and U, 8 bytes each, up to which a matrix is factored: some 70,000
+/// unknowns of the sixth-order flow.
+const MAX_FACTOR: usize = 60_000_000;
+/// Of an iterative solution, relative to the velocity.
+const TOLERANCE: f64 = 1e-6;
+const MAX_ITERATIONS: usize = 400;
+/// A solution with a larger residual is none.
+const WORTHLESS: f64 = 0.1;
+
+/// A step's matrix, and what is like it.
+pub(super) struct System<'a> {
+    pub(super) pattern: &'a Pattern,
+    pub(super) matrix: &'a Unsymmetric,
+    /// Makes Δ among the unknowns.
+    pub(super) laplacian: &'a dyn Fn() -> (Pattern, Unsymmetric),
+    /// Half the order of the flow.
+    pub(super) power: i32,
+    pub(super) dt: f64,
+}
+
+/// What is kept from step to step.
+pub(super) enum Solver {
+    Direct(Lu),
+    Iterative(Vec<DVec3>),
+}
+
+impl Solver {
+    /// Analyses a pattern; one point a row.
+    pub(super) fn new(pattern: &Pattern, points: &[DVec3]) -> Result<Self, LinalgError> {
+        Self::limited(pattern, points, MAX_FACTOR)
+    }
+
+    /// The same with a limit on the entries of L and U.
+    fn limited(
+        pattern: &Pattern,
+        points: &[DVec3],
+        max_factor: usize,
+    ) -> Result<Self, LinalgError> {
+        let symbolic = Symbolic::analyse(pattern, Some(points))?;
+        if 2 * symbolic.factor_len() > max_factor {
+            return Ok(Self::Iterative(points.to_vec()));
+        }
+        Ok(Self::Direct(Lu::new(Arc::new(symbolic))?))
+    }
+
+    /// The solution, whose residual is measured against the right-hand side: positions
+    /// would hide it.
+    pub(super) fn solve(
+        &mut self,
+        system: &System<'_>,
+        rhs: &[f64],
+        quality: &mut Quality,
+    ) -> Result<Vec<f64>, FlowError> {
+        if let Some(row) = rhs.iter().position(|v| !v.is_finite()) {
+            return Err(LinalgError::NonFiniteRightHandSide { row }.into());
+        }
+        let watch = Instant::now();
+        let phi = match self {
+            Self::Direct(lu) => {
+                lu.factor(system.matrix)?;
+                quality.factor = watch.elapsed().as_secs_f64();
+                let mut phi = rhs.to_vec();
+                lu.solve_in_place(&mut phi);
+                // One refinement, for what elimination without pivoting may have lost.
+                let mut rest = residual(system, &phi, rhs);
+                let before = norm(&rest);
+                lu.solve_in_place(&mut rest);
+                let refined: Vec<f64> = phi.iter().zip(&rest).map(|(a, b)| a + b).collect();
+                if norm(&residual(system, &refined, rhs)) < before {
+                    phi = refined;
+                }
+                phi
+            }
+            Self::Iterative(points) => {
+                quality.is_iterative = true;
+                let lu = preconditioner(system, points)?;
+                quality.factor = watch.elapsed().as_secs_f64();
+                let (phi, info) = gmres(
+                    |v, w| system.matrix.multiply(system.pattern, v, w),
+                    |v| {
+                        (0..system.power).for_each(|_| lu.solve_in_place(v));
+                        v.iter_mut().for_each(|v| *v *= 2.0);
+                    },
+                    rhs,
+                    TOLERANCE,
+                    MAX_ITERATIONS,
+                );
+                quality.iterations = info.iterations;
+                phi
+            }
+        };
+        let size = norm(rhs);
+        if size > 0.0 {
+            quality.residual = norm(&residual(system, &phi, rhs)) / size;
+        }
+        quality.solve = watch.elapsed().as_secs_f64() - quality.factor;
+        if quality.residual <= WORTHLESS {
+            Ok(phi)
+        } else {
+            Err(FlowError::Inaccurate {
+                residual: quality.residual,
+            })
+        }
+    }
+}
+
+/// Factor of α − Δ, whose power k/2, halved, is 1/dt plus the leading term of a flow of order
+/// k: ½(α − Δ)^(k/2) with α^(k/2) = 2/dt.
+fn preconditioner(system: &System<'_>, points: &[DVec3]) -> Result<Lu, LinalgError> {
+    let (pattern, mut values) = (system.laplacian)();
+    let alpha = (2.0 / system.dt).powf(1.0 / f64::from(system.power));
+    let all = values.lower.iter_mut().chain(&mut values.upper);
+    all.for_each(|v| *v = -*v);
+    for &slot in pattern.diagonal_slots() {
+        values.lower[slot as usize] += alpha;
+    }
+    let mut lu = Lu::new(Arc::new(Symbolic::analyse(&pattern, Some(points))?))?;
+    lu.factor(&values)?;
+    Ok(lu)
+}
+
+fn residual(system: &System<'_>, phi: &[f64], rhs: &[f64]) -> Vec<f64> {
+    let mut rest = vec![0.0; rhs.len()];
+    system.matrix.multiply(system.pattern, phi, &mut rest);
+    rest.iter_mut().zip(rhs).for_each(|(r, b)| *r = b - *r);
+    rest
+}
+
+fn norm(v: &[f64]) -> f64 {
+    v.iter().map(|v| v * v).sum::<f64>().sqrt()
+}
