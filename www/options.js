@@ -33,6 +33,7 @@ export const defaults = Object.freeze({
   spontaneousCurvature: 0,
   tension: 0,
   pressure: 0,
+  rungs: null,
 });
 
 /** @type {Readonly<Record<string, readonly { id: string, label: string }[]>>} */
@@ -40,6 +41,10 @@ export const choices = {
   flow: [
     { id: "circle", label: "Willmore, circle angles" },
     { id: "p-willmore", label: "p-Willmore" },
+    { id: "mean-curvature", label: "Mean curvature" },
+    { id: "surface-diffusion", label: "Surface diffusion" },
+    { id: "willmore", label: "Willmore, fitted operators" },
+    { id: "mmcv", label: "Least variation of mean curvature" },
   ],
   boundary: [
     { id: "clamped", label: "Clamped (with tangent)" },
@@ -97,7 +102,9 @@ const count = (text) => (/^[1-9]\d{0,6}$/.test(text) ? Number(text) : undefined)
  * @type {Readonly<Record<string, (text: string) => string | number | boolean | string[] | null | undefined>>}
  */
 export const readers = {
-  flow: oneOf("circle", "p-willmore"),
+  flow: oneOf(
+    ...["circle", "p-willmore", "mean-curvature", "surface-diffusion", "willmore", "mmcv"],
+  ),
   scheme: oneOf("auto", "paper"),
   integrator: oneOf("semi-implicit", "forward-euler", "backward-euler", "l-bfgs"),
   boundary: oneOf("clamped", "fixed", "free"),
@@ -121,6 +128,7 @@ export const readers = {
   spontaneousCurvature: between(-1e3, 1e3),
   tension: between(-1e6, 1e6),
   pressure: between(-1e6, 1e6),
+  rungs: orAuto((text) => (text === "0" ? 0 : count(text))),
 };
 
 /**

@@ -3,6 +3,7 @@
 use crate::mesh::{HalfedgeMesh, Vertex};
 use crate::operator::FittedOperators;
 use glam::{DMat3, DVec3};
+use serde::Serialize;
 
 /// Rings around a vertex of the patch's boundary from which H is extrapolated.
 const RINGS: usize = 3;
@@ -10,7 +11,7 @@ const RINGS: usize = 3;
 const SINGULAR: f64 = 1e-9;
 
 /// The jump of H across the boundary of the free patches.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct CurvatureJump {
     /// J = rms |H_in − H_out| over the boundary vertices, unit 1/length.
     pub absolute: f64,

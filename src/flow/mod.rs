@@ -99,6 +99,12 @@ pub trait Flow {
     /// What moves the surface, a vector a vertex, zero where it is held.
     fn gradient(&self, x: &[DVec3]) -> Vec<DVec3>;
 
+    /// Pointwise H as the flow measures it, a value a vertex, where that is not the usual
+    /// [`pointwise_mean_curvature`](crate::geometry::curvature::pointwise_mean_curvature).
+    fn mean_curvature(&self, _x: &[DVec3]) -> Option<Vec<f64>> {
+        None
+    }
+
     /// Called with a stage's name and the share of the step done, within long steps.
     fn set_progress(&mut self, callback: Option<Progress>);
 

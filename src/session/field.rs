@@ -11,7 +11,7 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FieldName {
-    /// Pointwise H.
+    /// Pointwise H, as the flow measures it.
     MeanCurvature,
     /// Pointwise K.
     GaussCurvature,
@@ -89,7 +89,9 @@ impl Field {
         start: &[DVec3],
     ) -> Self {
         let values: Vec<f64> = match name {
-            FieldName::MeanCurvature => curvature::pointwise_mean_curvature(mesh, x),
+            FieldName::MeanCurvature => flow
+                .mean_curvature(x)
+                .unwrap_or_else(|| curvature::pointwise_mean_curvature(mesh, x)),
             FieldName::GaussCurvature => curvature::pointwise_gauss_curvature(mesh, x),
             FieldName::Willmore => CircleEnergy::new(mesh, boundary).vertex_energies(x),
             FieldName::Gradient => flow.gradient(x).iter().map(|g| g.length()).collect(),

@@ -29,6 +29,7 @@ use super::{Flow, FlowError, Progress as Callback, Reading, StepReport, boundary
 use crate::energy::circle::Boundary;
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
+use crate::operator::FittedOperators;
 use curvatures::Curvatures;
 use glam::DVec3;
 use law::Law;
@@ -261,6 +262,13 @@ impl Flow for CurvatureFlow {
             }
         }
         field
+    }
+
+    /// By quadratic fits, also beside and on the boundary.
+    fn mean_curvature(&self, x: &[DVec3]) -> Option<Vec<f64>> {
+        let operators = FittedOperators::everywhere(&self.mesh, x);
+        let value = |v: usize| operators.row(v).map(|row| operators.mean_curvature(row, x));
+        Some((0..x.len()).map(|v| value(v).unwrap_or_default()).collect())
     }
 
     fn pace(&self) -> super::Pace {

@@ -82,9 +82,29 @@ impl Fit {
             .sqrt()
     }
 
-    /// Ratio of the largest to the smallest singular value of the weighted, scaled rows;
-    /// good to a few digits up to 10⁶.
-    pub(super) fn condition(&self) -> f64 {
+    /// Whether the ratio of the largest to the smallest singular value of the weighted,
+    /// scaled rows is at most `limit`.
+    pub(super) fn is_conditioned(&self, limit: f64) -> bool {
+        // ‖R‖ ‖R⁻¹‖ in the Frobenius norm is an upper bound, and cheap.
+        self.condition_bound() <= limit || self.condition() <= limit
+    }
+
+    fn condition_bound(&self) -> f64 {
+        let r = &self.triangle;
+        let mut inverse = [[0.0; N]; N];
+        for j in 0..N {
+            inverse[j][j] = 1.0 / r[j][j];
+            for i in (0..j).rev() {
+                let sum: f64 = (i + 1..=j).map(|k| r[i][k] * inverse[k][j]).sum();
+                inverse[i][j] = -sum / r[i][i];
+            }
+        }
+        let square = |m: &[[f64; N]; N]| -> f64 { m.iter().flatten().map(|v| v * v).sum() };
+        (square(r) * square(&inverse)).sqrt()
+    }
+
+    /// That ratio, good to a few digits up to 10⁶.
+    fn condition(&self) -> f64 {
         let r = &self.triangle;
         let mut gram = [[0.0; N]; N];
         for (i, row) in gram.iter_mut().enumerate() {
@@ -123,7 +143,7 @@ fn jacobi(mut a: [[f64; N]; N]) -> [f64; N] {
             diagonal += a[i][i] * a[i][i];
             off += (0..i).map(|j| a[i][j] * a[i][j]).sum::<f64>();
         }
-        if off <= 1e-20 * diagonal {
+        if off <= 1e-14 * diagonal {
             break;
         }
         for p in 0..N {
@@ -209,6 +229,15 @@ mod tests {
             .collect();
         fit.compute(&hexagon, 1).expect("a fit");
         assert!((fit.condition() - 8f64.sqrt()).abs() < 1e-12);
+        let bound = (63.0 / 8.0 * 6.0f64).sqrt();
+        assert!((fit.condition_bound() - bound).abs() < 1e-12);
+        for m in [6, 7, 9] {
+            fit.compute(&scattered(m), 1).expect("a fit");
+            let (condition, bound) = (fit.condition(), fit.condition_bound());
+            assert!(bound > condition && bound < 5.0 * condition);
+            assert!(fit.is_conditioned(1.01 * condition));
+            assert!(!fit.is_conditioned(0.99 * condition));
+        }
     }
 
     #[test]

@@ -43,7 +43,7 @@ impl<'a> Stencils<'a> {
         self.members.extend(self.mesh.neighbours(v).map(|w| w.0));
         if !self.mesh.is_boundary_vertex(v) && self.members.len() >= FEWEST {
             self.parametrise(x, v, frame);
-            if fit.compute(&self.parameters, 1).is_some() && fit.condition() <= CONDITION {
+            if fit.compute(&self.parameters, 1).is_some() && fit.is_conditioned(CONDITION) {
                 return Some(());
             }
         }
