@@ -44,9 +44,9 @@ const CAP: f64 = 0.5;
 const PREFILL_PASSES: usize = 3;
 /// A first update of the sixth-order flow longer than so many edges comes from a start too
 /// rough for it …
-const ROUGH: f64 = 30.0;
-/// … and this many steps of surface diffusion go before.
-const RUNGS: usize = 10;
+const ROUGH: f64 = 8.0;
+/// … and up to this many steps of surface diffusion go before.
+const RUNGS: usize = 40;
 /// Surface diffusion has done its part when no vertex moves by more than this share of an
 /// edge.
 const RUNG_REST: f64 = 1e-2;
