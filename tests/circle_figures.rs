@@ -495,7 +495,7 @@ fn one_sided_surfaces_flow() {
     ] {
         let start = energy_of(one_sided, boundary);
         let options = FlowOptions {
-            boundary,
+            boundary: Some(boundary),
             ..FlowOptions::default()
         };
         let found = run(one_sided, options, 20);
@@ -523,7 +523,7 @@ fn figure_7_cat_head() {
     assert!((energy_of(&cat, Boundary::Free) - 112.44949640).abs() < 1e-7);
     assert!((energy_of(&cat, Boundary::Clamped) - 94.34853072).abs() < 1e-7);
 
-    let free = run(&cat, at(Boundary::Free), 100);
+    let free = run(&cat, at(Some(Boundary::Free)), 100);
     println!(
         "Figure 7: free {:.2} (5) {:.2} (20) {:.2e} (100)",
         free.energy(5),
@@ -553,7 +553,7 @@ fn figure_7_cat_head() {
         "boundary not convex: {at_infinity}"
     );
 
-    let clamped = run(&cat, at(Boundary::Clamped), 200);
+    let clamped = run(&cat, at(Some(Boundary::Clamped)), 200);
     println!(
         "Figure 7: clamped {:.2} (20) {:.2} (200)",
         clamped.energy(20),

@@ -468,12 +468,17 @@ fn a_cylinder_is_restored() {
         assert!(run.reports.len() <= if prefill { 8 } else { 15 });
         assert!(run.warnings().is_empty(), "{:?}", run.warnings());
     }
-    // Surface diffusion keeps a cylinder, the Willmore flow does not.
+    // Surface diffusion keeps a cylinder; under the Willmore flow, whose velocity on it is
+    // ¼, a patch of radius ρ bulges: ½Δ²w = ¼, clamped, is w = ρ⁴/128 in the middle.
     let run = case.run(case.options(FlowName::SurfaceDiffusion));
     assert!(off_round(&run.x, true) < 5e-4);
     let run = case.run(case.options(FlowName::Willmore));
-    println!("Willmore flow: off by {:.3}", off_round(&run.x, true));
-    assert!(off_round(&run.x, true) > 0.01);
+    let bulge = 0.69f64.powi(4) / 128.0;
+    println!(
+        "Willmore flow: off by {:.4}, plate {bulge:.4}",
+        off_round(&run.x, true)
+    );
+    assert!(off_round(&run.x, true) > bulge);
 }
 
 #[test]

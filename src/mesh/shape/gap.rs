@@ -43,11 +43,11 @@ pub fn cylinder_with_gaps(around: usize, along: usize, radius: f64) -> Result<Sa
     Ok(with_membranes(soup, free))
 }
 
-/// The unit sphere with eight round openings, of this angular radius in degrees about the
+/// The unit sphere with eight round openings, of this radius on the sphere about the
 /// corners of a cube, filled by the membranes their rims span: figure 5.1 (d, e).
-pub fn sphere_with_openings(level: usize, degrees: f64) -> Result<Sample, SubdivisionError> {
+pub fn sphere_with_openings(level: usize, radius: f64) -> Result<Sample, SubdivisionError> {
     let soup = sphere::icosphere(level)?;
-    let least = degrees.to_radians().cos();
+    let least = radius.cos();
     let corner = 3f64.sqrt().recip();
     let free = (0..soup.positions.len() as u32).filter(|&v| {
         let p = soup.positions[v as usize].abs();

@@ -311,8 +311,8 @@ pub(super) static SHAPES: &[Shape] = &[
         name: "cylinder-gaps",
         label: "Cylinder with four gaps",
         parameters: &[
-            count("around", "Steps around", 88, 24, 1000),
-            count("along", "Steps along", 40, 12, 1000),
+            count("around", "Steps around", 88, 24, 300),
+            count("along", "Steps along", 40, 12, 300),
             real("radius", "Radius of a gap", 0.69, 0.05, 0.72),
         ],
         build: |v| gap::cylinder_with_gaps(n(v[0]), n(v[1]), v[2]),
@@ -322,7 +322,7 @@ pub(super) static SHAPES: &[Shape] = &[
         label: "Sphere with eight openings",
         parameters: &[
             level(5, 7),
-            real("radius", "Radius of an opening in degrees", 24.6, 5.0, 30.0),
+            real("radius", "Radius of an opening", 0.43, 0.1, 0.52),
         ],
         build: |v| gap::sphere_with_openings(n(v[0]), v[1]).map_err(|error| error.to_string()),
     },

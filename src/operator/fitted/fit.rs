@@ -1,6 +1,7 @@
 //! One weighted least-squares fit of a quadratic through its centre.
 
 use glam::{DVec2, DVec3};
+use std::cmp::Ordering;
 
 /// Derivatives fitted: f_u, f_v, f_uu, f_uv, f_vv.
 const N: usize = 5;
@@ -50,8 +51,8 @@ impl Fit {
                 }
             }
             let norm = self.column_norm(k);
-            // Also refuses what is not a number.
-            if !(norm > RANK * before) {
+            // Not greater, or not a number.
+            if norm.partial_cmp(&(RANK * before)) != Some(Ordering::Greater) {
                 return None;
             }
             self.rows.iter_mut().for_each(|row| row[k] /= norm);
@@ -139,9 +140,9 @@ impl Fit {
 fn jacobi(mut a: [[f64; N]; N]) -> [f64; N] {
     for _ in 0..12 {
         let (mut off, mut diagonal) = (0.0, 0.0);
-        for i in 0..N {
-            diagonal += a[i][i] * a[i][i];
-            off += (0..i).map(|j| a[i][j] * a[i][j]).sum::<f64>();
+        for (i, row) in a.iter().enumerate() {
+            diagonal += row[i] * row[i];
+            off += row[..i].iter().map(|v| v * v).sum::<f64>();
         }
         if off <= 1e-14 * diagonal {
             break;
@@ -158,9 +159,9 @@ fn jacobi(mut a: [[f64; N]; N]) -> [f64; N] {
                 for row in &mut a {
                     (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
                 }
-                for k in 0..N {
-                    (a[p][k], a[q][k]) = (c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]);
-                }
+                let (first, second) = (a[p], a[q]);
+                a[p] = std::array::from_fn(|k| c * first[k] - s * second[k]);
+                a[q] = std::array::from_fn(|k| s * first[k] + c * second[k]);
             }
         }
     }
