@@ -760,6 +760,8 @@ fn the_smooth_pre_fill_takes_over_curvature_from_around() {
     assert!(off_round(&x, false) < 2e-3);
 }
 
+type Damage<'a> = &'a dyn Fn(&mut [DVec3]);
+
 #[test]
 fn broken_inputs_are_refused_and_change_nothing() {
     let bumps = sample("four-bumps", &[("vertices", 31.0)]);
@@ -786,7 +788,7 @@ fn broken_inputs_are_refused_and_change_nothing() {
             .neighbours(umbilic::mesh::Vertex(middle as u32))
             .map(|v| v.index())
             .collect();
-        let damages: [&dyn Fn(&mut [DVec3]); 5] = [
+        let damages: [Damage<'_>; 5] = [
             &|x| x[middle] = DVec3::splat(f64::NAN),
             &|x| x[middle].z = f64::INFINITY,
             &|x| x[middle] = x[around[0]],

@@ -9,6 +9,7 @@ import { entries, format, table } from "./text.js";
 /** @typedef {import("../protocol.js").FlowOptions} FlowOptions */
 /** @typedef {import("../protocol.js").StepReport} StepReport */
 /** @typedef {import("../protocol.js").Fault} Fault */
+/** @typedef {import("../protocol.js").CurvatureJump} CurvatureJump */
 /** @typedef {import("./options.js").Values} Values */
 /** @typedef {import("./solver.js").Session} Session */
 
@@ -111,7 +112,7 @@ export const flow = {
     const final = failed
       ? orNull(() => session.energy(energyOptions))
       : session.energy(energyOptions);
-    const report = { status, message, ...fault, steps, initial, final };
+    const report = { status, message, ...fault, steps, initial, final, ...jump(session, options) };
 
     if (values.out) writeOutput(values.out, session.export(outFormat));
     if (values.history) writeOutput(values.history, session.history());
@@ -180,15 +181,22 @@ function flowOptions(values) {
   );
 }
 
+/**
+ * How the curvature jumps across the rim of what moved, under the flows that mind it.
+ * @param {Session} session
+ * @param {FlowOptions} options
+ */
+function jump(session, options) {
+  if (!curvatureFlows.includes(options.flow ?? "")) return {};
+  return { curvatureJump: session.curvatureJump() };
+}
+
 /** Options of open and partly held surfaces. */
 const regional = ["prefill", "boundary", "free", "fixed"];
 
 /** Options that not every flow has, by flow. @type {Record<string, string[]>} */
 const own = {
-  circle: [
-    ...["integrator", "goal", "detail", "mass", "epsilon", "sharpen"],
-    ...regional,
-  ],
+  circle: [...["integrator", "goal", "detail", "mass", "epsilon", "sharpen"], ...regional],
   "p-willmore": [
     ...["p", "keep", "regularise", "regularise-epsilon", "reduced-volume"],
     ...["tau-growth", "tau-max"],
@@ -292,10 +300,14 @@ function stepLine({ step, energy, dt, gradientNorm, milliseconds }) {
   return `step ${String(step).padStart(4)}  ${parts.join("  ")}`;
 }
 
-/** @param {{ status: string, message: string, steps: StepReport[], initial: any, final: any }} report */
-function summary({ status, message, steps, initial, final }) {
+/**
+ * @param {{ status: string, message: string, steps: StepReport[], initial: any, final: any,
+ *           curvatureJump?: CurvatureJump | null }} report
+ */
+function summary({ status, message, steps, initial, final, curvatureJump }) {
   const last = final && new Map(entries(final));
   const rows = entries(initial).map(([key, value]) => [key, format(value), format(last?.get(key))]);
   const heading = `${status}, ${steps.length} steps: ${message}\n\n`;
+  if (curvatureJump) rows.push(["curvatureJump", "", format(curvatureJump.relative)]);
   return heading + table([["", "initial", "final"], ...rows]);
 }
