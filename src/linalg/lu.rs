@@ -61,6 +61,9 @@ pub struct Lu {
     rows: Vec<u32>,
     /// Every front after its children.
     postorder: Vec<u32>,
+    /// Most entries that wait for a parent at a time, and those of the largest front.
+    most_waiting: usize,
+    largest_front: usize,
     /// By front, L with U on and above the diagonal (own columns), then U to the right.
     factor: Vec<f64>,
     is_factored: bool,
@@ -122,13 +125,26 @@ impl Lu {
         for &parent in parents.iter().filter(|&&p| p != NONE) {
             fronts[parent as usize].n_children += 1;
         }
-        let mut factor = Vec::new();
-        factor
-            .try_reserve_exact(offset)
-            .map_err(|_| LinalgError::OutOfMemory { n })?;
+        let mut factor = with_room(offset, n)?;
         factor.resize(offset, 0.0);
+        let postorder = postorder(&parents);
+        let (mut waiting, mut most_waiting) = (0, 0);
+        let mut below = Vec::new();
+        for &s in &postorder {
+            let front = &fronts[s as usize];
+            let children = below.len() - front.n_children;
+            waiting -= below.drain(children..).sum::<usize>();
+            if !front.below.is_empty() {
+                let update = front.below.len().pow(2);
+                below.push(update);
+                waiting += update;
+            }
+            most_waiting = most_waiting.max(waiting);
+        }
         Ok(Self {
-            postorder: postorder(&parents),
+            most_waiting,
+            largest_front: fronts.iter().map(|f| f.size().pow(2)).max().unwrap_or(0),
+            postorder,
             symbolic,
             fronts,
             rows,
@@ -145,8 +161,8 @@ impl Lu {
     /// Factors the matrix with these values.
     ///
     /// # Errors
-    /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`]; there is then no
-    /// factor until a later call succeeds.
+    /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`],
+    /// [`LinalgError::OutOfMemory`]; there is then no factor until a later call succeeds.
     ///
     /// # Panics
     /// If there are not two values a slot.
@@ -167,9 +183,9 @@ impl Lu {
         let n = symbolic.n();
         // Place of a row in the present front.
         let mut place = vec![NONE; n];
-        let mut matrix: Vec<f64> = Vec::new();
+        let mut matrix = with_room(self.largest_front, n)?;
         // What the fronts without a parent yet add to it; that of the last child is on top.
-        let mut updates: Vec<f64> = Vec::new();
+        let mut updates = with_room(self.most_waiting, n)?;
         let mut waiting: Vec<u32> = Vec::new();
         for &s in &self.postorder {
             let front = &self.fronts[s as usize];
@@ -279,6 +295,16 @@ impl Lu {
             rhs[i as usize] = y;
         }
     }
+}
+
+/// An empty list with room for so many numbers, or an error instead of the end of the
+/// program.
+fn with_room(len: usize, n: usize) -> Result<Vec<f64>, LinalgError> {
+    let mut numbers = Vec::new();
+    numbers
+        .try_reserve_exact(len)
+        .map_err(|_| LinalgError::OutOfMemory { n })?;
+    Ok(numbers)
 }
 
 /// Every node after its children, those of a node in one run.
