@@ -94,10 +94,7 @@ impl Solver {
                 for _ in 0..RESTARTS {
                     let (correction, info) = gmres(
                         |v, w| system.matrix.multiply(system.pattern, v, w),
-                        |v| {
-                            (0..system.power).for_each(|_| lu.solve_in_place(v));
-                            v.iter_mut().for_each(|v| *v *= 2.0);
-                        },
+                        |v| (0..system.power).for_each(|_| lu.solve_in_place(v)),
                         &rest,
                         TOLERANCE,
                         MAX_ITERATIONS,
@@ -127,8 +124,8 @@ impl Solver {
     }
 }
 
-/// Factor of α − Δ, whose power k/2, halved, is 1/dt plus the leading term of a flow of order
-/// k: ½(α − Δ)^(k/2) with α^(k/2) = 2/dt.
+/// Factor of α − Δ, whose power k/2 is, but for the factor 2, like 1/dt plus the leading term
+/// of a flow of order k: ½(α − Δ)^(k/2) with α^(k/2) = 2/dt.
 fn preconditioner(system: &System<'_>, points: &[DVec3]) -> Result<Lu, LinalgError> {
     let (pattern, mut values) = (system.laplacian)();
     let alpha = (2.0 / system.dt).powf(1.0 / f64::from(system.power));
@@ -151,4 +148,52 @@ fn residual(system: &System<'_>, phi: &[f64], rhs: &[f64]) -> Vec<f64> {
 
 fn norm(v: &[f64]) -> f64 {
     v.iter().map(|v| v * v).sum::<f64>().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_does_not_solve_the_system_is_no_solution() {
+        // Ones on the diagonal but for a row that is zero.
+        let pattern = Pattern::from_cliques(4, [[0, 1], [1, 2], [2, 3]].iter());
+        let mut matrix = Unsymmetric::zeros(&pattern);
+        let mut like = Unsymmetric::zeros(&pattern);
+        for (k, &slot) in pattern.diagonal_slots().iter().enumerate() {
+            matrix.lower[slot as usize] = if k == 2 { 0.0 } else { 1.0 };
+            like.lower[slot as usize] = -1.0;
+        }
+        let system = System {
+            pattern: &pattern,
+            matrix: &matrix,
+            laplacian: &|| (pattern.clone(), like.clone()),
+            power: 1,
+            dt: 1.0,
+        };
+        let points = vec![DVec3::ZERO; 4];
+        let rhs = [1.0; 4];
+        let mut quality = Quality::default();
+        let refused = Solver::Iterative(points.clone()).solve(&system, &rhs, &mut quality);
+        assert!(
+            matches!(refused, Err(FlowError::Inaccurate { residual }) if residual > 0.4),
+            "{refused:?}"
+        );
+        let mut direct = Solver::new(&pattern, &points).expect("a structure");
+        let refused = direct.solve(&system, &rhs, &mut quality);
+        let zero = LinalgError::ZeroPivot { row: 2 };
+        assert_eq!(refused, Err(FlowError::Linear(zero)));
+        let refused = direct.solve(&system, &[f64::NAN; 4], &mut quality);
+        let first = LinalgError::NonFiniteRightHandSide { row: 0 };
+        assert_eq!(refused, Err(FlowError::Linear(first)));
+    }
+
+    #[test]
+    fn factors_above_the_limit_are_not_made() {
+        let pattern = Pattern::from_cliques(3, [[0, 1], [1, 2]].iter());
+        let points = vec![DVec3::ZERO; 3];
+        let solver = |limit| Solver::limited(&pattern, &points, limit).expect("a structure");
+        assert!(matches!(solver(2), Solver::Iterative(_)));
+        assert!(matches!(solver(1000), Solver::Direct(_)));
+    }
 }

@@ -6,8 +6,8 @@ use std::cmp::Ordering;
 /// Derivatives fitted: f_u, f_v, f_uu, f_uv, f_vv.
 const N: usize = 5;
 
-/// Columns shorter than this share of the longest in their place lie in the span of the
-/// others: the neighbours are in special position.
+/// A column with less than this share of all columns outside the span of those before it
+/// lies in that span: the neighbours are in special position.
 const RANK: f64 = 1e-9;
 
 /// Weights that give the five derivatives from differences f_j − f_i.
@@ -39,8 +39,8 @@ impl Fit {
             row.map(|c| c * weight(p))
         }));
         self.triangle = [[0.0; N]; N];
+        let size = (0..N).map(|k| self.column_norm(k)).fold(0.0, f64::max);
         for k in 0..N {
-            let before = self.column_norm(k);
             for _ in 0..2 {
                 for i in 0..k {
                     let along: f64 = self.rows.iter().map(|row| row[i] * row[k]).sum();
@@ -52,7 +52,7 @@ impl Fit {
             }
             let norm = self.column_norm(k);
             // Not greater, or not a number.
-            if norm.partial_cmp(&(RANK * before)) != Some(Ordering::Greater) {
+            if norm.partial_cmp(&(RANK * size)) != Some(Ordering::Greater) {
                 return None;
             }
             self.rows.iter_mut().for_each(|row| row[k] /= norm);
@@ -246,6 +246,16 @@ mod tests {
         let mut fit = Fit::default();
         let line: Vec<DVec2> = (1..9).map(|k| DVec2::new(f64::from(k), 0.0)).collect();
         assert!(fit.compute(&line, 1).is_none());
+        // All but collinear; all but on two lines, where uv vanishes with v² and u².
+        let bent = |k: usize, p: &DVec2| DVec2::new(p.x, 1e-12 * (k as f64).sin());
+        let nearly: Vec<DVec2> = line.iter().enumerate().map(|(k, p)| bent(k, p)).collect();
+        assert!(fit.compute(&nearly, 1).is_none());
+        let cross = |k: usize| {
+            let along = [DVec2::X, DVec2::Y][k % 2] * (k as f64 - 3.3);
+            along + 1e-12 * DVec2::from_angle(k as f64)
+        };
+        let cross: Vec<DVec2> = (0..8).map(cross).collect();
+        assert!(fit.compute(&cross, 1).is_none());
         assert!(fit.compute(&scattered(4), 1).is_none());
         let mut touching = scattered(6);
         touching[2] = DVec2::ZERO;

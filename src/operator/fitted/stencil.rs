@@ -4,9 +4,6 @@ use super::fit::Fit;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use glam::{DVec2, DVec3};
 
-/// Fewest neighbours of an interior vertex for a fit to its 1-ring: four do not determine
-/// a quadratic, and what a wider fit makes of them spoils the steady state.
-const FEWEST: usize = 5;
 /// Largest condition of a fit to the 1-ring; with 30 rough meshes have unstable modes.
 const CONDITION: f64 = 8.0;
 
@@ -34,14 +31,14 @@ impl<'a> Stencils<'a> {
         &self.members
     }
 
-    /// Fits at a vertex: to the 1-ring with weights 1/d, or, at the boundary, with few
-    /// neighbours or where that is ill-conditioned, to the 1-ring and its flaps with 1/d²,
+    /// Fits at a vertex: to the 1-ring with weights 1/d, or, at the boundary, with fewer
+    /// than five neighbours or where that is ill-conditioned, to the 1-ring and its flaps with 1/d²,
     /// or to the whole 2-ring.
     pub(super) fn choose(&mut self, x: &[DVec3], v: Vertex, fit: &mut Fit) -> Option<()> {
         let frame = self.frame(x, v)?;
         self.members.clear();
         self.members.extend(self.mesh.neighbours(v).map(|w| w.0));
-        if !self.mesh.is_boundary_vertex(v) && self.members.len() >= FEWEST {
+        if !self.mesh.is_boundary_vertex(v) {
             self.parametrise(x, v, frame);
             if fit.compute(&self.parameters, 1).is_some() && fit.is_conditioned(CONDITION) {
                 return Some(());
