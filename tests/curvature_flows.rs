@@ -788,7 +788,8 @@ fn the_smooth_pre_fill_takes_over_curvature_from_around() {
         })
         .expect("a flow");
     println!("off the sphere by {:.1e}", off_round(&x, false));
-    assert!(off_round(&x, false) < 2e-3);
+    // Without the mass it would be 5e-4: areas vary around vertices of valence 5.
+    assert!(off_round(&x, false) < 2e-4);
 }
 
 type Damage<'a> = &'a dyn Fn(&mut [DVec3]);
