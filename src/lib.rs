@@ -21,6 +21,11 @@
 //! mean-curvature flow, may keep area and volume; vertices then slide along the surface
 //! towards a conformal mesh.
 //!
+//! Xu & Zhang join patches with continuous curvature by the gradient flow of ∫|∇H|² dA,
+//! of sixth order, beside the flows by mean curvature, by surface diffusion, V = ΔH, and by
+//! the Willmore energy, V = ΔH + 2H(H² − K). Their operators come from quadratic fits.
+//! Vertices move along their normals with the speed V.
+//!
 //! # Conventions
 //!
 //! | quantity | convention |
@@ -31,7 +36,8 @@
 //! | circle energy | W = Σ W_i as printed; W/2 tends to ∫(H² − K) dA on curvature-aligned lattices only |
 //! | p-Willmore readings | ∫\|H\|^p dA; with the paper's Y = 2Hn, W^p is 2^p times that |
 //! | Laplacian | positive semi-definite cotangent stiffness |
-//! | step size | raw dt, and scale-free τ: dt/h² with h the mean edge length at the start, or dt/L^(p+2) with L = √(A/4π) |
+//! | step size | raw dt, and scale-free τ: dt/h² with h the mean edge length at the start, or dt/L^(p+2) with L = √(A/4π); flows of order k by mean curvature and its derivatives: dt/L^k with L² the area of a free patch |
+//! | velocity | V along the outward normal; a sphere shrinks where V = −H |
 //! | reductions of edge flips | f(e) = before − after: positive is an improvement |
 //! | multipliers | at rest ∇∫\|H\|^p + tension ∇A − pressure ∇V = 0 |
 //! | indices | vertices and faces count from 0, in the order of the file |
@@ -48,6 +54,9 @@
 //!   Processing 2005.
 //! - A. Gruber, E. Aulisa: *Computational p-Willmore Flow with Conformal Penalty*. ACM
 //!   Transactions on Graphics 39 (2020).
+//! - G. Xu, Q. Zhang: *Minimal Mean-Curvature-Variation Surfaces and Their Applications in
+//!   Surface Modeling*. Geometric Modeling and Processing 2006; their H has the opposite
+//!   sign.
 //! - W. Brink, L. Alboul: *Willmore energy vs area as criteria for mesh optimisation*.
 
 #[cfg(feature = "solver")]

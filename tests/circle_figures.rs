@@ -337,7 +337,7 @@ fn figure_9_pipe() {
     );
     assert!(clamped.energy(5) < 150.0 && clamped.energy(50) < 80.0);
     let options = FlowOptions {
-        boundary: Boundary::Fixed,
+        boundary: Some(Boundary::Fixed),
         ..FlowOptions::default()
     };
     let fixed = run(&pipe, options, 50);
@@ -455,7 +455,7 @@ fn figure_12_scan_is_smoothed() {
             goal: Goal::Smooth,
             smooth_steps: steps,
             tau: Some(0.01),
-            boundary: Boundary::Fixed,
+            boundary: Some(Boundary::Fixed),
             ..FlowOptions::default()
         };
         let found = run(&scan, options, steps);
@@ -495,7 +495,7 @@ fn one_sided_surfaces_flow() {
     ] {
         let start = energy_of(one_sided, boundary);
         let options = FlowOptions {
-            boundary,
+            boundary: Some(boundary),
             ..FlowOptions::default()
         };
         let found = run(one_sided, options, 20);
@@ -523,7 +523,7 @@ fn figure_7_cat_head() {
     assert!((energy_of(&cat, Boundary::Free) - 112.44949640).abs() < 1e-7);
     assert!((energy_of(&cat, Boundary::Clamped) - 94.34853072).abs() < 1e-7);
 
-    let free = run(&cat, at(Boundary::Free), 100);
+    let free = run(&cat, at(Some(Boundary::Free)), 100);
     println!(
         "Figure 7: free {:.2} (5) {:.2} (20) {:.2e} (100)",
         free.energy(5),
@@ -553,7 +553,7 @@ fn figure_7_cat_head() {
         "boundary not convex: {at_infinity}"
     );
 
-    let clamped = run(&cat, at(Boundary::Clamped), 200);
+    let clamped = run(&cat, at(Some(Boundary::Clamped)), 200);
     println!(
         "Figure 7: clamped {:.2} (20) {:.2} (200)",
         clamped.energy(20),
@@ -563,7 +563,7 @@ fn figure_7_cat_head() {
     let constant = run(
         &cat,
         FlowOptions {
-            boundary: Boundary::Free,
+            boundary: Some(Boundary::Free),
             ..paper(0.01)
         },
         100,

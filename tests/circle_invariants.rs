@@ -320,7 +320,7 @@ fn the_objective_never_rises_in_200_steps() {
             }
             let mut x = x.clone();
             let options = FlowOptions {
-                boundary,
+                boundary: Some(boundary),
                 ..FlowOptions::default()
             };
             let mut flow = CircleFlow::new(mesh.clone(), &mut x, options).expect("a flow");

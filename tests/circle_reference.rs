@@ -144,7 +144,7 @@ fn ten_steps_of_the_papers_scheme_agree_to_1e_6() {
         let Surface { mesh, mut x, .. } = surface(&soup_of(&data));
         let options = FlowOptions {
             scheme: Scheme::Paper,
-            boundary: boundary(&data),
+            boundary: Some(boundary(&data)),
             dt: Some(number(&data["dt"])),
             fixed: Some(indices(&data["fixed"])),
             ..FlowOptions::default()

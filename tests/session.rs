@@ -207,7 +207,7 @@ fn the_samples_selection_is_held_unless_told_otherwise() {
     }
     let options = FlowOptions {
         fixed: Some(vec![0]),
-        boundary: Boundary::Free,
+        boundary: Some(Boundary::Free),
         ..FlowOptions::default()
     };
     let configured = session.configure(options).expect("options");
@@ -359,4 +359,93 @@ fn quadrilaterals_are_measured_in_one_way() {
             .all(|v| close(*v, state.volume.expect("closed")))
     );
     assert!(close(energy.willmore, state.energy));
+}
+
+#[test]
+fn curvature_flows_run_go_back_and_tell_their_jump() {
+    let mut session = with("four-bumps", &[("vertices", 31.0)]);
+    assert_eq!(session.curvature_jump().expect("a mesh"), None);
+    let jump = |session: &Session| {
+        let jump = session.curvature_jump().expect("a mesh");
+        jump.expect("a rim").relative
+    };
+    let mut last = Vec::new();
+    for flow in [
+        FlowName::MeanCurvature,
+        FlowName::SurfaceDiffusion,
+        FlowName::Willmore,
+        FlowName::Mmcv,
+    ] {
+        let options = FlowOptions {
+            flow,
+            ..FlowOptions::default()
+        };
+        let configured = session.configure(options).expect("options");
+        assert_eq!(configured.free_vertices, 185);
+        assert!((configured.tau - 1.0).abs() < 1e-12);
+        assert!((jump(&session) - 0.1054).abs() < 1e-3, "the surface itself");
+        session.run(2).expect("steps");
+        let (x, state) = (
+            session.positions().expect("x"),
+            session.state().expect("state"),
+        );
+        session.run(1).expect("a step");
+        assert_eq!(session.back().expect("back"), state);
+        assert_eq!(session.positions().expect("x"), x);
+        session.run(60).expect("a run");
+        let state = session.state().expect("state");
+        assert_eq!(state.status, Status::Converged, "{}", state.message);
+        for name in [
+            "mean-curvature",
+            "gauss-curvature",
+            "gradient",
+            "displacement",
+        ] {
+            let field = session.field(name).expect("a field").expect("values");
+            assert!(
+                field.values.iter().all(|v| v.is_finite()),
+                "{flow:?} {name}"
+            );
+        }
+        last.push(jump(&session));
+    }
+    let [first, second, third, sixth] = last[..] else {
+        panic!("four flows")
+    };
+    assert!(first > 0.9 && sixth < 0.6 * second.min(third), "{last:?}");
+}
+
+/// The field shows what the flow sees, also where the usual H is none: on the boundary.
+#[test]
+fn mean_curvature_is_that_of_the_fits_under_flows_that_use_them() {
+    let mut session = with("four-bumps", &[("vertices", 31.0)]);
+    let on_corner = |session: &Session| {
+        let field = session.field("mean-curvature").expect("a field");
+        field.expect("values").values[0]
+    };
+    session.configure(FlowOptions::default()).expect("options");
+    assert_eq!(on_corner(&session), 0.0);
+    let options = FlowOptions {
+        flow: FlowName::Mmcv,
+        ..FlowOptions::default()
+    };
+    session.configure(options).expect("options");
+    assert!(on_corner(&session) != 0.0);
+}
+
+#[test]
+fn the_boundary_is_clamped_or_held_as_the_flow_has_it() {
+    let mut session = with("hyperbolic-paraboloid", &[("cells", 10.0)]);
+    let mut free = |flow, boundary| {
+        let options = FlowOptions {
+            flow,
+            boundary,
+            ..FlowOptions::default()
+        };
+        session.configure(options).expect("options").free_vertices
+    };
+    assert_eq!(free(FlowName::Circle, None), 49);
+    assert_eq!(free(FlowName::Mmcv, None), 81);
+    assert_eq!(free(FlowName::Circle, Some(Boundary::Fixed)), 81);
+    assert_eq!(free(FlowName::Mmcv, Some(Boundary::Clamped)), 49);
 }

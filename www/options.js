@@ -35,6 +35,7 @@ export const defaults = Object.freeze({
   pressure: 0,
   criterion: "localised",
   guardFolds: false,
+  rungs: null,
 });
 
 /** @type {Readonly<import("./protocol.js").Arrangement>} */
@@ -45,6 +46,10 @@ export const choices = {
   flow: [
     { id: "circle", label: "Willmore, circle angles" },
     { id: "p-willmore", label: "p-Willmore" },
+    { id: "mean-curvature", label: "Mean curvature" },
+    { id: "surface-diffusion", label: "Surface diffusion" },
+    { id: "willmore", label: "Willmore, fitted operators" },
+    { id: "mmcv", label: "Least variation of mean curvature" },
     { id: "flips", label: "Edge flips" },
   ],
   boundary: [
@@ -108,7 +113,9 @@ const count = (text) => (/^[1-9]\d{0,6}$/.test(text) ? Number(text) : undefined)
  * @type {Readonly<Record<string, (text: string) => string | number | boolean | string[] | null | undefined>>}
  */
 export const readers = {
-  flow: oneOf("circle", "p-willmore", "flips"),
+  flow: oneOf(
+    ...["circle", "p-willmore", "mean-curvature", "surface-diffusion", "willmore", "mmcv", "flips"],
+  ),
   scheme: oneOf("auto", "paper"),
   integrator: oneOf("semi-implicit", "forward-euler", "backward-euler", "l-bfgs"),
   boundary: oneOf("clamped", "fixed", "free"),
@@ -134,6 +141,7 @@ export const readers = {
   pressure: between(-1e6, 1e6),
   criterion: oneOf("area", "willmore", "localised"),
   guardFolds: flag,
+  rungs: orAuto((text) => (text === "0" ? 0 : count(text))),
 };
 
 /**

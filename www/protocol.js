@@ -45,21 +45,30 @@
  */
 
 /**
+ * @typedef {'circle' | 'p-willmore' | 'mean-curvature' | 'surface-diffusion' | 'willmore' |
+ *           'mmcv' | 'flips'} FlowName
+ */
+
+/**
  * Options of a flow. Every field may be left out; `Configured` tells what was chosen.
  * @typedef {object} FlowOptions
- * @property {'circle' | 'p-willmore' | 'flips'} [flow]
+ * @property {FlowName} [flow]
  * @property {'auto' | 'paper'} [scheme]   `paper`: constant dt, exact energy, plain K, uniform mass
  * @property {'semi-implicit' | 'forward-euler' | 'backward-euler' | 'l-bfgs'} [integrator]
- * @property {'clamped' | 'fixed' | 'free'} [boundary]
+ * @property {'clamped' | 'fixed' | 'free'} [boundary]  default clamped; of the flows by mean
+ *                                         curvature and its derivatives fixed
  * @property {'relax' | 'smooth'} [goal]   `relax`: adaptive step towards a minimum; `smooth`: a set amount
  * @property {number} [detail]             smooth: removes detail below this many mean edge lengths
  * @property {number} [smoothSteps]        smooth: in so many steps (default 10)
  * @property {number | null} [dt]          raw step size, unit length²; null or absent = automatic
- * @property {number | null} [tau]         dt / h², the same scale-free; h = mean edge length at the start
+ * @property {number | null} [tau]         dt / h², the same scale-free; h = mean edge length at the start;
+ *                                         flows by mean curvature and its derivatives: dt / L^k,
+ *                                         k the order, L² the area of a free patch (default 1)
  * @property {'auto' | 'uniform' | 'area'} [mass]
  * @property {number} [epsilon]            angle smoothing φ(β) = √(β²+ε²) − ε (default 0.1)
  * @property {boolean} [sharpen]           lets ε go to 0 at the end (default true)
- * @property {boolean} [prefill]           harmonic pre-fill of the free region before the first step
+ * @property {boolean} [prefill]           pre-fill of the free region before the first step: harmonic, or
+ *                                         smooth under the flows by mean curvature
  * @property {number[] | null} [free]      only these vertices move
  * @property {number[] | null} [fixed]     these vertices never move
  * @property {number} [maxSteps]           budget (default 200)
@@ -73,6 +82,8 @@
  * @property {number} [spontaneousCurvature]  p-Willmore, p = 2: H₀ L, L = √(A/4π) at the start
  * @property {number} [tension]            p-Willmore, p = 2: σ L²
  * @property {number} [pressure]           p-Willmore, p = 2: P L³
+ * @property {number | null} [rungs]       mmcv: steps of surface diffusion first; null or absent
+ *                                         = as many as a rough start needs
  * @property {Criterion} [criterion]       edge flips: what is to become small (default localised)
  * @property {boolean} [guardFolds]        edge flips: faces may not be turned over
  */
@@ -244,7 +255,9 @@
  * @property {number} step
  * @property {number} time
  * @property {number} dt
- * @property {number} energy            W = Σ W_i as printed in the paper, or ∫|H|^p dA
+ * @property {number} energy            W = Σ W_i as printed in the paper, or ∫|H|^p dA; the area
+ *                                      (mean-curvature, surface-diffusion), ∫H² dA (willmore) or
+ *                                      ∫|∇H|² dA (mmcv) near the free vertices
  * @property {number} energyNormalised  W/2, or ∫|H|^p dA over that of the sphere of the same area
  * @property {number} objectiveBefore   what this step had to decrease, before …
  * @property {number} objective         … and after
@@ -264,10 +277,19 @@
  * @property {Multipliers} [multipliers]  where area or volume is kept
  * @property {number} [reducedVolume]   6√π V/A^(3/2), 1 for a sphere; p-Willmore only
  * @property {FlipReading[]} [flips]    edge flips: each criterion, the chosen one first
+ * @property {number} [update]          flows by mean curvature and its derivatives: how far a vertex
+ *                                      was to move at most, in mean edge lengths
+ * @property {number} [linearResidual]  the same flows: relative residual of the linear system
  * @property {number} assembleMilliseconds
  * @property {number} factorMilliseconds
  * @property {number} solveMilliseconds
  * @property {string[]} warnings
+ */
+
+/**
+ * What `curvatureJump` answers: how H jumps across the boundary of what moves, root mean
+ * square; `relative` to H outside, 0 where the curvature is continuous.
+ * @typedef {{ absolute: number, relative: number, vertices: number }} CurvatureJump
  */
 
 /**

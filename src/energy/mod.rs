@@ -4,5 +4,6 @@
 
 pub mod circle;
 pub mod conformal;
+pub mod curvature_jump;
 pub mod p_willmore;
 pub mod total_curvature;

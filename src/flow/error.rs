@@ -66,6 +66,18 @@ pub enum FlowError {
         /// How many there may be.
         limit: usize,
     },
+    /// The neighbours of a vertex do not determine a quadratic surface.
+    #[error("the surface cannot be fitted at vertex {vertex}")]
+    Unfit {
+        /// The vertex.
+        vertex: u32,
+    },
+    /// The solution of the linear system does not satisfy it.
+    #[error("the linear system was solved to a residual of {residual:.1e} only")]
+    Inaccurate {
+        /// Norm of what is left of the right-hand side, over its norm.
+        residual: f64,
+    },
     /// The energy or its gradient is not a number.
     #[error("the energy is not a finite number at step {step}")]
     NonFiniteEnergy {
@@ -90,6 +102,8 @@ impl FlowError {
             Self::NotOriented => "NotOriented",
             Self::MixedFaces => "MixedFaces",
             Self::TooLarge { .. } => "TooLarge",
+            Self::Unfit { .. } => "Unfit",
+            Self::Inaccurate { .. } => "Inaccurate",
             Self::NonFiniteEnergy { .. } => "NonFiniteEnergy",
             Self::Linear(error) => error.kind(),
         }
@@ -125,6 +139,14 @@ impl FlowError {
                     .into()
             }
             Self::MixedFaces => "Triangulate the mesh first.".into(),
+            Self::Unfit { .. } => {
+                "It has too few neighbours, some of them coincide, or faces around it have \
+                 collapsed or are folded: repair the mesh there, or hold the vertices around it."
+                    .into()
+            }
+            Self::Inaccurate { .. } => {
+                "Choose a smaller step size, a coarser mesh or a flow of lower order.".into()
+            }
             Self::NonFiniteEnergy { .. } => {
                 "Go back a step, choose a smaller step size or the recommended scheme, and look \
                  for a folded or collapsed triangle."
@@ -139,7 +161,9 @@ impl FlowError {
         match self {
             Self::NotTriangular { face, .. } => vec![("faces", vec![*face])],
             Self::ZeroLengthEdge { a, b, .. } => vec![("vertices", vec![*a, *b])],
-            Self::SelectionOutOfRange { vertex, .. } => vec![("vertices", vec![*vertex])],
+            Self::SelectionOutOfRange { vertex, .. } | Self::Unfit { vertex } => {
+                vec![("vertices", vec![*vertex])]
+            }
             _ => Vec::new(),
         }
     }

@@ -6,6 +6,7 @@
 pub mod boundary;
 pub mod circle;
 pub mod constraint;
+pub mod curvature;
 pub mod error;
 pub mod flips;
 pub mod options;
@@ -21,6 +22,7 @@ pub use report::{Multipliers, Status, StepReport};
 use crate::mesh::HalfedgeMesh;
 use crate::operator::Elements;
 use circle::CircleFlow;
+use curvature::CurvatureFlow;
 use flips::FlipFlow;
 use glam::DVec3;
 use options::{FlowName, FlowOptions};
@@ -32,7 +34,7 @@ use stop::Verdict;
 pub type Progress = Rc<dyn Fn(&str, f64)>;
 
 /// The flow that the options ask for, on a triangle mesh; on `polygons`, the same surface
-/// before it was cut into triangles, where the flow takes its faces. A harmonic pre-fill
+/// before it was cut into triangles, where the flow takes its faces. A pre-fill
 /// may change `x`.
 ///
 /// # Errors
@@ -51,6 +53,10 @@ pub fn start(
             let mesh = if is_one_kind { polygons } else { triangles };
             Box::new(PWillmoreFlow::new(Rc::clone(mesh), x, options)?)
         }
+        FlowName::MeanCurvature
+        | FlowName::SurfaceDiffusion
+        | FlowName::Willmore
+        | FlowName::Mmcv => Box::new(CurvatureFlow::new(Rc::clone(triangles), x, options)?),
     })
 }
 
@@ -63,6 +69,8 @@ pub enum Pace {
     PWillmore(p_willmore::Pace),
     /// Number of edge flips made.
     Flips(usize),
+    /// Of the flows by mean curvature and its derivatives.
+    Curvature(curvature::Pace),
 }
 
 /// What a flow says of positions that it has not just stepped to.
@@ -95,6 +103,12 @@ pub trait Flow {
 
     /// What moves the surface, a vector a vertex, zero where it is held.
     fn gradient(&self, x: &[DVec3]) -> Vec<DVec3>;
+
+    /// Pointwise H as the flow measures it, a value a vertex, where that is not the usual
+    /// [`pointwise_mean_curvature`](crate::geometry::curvature::pointwise_mean_curvature).
+    fn mean_curvature(&self, _x: &[DVec3]) -> Option<Vec<f64>> {
+        None
+    }
 
     /// Called with a stage's name and the share of the step done, within long steps.
     fn set_progress(&mut self, callback: Option<Progress>);

@@ -18,6 +18,14 @@ pub enum FlowName {
     PWillmore,
     /// Brink & Alboul's edge flips.
     Flips,
+    /// Flow by mean curvature.
+    MeanCurvature,
+    /// Surface diffusion.
+    SurfaceDiffusion,
+    /// Willmore flow by fitted operators.
+    Willmore,
+    /// Xu & Zhang's minimal mean-curvature-variation flow.
+    Mmcv,
 }
 
 /// Recommended treatment or the paper's own.
@@ -81,8 +89,9 @@ pub struct FlowOptions {
     pub scheme: Scheme,
     /// Time discretisation.
     pub integrator: Integrator,
-    /// What happens at the boundary.
-    pub boundary: Boundary,
+    /// What happens at the boundary; by default it is clamped under the circle flow and
+    /// fixed under the flows by mean curvature and its derivatives.
+    pub boundary: Option<Boundary>,
     /// Relax or smooth.
     pub goal: Goal,
     /// Smoothing: wavelengths below this many mean edge lengths are at least halved.
@@ -91,7 +100,9 @@ pub struct FlowOptions {
     pub smooth_steps: usize,
     /// Raw step size; overrides `tau` and `detail`.
     pub dt: Option<f64>,
-    /// Step size over h², h the mean edge length at the start; overrides `detail`.
+    /// Step size over h², h the mean edge length at the start; overrides `detail`. Under the
+    /// flows by mean curvature and its derivatives, over L^k, k the order of the flow and L²
+    /// the area of a free patch.
     pub tau: Option<f64>,
     /// Metric.
     pub mass: MassChoice,
@@ -99,7 +110,8 @@ pub struct FlowOptions {
     pub epsilon: f64,
     /// Whether ε goes to 0 at the end of relaxing.
     pub sharpen: bool,
-    /// Harmonic pre-fill of the free vertices before the first step.
+    /// Pre-fill of the free vertices before the first step: harmonic under the circle flow,
+    /// smooth under the flows by mean curvature and its derivatives.
     pub prefill: bool,
     /// Only these vertices move.
     pub free: Option<Vec<u32>>,
@@ -132,6 +144,9 @@ pub struct FlowOptions {
     pub criterion: Criterion,
     /// Edge flips: no flip may turn a face over.
     pub guard_folds: bool,
+    /// Mean-curvature variation: steps of surface diffusion taken first; by default some
+    /// where the start is rough.
+    pub rungs: Option<usize>,
 }
 
 impl Default for FlowOptions {
@@ -140,7 +155,7 @@ impl Default for FlowOptions {
             flow: FlowName::default(),
             scheme: Scheme::default(),
             integrator: Integrator::default(),
-            boundary: Boundary::default(),
+            boundary: None,
             goal: Goal::default(),
             detail: None,
             smooth_steps: 10,
@@ -165,6 +180,7 @@ impl Default for FlowOptions {
             pressure: 0.0,
             criterion: Criterion::default(),
             guard_folds: false,
+            rungs: None,
         }
     }
 }

@@ -38,7 +38,9 @@ pub struct StepReport {
     /// Raw step size.
     pub dt: f64,
     /// The flow's own reading: W = Σ W_i as printed, or ∫|H|^p dA, or with the terms of
-    /// Helfrich ∫(H − H₀)² dA + (σA − PV)/4.
+    /// Helfrich ∫(H − H₀)² dA + (σA − PV)/4; the area under the flow by mean curvature and
+    /// surface diffusion, ∫H² dA under the Willmore flow, ∫|∇H|² dA under mean-curvature
+    /// variation, within two edges of the free vertices.
     pub energy: f64,
     /// The same made comparable: W/2, or ∫|H|^p dA over its value on the round sphere of
     /// the same area.
@@ -48,7 +50,9 @@ pub struct StepReport {
     /// The same after.
     pub objective: f64,
     /// Circle flow: Frobenius norm of the objective's gradient over the free vertices, after.
-    /// p-Willmore flow: its normal, constrained part, scale-free.
+    /// p-Willmore flow: its normal, constrained part, scale-free. Flows by mean curvature and
+    /// its derivatives: root mean square of the velocity, scale-free; it need not vanish at
+    /// rest on irregular meshes.
     pub gradient_norm: f64,
     /// Total area.
     pub area: f64,
@@ -85,6 +89,14 @@ pub struct StepReport {
     /// Edge flips: where each criterion stands, the chosen one first.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flips: Option<Vec<FlipReading>>,
+    /// Largest distance a vertex was to move, in mean edge lengths; under the flows by mean
+    /// curvature and its derivatives, where it tells convergence.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub update: Option<f64>,
+    /// Norm of the residual of the linear system over that of its right-hand side, under the
+    /// same flows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub linear_residual: Option<f64>,
     /// Time for energy, gradient and matrix.
     pub assemble_milliseconds: f64,
     /// Time for factorisations.

@@ -11,7 +11,7 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FieldName {
-    /// Pointwise H.
+    /// Pointwise H, as the flow measures it.
     MeanCurvature,
     /// Pointwise K.
     GaussCurvature,
@@ -83,23 +83,21 @@ pub struct Field {
 const TAIL: f64 = 0.02;
 
 impl Field {
-    /// Computes a field on a triangle mesh; `boundary` decides which terms of W_i count, and
-    /// `vectors` gives what gradient and displacement are the sizes of.
+    /// Computes a field on a triangle mesh. `measured` gives the values of what a flow measures
+    /// itself; `boundary` decides which terms of W_i count.
     pub fn compute(
         name: FieldName,
         mesh: &HalfedgeMesh,
         boundary: Boundary,
         x: &[DVec3],
-        vectors: impl FnOnce(FieldName) -> Vec<DVec3>,
+        measured: impl FnOnce(FieldName) -> Option<Vec<f64>>,
     ) -> Self {
-        let values: Vec<f64> = match name {
+        let values = measured(name).unwrap_or_else(|| match name {
             FieldName::MeanCurvature => curvature::pointwise_mean_curvature(mesh, x),
             FieldName::GaussCurvature => curvature::pointwise_gauss_curvature(mesh, x),
             FieldName::Willmore => CircleEnergy::new(mesh, boundary).vertex_energies(x),
-            FieldName::Gradient | FieldName::Displacement => {
-                vectors(name).iter().map(|v| v.length()).collect()
-            }
-        };
+            FieldName::Gradient | FieldName::Displacement => vec![0.0; x.len()],
+        });
         let (low, high) = robust_range(&values, name.is_signed());
         let values = values.into_iter().map(|v| v as f32).collect();
         let (label, signed) = (name.label(), name.is_signed());

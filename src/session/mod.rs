@@ -26,6 +26,7 @@ pub use pane::{Arrangement, Compare, Curves, Pane};
 pub use readings::{EnergyReadings, Info, State};
 pub use work::Configured;
 
+use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
 use crate::io::Format;
@@ -288,6 +289,24 @@ impl Session {
         Ok((0..work.x.len())
             .map(|v| u8::from(!flow.is_free(v)))
             .collect())
+    }
+
+    /// The jump of H across the boundary of what moves; `None` where nothing is held next to a
+    /// vertex that moves, or before `configure`.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn curvature_jump(&self) -> Result<Option<CurvatureJump>, Fault> {
+        let work = self.work()?;
+        let Some(flow) = &work.flow else {
+            return Ok(None);
+        };
+        let mesh = work.triangles();
+        let free: Vec<bool> = (0..work.x.len()).map(|v| flow.is_free(v)).collect();
+        Ok(mesh
+            .is_oriented()
+            .then(|| curvature_jump(mesh, &work.x, &free))
+            .flatten())
     }
 
     /// A field to colour by; `None` for the name `none`.

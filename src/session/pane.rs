@@ -168,7 +168,7 @@ impl Work {
     ) -> Pane {
         let finer = subdivided(mesh, &self.x, self.arrangement.subdivide);
         let (drawn, x) = finer.as_ref().map_or((mesh, &*self.x), |(m, x)| (m, x));
-        let zero = |_| vec![DVec3::ZERO; x.len()];
+        let boundary = self.options.boundary.unwrap_or_default();
         Pane {
             name,
             positions: as_f32(x),
@@ -181,7 +181,7 @@ impl Work {
             } else {
                 edges.into_iter().flatten().map(|v| v.0).collect()
             },
-            field: field.map(|f| Field::compute(f, drawn, self.options.boundary, x, zero)),
+            field: field.map(|f| Field::compute(f, drawn, boundary, x, |_| None)),
         }
     }
 }

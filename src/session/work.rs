@@ -142,12 +142,22 @@ impl Work {
             ));
         };
         let (x, start) = (&self.x, &self.document.start);
-        let vectors = |name| match name {
-            FieldName::Gradient => flow.gradient(x),
-            _ => x.iter().zip(start).map(|(p, q)| *p - *q).collect(),
+        let measured = |name| match name {
+            FieldName::MeanCurvature => flow.mean_curvature(x),
+            FieldName::Gradient => Some(flow.gradient(x).iter().map(|g| g.length()).collect()),
+            FieldName::Displacement => {
+                Some(x.iter().zip(start).map(|(p, q)| p.distance(*q)).collect())
+            }
+            _ => None,
         };
-        let boundary = self.options.boundary;
-        Ok(Field::compute(name, self.triangles(), boundary, x, vectors))
+        let boundary = self.options.boundary.unwrap_or_default();
+        Ok(Field::compute(
+            name,
+            self.triangles(),
+            boundary,
+            x,
+            measured,
+        ))
     }
 
     pub(super) fn back(&mut self) -> State {

@@ -260,6 +260,16 @@ impl Session {
         Ok(Uint8Array::from(self.0.held_vertices()?.as_slice()))
     }
 
+    /// `{ absolute, relative, vertices }`: the jump of H across the boundary of what moves;
+    /// null where nothing is held next to it.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    #[wasm_bindgen(js_name = curvatureJump)]
+    pub fn curvature_jump(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&self.0.curvature_jump()?))
+    }
+
     /// `Field`, or null for `none`.
     ///
     /// # Errors

@@ -78,6 +78,10 @@ fn every_shape_is_the_manifold_it_should_be() {
         ("hyperbolic-paraboloid",   625,  1152,   1,  1, true),
         ("monkey-saddle",           817,  1536,   1,  1, true),
         ("tubes",                  1560,  2880,   0,  6, true),
+        ("cylinder-gaps",          3608,  7040,   0,  2, true),
+        ("sphere-openings",       10242, 20480,   2,  0, true),
+        ("dodecahedron",           1154,  2304,   2,  0, true),
+        ("four-bumps",             3721,  7200,   1,  1, true),
     ];
     assert_eq!(
         expected.map(|row| row.0).to_vec(),

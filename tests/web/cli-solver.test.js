@@ -245,6 +245,34 @@ test("p-Willmore flow: multipliers, constraints and the sphere's energies", () =
   assertNear(led.final.area, led.initial.area, 1e-9);
 });
 
+test("mean-curvature variation: a restored sphere, and jumps of curvature", () => {
+  const [name, selection, out] = [file("openings.ply"), file("openings.json"), file("round.off")];
+  const written = ["--out", name, "--selection", selection];
+  json(["shape", "sphere-openings", "--level", "4", ...written]);
+  const options = ["--flow", "mmcv", "--free", selection, "--until-converged", "--out", out];
+  const restored = json(["flow", name, ...options]);
+  assert.equal(restored.status, "converged");
+  assert.ok(restored.steps.length <= 15);
+  assert.ok(restored.curvatureJump.relative < 2e-3 && restored.curvatureJump.vertices > 100);
+  for (const p of vertices("round.off")) assertNear(Math.hypot(...p), 1, 5e-4);
+  const last = restored.steps.at(-1);
+  assert.ok(last.update < 1e-6 && last.linearResidual < 1e-6);
+
+  const [bumps, patch] = [file("bumps.ply"), file("bumps.json")];
+  json(["shape", "four-bumps", "--vertices", "31", "--out", bumps, "--selection", patch]);
+  const jump = (/** @type {string} */ flow) => {
+    const found = json(["flow", bumps, "--flow", flow, "--free", patch, "--until-converged"]);
+    assert.equal(found.status, "converged", flow);
+    return found.curvatureJump.relative;
+  };
+  const flows = ["mean-curvature", "surface-diffusion", "willmore", "mmcv"];
+  const [second, fourth, willmore, sixth] = flows.map(jump);
+  assert.ok(second > 0.9 && sixth < 0.6 * Math.min(fourth, willmore));
+  const paper = ["--scheme", "paper", "--dt", "2", "--steps", "5"];
+  const whole = json(["flow", bumps, "--flow", "mmcv", "--free", patch, ...paper]);
+  for (const step of whole.steps) assert.equal(step.dt, 2);
+});
+
 test("surfaces that the p-Willmore flow cannot take are refused with what to do", () => {
   const name = file("open.ply");
   json(["shape", "hemisphere", "--out", name]);

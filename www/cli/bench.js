@@ -52,6 +52,17 @@ const tables = {
     ],
     rows: flipRows,
   },
+  mmcv: {
+    title:
+      "Minimal mean-curvature-variation flow: milliseconds of the first step and of a later one\n" +
+      "(medians), steps to rest, and forming and solving the system in table 5.1 of the paper,\n" +
+      "measured on another machine, with the ratio of its step to ours",
+    columns: [
+      ...["figure", "free", "first", "step", "assemble", "factor", "solve", "steps"],
+      ...["megabytes", "paperUnknowns", "paperSteps", "paper", "ratio"],
+    ],
+    rows: mmcvRows,
+  },
 };
 
 /** @type {import("./options.js").Syntax} */
@@ -209,6 +220,59 @@ function* pWillmoreRows(session, { maxVertices, steps }) {
       rejected: reports.reduce((sum, report) => sum + report.rejected, 0),
       megabytes: megabytes(),
       paper,
+    };
+  }
+}
+
+/**
+ * The figures that are made by code, with the paper's unknowns (three a vertex), steps and
+ * seconds for forming and solving the system of one step; then larger ones.
+ */
+const mmcvCases = [
+  { figure: "5.1(c)", sample: "cylinder-gaps", parameters: {}, table: [3480, 100, 0.12, 2.11] },
+  { figure: "5.1(f)", sample: "sphere-openings", parameters: {}, table: [11160, 350, 0.42, 6.72] },
+  { figure: "5.4(b)", sample: "dodecahedron", parameters: {}, table: null },
+  { figure: "5.6(c)", sample: "four-bumps", parameters: {}, table: [2520, 5, 0.09, 1.5] },
+  ...[45, 81, 121, 151, 291, 421].map((vertices) => ({
+    figure: `5.6(c), ${vertices}`,
+    sample: "four-bumps",
+    parameters: { vertices },
+    table: null,
+  })),
+];
+
+/**
+ * @param {Session} session
+ * @param {Limits} limits
+ * @returns {Generator<Row>}
+ */
+function* mmcvRows(session, { maxVertices, steps }) {
+  for (const { figure, sample, parameters, table } of mmcvCases) {
+    const { info } = session.sample(sample, parameters);
+    if (info.vertices > maxVertices) continue;
+    const { freeVertices } = session.configure({ flow: "mmcv", maxSteps: 60 });
+    const first = oneStep(session).milliseconds;
+    /** @type {StepReport[]} */
+    const reports = [];
+    while (session.state().status === "ready") reports.push(oneStep(session));
+    const measured = reports.slice(0, steps);
+    const step = median(measured.map((report) => report.milliseconds));
+    const [unknowns, paperSteps, forming, solving] = table ?? [];
+    const paper = table ? 1000 * (forming + solving) : null;
+    yield {
+      figure,
+      free: freeVertices,
+      first,
+      step,
+      assemble: median(measured.map((report) => report.assembleMilliseconds)),
+      factor: median(measured.map((report) => report.factorMilliseconds)),
+      solve: median(measured.map((report) => report.solveMilliseconds)),
+      steps: `${reports.length + 1} ${session.state().status}`,
+      megabytes: Math.round(memoryBytes() / 1e6),
+      paperUnknowns: unknowns ?? null,
+      paperSteps: paperSteps ?? null,
+      paper,
+      ratio: paper === null ? null : paper / step,
     };
   }
 }

@@ -9,11 +9,12 @@ import { entries, format, table } from "./text.js";
 /** @typedef {import("../protocol.js").FlowOptions} FlowOptions */
 /** @typedef {import("../protocol.js").StepReport} StepReport */
 /** @typedef {import("../protocol.js").Fault} Fault */
+/** @typedef {import("../protocol.js").CurvatureJump} CurvatureJump */
 /** @typedef {import("./options.js").Values} Values */
 /** @typedef {import("./solver.js").Session} Session */
 
-const flows = ["circle", "p-willmore"];
-const laterFlows = ["mean-curvature", "surface-diffusion", "willmore", "mmcv"];
+const curvatureFlows = ["mean-curvature", "surface-diffusion", "willmore", "mmcv"];
+const flows = ["circle", "p-willmore", ...curvatureFlows];
 
 /** More steps than any flow that converges has been seen to need. */
 const untilConvergedSteps = 10_000;
@@ -42,7 +43,7 @@ const syntax = {
     dt: { value: "auto|VALUE", help: "step size, in squared lengths of the mesh" },
     tau: {
       value: "VALUE",
-      help: "step size without a unit: in squared mean edge lengths; p-willmore: in (A/4π)^(p/2+1)",
+      help: "step size without a unit: in squared mean edge lengths; p-willmore: in (A/4π)^(p/2+1); the other flows: in the size of the free patches to the power of their order (default 1)",
     },
     p: { value: "P", help: "p-willmore: the exponent, 0 or from 1 (default 2)" },
     keep: { value: "area,volume", help: "p-willmore: what is kept, one or both" },
@@ -61,6 +62,10 @@ const syntax = {
     "spontaneous-curvature": { value: "H0", help: "p-willmore, p = 2: times √(A/4π)" },
     tension: { value: "VALUE", help: "p-willmore, p = 2: times A/4π" },
     pressure: { value: "VALUE", help: "p-willmore, p = 2: times (A/4π)^(3/2)" },
+    rungs: {
+      value: "N",
+      help: "mmcv: so many steps of surface diffusion first (default: as a rough start needs)",
+    },
     goal: {
       value: "GOAL",
       choices: ["relax", "smooth"],
@@ -107,7 +112,7 @@ export const flow = {
     const final = failed
       ? orNull(() => session.energy(energyOptions))
       : session.energy(energyOptions);
-    const report = { status, message, ...fault, steps, initial, final };
+    const report = { status, message, ...fault, steps, initial, final, ...jump(session, options) };
 
     if (values.out) writeOutput(values.out, session.export(outFormat));
     if (values.history) writeOutput(values.history, session.history());
@@ -126,7 +131,6 @@ export const flow = {
  */
 function flowOptions(values) {
   const flow = values.flow ?? "circle";
-  if (laterFlows.includes(flow)) throw usage(`The flow \`${flow}\` is not in this version.`);
   if (!flows.includes(flow)) {
     throw usage(`There is no flow \`${flow}\`.`, `This version has: ${flows.join(", ")}.`);
   }
@@ -170,23 +174,38 @@ function flowOptions(values) {
     spontaneousCurvature: number(values, "spontaneous-curvature"),
     tension: number(values, "tension"),
     pressure: number(values, "pressure"),
+    rungs: number(values, "rungs", { low: 0, integer: true }),
   };
   return /** @type {FlowOptions} */ (
     Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined))
   );
 }
 
-/** Options that only one flow has. @type {Record<string, string[]>} */
+/**
+ * How the curvature jumps across the rim of what moved, under the flows that mind it.
+ * @param {Session} session
+ * @param {FlowOptions} options
+ */
+function jump(session, options) {
+  if (!curvatureFlows.includes(options.flow ?? "")) return {};
+  return { curvatureJump: session.curvatureJump() };
+}
+
+/** Options of open and partly held surfaces. */
+const regional = ["prefill", "boundary", "free", "fixed"];
+
+/** Options that not every flow has, by flow. @type {Record<string, string[]>} */
 const own = {
-  circle: [
-    ...["integrator", "goal", "detail", "mass", "epsilon", "sharpen", "prefill", "boundary"],
-    ...["free", "fixed"],
-  ],
+  circle: [...["integrator", "goal", "detail", "mass", "epsilon", "sharpen"], ...regional],
   "p-willmore": [
     ...["p", "keep", "regularise", "regularise-epsilon", "reduced-volume"],
     ...["tau-growth", "tau-max"],
     ...["spontaneous-curvature", "tension", "pressure"],
   ],
+  "mean-curvature": regional,
+  "surface-diffusion": regional,
+  willmore: regional,
+  mmcv: [...regional, "rungs"],
 };
 
 /**
@@ -196,7 +215,7 @@ const own = {
  */
 function onlyFor(flow, values) {
   for (const [name, options] of Object.entries(own)) {
-    const stray = name === flow ? undefined : options.find((option) => option in values);
+    const stray = options.find((option) => option in values && !own[flow]?.includes(option));
     if (stray) throw usage(`--${stray} is an option of --flow ${name}, not of ${flow}.`);
   }
 }
@@ -281,10 +300,14 @@ function stepLine({ step, energy, dt, gradientNorm, milliseconds }) {
   return `step ${String(step).padStart(4)}  ${parts.join("  ")}`;
 }
 
-/** @param {{ status: string, message: string, steps: StepReport[], initial: any, final: any }} report */
-function summary({ status, message, steps, initial, final }) {
+/**
+ * @param {{ status: string, message: string, steps: StepReport[], initial: any, final: any,
+ *           curvatureJump?: CurvatureJump | null }} report
+ */
+function summary({ status, message, steps, initial, final, curvatureJump }) {
   const last = final && new Map(entries(final));
   const rows = entries(initial).map(([key, value]) => [key, format(value), format(last?.get(key))]);
   const heading = `${status}, ${steps.length} steps: ${message}\n\n`;
+  if (curvatureJump) rows.push(["curvatureJump", "", format(curvatureJump.relative)]);
   return heading + table([["", "initial", "final"], ...rows]);
 }

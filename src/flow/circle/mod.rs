@@ -94,7 +94,7 @@ impl CircleFlow {
         check_mesh(&mesh, x)?;
         let free = boundary::free_vertices(
             &mesh,
-            options.boundary,
+            options.boundary.unwrap_or_default(),
             options.free.as_deref(),
             options.fixed.as_deref(),
         )?;
@@ -102,7 +102,7 @@ impl CircleFlow {
         if options.prefill {
             prefill::harmonic(&mesh, &free, x)?;
         }
-        let energy = CircleEnergy::new(&mesh, options.boundary);
+        let energy = CircleEnergy::new(&mesh, options.boundary.unwrap_or_default());
         let problem = Problem::new(energy, &free, x, h)?;
         let dt = options.dt.unwrap_or_else(|| options.first_tau() * h * h);
         let adaptive = options.scheme == Scheme::Auto && options.goal == Goal::Relax;

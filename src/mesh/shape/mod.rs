@@ -10,6 +10,7 @@
 pub mod blocks;
 mod curve;
 mod face;
+pub mod gap;
 mod grid;
 mod hexagon;
 pub mod hole;

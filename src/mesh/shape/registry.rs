@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{Parameter, Sample, Shape};
 use super::{
-    blocks, hole, knot, one_sided, patch, platonic, rough, scan, scar, sphere, torus, tubes,
+    blocks, gap, hole, knot, one_sided, patch, platonic, rough, scan, scar, sphere, torus, tubes,
 };
 use crate::mesh::subdivide::linear_levels;
 use crate::soup::PolygonSoup;
@@ -357,6 +357,37 @@ pub(super) static SHAPES: &[Shape] = &[
             count("along", "Steps along", 12, 1, 200),
         ],
         build: |v| Ok(tubes::tubes(n(v[0]), v[1], v[2], n(v[3]), n(v[4]))?.into()),
+    },
+    Shape {
+        name: "cylinder-gaps",
+        label: "Cylinder with four gaps",
+        parameters: &[
+            count("around", "Steps around", 88, 24, 300),
+            count("along", "Steps along", 40, 12, 300),
+            real("radius", "Radius of a gap", 0.69, 0.05, 0.72),
+        ],
+        build: |v| gap::cylinder_with_gaps(n(v[0]), n(v[1]), v[2]),
+    },
+    Shape {
+        name: "sphere-openings",
+        label: "Sphere with eight openings",
+        parameters: &[
+            level(5, 7),
+            real("radius", "Radius of an opening", 0.43, 0.1, 0.52),
+        ],
+        build: |v| gap::sphere_with_openings(n(v[0]), v[1]).map_err(|error| error.to_string()),
+    },
+    Shape {
+        name: "dodecahedron",
+        label: "Dodecahedron",
+        parameters: &[level(3, 6)],
+        build: |v| gap::dodecahedron(n(v[0])).map_err(|error| error.to_string()),
+    },
+    Shape {
+        name: "four-bumps",
+        label: "Four bumps",
+        parameters: &[count("vertices", "Vertices a side", 61, 31, 601)],
+        build: |v| Ok(gap::four_bumps(n(v[0]))),
     },
 ];
 

@@ -1,0 +1,136 @@
+//! What distinguishes the flows: a velocity law with its linearisation.
+
+use super::curvatures::Curvatures;
+use super::{curvature_variation, mean_curvature, surface_diffusion, willmore};
+use crate::flow::FlowError;
+use crate::flow::options::FlowName;
+
+/// Which velocity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Law {
+    MeanCurvature,
+    SurfaceDiffusion,
+    Willmore,
+    CurvatureVariation,
+}
+
+impl Law {
+    /// That of a flow.
+    pub(super) fn of(flow: FlowName) -> Result<Self, FlowError> {
+        match flow {
+            FlowName::MeanCurvature => Ok(Self::MeanCurvature),
+            FlowName::SurfaceDiffusion => Ok(Self::SurfaceDiffusion),
+            FlowName::Willmore => Ok(Self::Willmore),
+            FlowName::Mmcv => Ok(Self::CurvatureVariation),
+            FlowName::Circle | FlowName::PWillmore | FlowName::Flips => Err(FlowError::BadOption {
+                name: "flow",
+                value: format!("{flow:?}"),
+                allowed: "one by mean curvature or its derivatives",
+            }),
+        }
+    }
+
+    /// Order of the equation in space, k: dt has the unit length^k.
+    pub(super) fn order(self) -> i32 {
+        match self {
+            Self::MeanCurvature => 2,
+            Self::SurfaceDiffusion | Self::Willmore => 4,
+            Self::CurvatureVariation => 6,
+        }
+    }
+
+    /// Stencils between a vertex and the curvatures its velocity depends on; also the rings
+    /// of held vertices that carry the derivatives of the surface beyond a patch.
+    pub(super) fn depth(self) -> usize {
+        self.order() as usize / 2 - 1
+    }
+
+    /// The velocity of vertex `i`, written so that it can be taken implicitly.
+    pub(super) fn linearise(
+        self,
+        at: &Curvatures,
+        i: usize,
+        velocity: &mut Velocity,
+    ) -> Result<(), FlowError> {
+        velocity.clear();
+        match self {
+            Self::MeanCurvature => mean_curvature::linearise(i, velocity),
+            Self::SurfaceDiffusion => surface_diffusion::linearise(at, i, velocity)?,
+            Self::Willmore => willmore::linearise(at, i, velocity)?,
+            Self::CurvatureVariation => curvature_variation::linearise(at, i, velocity)?,
+        }
+        Ok(())
+    }
+
+    /// What the flow decreases: the area under the flow by mean curvature and surface
+    /// diffusion, ∫H² dA, ∫|∇H|² dA; see [`Curvatures::integrate`] for the part of the
+    /// surface that counts.
+    pub(super) fn energy(self, at: &Curvatures, area: f64) -> f64 {
+        match self {
+            Self::MeanCurvature | Self::SurfaceDiffusion => area,
+            Self::Willmore => at.integrate(willmore::density),
+            Self::CurvatureVariation => at.integrate(curvature_variation::density),
+        }
+    }
+
+    /// The energy without a unit, for surfaces of size `length`.
+    pub(super) fn normalised(self, energy: f64, length: f64) -> f64 {
+        match self {
+            Self::MeanCurvature | Self::SurfaceDiffusion => energy / (length * length),
+            Self::Willmore => energy,
+            Self::CurvatureVariation => energy * length * length,
+        }
+    }
+}
+
+/// A velocity as V_i = Σ_j q_j H_j + k K_i. With the factors q and k at the present surface
+/// and the curvatures H and K at the next it is the semi-implicit velocity; with both at
+/// the present surface, the velocity itself.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Velocity {
+    weights: Vec<f64>,
+    is_touched: Vec<bool>,
+    touched: Vec<u32>,
+    /// k, the factor of K at the vertex.
+    pub(super) on_gauss: f64,
+}
+
+impl Velocity {
+    pub(super) fn new(n_vertices: usize) -> Self {
+        Self {
+            weights: vec![0.0; n_vertices],
+            is_touched: vec![false; n_vertices],
+            ..Self::default()
+        }
+    }
+
+    fn clear(&mut self) {
+        for &j in &self.touched {
+            self.weights[j as usize] = 0.0;
+            self.is_touched[j as usize] = false;
+        }
+        self.touched.clear();
+        self.on_gauss = 0.0;
+    }
+
+    /// Adds to q_j.
+    pub(super) fn add(&mut self, j: u32, weight: f64) {
+        if !self.is_touched[j as usize] {
+            self.is_touched[j as usize] = true;
+            self.touched.push(j);
+        }
+        self.weights[j as usize] += weight;
+    }
+
+    /// The q_j that are not zero.
+    pub(super) fn on_curvature(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let touched = self.touched.iter();
+        touched.map(|&j| (j as usize, self.weights[j as usize]))
+    }
+
+    /// V_i at the present surface.
+    pub(super) fn value(&self, at: &Curvatures, i: usize) -> f64 {
+        let sum: f64 = self.on_curvature().map(|(j, q)| q * at.mean[j]).sum();
+        sum + self.on_gauss * at.gauss[i]
+    }
+}

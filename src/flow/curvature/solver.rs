@@ -1,0 +1,199 @@
+//! Solving a step's system: directly, or for very many unknowns by GMRES.
+
+use super::system::Quality;
+use crate::flow::FlowError;
+use crate::linalg::{LinalgError, Lu, Pattern, Symbolic, Unsymmetric, gmres};
+use glam::DVec3;
+use std::sync::Arc;
+use web_time::Instant;
+
+/// Entries of L and U, 8 bytes each, up to which a matrix is factored: those of some
+/// 150,000 unknowns of the sixth-order flow. Far beyond, double precision does not
+/// suffice for it.
+const MAX_FACTOR: usize = 120_000_000;
+/// Of an iterative solution, relative to the velocity.
+const TOLERANCE: f64 = 1e-6;
+const MAX_ITERATIONS: usize = 300;
+/// The residual that the iteration keeps drifts off; it starts again from the true one …
+const RESTARTS: usize = 3;
+/// … while that is larger than this.
+const SUFFICIENT: f64 = 1e-5;
+/// A solution with a larger residual is none.
+const WORTHLESS: f64 = 0.1;
+
+/// A step's matrix, and what is like it.
+pub(super) struct System<'a> {
+    pub(super) pattern: &'a Pattern,
+    pub(super) matrix: &'a Unsymmetric,
+    /// Makes Δ among the unknowns.
+    pub(super) laplacian: &'a dyn Fn() -> (Pattern, Unsymmetric),
+    /// Half the order of the flow.
+    pub(super) power: i32,
+    pub(super) dt: f64,
+}
+
+/// What is kept from step to step.
+pub(super) enum Solver {
+    Direct(Lu),
+    Iterative(Vec<DVec3>),
+}
+
+impl Solver {
+    /// Analyses a pattern; one point a row.
+    pub(super) fn new(pattern: &Pattern, points: &[DVec3]) -> Result<Self, LinalgError> {
+        Self::limited(pattern, points, MAX_FACTOR)
+    }
+
+    /// The same with a limit on the entries of L and U.
+    fn limited(
+        pattern: &Pattern,
+        points: &[DVec3],
+        max_factor: usize,
+    ) -> Result<Self, LinalgError> {
+        let symbolic = Symbolic::analyse(pattern, Some(points))?;
+        if 2 * symbolic.factor_len() > max_factor {
+            return Ok(Self::Iterative(points.to_vec()));
+        }
+        Ok(Self::Direct(Lu::new(Arc::new(symbolic))?))
+    }
+
+    /// The solution, whose residual is measured against the right-hand side: positions
+    /// would hide it.
+    pub(super) fn solve(
+        &mut self,
+        system: &System<'_>,
+        rhs: &[f64],
+        quality: &mut Quality,
+    ) -> Result<Vec<f64>, FlowError> {
+        if let Some(row) = rhs.iter().position(|v| !v.is_finite()) {
+            return Err(LinalgError::NonFiniteRightHandSide { row }.into());
+        }
+        let watch = Instant::now();
+        let phi = match self {
+            Self::Direct(lu) => {
+                lu.factor(system.matrix)?;
+                quality.factor = watch.elapsed().as_secs_f64();
+                let mut phi = rhs.to_vec();
+                lu.solve_in_place(&mut phi);
+                // One refinement, for what elimination without pivoting may have lost.
+                let mut rest = residual(system, &phi, rhs);
+                let before = norm(&rest);
+                lu.solve_in_place(&mut rest);
+                let refined: Vec<f64> = phi.iter().zip(&rest).map(|(a, b)| a + b).collect();
+                if norm(&residual(system, &refined, rhs)) < before {
+                    phi = refined;
+                }
+                phi
+            }
+            Self::Iterative(points) => {
+                quality.is_iterative = true;
+                let lu = preconditioner(system, points)?;
+                quality.factor = watch.elapsed().as_secs_f64();
+                let mut phi = vec![0.0; rhs.len()];
+                let mut rest = rhs.to_vec();
+                for _ in 0..RESTARTS {
+                    let (correction, info) = gmres(
+                        |v, w| system.matrix.multiply(system.pattern, v, w),
+                        |v| (0..system.power).for_each(|_| lu.solve_in_place(v)),
+                        &rest,
+                        TOLERANCE,
+                        MAX_ITERATIONS,
+                    );
+                    quality.iterations += info.iterations;
+                    phi.iter_mut().zip(correction).for_each(|(p, c)| *p += c);
+                    rest = residual(system, &phi, rhs);
+                    if norm(&rest) <= SUFFICIENT * norm(rhs) {
+                        break;
+                    }
+                }
+                phi
+            }
+        };
+        let size = norm(rhs);
+        if size > 0.0 {
+            quality.residual = norm(&residual(system, &phi, rhs)) / size;
+        }
+        quality.solve = watch.elapsed().as_secs_f64() - quality.factor;
+        if quality.residual <= WORTHLESS {
+            Ok(phi)
+        } else {
+            Err(FlowError::Inaccurate {
+                residual: quality.residual,
+            })
+        }
+    }
+}
+
+/// Factor of α − Δ, whose power k/2 is, but for the factor 2, like 1/dt plus the leading term
+/// of a flow of order k: ½(α − Δ)^(k/2) with α^(k/2) = 2/dt.
+fn preconditioner(system: &System<'_>, points: &[DVec3]) -> Result<Lu, LinalgError> {
+    let (pattern, mut values) = (system.laplacian)();
+    let alpha = (2.0 / system.dt).powf(1.0 / f64::from(system.power));
+    let all = values.lower.iter_mut().chain(&mut values.upper);
+    all.for_each(|v| *v = -*v);
+    for &slot in pattern.diagonal_slots() {
+        values.lower[slot as usize] += alpha;
+    }
+    let mut lu = Lu::new(Arc::new(Symbolic::analyse(&pattern, Some(points))?))?;
+    lu.factor(&values)?;
+    Ok(lu)
+}
+
+fn residual(system: &System<'_>, phi: &[f64], rhs: &[f64]) -> Vec<f64> {
+    let mut rest = vec![0.0; rhs.len()];
+    system.matrix.multiply(system.pattern, phi, &mut rest);
+    rest.iter_mut().zip(rhs).for_each(|(r, b)| *r = b - *r);
+    rest
+}
+
+fn norm(v: &[f64]) -> f64 {
+    v.iter().map(|v| v * v).sum::<f64>().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_does_not_solve_the_system_is_no_solution() {
+        // Ones on the diagonal but for a row that is zero.
+        let pattern = Pattern::from_cliques(4, [[0, 1], [1, 2], [2, 3]].iter());
+        let mut matrix = Unsymmetric::zeros(&pattern);
+        let mut like = Unsymmetric::zeros(&pattern);
+        for (k, &slot) in pattern.diagonal_slots().iter().enumerate() {
+            matrix.lower[slot as usize] = if k == 2 { 0.0 } else { 1.0 };
+            like.lower[slot as usize] = -1.0;
+        }
+        let system = System {
+            pattern: &pattern,
+            matrix: &matrix,
+            laplacian: &|| (pattern.clone(), like.clone()),
+            power: 1,
+            dt: 1.0,
+        };
+        let points = vec![DVec3::ZERO; 4];
+        let rhs = [1.0; 4];
+        let mut quality = Quality::default();
+        let refused = Solver::Iterative(points.clone()).solve(&system, &rhs, &mut quality);
+        assert!(
+            matches!(refused, Err(FlowError::Inaccurate { residual }) if residual > 0.4),
+            "{refused:?}"
+        );
+        let mut direct = Solver::new(&pattern, &points).expect("a structure");
+        let refused = direct.solve(&system, &rhs, &mut quality);
+        let zero = LinalgError::ZeroPivot { row: 2 };
+        assert_eq!(refused, Err(FlowError::Linear(zero)));
+        let refused = direct.solve(&system, &[f64::NAN; 4], &mut quality);
+        let first = LinalgError::NonFiniteRightHandSide { row: 0 };
+        assert_eq!(refused, Err(FlowError::Linear(first)));
+    }
+
+    #[test]
+    fn factors_above_the_limit_are_not_made() {
+        let pattern = Pattern::from_cliques(3, [[0, 1], [1, 2]].iter());
+        let points = vec![DVec3::ZERO; 3];
+        let solver = |limit| Solver::limited(&pattern, &points, limit).expect("a structure");
+        assert!(matches!(solver(2), Solver::Iterative(_)));
+        assert!(matches!(solver(1000), Solver::Direct(_)));
+    }
+}

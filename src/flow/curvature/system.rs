@@ -1,0 +1,349 @@
+//! The linear system of a step, with one unknown a vertex.
+//!
+//! In the paper's system of 3n unknowns each row has the factor n_i: every vertex moves along
+//! its normal, r' = r + φn. With that H' = H + Bφ and K' = K + Gφ,
+//!
+//! ```text
+//! B_ij = −½ Δ_ij ⟨n_i, n_j⟩,   G_ij = k_ij ⟨n_i, n_j⟩,
+//! ```
+//!
+//! and a velocity V_i = Σ q_ij H_j + k_i K_i gives (1/dt − QB − diag(k) G) φ = V: the same
+//! solution from a third of the unknowns and a ninth of the entries.
+
+use super::curvatures::Curvatures;
+use super::law::{Law, Velocity};
+use super::region::Region;
+use super::solver::Solver;
+use crate::flow::FlowError;
+use crate::linalg::{Pattern, Unsymmetric};
+use crate::operator::FittedOperators;
+use glam::DVec3;
+
+const NONE: u32 = u32::MAX;
+
+/// Where the matrix may be non-zero.
+pub(super) struct Structure {
+    pub(super) pattern: Pattern,
+    /// Rows as they come from the stencils, which need not be symmetric.
+    starts: Vec<u32>,
+    columns: Vec<u32>,
+    slots: Vec<u32>,
+    /// Operators whose stencils these are.
+    stencils: FittedOperators,
+}
+
+/// What a system's solution is worth.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Quality {
+    /// Norm of the residual of φ over that of the velocity.
+    pub(super) residual: f64,
+    /// Iterations, where the matrix is not factored.
+    pub(super) iterations: usize,
+    pub(super) is_iterative: bool,
+    /// Seconds.
+    pub(super) assemble: f64,
+    pub(super) factor: f64,
+    pub(super) solve: f64,
+}
+
+/// The system of one law; what depends on the stencils alone is kept from step to step.
+pub(super) struct System {
+    law: Law,
+    row_of_vertex: Vec<u32>,
+    structure: Option<(Structure, Solver)>,
+    matrix: Unsymmetric,
+    velocity: Velocity,
+}
+
+impl System {
+    pub(super) fn new(law: Law, region: &Region) -> Self {
+        let mut row_of_vertex = vec![NONE; region.is_free.len()];
+        for (row, &v) in region.free.iter().enumerate() {
+            row_of_vertex[v as usize] = row as u32;
+        }
+        Self {
+            law,
+            velocity: Velocity::new(row_of_vertex.len()),
+            row_of_vertex,
+            structure: None,
+            matrix: Unsymmetric::default(),
+        }
+    }
+
+    pub(super) fn law(&self) -> Law {
+        self.law
+    }
+
+    /// V at the free vertices.
+    pub(super) fn velocities(
+        &mut self,
+        at: &Curvatures,
+        region: &Region,
+    ) -> Result<Vec<f64>, FlowError> {
+        let mut values = Vec::with_capacity(region.free.len());
+        for &i in &region.free {
+            self.law.linearise(at, i as usize, &mut self.velocity)?;
+            values.push(self.velocity.value(at, i as usize));
+        }
+        Ok(values)
+    }
+
+    /// φ at the free vertices.
+    pub(super) fn solve(
+        &mut self,
+        at: &Curvatures,
+        region: &Region,
+        x: &[DVec3],
+        dt: f64,
+        tell: &dyn Fn(&str, f64),
+    ) -> Result<(Vec<f64>, Quality), FlowError> {
+        let watch = web_time::Instant::now();
+        tell("assemble", 0.1);
+        let is_current = |(s, _): &(Structure, Solver)| s.stencils.has_stencils_of(&at.operators);
+        if !self.structure.as_ref().is_some_and(is_current) {
+            // The old factor goes first: wasm memory never shrinks.
+            self.structure = None;
+            let structure =
+                Structure::new(&self.row_of_vertex, region, &at.operators, self.law.depth())?;
+            let points: Vec<DVec3> = region.free.iter().map(|&v| x[v as usize]).collect();
+            let solver = Solver::new(&structure.pattern, &points)?;
+            self.matrix = Unsymmetric::zeros(&structure.pattern);
+            self.structure = Some((structure, solver));
+        }
+        let rhs = self.assemble(at, region, dt)?;
+        let mut quality = Quality {
+            assemble: watch.elapsed().as_secs_f64(),
+            ..Quality::default()
+        };
+        tell("solve", 0.3);
+        let Some((structure, solver)) = &mut self.structure else {
+            return Ok((Vec::new(), quality));
+        };
+        let make_laplacian = || laplacian(at, region, &self.row_of_vertex);
+        let power = self.law.order() / 2;
+        let system = super::solver::System {
+            pattern: &structure.pattern,
+            matrix: &self.matrix,
+            laplacian: &make_laplacian,
+            power,
+            dt,
+        };
+        let phi = solver.solve(&system, &rhs, &mut quality)?;
+        Ok((phi, quality))
+    }
+
+    /// Writes the matrix; answers the right-hand side, V.
+    fn assemble(
+        &mut self,
+        at: &Curvatures,
+        region: &Region,
+        dt: f64,
+    ) -> Result<Vec<f64>, FlowError> {
+        let mut rhs = Vec::with_capacity(region.free.len());
+        let Some((structure, _)) = &self.structure else {
+            return Ok(rhs);
+        };
+        let mut work = vec![0.0; region.free.len()];
+        for (row, &i) in region.free.iter().enumerate() {
+            self.law.linearise(at, i as usize, &mut self.velocity)?;
+            rhs.push(self.velocity.value(at, i as usize));
+            add_row(
+                at,
+                i as usize,
+                &self.velocity,
+                &self.row_of_vertex,
+                &mut work,
+            )?;
+            let range = structure.starts[row] as usize..structure.starts[row + 1] as usize;
+            for k in range {
+                let column = structure.columns[k] as usize;
+                let value = std::mem::take(&mut work[column]);
+                let slot = structure.slots[k] as usize;
+                if row > column {
+                    self.matrix.lower[slot] = -value;
+                } else if row < column {
+                    self.matrix.upper[slot] = -value;
+                } else {
+                    self.matrix.lower[slot] = 1.0 / dt - value;
+                }
+            }
+        }
+        Ok(rhs)
+    }
+}
+
+impl Structure {
+    fn new(
+        row_of_vertex: &[u32],
+        region: &Region,
+        operators: &FittedOperators,
+        depth: usize,
+    ) -> Result<Self, FlowError> {
+        let mut starts = vec![0];
+        let mut columns: Vec<u32> = Vec::new();
+        let mut is_seen = vec![NONE; row_of_vertex.len()];
+        let mut reached: Vec<u32> = Vec::new();
+        for &i in &region.free {
+            reached.clear();
+            reached.push(i);
+            is_seen[i as usize] = i;
+            let mut begin = 0;
+            for _ in 0..=depth {
+                let end = reached.len();
+                for k in begin..end {
+                    let vertex = reached[k];
+                    let row = operators
+                        .row(vertex as usize)
+                        .ok_or(FlowError::Unfit { vertex })?;
+                    for &j in operators.members(row) {
+                        if is_seen[j as usize] != i {
+                            is_seen[j as usize] = i;
+                            reached.push(j);
+                        }
+                    }
+                }
+                begin = end;
+            }
+            let rows = reached.iter().map(|&j| row_of_vertex[j as usize]);
+            columns.extend(rows.filter(|&row| row != NONE));
+            starts.push(columns.len() as u32);
+        }
+        let n = region.free.len();
+        let pairs = (0..n).flat_map(|i| {
+            let range = starts[i] as usize..starts[i + 1] as usize;
+            columns[range].iter().map(move |&j| [i as u32, j])
+        });
+        let pattern = Pattern::from_cliques(n, pairs.clone());
+        let slots = pairs.map(|[i, j]| pattern.slot(i, j) as u32).collect();
+        Ok(Self {
+            pattern,
+            slots,
+            starts,
+            columns,
+            stencils: operators.clone(),
+        })
+    }
+}
+
+/// Row of QB + diag(k) G, by columns of free vertices.
+fn add_row(
+    at: &Curvatures,
+    i: usize,
+    velocity: &Velocity,
+    row_of_vertex: &[u32],
+    work: &mut [f64],
+) -> Result<(), FlowError> {
+    let operators = &at.operators;
+    let normal = |v: u32| at.row(v as usize).map(|row| operators.normal(row));
+    for (j, q) in velocity.on_curvature() {
+        let row = at.row(j)?;
+        let n = operators.normal(row);
+        for (&l, weight) in operators.members(row).iter().zip(operators.laplacian(row)) {
+            let column = row_of_vertex[l as usize];
+            if column != NONE {
+                work[column as usize] -= 0.5 * q * weight * n.dot(normal(l)?);
+            }
+        }
+    }
+    if velocity.on_gauss != 0.0 {
+        let row = at.row(i)?;
+        let n = operators.normal(row);
+        for (&l, weight) in operators.members(row).iter().zip(operators.gauss(row)) {
+            let column = row_of_vertex[l as usize];
+            if column != NONE {
+                work[column as usize] += velocity.on_gauss * weight * n.dot(normal(l)?);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Δ among the free vertices.
+fn laplacian(at: &Curvatures, region: &Region, row_of_vertex: &[u32]) -> (Pattern, Unsymmetric) {
+    let row_members = |i: u32| {
+        let row = at.operators.row(i as usize);
+        let members = row.map(|row| at.operators.members(row)).unwrap_or_default();
+        let weights = row
+            .map(|row| at.operators.laplacian(row))
+            .unwrap_or_default();
+        members.iter().zip(weights)
+    };
+    let pairs = region.free.iter().flat_map(|&i| {
+        row_members(i).filter_map(move |(&j, _)| {
+            let (row, column) = (row_of_vertex[i as usize], row_of_vertex[j as usize]);
+            (column != NONE).then_some([row, column])
+        })
+    });
+    let pattern = Pattern::from_cliques(region.free.len(), pairs);
+    let mut values = Unsymmetric::zeros(&pattern);
+    for (row, &i) in region.free.iter().enumerate() {
+        for (&j, weight) in row_members(i) {
+            let column = row_of_vertex[j as usize];
+            if column == NONE {
+                continue;
+            }
+            let slot = pattern.slot(row as u32, column);
+            let triangle = if row >= column as usize {
+                &mut values.lower
+            } else {
+                &mut values.upper
+            };
+            triangle[slot] = *weight;
+        }
+    }
+    (pattern, values)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{build, shape};
+
+    /// A law's update on the patch of figure 5.6, and what it takes to ask again.
+    fn setting(law: Law) -> (Curvatures, Region, Vec<DVec3>) {
+        let sample = shape::make("four-bumps", &[]).expect("a shape");
+        let built = build(&sample.soup).expect("a surface");
+        let mut is_free = vec![false; built.positions.len()];
+        for v in sample.free.expect("a patch") {
+            is_free[v as usize] = true;
+        }
+        let x = built.positions;
+        let region = Region::new(&built.mesh, &x, is_free, law.depth());
+        let at = Curvatures::of(&built.mesh, &x, &region);
+        (at, region, x)
+    }
+
+    #[test]
+    fn iteration_and_elimination_give_the_same_update() {
+        for law in [
+            Law::MeanCurvature,
+            Law::SurfaceDiffusion,
+            Law::Willmore,
+            Law::CurvatureVariation,
+        ] {
+            let (at, region, x) = setting(law);
+            for tau in [1e-4, 1.0] {
+                let dt = tau * region.length.powi(law.order());
+                let mut system = System::new(law, &region);
+                let tell = |_: &str, _: f64| ();
+                let (direct, quality) = system
+                    .solve(&at, &region, &x, dt, &tell)
+                    .expect("a solution");
+                assert!(quality.residual < 1e-9 && !quality.is_iterative);
+                let points: Vec<DVec3> = region.free.iter().map(|&v| x[v as usize]).collect();
+                if let Some((_, solver)) = &mut system.structure {
+                    *solver = Solver::Iterative(points);
+                }
+                let (iterated, quality) = system
+                    .solve(&at, &region, &x, dt, &tell)
+                    .expect("a solution");
+                assert!(quality.is_iterative && quality.residual < 1e-5);
+                assert!(quality.iterations < 80, "{law:?}: {}", quality.iterations);
+                let size = direct.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+                for (a, b) in direct.iter().zip(&iterated) {
+                    assert!((a - b).abs() < 1e-4 * size, "{law:?}, τ {tau}: {a} {b}");
+                }
+            }
+        }
+    }
+}
