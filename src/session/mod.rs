@@ -3,6 +3,7 @@
 //! Knows no wasm; `web::session` only converts. A failed request changes nothing: the
 //! mesh, its positions and its history stay as they were.
 
+mod beside;
 mod conjecture;
 mod document;
 mod edit;
@@ -17,6 +18,7 @@ mod work;
 
 pub use crate::flow::Progress;
 pub use crate::remesh::static_pass::Settings as RegulariseOptions;
+pub use beside::Standing;
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
@@ -26,7 +28,7 @@ pub use pane::{Arrangement, Compare, Curves, Pane};
 pub use readings::{EnergyReadings, Info, State};
 pub use work::Configured;
 
-use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
+use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
 use crate::io::Format;
@@ -297,16 +299,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn curvature_jump(&self) -> Result<Option<CurvatureJump>, Fault> {
-        let work = self.work()?;
-        let Some(flow) = &work.flow else {
-            return Ok(None);
-        };
-        let mesh = work.triangles();
-        let free: Vec<bool> = (0..work.x.len()).map(|v| flow.is_free(v)).collect();
-        Ok(mesh
-            .is_oriented()
-            .then(|| curvature_jump(mesh, &work.x, &free))
-            .flatten())
+        Ok(self.work()?.curvature_jump())
     }
 
     /// A field to colour by; `None` for the name `none`.

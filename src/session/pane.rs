@@ -1,6 +1,7 @@
 //! Pictures side by side: the start, or all three criteria of edge flips, each as it is or
 //! subdivided by Loop's scheme.
 
+use super::beside::Standing;
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::work::Work;
@@ -24,6 +25,8 @@ pub enum Compare {
     Start,
     /// The other criteria, after as many flips from the same start.
     Criteria,
+    /// The other flows by mean curvature and its derivatives, from the same start.
+    Flows,
 }
 
 /// What is shown of edge flips.
@@ -63,8 +66,10 @@ const MAX_POINTS: usize = 400;
 /// A picture: all of what a viewer draws.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pane {
-    /// `start`, or the criterion.
+    /// `start`, the criterion, or the flow.
     pub name: &'static str,
+    /// Of flows beside each other: where this one stands.
+    pub standing: Option<Standing>,
     /// Three coordinates a vertex.
     pub positions: Vec<f32>,
     /// Three corners a triangle.
@@ -96,8 +101,8 @@ impl Session {
         Ok(())
     }
 
-    /// The pictures of edge flips, coloured by a field or `none` over one range for all;
-    /// none under any other flow.
+    /// The pictures of edge flips, or of flows beside each other, coloured by a field or
+    /// `none` over one range for all; none of a single flow.
     ///
     /// # Errors
     /// Unknown names.
@@ -133,11 +138,12 @@ impl Work {
                 self.state.flips = Some(flips.readings());
             }
         }
+        self.run_beside(arrangement.compare == Compare::Flows);
     }
 
     fn panes(&self, field: Option<FieldName>) -> Vec<Pane> {
         let Some(flips) = self.flow.as_ref().and_then(|flow| flow.flips()) else {
-            return Vec::new();
+            return self.flow_panes(field);
         };
         let mut panes = Vec::new();
         if self.arrangement.compare == Compare::Start {
@@ -171,6 +177,7 @@ impl Work {
         let boundary = self.options.boundary.unwrap_or_default();
         Pane {
             name,
+            standing: None,
             positions: as_f32(x),
             triangles: drawn.triangle_indices(),
             wire_edges: drawn.edge_indices(false),
@@ -235,7 +242,7 @@ fn subdivided(
 }
 
 /// One scale for all pictures, so that colours can be compared.
-fn share_range(panes: &mut [Pane]) {
+pub(super) fn share_range(panes: &mut [Pane]) {
     let fields = || panes.iter().filter_map(|pane| pane.field.as_ref());
     let low = fields().map(|f| f.low).fold(f32::INFINITY, f32::min);
     let high = fields().map(|f| f.high).fold(f32::NEG_INFINITY, f32::max);

@@ -45,6 +45,8 @@ pub(super) struct Work {
     pub(super) reports: Vec<StepReport>,
     history: History,
     pub(super) arrangement: Arrangement,
+    /// The same under other flows.
+    pub(super) beside: Vec<Work>,
 }
 
 impl Work {
@@ -58,6 +60,7 @@ impl Work {
             reports: Vec::new(),
             history: History::default(),
             arrangement: Arrangement::default(),
+            beside: Vec::new(),
         }
     }
 
@@ -76,6 +79,7 @@ impl Work {
     /// Lets go of the flow, whose factors are large, but not of what it takes to go on.
     pub(super) fn suspend(mut self) -> Suspended {
         let pace = self.flow.take().map(|flow| flow.pace());
+        self.beside.clear();
         Suspended { work: self, pace }
     }
 
@@ -109,8 +113,9 @@ impl Work {
         self.reports.clear();
         self.history = History::default();
         self.flow = Some(flow);
-        self.arrange(self.arrangement);
         self.state = State::default();
+        self.beside.clear();
+        self.arrange(self.arrangement);
         self.read_state();
         Ok(Configured {
             free_vertices,
@@ -169,6 +174,7 @@ impl Work {
             self.reports.truncate(moment.n_reports);
             self.state = moment.state;
             self.state.can_step_back = !self.history.is_empty();
+            self.back_beside();
         }
         self.state.clone()
     }
@@ -285,6 +291,7 @@ impl Work {
             self.state.status = status;
             self.state.message = why;
         }
+        self.step_beside();
         Ok(report)
     }
 

@@ -11,6 +11,7 @@ use wasm_bindgen::prelude::*;
 fn pane(p: &Pane) -> JsValue {
     object(&[
         ("name", p.name.into()),
+        ("standing", to_js(&p.standing)),
         ("positions", floats(&p.positions)),
         ("triangles", indices(&p.triangles)),
         ("wireEdges", indices(&p.wire_edges)),
@@ -48,7 +49,7 @@ impl Session {
     }
 
     /// How edge flips are shown and how many a step makes: `{ compare?: 'none' | 'start' |
-    /// 'criteria', subdivide?: number, flipsPerStep?: number | null }`.
+    /// 'criteria' | 'flows', subdivide?: number, flipsPerStep?: number | null }`.
     ///
     /// # Errors
     /// Unknown options.
@@ -57,7 +58,8 @@ impl Session {
         Ok(self.0.arrange(arrangement)?)
     }
 
-    /// The pictures of edge flips: `Pane[]`, empty under other flows.
+    /// The pictures of edge flips or of flows beside each other: `Pane[]`, empty of a single
+    /// flow.
     ///
     /// # Errors
     /// Unknown fields.

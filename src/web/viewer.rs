@@ -154,6 +154,14 @@ impl Viewer {
         Ok(self.0.set_highlight(ends)?)
     }
 
+    /// The point of the surface under a pixel: three coordinates and the size of a pixel there,
+    /// or none.
+    pub fn pick(&self, x: f32, y: f32) -> Option<Vec<f32>> {
+        let hit = self.0.pick(Vec2::new(x, y))?;
+        let [x, y, z] = hit.point.to_array();
+        Some(vec![x, y, z, self.0.pixel_size_at(hit.point)])
+    }
+
     /// Which of these edges, two vertices each, is seen within `reach` of a pixel: its number.
     #[wasm_bindgen(js_name = nearestEdge)]
     pub fn nearest_edge(

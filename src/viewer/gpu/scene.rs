@@ -1,6 +1,6 @@
 //! The viewer: a mesh, a camera and a style in, a picture on a canvas out.
 
-use glam::{Vec2, Vec4};
+use glam::{Vec2, Vec3, Vec4};
 use web_sys::HtmlCanvasElement;
 
 use super::background_pass::BackgroundPass;
@@ -16,7 +16,7 @@ use crate::viewer::drawing::{Drawing, expect_range};
 use crate::viewer::edges::edges;
 use crate::viewer::error::ViewerError;
 use crate::viewer::frame::{Frame, Line};
-use crate::viewer::pick::nearest_edge;
+use crate::viewer::pick::{Hit, nearest_edge, pick};
 
 /// How the surface is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -246,6 +246,18 @@ impl Viewer {
         self.highlight.set_edges(&self.gpu, &edges);
         self.stale.picture = true;
         Ok(())
+    }
+
+    /// Size of a pixel in the world, at a point.
+    pub fn pixel_size_at(&self, point: Vec3) -> f32 {
+        let depth = self.camera.project(point).map_or(0.0, |(_, depth)| depth);
+        depth * self.camera.pixel_size()
+    }
+
+    /// What lies under a pixel.
+    pub fn pick(&self, at: Vec2) -> Option<Hit> {
+        let (origin, direction) = self.camera.ray(at.x, at.y);
+        pick(&self.drawing, origin, direction)
     }
 
     /// Which of these edges, two vertices each, is seen next to a pixel.

@@ -1,0 +1,145 @@
+//! Flows beside each other: the same surface under the other flows by mean curvature and its
+//! derivatives, step by step (Xu & Zhang, figures 5.5 and 5.6).
+
+use super::as_f32;
+use super::field::FieldName;
+use super::pane::{Pane, share_range};
+use super::work::Work;
+use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
+use crate::flow::Status;
+use crate::flow::options::{FlowName, FlowOptions};
+use serde::Serialize;
+
+/// The flows that can stand beside each other.
+const FLOWS: [(FlowName, &str); 4] = [
+    (FlowName::MeanCurvature, "mean-curvature"),
+    (FlowName::SurfaceDiffusion, "surface-diffusion"),
+    (FlowName::Willmore, "willmore"),
+    (FlowName::Mmcv, "mmcv"),
+];
+
+/// Steps that the others still take after the chosen flow has come to rest.
+const FURTHER: usize = 60;
+
+/// Where a flow beside others stands.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Standing {
+    /// Steps taken.
+    pub step: usize,
+    /// Whether it is over.
+    pub status: Status,
+    /// Why.
+    pub message: String,
+    /// The jump of H across the boundary of what moves.
+    pub jump: Option<CurvatureJump>,
+}
+
+fn name_of(flow: FlowName) -> Option<&'static str> {
+    let found = FLOWS.iter().find(|(known, _)| *known == flow);
+    found.map(|(_, name)| *name)
+}
+
+impl Work {
+    /// Starts the other flows and lets them catch up, or ends them.
+    pub(super) fn run_beside(&mut self, wanted: bool) {
+        if !wanted || name_of(self.options.flow).is_none() || self.flow.is_none() {
+            self.beside.clear();
+            return;
+        }
+        if !self.beside.is_empty() {
+            return;
+        }
+        for (flow, _) in FLOWS.into_iter().filter(|(f, _)| *f != self.options.flow) {
+            let mut other = Self::new(self.document.clone(), self.document.start.clone());
+            let options = FlowOptions {
+                flow,
+                // A step of one order means nothing to another.
+                dt: None,
+                tau: None,
+                ..self.options.clone()
+            };
+            // What the chosen flow takes, the others take.
+            if other.configure(options, None).is_ok() {
+                other.step_to(self.state.step);
+                self.beside.push(other);
+            }
+        }
+    }
+
+    fn step_to(&mut self, step: usize) {
+        while self.state.step < step && !self.state.status.is_final() {
+            // A failure ends it, and its standing says so.
+            if !matches!(self.step(), Ok(Some(_))) {
+                break;
+            }
+        }
+    }
+
+    /// Takes the others along after a step, to their rest when this flow has come to its own.
+    pub(super) fn step_beside(&mut self) {
+        let further = if self.state.status.is_final() {
+            FURTHER
+        } else {
+            0
+        };
+        let goal = self.state.step + further;
+        self.beside.iter_mut().for_each(|other| other.step_to(goal));
+    }
+
+    /// Takes the others back with a step back.
+    pub(super) fn back_beside(&mut self) {
+        let goal = self.state.step;
+        for other in &mut self.beside {
+            while other.state.step > goal && other.state.can_step_back {
+                other.back();
+            }
+        }
+    }
+
+    /// The jump of H across the boundary of what moves.
+    pub(super) fn curvature_jump(&self) -> Option<CurvatureJump> {
+        let flow = self.flow.as_ref()?;
+        let mesh = self.triangles();
+        let free: Vec<bool> = (0..self.x.len()).map(|v| flow.is_free(v)).collect();
+        if mesh.is_oriented() {
+            curvature_jump(mesh, &self.x, &free)
+        } else {
+            None
+        }
+    }
+
+    /// The pictures of flows beside each other; none where there is one only.
+    pub(super) fn flow_panes(&self, field: Option<FieldName>) -> Vec<Pane> {
+        if self.beside.is_empty() {
+            return Vec::new();
+        }
+        let works = || std::iter::once(self).chain(&self.beside);
+        let pane = |name: &'static str, work: &Self| Pane {
+            name,
+            standing: Some(Standing {
+                step: work.state.step,
+                status: work.state.status,
+                message: work.state.message.clone(),
+                jump: work.curvature_jump(),
+            }),
+            positions: as_f32(&work.x),
+            triangles: work.document.triangles.triangle_indices(),
+            wire_edges: work.document.polygons.edge_indices(false),
+            boundary_edges: work.document.polygons.edge_indices(true),
+            highlight: Vec::new(),
+            field: field.and_then(|f| work.field(f).ok()),
+        };
+        // In the order of the paper, whichever was chosen.
+        let mut panes: Vec<Pane> = FLOWS
+            .iter()
+            .flat_map(|(flow, name)| {
+                works()
+                    .filter(|work| work.options.flow == *flow)
+                    .map(|work| pane(name, work))
+            })
+            .collect();
+        share_range(&mut panes);
+        panes
+    }
+}
