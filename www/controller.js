@@ -2,12 +2,12 @@
 // What a user can ask for, as functions: each asks the solver and moves the state on.
 // Nothing here touches the document.
 
-/** @import { Arrangement, Fault, FieldName, Frame, Stopped } from "./protocol.js" */
+/** @import { Arrangement, Fault, FieldName, FillOptions, Frame, Loaded, Stopped } from "./protocol.js" */
 /** @import { Scene } from "./link.js" */
 /** @import { Options } from "./options.js" */
 /** @import { Marks, Source, Store, View } from "./state.js" */
 
-import { defaults } from "./options.js";
+import { byCurvature, defaults } from "./options.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
 import { transitions as to } from "./state.js";
@@ -84,12 +84,13 @@ export function createController(store, voice) {
    * @param {Options} options
    * @param {Options} fallback  for a mesh that the options do not suit
    * @param {Partial<Scene>} [scene]
+   * @param {import("./samples.js").Sample["fill"]} [fill]  of what is loaded, before it is shown
    */
-  async function load(name, source, ask, options, fallback, scene = {}) {
+  async function load(name, source, ask, options, fallback, scene = {}, fill = undefined) {
     await rest();
     store.update(to.loading, name);
     try {
-      const mesh = await ask();
+      const mesh = fill ? await ask().then(() => filled(fill)) : await ask();
       voice.clear();
       store.update(to.loaded, source, mesh);
       for (const warning of mesh.info.warnings) voice.note(warning);
@@ -112,6 +113,15 @@ export function createController(store, voice) {
       throw error;
     }
     if (scene.step) await run(scene.step);
+  }
+
+  /** @param {NonNullable<import("./samples.js").Sample["fill"]>} wanted @returns {Promise<Loaded>} */
+  async function filled(wanted) {
+    if (wanted !== "inner") return (await solver.fill(wanted)).loaded;
+    const loops = await solver.loops();
+    const longest = Math.max(...loops.map(({ length }) => length));
+    const inner = loops.flatMap(({ length }, n) => (length < longest ? [n] : []));
+    return (await solver.fill({ loops: inner })).loaded;
   }
 
   /** @param {Partial<Arrangement>} change */
@@ -187,7 +197,7 @@ export function createController(store, voice) {
         const options = { ...suggested, ...scene.options };
         const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
         const ask = () => solver.sample(sample.shape, sample.parameters);
-        return load(sample.label, source, ask, options, suggested, scene);
+        return load(sample.label, source, ask, options, suggested, scene, sample.fill);
       }),
 
     /** @param {File} file @param {Partial<Scene>} [scene] */
@@ -297,6 +307,44 @@ export function createController(store, voice) {
         await configure(last.options);
         await colour(store.get().colour);
       }),
+    /**
+     * Fills holes, or connects loops; a flow on the new vertices is ready then.
+     * @param {FillOptions} wanted
+     */
+    fill: (wanted) =>
+      enqueue(async () => {
+        await rest();
+        const { source, options: before, earlier, mesh } = store.get();
+        if (!source || !mesh) return;
+        store.update(to.progress, { stage: "fill", fraction: 0 });
+        const { filled: outcome, loaded } = await solver
+          .fill(wanted)
+          .finally(() => store.update(to.progress, null));
+        const count = outcome.loops.length;
+        const what = `the fill of ${count} ${count === 1 ? "loop" : "loops"}`;
+        const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
+        store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
+        for (const warning of outcome.warnings) voice.note(warning);
+        const flow = byCurvature.includes(before.flow) ? before.flow : "mmcv";
+        const free = loaded.free ? [...loaded.free] : null;
+        const plain = { boundary: null, fixed: null, dt: null, tau: null, prefill: false };
+        await configure({ ...before, ...plain, goal: "relax", flow, free });
+        await colour(store.get().colour);
+        voice.answer(
+          `Filled ${count} ${count === 1 ? "loop" : "loops"} with ${outcome.verticesAdded} new ` +
+            "vertices. Play lets the flow fair them; Undo takes the fill back.",
+        );
+      }),
+    /** Frees these vertices and holds the others; the surface as it is becomes the start. @param {number[] | null} free */
+    select: (free) =>
+      enqueue(async () => {
+        await rest();
+        const { options, reading } = store.get();
+        const wanted = { ...options, free, fixed: null };
+        if (reading && reading.step > 0) await adopt(wanted, `${reading.step} steps`);
+        else await configure(wanted);
+      }),
+    loops: () => solver.loops(),
     // Questions that change nothing; the worker answers them between steps.
     conjecture: () => solver.conjecture(),
     /** @param {number[]} corners */

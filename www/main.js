@@ -9,10 +9,12 @@ import { createChoices } from "./ui/choices.js";
 import { createHelp, createPanel, createPresenter } from "./ui/chrome.js";
 import { createColourBar } from "./ui/colour-bar.js";
 import { createConjecture } from "./ui/conjecture.js";
+import { createCurvatureForm } from "./ui/curvature-form.js";
 import { createDownload } from "./ui/download.js";
 import { createEnergyPlot } from "./ui/energy-plot.js";
 import { createFlipPlots } from "./ui/flip-plots.js";
 import { createFlipsForm } from "./ui/flips-form.js";
+import { createHoles } from "./ui/holes.js";
 import { createKeys } from "./ui/keys.js";
 import { createLab } from "./ui/lab.js";
 import { createMeshInput } from "./ui/mesh-input.js";
@@ -22,6 +24,7 @@ import { createPWillmoreForm } from "./ui/p-willmore-form.js";
 import { createPanes } from "./ui/panes.js";
 import { createPicture } from "./ui/picture.js";
 import { createReadings } from "./ui/readings.js";
+import { createRegion } from "./ui/region.js";
 import { createStatus } from "./ui/status.js";
 import { createTransport } from "./ui/transport.js";
 import { createViewForm } from "./ui/view-form.js";
@@ -52,6 +55,9 @@ const parts = [
   createReadings(),
   createPWillmoreForm(controller),
   createFlipsForm(controller),
+  createCurvatureForm(controller),
+  createHoles(controller, picture.nearestEdge),
+  createRegion(controller, picture),
   createMethodForm(controller),
   createViewForm(controller, picture.fit),
   picture,

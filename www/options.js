@@ -10,7 +10,7 @@ export const defaults = Object.freeze({
   flow: "circle",
   scheme: "auto",
   integrator: "semi-implicit",
-  boundary: "clamped",
+  boundary: null,
   goal: "relax",
   detail: 4,
   smoothSteps: 10,
@@ -38,6 +38,12 @@ export const defaults = Object.freeze({
   rungs: null,
 });
 
+/** Flows by mean curvature and its derivatives, by their order. */
+export const byCurvature = ["mean-curvature", "surface-diffusion", "willmore", "mmcv"];
+
+/** What a flow does at a boundary unless told otherwise. @param {string} flow */
+export const usualBoundary = (flow) => (byCurvature.includes(flow) ? "fixed" : "clamped");
+
 /** @type {Readonly<import("./protocol.js").Arrangement>} */
 export const plainArrangement = Object.freeze({ compare: "none", subdivide: 0, flipsPerStep: 1 });
 
@@ -49,7 +55,7 @@ export const choices = {
     { id: "mean-curvature", label: "Mean curvature" },
     { id: "surface-diffusion", label: "Surface diffusion" },
     { id: "willmore", label: "Willmore, fitted operators" },
-    { id: "mmcv", label: "Least variation of mean curvature" },
+    { id: "mmcv", label: "Mean-curvature variation" },
     { id: "flips", label: "Edge flips" },
   ],
   boundary: [
@@ -101,7 +107,10 @@ const names =
     const list = text.split(",");
     return list.every((name) => known.includes(name)) ? list : undefined;
   };
-/** @param {(text: string) => number | undefined} read  `auto` leaves the value to the solver */
+/**
+ * @template T
+ * @param {(text: string) => T | undefined} read  `auto` leaves the value to the solver
+ */
 const orAuto = (read) => (/** @type {string} */ text) => (text === "auto" ? null : read(text));
 /** @param {string} text @returns {boolean | undefined} */
 const flag = (text) => (text === "true" ? true : text === "false" ? false : undefined);
@@ -118,7 +127,7 @@ export const readers = {
   ),
   scheme: oneOf("auto", "paper"),
   integrator: oneOf("semi-implicit", "forward-euler", "backward-euler", "l-bfgs"),
-  boundary: oneOf("clamped", "fixed", "free"),
+  boundary: orAuto(oneOf("clamped", "fixed", "free")),
   goal: oneOf("relax", "smooth"),
   detail: between(0.1, 1000),
   smoothSteps: count,
@@ -149,7 +158,7 @@ export const readers = {
  * @type {Readonly<Record<string, (text: string) => string | number | null | undefined>>}
  */
 export const arrangementReaders = {
-  compare: oneOf("none", "start", "criteria"),
+  compare: oneOf("none", "start", "criteria", "flows"),
   subdivide: (text) => (/^[0-3]$/.test(text) ? Number(text) : undefined),
   flipsPerStep: (text) => (text === "all" ? null : count(text)),
 };

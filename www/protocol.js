@@ -42,6 +42,8 @@
  * @property {Uint32Array} wireEdges   2 per edge: the mesh's own edges
  * @property {Uint32Array} boundaryEdges  2 per boundary edge
  * @property {boolean} trianglesOnly   false when the file had other polygons
+ * @property {Uint32Array | null} [fixed]  vertices to hold, of a sample that suggests them
+ * @property {Uint32Array | null} [free]   vertices to move, likewise, or new ones after a fill
  */
 
 /**
@@ -55,7 +57,7 @@
  * @property {FlowName} [flow]
  * @property {'auto' | 'paper'} [scheme]   `paper`: constant dt, exact energy, plain K, uniform mass
  * @property {'semi-implicit' | 'forward-euler' | 'backward-euler' | 'l-bfgs'} [integrator]
- * @property {'clamped' | 'fixed' | 'free'} [boundary]  default clamped; of the flows by mean
+ * @property {'clamped' | 'fixed' | 'free' | null} [boundary]  default clamped; of the flows by mean
  *                                         curvature and its derivatives fixed
  * @property {'relax' | 'smooth'} [goal]   `relax`: adaptive step towards a minimum; `smooth`: a set amount
  * @property {number} [detail]             smooth: removes detail below this many mean edge lengths
@@ -93,21 +95,27 @@
 /**
  * How edge flips are shown, and how many a step makes.
  * @typedef {object} Arrangement
- * @property {'none' | 'start' | 'criteria'} compare  what stands beside the surface
+ * @property {'none' | 'start' | 'criteria' | 'flows'} compare  what stands beside the surface
  * @property {number} subdivide            steps of Loop's scheme before drawing
  * @property {number | null} flipsPerStep  null: all that gain anything
  */
 
 /**
- * A picture of edge flips, with connectivity of its own.
+ * A picture of edge flips, with connectivity of its own, or of one of several flows.
  * @typedef {object} Pane
- * @property {Criterion | 'start'} name
+ * @property {Criterion | FlowName | 'start'} name
+ * @property {Standing | null} standing  of flows
  * @property {Float32Array} positions
  * @property {Uint32Array} triangles
  * @property {Uint32Array} wireEdges
  * @property {Uint32Array} boundaryEdges
  * @property {Uint32Array} highlight  two ends an edge that the last step made
  * @property {Field | null} field     all panes share one range
+ */
+
+/**
+ * Where a flow beside others stands.
+ * @typedef {{ step: number, status: Status, message: string, jump: CurvatureJump | null }} Standing
  */
 
 /**
@@ -343,8 +351,9 @@
  * @property {Float32Array} positions
  * @property {Field | null} field
  * @property {Uint32Array} flippedTriangles  triangles to highlight
- * @property {Pane[]} panes          of edge flips, which change the connectivity; else none
+ * @property {Pane[]} panes          of edge flips, which change the connectivity, or of flows side by side
  * @property {Curves | null} curves  of edge flips
+ * @property {CurvatureJump | null} jump  across the boundary of what moves
  */
 
 /**
@@ -364,6 +373,8 @@
  * | `regularise` | `options: RegulariseOptions`, `run` | `Regularised`       |
  * | `arrange`   | `arrangement`                 | `State`; a run goes on      |
  * | `adopt`, `undo` |                           | `Loaded`                    |
+ * | `loops`     |                               | `BoundaryLoop[]`            |
+ * | `fill`      | `options: FillOptions`, `run` | `{ filled: Filled, loaded: Loaded }` |
  * | `conjecture` |                              | `Conjecture`                |
  * | `quadrilateral` | `corners: number[]`       | `Quadrilateral`             |
  * | `lab`       | `pairs`                       | `Lab`                       |

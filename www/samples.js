@@ -11,6 +11,7 @@
  * @property {string} shape        name of the solver's shape …
  * @property {Record<string, number>} parameters  … and its parameters
  * @property {FlowOptions} options
+ * @property {import("./protocol.js").FillOptions | "inner"} [fill]  holes filled at once; `inner`: all but the longest
  */
 
 /** @type {readonly Sample[]} */
@@ -159,6 +160,74 @@ export const samples = [
     shape: "ellipsoid",
     parameters: { level: 4 },
     options: { flow: "p-willmore", p: 4, keep: ["volume"] },
+  },
+  {
+    id: "cylinder-gaps",
+    label: "Cylinder with four gaps",
+    note: "Sunken patches rise back to the cylinder: its mean curvature is constant (variation of curvature, figure 5.1).",
+    shape: "cylinder-gaps",
+    parameters: {},
+    options: { flow: "mmcv" },
+  },
+  {
+    id: "sphere-openings",
+    label: "Sphere with eight openings",
+    note: "Eight flat lids become the sphere they were cut from (variation of curvature, figure 5.1).",
+    shape: "sphere-openings",
+    parameters: {},
+    options: { flow: "mmcv" },
+  },
+  {
+    id: "two-tubes",
+    label: "Two tubes blended",
+    note: "A patch that connects both becomes the cylinder between them (variation of curvature, figure 5.2).",
+    shape: "tubes",
+    parameters: { count: 2 },
+    options: { flow: "mmcv" },
+    fill: { loops: [0, 2], connect: true },
+  },
+  {
+    id: "three-tubes",
+    label: "Three tubes blended",
+    note: "The blend joins its tubes with continuous curvature; compare all four flows (variation of curvature, figure 5.2).",
+    shape: "tubes",
+    parameters: { count: 3 },
+    options: { flow: "mmcv" },
+    fill: { loops: [0, 2, 4], connect: true },
+  },
+  {
+    id: "six-tubes",
+    label: "Six tubes blended",
+    note: "Along all three axes (variation of curvature, figure 5.2).",
+    shape: "tubes",
+    parameters: { count: 6 },
+    options: { flow: "mmcv" },
+    fill: { loops: [0, 2, 4, 6, 8, 10], connect: true },
+  },
+  {
+    id: "holed-scan",
+    label: "Scan with holes filled",
+    note: "What the scanner did not see is filled and faired (variation of curvature, figure 5.3).",
+    shape: "scan-clean",
+    parameters: { resolution: 140, loops: 30 },
+    options: { flow: "mmcv" },
+    fill: "inner",
+  },
+  {
+    id: "dodecahedron",
+    label: "Dodecahedron, corners kept",
+    note: "Twenty points are interpolated: the sphere through them (variation of curvature, figure 5.4).",
+    shape: "dodecahedron",
+    parameters: {},
+    options: { flow: "mmcv", prefill: true },
+  },
+  {
+    id: "four-bumps",
+    label: "Four bumps, flows compared",
+    note: "Only the sixth-order flow joins with continuous mean curvature: look at the jump (variation of curvature, figures 5.5 and 5.6; its function as repaired, exp(−27/16 …)).",
+    shape: "four-bumps",
+    parameters: {},
+    options: { flow: "mmcv", prefill: true },
   },
   {
     id: "sampled-torus",

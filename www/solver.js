@@ -2,7 +2,7 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Arrangement, Configured, Conjecture, Fault, Field, FieldName, FlowOptions, Frame, Lab, Loaded, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped } from "./protocol.js" */
+/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, Frame, Lab, Loaded, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped } from "./protocol.js" */
 
 /**
  * @typedef {object} Listener
@@ -113,10 +113,15 @@ export function createSolver(listener) {
    */
   async function edit(type) {
     const loaded = await ask(type);
+    await keep(loaded);
+    return loaded;
+  }
+
+  /** @param {Loaded} loaded */
+  async function keep(loaded) {
     const bytes = await ask("export", { format: "ply" });
     origin = { type: "load", name: `${loaded.name}.ply`, bytes: bytes.buffer };
     last = null;
-    return loaded;
   }
 
   /** @param {string} type @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
@@ -165,6 +170,18 @@ export function createSolver(listener) {
     adopt: () => edit("adopt"),
     /** Takes the last edit back. */
     undo: () => edit("undo"),
+    /** @returns {Promise<BoundaryLoop[]>} */
+    loops: () => ask("loops"),
+    /**
+     * Fills holes, or connects loops.
+     * @param {FillOptions} wanted
+     * @returns {Promise<{ filled: Filled, loaded: Loaded }>}
+     */
+    async fill(wanted) {
+      const answer = await move("fill", { options: wanted });
+      await keep(answer.loaded);
+      return answer;
+    },
     /** @returns {Promise<Conjecture>} */
     conjecture: () => ask("conjecture"),
     /** @param {number[]} corners @returns {Promise<Quadrilateral>} */

@@ -2,7 +2,7 @@
 // What the page shows, as one frozen object, and the only functions that change it.
 // Transitions are pure: (state, …) → state. Parts read; the controller writes.
 
-/** @import { Arrangement, Loaded, State as Reading, Configured, Curves, FlowOptions, Field, FieldName, Frame, Pane } from "./protocol.js" */
+/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Pane } from "./protocol.js" */
 
 import { defaults, plainArrangement } from "./options.js";
 
@@ -40,7 +40,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {string | null} loadingName
  * @property {Source | null} source
  * @property {Loaded | null} mesh
- * @property {{ positions: Float32Array, field: Field | null, flippedTriangles: Uint32Array, panes: readonly Pane[], curves: Curves | null } | null} frame
+ * @property {{ positions: Float32Array, field: Field | null, flippedTriangles: Uint32Array, panes: readonly Pane[], curves: Curves | null, jump: CurvatureJump | null } | null} frame
  * @property {Reading | null} reading
  * @property {readonly Sample[]} history  from the start to the present step
  * @property {Readonly<Required<FlowOptions>>} options
@@ -116,6 +116,7 @@ const firstFrame = (mesh) => ({
   flippedTriangles: new Uint32Array(0),
   panes: [],
   curves: null,
+  jump: null,
 });
 
 /** @typedef {Readonly<PageState>} S */
@@ -187,13 +188,13 @@ export const transitions = {
   pausing: (s) => ({ ...s, pausing: true }),
 
   /** @param {S} s @param {Frame} frame @returns {S} */
-  frame: (s, { state, reports, positions, field, flippedTriangles, panes, curves }) => ({
+  frame: (s, { state, reports, positions, field, flippedTriangles, panes, curves, jump }) => ({
     ...s,
     phase: s.phase === "running" || s.phase === "loading" ? s.phase : still(state),
     reading: state,
     history: extended(s.history, state, reports),
     // All panes share one scale of colours.
-    frame: { positions, field: panes[0]?.field ?? field, flippedTriangles, panes, curves },
+    frame: { positions, field: panes[0]?.field ?? field, flippedTriangles, panes, curves, jump },
     progress: null,
   }),
 

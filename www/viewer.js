@@ -79,6 +79,7 @@ class SurfaceView {
   /** @type {number | null} the animation frame asked for */
   #frame = null;
   #cameraMoved = false;
+  #isResting = false;
   #attempts = 0;
   #lastLoss = Number.NEGATIVE_INFINITY;
 
@@ -183,6 +184,22 @@ class SurfaceView {
     this.#viewer?.setHighlight(ends);
     this.#highlight = ends;
     this.#redraw();
+  }
+
+  /** Whether drags are somebody else's, as those of a brush. @param {boolean} isResting */
+  rest(isResting) {
+    this.#isResting = isResting;
+  }
+
+  /**
+   * @param {{ clientX: number, clientY: number }} event
+   * @returns {number[] | null} the point of the surface there, and the size of a CSS pixel
+   */
+  pick({ clientX, clientY }) {
+    const box = this.#canvas.getBoundingClientRect();
+    const scale = this.#size.width / Math.max(this.#canvas.clientWidth, 1);
+    const hit = this.#viewer?.pick((clientX - box.left) * scale, (clientY - box.top) * scale);
+    return hit ? [hit[0], hit[1], hit[2], hit[3] * scale] : null;
   }
 
   /**
@@ -414,7 +431,7 @@ class SurfaceView {
   /** @returns {import("./gestures.js").Moves} */
   #moves() {
     return {
-      orbit: (dx, dy) => this.#move((viewer) => viewer.orbit(dx, dy)),
+      orbit: (dx, dy) => this.#isResting || this.#move((viewer) => viewer.orbit(dx, dy)),
       pan: (dx, dy) => this.#move((viewer) => viewer.pan(dx, dy)),
       zoom: (factor, x, y) => this.#move((viewer) => viewer.zoom(factor, x, y)),
       roll: (angle) => this.#move((viewer) => viewer.roll(angle)),

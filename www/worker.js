@@ -66,14 +66,15 @@ const isOver = ({ status }) => status !== "ready" && status !== "running";
 function frame(state) {
   const positions = session.positions();
   /** @type {Pane[]} */
-  const panes = state.flips ? session.panes(field) : [];
-  const colours = state.flips ? null : session.field(field);
+  const panes = session.panes(field);
+  const colours = panes.length > 0 ? null : session.field(field);
+  const jump = state.flips ? null : session.curvatureJump();
   const flippedTriangles = session.flippedTriangles();
   const curves = state.flips ? session.curves() : null;
   const transfer = [positions.buffer, flippedTriangles.buffer, ...buffersOf(colours)];
   for (const pane of panes) transfer.push(...buffersOf(pane), ...buffersOf(pane.field));
   const message = { type: "frame", run, state, reports: untold, positions, field: colours };
-  page.postMessage({ ...message, flippedTriangles, panes, curves }, transfer);
+  page.postMessage({ ...message, flippedTriangles, panes, curves, jump }, transfer);
   untold = [];
   taken = false;
 }
@@ -139,6 +140,13 @@ const actions = {
   },
   adopt: () => session.adopt(),
   undo: () => session.undoEdit(),
+  loops: () => session.boundaryLoops(),
+  fill(request) {
+    running = false;
+    run = request.run;
+    const filled = session.fill(request.options, tell);
+    return { filled, loaded: session.loaded() };
+  },
   conjecture: () => session.conjecture(),
   quadrilateral: ({ corners }) => session.quadrilateral(corners),
   lab: ({ pairs }) => session.lab(pairs),
@@ -148,7 +156,7 @@ const actions = {
     const colours = session.field(request.field);
     field = request.field;
     const state = session.state();
-    if (state.flips && !running) frame(state);
+    if (!running && session.panes("none").length > 0) frame(state);
     return colours;
   },
   export: ({ format }) => session.export(format),
@@ -164,8 +172,9 @@ const actions = {
  */
 function buffersOf(answer) {
   if (ArrayBuffer.isView(answer)) return [answer.buffer];
+  if (typeof answer !== "object") return [];
   return Object.values(answer ?? {}).flatMap((value) =>
-    ArrayBuffer.isView(value) ? [value.buffer] : [],
+    ArrayBuffer.isView(value) ? [value.buffer] : value?.positions ? buffersOf(value) : [],
   );
 }
 
@@ -215,15 +224,18 @@ function answer(request) {
   }
 }
 
+/** @param {string} stage @param {number} fraction */
+function tell(stage, fraction) {
+  const now = performance.now();
+  if (now < nextProgress) return;
+  nextProgress = now + 100;
+  page.postMessage({ type: "progress", run, stage, fraction });
+}
+
 const wasm = new URL("./pkg/solver/solver_bg.wasm", import.meta.url);
 const started = init({ module_or_path: wasm }).then(() => {
   session = new Session();
-  session.onProgress((/** @type {string} */ stage, /** @type {number} */ fraction) => {
-    const now = performance.now();
-    if (now < nextProgress) return;
-    nextProgress = now + 100;
-    page.postMessage({ type: "progress", run, stage, fraction });
-  });
+  session.onProgress(tell);
   Session.warmUp();
   page.postMessage({ type: "ready", version: Session.version() });
 });

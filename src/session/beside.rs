@@ -3,7 +3,7 @@
 
 use super::as_f32;
 use super::field::FieldName;
-use super::pane::{Pane, share_range};
+use super::pane::Pane;
 use super::work::Work;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::Status;
@@ -139,7 +139,14 @@ impl Work {
                     .map(|work| pane(name, work))
             })
             .collect();
-        share_range(&mut panes);
+        // That of the chosen flow: where another breaks, it may go out of the scale.
+        let range = panes
+            .iter()
+            .find(|pane| Some(pane.name) == name_of(self.options.flow))
+            .and_then(|pane| pane.field.as_ref().map(|f| (f.low, f.high)));
+        for field in panes.iter_mut().filter_map(|pane| pane.field.as_mut()) {
+            (field.low, field.high) = range.unwrap_or((field.low, field.high));
+        }
         panes
     }
 }

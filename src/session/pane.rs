@@ -242,7 +242,7 @@ fn subdivided(
 }
 
 /// One scale for all pictures, so that colours can be compared.
-pub(super) fn share_range(panes: &mut [Pane]) {
+fn share_range(panes: &mut [Pane]) {
     let fields = || panes.iter().filter_map(|pane| pane.field.as_ref());
     let low = fields().map(|f| f.low).fold(f32::INFINITY, f32::min);
     let high = fields().map(|f| f.high).fold(f32::NEG_INFINITY, f32::max);

@@ -6,7 +6,7 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
-import { choices } from "../options.js";
+import { choices, usualBoundary } from "../options.js";
 import { samples } from "../samples.js";
 import { byId, fillSelect, setText } from "./element.js";
 
@@ -35,6 +35,7 @@ export function createChoices(controller) {
       dt: null,
       tau: null,
       goal: "relax",
+      boundary: null,
     }),
   );
   boundary.addEventListener("change", () =>
@@ -63,9 +64,9 @@ export function createChoices(controller) {
       if (state.options !== options) {
         options = state.options;
         flow.value = options.flow;
-        boundary.value = options.boundary;
-        // The p-Willmore flow is for closed surfaces.
-        byId("boundary-field", HTMLElement).hidden = options.flow !== "circle";
+        boundary.value = options.boundary ?? usualBoundary(options.flow);
+        // The p-Willmore flow is for closed surfaces, and flips leave every vertex where it is.
+        byId("boundary-field", HTMLElement).hidden = ["p-willmore", "flips"].includes(options.flow);
       }
       if (colour.value !== state.colour && state.phase !== "loading") colour.value = state.colour;
     },

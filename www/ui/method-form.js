@@ -10,6 +10,15 @@ import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { chosen, show } from "./option-form.js";
 
+/** What makes a time step a number without a unit. @type {Readonly<Record<string, string>>} */
+const ratios = {
+  circle: "dt/h²",
+  "mean-curvature": "dt/L²",
+  "surface-diffusion": "dt/L⁴",
+  willmore: "dt/L⁴",
+  mmcv: "dt/L⁶",
+};
+
 /** @param {Controller} controller */
 export function createMethodForm(controller) {
   const form = byId("method-form", HTMLFormElement);
@@ -35,7 +44,7 @@ export function createMethodForm(controller) {
     setText(detailValue, `L = ${detail.valueAsNumber.toFixed(1)} mean edge lengths = ${length}`);
     setText(tauValue, `τ = ${formatNumber(wanted, 3)}`);
     const value = used ?? wanted;
-    const ratio = flow === "circle" ? "dt/h²" : "dt/L^(p+2)";
+    const ratio = ratios[flow] ?? "dt/L^(p+2)";
     const numbers = `τ = ${ratio} = ${formatNumber(value, 3)}, dt = ${formatNumber(value * unit, 3)}`;
     const first = goal === "relax" && tauAuto.checked;
     setText(note, first ? `First time step: ${numbers}` : numbers);

@@ -7,16 +7,23 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Viewer } from "./picture.js" */
 
+import { byCurvature } from "../options.js";
 import { isDark } from "../state.js";
+import { flowLabel, jumpText } from "./curvature-form.js";
 import { byId, setText } from "./element.js";
 import { criterionLabel } from "./flips-form.js";
 import { formatCount, formatNumber } from "./number.js";
 import { ownPane } from "./picture.js";
 
-const order = ["start", "area", "willmore", "localised"];
+const order = ["start", "area", ...byCurvature, "localised"];
 
 /** What stands under a pane. @param {Pane["name"]} name @param {Readonly<PageState>} state */
 function captionOf(name, { reading, frame }) {
+  const standing = frame?.panes.find((pane) => pane.name === name)?.standing;
+  if (standing) {
+    const jump = standing.jump ? `, jump of H ${jumpText(standing.jump)}` : "";
+    return `${flowLabel(name)}: step ${standing.step}${jump}`;
+  }
   const label = name === "start" ? "Start" : criterionLabel(name);
   const run = reading?.flips?.find(({ criterion }) => criterion === name);
   const first = frame?.curves?.runs[0];

@@ -23,8 +23,8 @@ export function surfaceLabel({ mesh, reading }) {
 }
 
 /** The pane that stands in the place of the surface. @param {Readonly<PageState>} state */
-export function ownPane({ frame, reading }) {
-  const chosen = reading?.flips?.[0].criterion;
+export function ownPane({ frame, reading, options }) {
+  const chosen = reading?.flips?.[0].criterion ?? options.flow;
   return frame?.panes.find(({ name }) => name === chosen) ?? null;
 }
 
@@ -162,6 +162,12 @@ export function createPicture(controller, state, samples) {
       setText(title, titleOf(s.source));
     },
     fit: () => viewer?.fit(),
+    /** @param {MouseEvent} event */
+    pick: (event) => viewer?.pick(event) ?? null,
+    /** What a brush is about to hold. @param {Uint8Array} now */
+    showHeld: (now) => viewer?.setFixed(now),
+    /** @param {boolean} on  whether a drag paints and does not turn */
+    brush: (on) => viewer?.rest(on),
     /** @param {MouseEvent} event @param {Uint32Array} ends */
     nearestEdge: (event, ends) => viewer?.nearestEdge(event, ends) ?? null,
     /** @returns {Promise<Blob | null>} */

@@ -23,6 +23,9 @@ const stages = {
   newton: "Newton iterations",
   project: "Keeping area and volume",
   regularise: "Regularising the mesh",
+  fill: "Filling",
+  triangulate: "Triangulating the holes",
+  remesh: "Remeshing the patches",
   flips: "Flipping edges",
   finish: "Measuring the surface",
 };
@@ -60,9 +63,20 @@ function progressOf({ progress, goal, reading, phase }) {
   return progress && { ...progress, stage: stages[progress.stage] ?? progress.stage };
 }
 
+/** @type {Readonly<Record<string, string>>} */
+const symbols = {
+  circle: "W",
+  flips: "W",
+  "mean-curvature": "Area",
+  "surface-diffusion": "Area",
+  willmore: "∫H²",
+  mmcv: "∫|∇H|²",
+};
+
 /** The energy's symbol. @param {Readonly<PageState>} state */
 const symbol = ({ options }) => {
-  if (options.flow !== "p-willmore") return "W";
+  const known = symbols[options.flow];
+  if (known) return known;
   if (options.spontaneousCurvature || options.tension || options.pressure) return "Energy";
   return options.p === 0 ? "Area" : options.p === 2 ? "∫H²" : `∫|H|^${options.p}`;
 };

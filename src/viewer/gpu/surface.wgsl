@@ -89,7 +89,8 @@ fn fragment(in: Varying, @builtin(front_facing) is_front: bool) -> @location(0) 
     let plain = select(frame.front.rgb, frame.back.rgb, side.is_back);
     let coloured = frame.field_strength * (1.0 - in.attributes.z);
     let albedo = mix(plain, map_colour, coloured);
-    let tinted = mix(albedo, frame.fixed_tint.rgb, in.attributes.y * mix(0.6, 0.35, coloured));
+    // Not over a field: across the edge of what is held its colours must be comparable.
+    let tinted = mix(albedo, frame.fixed_tint.rgb, 0.6 * in.attributes.y * (1.0 - coloured));
     return vec4f(encoded(lit(tinted, side.normal, toward_eye)), 1.0);
 }
 

@@ -1,0 +1,82 @@
+// @ts-check
+// What is special to the flows by mean curvature and its derivatives: a smooth first guess,
+// all four beside each other, and how mean curvature jumps where the patch ends.
+
+/** @import { PageState } from "../state.js" */
+/** @import { Controller } from "../controller.js" */
+/** @import { Options } from "../options.js" */
+
+import { byCurvature, choices, defaults } from "../options.js";
+import { byId, setText } from "./element.js";
+import { formatNumber } from "./number.js";
+import { chosen, show } from "./option-form.js";
+
+/** @param {string} flow */
+export const flowLabel = (flow) => choices.flow.find(({ id }) => id === flow)?.label ?? flow;
+
+/** @param {import("../protocol.js").CurvatureJump | null | undefined} jump */
+export const jumpText = (jump) => (jump ? formatNumber(jump.relative, 3) : "–");
+
+/** @param {Controller} controller */
+export function createCurvatureForm(controller) {
+  const form = byId("curvature", HTMLFormElement);
+  const beside = byId("beside", HTMLInputElement);
+  const jump = byId("jump", HTMLElement);
+  const table = byId("flows-table", HTMLTableElement);
+  const rows = byId("flows-rows", HTMLTableSectionElement);
+
+  form.addEventListener("submit", (event) => event.preventDefault());
+  form.addEventListener("change", ({ target }) => {
+    const control = /** @type {HTMLInputElement} */ (target);
+    if (control === beside) controller.arrange({ compare: beside.checked ? "flows" : "none" });
+    else controller.configure({ [control.name]: chosen(form, control.name) });
+  });
+
+  /** @param {Readonly<PageState>} state */
+  function describe({ frame, reading }) {
+    const measured = frame?.jump;
+    setText(
+      jump,
+      measured
+        ? `Jump of H where the patch ends: ${formatNumber(measured.relative, 3)} of H outside, ` +
+            `root mean square over ${measured.vertices} vertices.`
+        : "No jump of H to measure: no patch ends next to what is held, or it is too small.",
+    );
+    const standing = (frame?.panes ?? []).filter(({ standing: s }) => s !== null);
+    table.hidden = standing.length === 0 || !reading;
+    rows.replaceChildren(
+      ...standing.map(({ name, standing: s }) => {
+        const row = document.createElement("tr");
+        const head = document.createElement("th");
+        head.scope = "row";
+        head.textContent = flowLabel(name);
+        row.append(head);
+        for (const text of [String(s?.step), jumpText(s?.jump), s?.status ?? ""]) {
+          row.insertCell().textContent = text;
+        }
+        return row;
+      }),
+    );
+  }
+
+  /** @type {Options} */
+  let shown = defaults;
+  /** @type {PageState["frame"]} */
+  let frame = null;
+  return {
+    /** @param {Readonly<PageState>} state */
+    update(state) {
+      if (state.options !== shown) {
+        shown = state.options;
+        show(form, shown);
+        form.hidden = !byCurvature.includes(shown.flow);
+      }
+      const all = state.arrangement.compare === "flows";
+      if (beside.checked !== all) beside.checked = all;
+      if (state.frame !== frame && !form.hidden) {
+        frame = state.frame;
+        describe(state);
+      }
+    },
+  };
+}
