@@ -7,7 +7,7 @@
 /** @import { Options } from "./options.js" */
 /** @import { Marks, Source, Store, View } from "./state.js" */
 
-import { byCurvature, defaults } from "./options.js";
+import { byCurvature, defaults, plainArrangement } from "./options.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
 import { transitions as to } from "./state.js";
@@ -198,6 +198,20 @@ export function createController(store, voice) {
         const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
         const ask = () => solver.sample(sample.shape, sample.parameters);
         return load(sample.label, source, ask, options, suggested, scene, sample.fill);
+      }),
+
+    /** A figure of a paper: its sample, flow and parameters. @param {import("./figures.js").Figure} figure */
+    figure: (figure) =>
+      enqueue(async () => {
+        const sample = samples.find((one) => one.id === figure.sample) ?? samples[0];
+        const suggested = { ...defaults, ...sample.options };
+        const options = { ...suggested, ...figure.options };
+        const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
+        const ask = () => solver.sample(sample.shape, sample.parameters);
+        const arrangement = { ...plainArrangement, ...figure.arrangement };
+        const scene = { arrangement, colour: figure.colour ?? "none" };
+        await load(sample.label, source, ask, options, suggested, scene, sample.fill);
+        store.update(to.figured, figure);
       }),
 
     /** @param {File} file @param {Partial<Scene>} [scene] */

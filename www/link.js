@@ -8,6 +8,7 @@
 import {
   arrangementReaders,
   asText,
+  byCurvature,
   choices,
   defaults,
   plainArrangement,
@@ -84,9 +85,14 @@ export function writeLink({ source, options, arrangement, colour, camera, readin
     if (key !== "flow" && asText(options[key]) !== asText(base[key]))
       words.set(key, asText(options[key]));
   }
+  const { compare, subdivide, flipsPerStep } = arrangement;
+  const own = byCurvature.includes(options.flow)
+    ? ["flows"]
+    : options.flow === "flips"
+      ? ["start", "criteria"]
+      : [];
+  if (own.includes(compare)) words.set("compare", compare);
   if (options.flow === "flips") {
-    const { compare, subdivide, flipsPerStep } = arrangement;
-    if (compare !== plainArrangement.compare) words.set("compare", compare);
     if (subdivide !== plainArrangement.subdivide) words.set("subdivide", String(subdivide));
     if (flipsPerStep !== plainArrangement.flipsPerStep)
       words.set("flipsPerStep", String(flipsPerStep ?? "all"));

@@ -14,6 +14,7 @@ import { createDownload } from "./ui/download.js";
 import { createEnergyPlot } from "./ui/energy-plot.js";
 import { createFlipPlots } from "./ui/flip-plots.js";
 import { createFlipsForm } from "./ui/flips-form.js";
+import { createGallery } from "./ui/gallery.js";
 import { createHoles } from "./ui/holes.js";
 import { createKeys } from "./ui/keys.js";
 import { createLab } from "./ui/lab.js";
@@ -66,6 +67,7 @@ const parts = [
   createEnergyPlot(controller, pictured),
   createFlipPlots(controller),
   createConjecture(controller, picture.nearestEdge),
+  createGallery(controller),
   createPresenter(controller),
   createLinkWriter(),
   help,

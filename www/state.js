@@ -48,6 +48,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {Readonly<Arrangement>} arrangement  of edge flips
  * @property {readonly Earlier[]} earlier  what `undo` brings back, oldest first
  * @property {Marks | null} marks         drawn over the surface
+ * @property {import("./figures.js").Figure | null} figure  of a paper, that is being shown
  * @property {FieldName} colour
  * @property {number | null} goal         the step a link asks for, while running to it
  * @property {boolean} pausing            asked to pause; the step in hand is not done
@@ -72,6 +73,7 @@ export const initial = Object.freeze({
   arrangement: plainArrangement,
   earlier: [],
   marks: null,
+  figure: null,
   colour: "none",
   goal: null,
   pausing: false,
@@ -143,6 +145,7 @@ export const transitions = {
     configured: null,
     earlier: [],
     marks: null,
+    figure: null,
     goal: null,
     progress: null,
     camera: null,
@@ -167,6 +170,9 @@ export const transitions = {
 
   /** @param {S} s @param {Readonly<Arrangement>} arrangement @returns {S} */
   arranged: (s, arrangement) => ({ ...s, arrangement }),
+
+  /** @param {S} s @param {import("./figures.js").Figure} figure @returns {S} */
+  figured: (s, figure) => ({ ...s, figure }),
 
   /** @param {S} s @param {Marks | null} marks @returns {S} */
   marked: (s, marks) => ({ ...s, marks }),

@@ -2,10 +2,9 @@
 //! that also takes over tangent planes and curvature from its surroundings.
 
 use super::FlowError;
-use crate::geometry::measure;
 use crate::linalg::{Pattern, Refactor, Solver};
 use crate::mesh::{HalfedgeMesh, Vertex};
-use crate::operator::{Elements, Laplacian};
+use crate::operator::polyharmonic;
 use glam::DVec3;
 
 /// Moves every free vertex to the mean of its neighbours, all at once: the uniform
@@ -55,6 +54,9 @@ pub fn harmonic(mesh: &HalfedgeMesh, free: &[bool], x: &mut [DVec3]) -> Result<(
     Ok(())
 }
 
+/// L (M⁻¹L)² r = 0 takes over positions, tangent planes and curvature.
+const SMOOTH_ORDER: usize = 3;
+
 /// Moves the free vertices to where [L (M⁻¹L)² r] vanishes on them: L the cotangent
 /// Laplacian, M the lumped mass, both of the surface as it is; in each of some passes.
 ///
@@ -69,104 +71,10 @@ pub fn smooth(
     x: &mut [DVec3],
     passes: usize,
 ) -> Result<(), FlowError> {
-    let (row, moving) = anchored(mesh, free);
-    let Some(elements) = Elements::of(mesh).filter(|_| !moving.is_empty()) else {
-        return Ok(());
-    };
-    let mut laplacian = Laplacian::new(&elements);
-    let mut cube = Cube::new(free.len());
-    let cliques = |cube: &mut Cube, laplacian: &Laplacian| -> Vec<[u32; 2]> {
-        let mut pairs = Vec::new();
-        for (r, &v) in moving.iter().enumerate() {
-            cube.row(laplacian, None, v.index());
-            let columns = cube.entries().filter_map(|(j, _)| row[j]);
-            pairs.extend(columns.map(|column| [r as u32, column]));
-        }
-        pairs
-    };
-    let pattern = Pattern::from_cliques(moving.len(), cliques(&mut cube, &laplacian).iter());
-    let points: Vec<DVec3> = moving.iter().map(|v| x[v.index()]).collect();
-    let mut values = vec![0.0; pattern.nnz()];
-    let mut solver = Solver::new(pattern.clone(), Some(&points))?;
     for _ in 0..passes {
-        laplacian.assemble(&elements, x);
-        let mass = measure::vertex_areas(mesh, x);
-        let mut rhs = vec![DVec3::ZERO; moving.len()];
-        for (r, &v) in moving.iter().enumerate() {
-            cube.row(&laplacian, Some(&mass), v.index());
-            for (j, weight) in cube.entries() {
-                match row[j] {
-                    // Symmetric: stored once.
-                    Some(s) if s as usize <= r => {
-                        values[pattern.slot(r as u32, s)] = weight;
-                    }
-                    Some(_) => {}
-                    None => rhs[r] -= weight * x[j],
-                }
-            }
-        }
-        let mut solution: Vec<DVec3> = moving.iter().map(|v| x[v.index()]).collect();
-        solver.solve(&values, &rhs, &mut solution, 1e-12, Refactor::Always)?;
-        for (v, p) in moving.iter().zip(solution) {
-            x[v.index()] = p;
-        }
+        polyharmonic::fill(mesh, x, free, SMOOTH_ORDER)?;
     }
     Ok(())
-}
-
-/// Rows of L (M⁻¹L)².
-struct Cube {
-    weights: Vec<f64>,
-    is_touched: Vec<bool>,
-    touched: Vec<u32>,
-}
-
-impl Cube {
-    fn new(n: usize) -> Self {
-        Self {
-            weights: vec![0.0; n],
-            is_touched: vec![false; n],
-            touched: Vec::new(),
-        }
-    }
-
-    /// Row `i`; without a mass its pattern only.
-    fn row(&mut self, laplacian: &Laplacian, mass: Option<&[f64]>, i: usize) {
-        self.clear();
-        self.weights[i] = 1.0;
-        self.is_touched[i] = true;
-        self.touched.push(i as u32);
-        for factor in 0..3 {
-            let row: Vec<(usize, f64)> = self.entries().collect();
-            self.clear();
-            for (j, weight) in row {
-                // L first, then twice M⁻¹L from the right.
-                let weight = match mass {
-                    Some(mass) if factor > 0 => weight / mass[j],
-                    _ => weight,
-                };
-                for (&l, entry) in laplacian.members(j).iter().zip(laplacian.row(j)) {
-                    if !self.is_touched[l as usize] {
-                        self.is_touched[l as usize] = true;
-                        self.touched.push(l);
-                    }
-                    self.weights[l as usize] += weight * entry;
-                }
-            }
-        }
-    }
-
-    fn clear(&mut self) {
-        for j in self.touched.drain(..) {
-            self.weights[j as usize] = 0.0;
-            self.is_touched[j as usize] = false;
-        }
-    }
-
-    fn entries(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let touched = self.touched.iter();
-        touched.map(|&j| (j as usize, self.weights[j as usize]))
-    }
 }
 
 /// The free vertices of components with a held one, and the row of each vertex among them.

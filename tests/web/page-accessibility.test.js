@@ -51,6 +51,30 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       await button(page, "Step").click();
       await until(page, "Paused at step 1");
       await check("under the p-Willmore flow");
+      await choice(page, "Flow").selectOption({ label: "Edge flips" });
+      await choice(page, "Beside it").selectOption({ label: "All three criteria" });
+      await page.locator("#region").waitFor({ state: "hidden" });
+      await page.locator("#conjecture > summary").click();
+      await page.locator("#lab > summary").click();
+      await button(page, "Draw quadrilaterals").click();
+      await page.locator("#lab-rows tr").first().waitFor();
+      await button(page, "Stop").click();
+      await button(page, "Flip to the end").click();
+      await page
+        .locator("#counterexamples option")
+        .or(page.getByText(/holds for all/))
+        .first()
+        .waitFor();
+      await check("with edge flips side by side");
+      await choice(page, "Sample").selectOption({ label: "Four bumps, flows compared" });
+      await until(page, "Ready");
+      await page.getByLabel("All four flows side by side").check();
+      await page.locator("#holes > summary").click();
+      await page.locator("#loops input").first().check();
+      await page.locator("#region > summary").click();
+      await button(page, "Paint").click();
+      await page.locator("#flows-rows tr").nth(3).waitFor();
+      await check("with flows side by side, a loop chosen and the brush in hand");
       await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
       await page.keyboard.press("?");
       await page.getByRole("dialog").waitFor();

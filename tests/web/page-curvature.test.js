@@ -11,7 +11,6 @@ import {
   choice,
   energy,
   openMesh,
-  playAndPause,
   reading,
   sharedMesh,
   stillPicture,
@@ -197,7 +196,8 @@ test("presets of the paper come to the shapes they should", async () => {
   assert.ok((await energy(page)) < 1e-4, "constant mean curvature has no variation");
   await choice(page, "Flow").selectOption("Surface diffusion");
   await until(page, "Ready");
-  await playAndPause(page, 1);
+  await button(page, "Step").click();
+  await until(page, /step/);
   await page.waitForFunction(() => location.hash.includes("flow=surface-diffusion"));
   assert.deepEqual(faults, []);
   await close();

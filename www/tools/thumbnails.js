@@ -1,0 +1,49 @@
+// @ts-check
+// The small pictures of the gallery, taken from the built page: `node www/tools/thumbnails.js`.
+
+import { mkdirSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { launch, openPage } from "../../tests/web/support/browser.js";
+import { serve } from "../../tests/web/support/server.js";
+import { figures } from "../figures.js";
+import { root } from "./process.js";
+
+/** Steps that are worth waiting for in a picture. */
+const MOST = 60;
+
+const folder = path.join(root, "www", "thumbnails");
+mkdirSync(folder, { recursive: true });
+const server = await serve();
+const browser = await launch();
+try {
+  for (const figure of figures) {
+    const { page, close } = await openPage(browser, {
+      viewport: { width: 240, height: 150 },
+      colorScheme: "light",
+    });
+    const steps = figure.steps === "rest" ? MOST : Math.min(figure.steps, MOST);
+    const words = new URLSearchParams({ sample: figure.sample });
+    for (const [key, value] of Object.entries({ ...figure.options, ...figure.arrangement })) {
+      words.set(key, String(value ?? "auto"));
+    }
+    if (figure.colour) words.set("colour", figure.colour);
+    if (steps > 0) words.set("step", String(steps));
+    await page.goto(`${server.url}#${words}`);
+    const status = page.getByRole("status").first();
+    await status
+      .filter({ hasText: /Ready|Paused|Converged|Stopped|Stalled/ })
+      .waitFor({ timeout: 120_000 });
+    await page.keyboard.press("f");
+    await page.addStyleTag({
+      content:
+        "#header, #transport, #messages, #colour-bar, figcaption { display: none !important }",
+    });
+    await page.waitForTimeout(1500);
+    writeFileSync(path.join(folder, `${figure.id}.png`), await page.screenshot());
+    console.log(figure.id);
+    await close();
+  }
+} finally {
+  await browser.close();
+  await server.close();
+}

@@ -1,0 +1,131 @@
+// @ts-check
+// Every figure of the papers, a click away: a dialog of cards, and beside the surface what the
+// paper reports, what is expected, and what was just measured here.
+
+/** @import { Figure, Run } from "../figures.js" */
+/** @import { PageState } from "../state.js" */
+/** @import { Controller } from "../controller.js" */
+
+import { byId, setText } from "./element.js";
+
+/** @type {Readonly<Record<Figure["paper"], string>>} */
+const papers = {
+  circle: "Bobenko and Schröder: discrete Willmore flow",
+  "p-willmore": "Gruber and Aulisa: p-Willmore flow",
+  flips: "Brink and Alboul: edge flips",
+  curvature: "Xu and Zhang: mean-curvature variation",
+};
+
+/** What a figure's measure is given. @param {Readonly<PageState>} state @param {PageState["reading"]} first @returns {Run | null} */
+function runOf({ reading, mesh, frame }, first) {
+  if (!reading || !mesh || !first) return null;
+  /** @type {Record<string, number>} */
+  const jumps = {};
+  for (const { name, standing } of frame?.panes ?? []) {
+    if (standing?.jump) jumps[name] = standing.jump.relative;
+  }
+  return {
+    first,
+    last: reading,
+    steps: reading.step,
+    info: mesh.info,
+    jump: frame?.jump ?? null,
+    jumps,
+  };
+}
+
+/** Whether a run has come as far as the figure wants. @param {Figure} figure @param {Readonly<PageState>} state */
+function isThere({ steps }, { reading, phase }) {
+  if (!reading || phase === "running" || phase === "loading") return false;
+  if (reading.status !== "ready" && reading.status !== "running") return true;
+  return steps !== "rest" && reading.step >= steps;
+}
+
+/** @param {Controller} controller */
+export function createGallery(controller) {
+  const dialog = byId("gallery", HTMLDialogElement);
+  const cards = byId("gallery-cards", HTMLElement);
+  const section = byId("figure", HTMLElement);
+  const heading = byId("figure-heading", HTMLElement);
+  const said = byId("figure-reports", HTMLElement);
+  const expected = byId("figure-expected", HTMLElement);
+  const measured = byId("figure-measured", HTMLElement);
+
+  /** @param {Figure} figure */
+  function card(figure) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "card";
+    const picture = document.createElement("img");
+    picture.src = new URL(`../thumbnails/${figure.id}.png`, import.meta.url).href;
+    picture.alt = "";
+    picture.loading = "lazy";
+    picture.width = 240;
+    picture.height = 150;
+    const title = document.createElement("strong");
+    title.textContent = `${figure.figure}: ${figure.title}`;
+    const text = document.createElement("span");
+    text.textContent = figure.reports;
+    button.append(picture, title, text);
+    button.addEventListener("click", () => {
+      dialog.close();
+      controller.figure(figure);
+    });
+    return button;
+  }
+
+  let filled = false;
+  async function open() {
+    dialog.showModal();
+    if (filled) return;
+    try {
+      const { figures } = await import("../figures.js");
+      filled = true;
+      for (const [paper, name] of Object.entries(papers)) {
+        const title = document.createElement("h3");
+        title.textContent = name;
+        const group = document.createElement("div");
+        group.className = "cards";
+        group.append(...figures.filter((figure) => figure.paper === paper).map(card));
+        cards.append(title, group);
+      }
+    } catch (error) {
+      dialog.close();
+      controller.report(error);
+    }
+  }
+  byId("gallery-open", HTMLButtonElement).addEventListener("click", open);
+  dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
+
+  /** @type {PageState["figure"]} */
+  let figure = null;
+  /** @type {PageState["reading"]} */
+  let first = null;
+  return {
+    /** @param {Readonly<PageState>} state */
+    update(state) {
+      if (state.figure !== figure) {
+        figure = state.figure;
+        first = null;
+        section.hidden = !figure;
+        if (!figure) return;
+        setText(heading, `${figure.figure}: ${figure.title}`);
+        setText(said, figure.reports);
+        setText(expected, figure.expected);
+      }
+      if (!figure) return;
+      if (state.reading?.step === 0 && state.reading.status === "ready") first = state.reading;
+      const run = isThere(figure, state) ? runOf(state, first) : null;
+      const result = run && figure.measure(run);
+      setText(
+        measured,
+        result
+          ? `${result.ok ? "✓" : "✗"} ${result.value}`
+          : figure.steps === "rest"
+            ? "Play, until it comes to rest."
+            : `Play, at least to step ${figure.steps}.`,
+      );
+      measured.dataset.verdict = result ? (result.ok ? "yes" : "no") : "open";
+    },
+  };
+}
