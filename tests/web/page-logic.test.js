@@ -9,6 +9,7 @@ import { samples } from "../../www/samples.js";
 import { createStore, initial, transitions as to } from "../../www/state.js";
 import { fileName } from "../../www/ui/download.js";
 import { formatNumber } from "../../www/ui/number.js";
+import { grown, painted } from "../../www/ui/selection.js";
 import { statusText } from "../../www/ui/status.js";
 
 /** @typedef {import("../../www/protocol.js").State} Reading */
@@ -55,6 +56,9 @@ const frame = (step, energy) => ({
   positions: new Float32Array(9),
   field: null,
   flippedTriangles: new Uint32Array(0),
+  panes: [],
+  curves: null,
+  jump: null,
 });
 
 test("the status line says what is going on", () => {
@@ -149,4 +153,37 @@ test("numbers keep their digits and stay readable by machines", () => {
 test("ten steps of τ = 0.01 remove detail below 3.8 edge lengths", () => {
   // 6.7 (N τ)^¼ with N τ = 0.1.
   assert.ok(Math.abs(smoothingTau(6.7 * 0.1 ** 0.25, 10) - 0.01) < 1e-15);
+});
+
+test("a link carries what stands beside the surface, where that means something", () => {
+  const store = page();
+  store.update(to.arranged, { compare: "criteria", subdivide: 2, flipsPerStep: null });
+  assert.ok(!writeLink(store.get()).includes("compare"), "not under the circle flow");
+  const configured = /** @type {any} */ (store.get().configured);
+  store.update(to.configured, { ...defaults, flow: "flips" }, configured);
+  const hash = writeLink(store.get());
+  for (const word of ["compare=criteria", "subdivide=2", "flipsPerStep=all"]) {
+    assert.ok(hash.includes(word), hash);
+  }
+  const { arrangement } = readLink({ search: "", hash });
+  assert.deepEqual(arrangement, { compare: "criteria", subdivide: 2, flipsPerStep: null });
+  store.update(to.configured, { ...defaults, flow: "mmcv" }, configured);
+  assert.ok(!writeLink(store.get()).includes("compare"));
+  store.update(to.arranged, { compare: "flows", subdivide: 0, flipsPerStep: 1 });
+  assert.ok(writeLink(store.get()).includes("compare=flows"));
+  const odd = readLink({ search: "", hash: "#compare=all&subdivide=9&flipsPerStep=0" });
+  assert.deepEqual(odd.arrangement, {});
+});
+
+test("a brush paints what lies in its ball, and regions grow by rings", () => {
+  const positions = Float32Array.from([0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0]);
+  const set = Uint8Array.from([1, 1, 1, 1, 1]);
+  painted(set, positions, [1.6, 0.2, 0], 0.7, 0);
+  assert.deepEqual([...set], [1, 0, 0, 1, 1]);
+  // A strip: each triangle has three vertices in a row.
+  const strip = Uint32Array.from([0, 1, 2, 1, 2, 3, 2, 3, 4]);
+  assert.deepEqual([...grown(set, strip, 0)], [0, 0, 0, 0, 0]);
+  assert.deepEqual([...grown(set, strip.subarray(0, 6), 1)], [1, 1, 1, 1, 1]);
+  assert.deepEqual([...grown(Uint8Array.from([0, 1, 1, 1, 1]), strip, 0)], [0, 0, 0, 1, 1]);
+  assert.deepEqual([...set], [1, 0, 0, 1, 1], "the set itself is not changed by growing");
 });
