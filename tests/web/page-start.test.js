@@ -45,7 +45,7 @@ test("every sample opens", async () => {
     await samples.selectOption(id);
     await page.waitForFunction((id) => location.hash.includes(`sample=${id}&`), id);
     await until(page, "Ready");
-    assert.match(await surface(page), /step 0, energy \d/, id);
+    assert.match(await surface(page), /step 0, energy -?\d/, id);
   }
   assert.equal(await page.getByRole("alert").textContent(), "");
   assert.deepEqual(faults, []);

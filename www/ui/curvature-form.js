@@ -17,6 +17,16 @@ export const flowLabel = (flow) => choices.flow.find(({ id }) => id === flow)?.l
 /** @param {import("../protocol.js").CurvatureJump | null | undefined} jump */
 export const jumpText = (jump) => (jump ? formatNumber(jump.relative, 3) : "–");
 
+/** @type {Readonly<Record<import("../protocol.js").Status, string>>} */
+const standings = {
+  ready: "moving",
+  running: "moving",
+  converged: "at rest",
+  stalled: "stalled",
+  stepLimit: "at its limit",
+  failed: "failed",
+};
+
 /** @param {Controller} controller */
 export function createCurvatureForm(controller) {
   const form = byId("curvature", HTMLFormElement);
@@ -51,7 +61,7 @@ export function createCurvatureForm(controller) {
         head.scope = "row";
         head.textContent = flowLabel(name);
         row.append(head);
-        for (const text of [String(s?.step), jumpText(s?.jump), s?.status ?? ""]) {
+        for (const text of [String(s?.step), jumpText(s?.jump), standings[s?.status ?? "ready"]]) {
           row.insertCell().textContent = text;
         }
         return row;
