@@ -9,30 +9,9 @@ use std::ops::ControlFlow;
 use support::*;
 use umbilic::geometry::measure;
 use umbilic::geometry::quality::{is_folded, triangle_quality};
-use umbilic::mesh::shape;
 use umbilic::mesh::{Face, HalfedgeMesh};
 use umbilic::remesh::fill::{FillError, FillOptions, Filled, boundary_loops, fill};
 use umbilic::soup::PolygonSoup;
-
-fn sample(name: &str, values: &[(&str, f64)]) -> PolygonSoup {
-    let values: Vec<(String, f64)> = values.iter().map(|&(n, v)| (n.into(), v)).collect();
-    shape::make(name, &values).expect("a shape").soup
-}
-
-/// The faces of a soup for which `keep` holds of their centroid and corners.
-fn cut(soup: &PolygonSoup, keep: impl Fn(DVec3, &[u32]) -> bool) -> Surface {
-    let mut rest = PolygonSoup {
-        positions: soup.positions.clone(),
-        ..PolygonSoup::default()
-    };
-    for face in soup.faces() {
-        let sum: DVec3 = face.iter().map(|&v| soup.positions[v as usize]).sum();
-        if keep(sum / face.len() as f64, face) {
-            rest.push_face(face);
-        }
-    }
-    surface(&rest)
-}
 
 fn try_fill(mesh: &HalfedgeMesh, x: &[DVec3], options: &FillOptions) -> Result<Filled, FillError> {
     fill(mesh, x, options, &mut |_, _| ControlFlow::Continue(()))
@@ -118,22 +97,6 @@ fn new_points(filled: &Filled) -> &[DVec3] {
     &filled.positions[first.vertices.start as usize..last.vertices.end as usize]
 }
 
-/// The unit sphere, its vertices pushed about by `jitter` edge lengths, without the cap of
-/// that half-angle.
-fn open_sphere(level: f64, jitter: f64, degrees: f64) -> Surface {
-    let mut random = Random(7);
-    let mut soup = sample("icosphere", &[("level", level)]);
-    let edge = 1.1 / 2f64.powf(level);
-    // About an axis that is none of the icosahedron's.
-    let pole = DVec3::new(0.3, 0.5, 0.8).normalize();
-    for p in &mut soup.positions {
-        *p = (*p + jitter * edge * random.vector()).normalize();
-    }
-    cut(&soup, |c, _| {
-        c.normalize().dot(pole) < degrees.to_radians().cos()
-    })
-}
-
 fn off_the_sphere(filled: &Filled) -> f64 {
     new_points(filled)
         .iter()
@@ -182,16 +145,6 @@ fn new_edge_length(filled: &Filled) -> f64 {
     let new: Vec<_> = mesh.edges().filter(is_new).collect();
     let length = |e: &umbilic::mesh::Edge| measure::edge_length(mesh, &filled.positions, *e);
     new.iter().map(length).sum::<f64>() / new.len() as f64
-}
-
-/// The numbers of the loops around the origin's side of each tube.
-fn inner_loops(s: &Surface) -> Vec<usize> {
-    let all = boundary_loops(&s.mesh, &s.x);
-    let is_inner = |i: &usize| {
-        let sum: DVec3 = all[*i].vertices.iter().map(|&v| s.x[v as usize]).sum();
-        (sum / all[*i].vertices.len() as f64).length() < 1.01
-    };
-    (0..all.len()).filter(is_inner).collect()
 }
 
 #[test]
