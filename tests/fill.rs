@@ -479,6 +479,28 @@ fn the_order_falls_where_the_surroundings_are_narrow_and_says_so() {
 }
 
 #[test]
+fn a_hole_beyond_a_hemisphere_is_called_a_guess() {
+    let told = |s: &Surface| {
+        let filled = try_fill(&s.mesh, &s.x, &FillOptions::default()).expect("filled");
+        filled.warnings.iter().any(|w| w.contains("hemisphere"))
+    };
+    for (degrees, is_large) in [(80.0, false), (90.0, false), (110.0, true), (130.0, true)] {
+        for jitter in [0.0, 0.25] {
+            assert_eq!(
+                told(&open_sphere(4.0, jitter, degrees)),
+                is_large,
+                "{degrees}°"
+            );
+        }
+    }
+    // Half a sphere by its own mesh, however coarse; the ends of a pipe are hemispheres.
+    assert!(!told(&surface(&sample("hemisphere", &[("rings", 4.0)]))));
+    assert!(!told(&surface(&sample("cylinder", &[]))));
+    // The outline of a sheet, which only a sphere's worth of curvature closes.
+    assert!(told(&surface(&sample("disk", &[]))));
+}
+
+#[test]
 fn the_number_of_new_vertices_is_bounded() {
     let s = open_sphere(5.0, 0.0, 60.0);
     let free = new_points(&fill_all(&s)).len();
