@@ -258,6 +258,13 @@ fn chords_that_are_edges_already_are_not_used_again() {
         &[[0, 1, 2]],
     ));
     assert!(fill_all(&triangle).mesh.is_closed());
+    // Two equilateral triangles: their common edge is the better diagonal of the loop, and
+    // no longer than others.
+    let height = 0.75f64.sqrt();
+    let rhombus = [(0.5, 0.0), (0.0, height), (-0.5, 0.0), (0.0, -height)];
+    let corners = rhombus.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec();
+    let pair = surface(&PolygonSoup::from_faces(corners, &[[0, 1, 2], [0, 2, 3]]));
+    assert!(fill_all(&pair).mesh.is_closed());
     // Fans: all their inner edges are chords of the loop.
     for m in 4..14 {
         let rim = (0..m).map(|i| {

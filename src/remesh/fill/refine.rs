@@ -206,3 +206,40 @@ fn smooth(patch: &mut Patch, smoothing: Smoothing) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use std::collections::HashSet;
+
+    #[test]
+    fn smoothing_turns_no_face_over() {
+        // An arrowhead: the mean of its corners, at 1/2, lies behind its notch, at 2.
+        let corners = [
+            (3.0, 0.0),
+            (-1.5, 3.0),
+            (2.0, 0.0),
+            (-1.5, -3.0),
+            (2.4, 0.0),
+        ];
+        let x = corners.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec();
+        let faces = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+        let start = Patch::new(x, faces, vec![3; 4], HashSet::new(), 1.0);
+        for smoothing in [Smoothing::Umbrella, Smoothing::Tangential] {
+            let mut patch = start.clone();
+            for _ in 0..20 {
+                smooth(&mut patch, smoothing);
+            }
+            let height = |[a, b, c]: [u32; 3]| {
+                let [a, b, c] = [a, b, c].map(|v| patch.x[v as usize]);
+                (b - a).cross(c - a).z
+            };
+            assert!(
+                patch.faces().all(|face| height(face) > 0.0),
+                "{:?}",
+                patch.x[4]
+            );
+        }
+    }
+}
