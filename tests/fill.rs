@@ -251,6 +251,34 @@ fn small_holes_of_a_sphere_are_closed_with_few_triangles() {
     }
 }
 
+/// Two equilateral triangles, each refined towards the corner that the other has not.
+fn rhombus() -> Surface {
+    const SPOKES: u32 = 8;
+    let height = 0.75f64.sqrt();
+    let corners = [(0.5, 0.0), (0.0, height), (-0.5, 0.0), (0.0, -height)];
+    let mut x = corners.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec();
+    let mut faces = Vec::new();
+    for [from, tip, to] in [[0, 1, 2], [2, 3, 0]] {
+        let [a, apex, b] = [from, tip, to].map(|v: u32| x[v as usize]);
+        let first = x.len() as u32;
+        let at = |k: u32| a.lerp(b, f64::from(k) / f64::from(SPOKES + 1));
+        x.extend((1..=SPOKES).map(|k| apex.lerp(at(k), 0.8)));
+        let middle = x.len() as u32;
+        x.push(apex.lerp(0.5 * (a + b), 0.9));
+        let chain: Vec<u32> = [from]
+            .into_iter()
+            .chain(first..middle)
+            .chain([to])
+            .collect();
+        for pair in chain.windows(2) {
+            faces.push([pair[0], tip, pair[1]]);
+            faces.push([pair[0], pair[1], middle]);
+        }
+        faces.push([from, middle, to]);
+    }
+    surface(&PolygonSoup::from_faces(x, &faces))
+}
+
 #[test]
 fn chords_that_are_edges_already_are_not_used_again() {
     let triangle = surface(&PolygonSoup::from_faces(
@@ -258,13 +286,9 @@ fn chords_that_are_edges_already_are_not_used_again() {
         &[[0, 1, 2]],
     ));
     assert!(fill_all(&triangle).mesh.is_closed());
-    // Two equilateral triangles: their common edge is the better diagonal of the loop, and
-    // no longer than others.
-    let height = 0.75f64.sqrt();
-    let rhombus = [(0.5, 0.0), (0.0, height), (-0.5, 0.0), (0.0, -height)];
-    let corners = rhombus.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec();
-    let pair = surface(&PolygonSoup::from_faces(corners, &[[0, 1, 2], [0, 2, 3]]));
-    assert!(fill_all(&pair).mesh.is_closed());
+    // The short diagonal of a rhombus is an edge, and its other corners have so many that
+    // no flip would take that diagonal out of the patch again.
+    assert!(fill_all(&rhombus()).mesh.is_closed());
     // Fans: all their inner edges are chords of the loop.
     for m in 4..14 {
         let rim = (0..m).map(|i| {
