@@ -9,30 +9,9 @@ use std::ops::ControlFlow;
 use support::*;
 use umbilic::geometry::measure;
 use umbilic::geometry::quality::{is_folded, triangle_quality};
-use umbilic::mesh::shape;
 use umbilic::mesh::{Face, HalfedgeMesh};
 use umbilic::remesh::fill::{FillError, FillOptions, Filled, boundary_loops, fill};
 use umbilic::soup::PolygonSoup;
-
-fn sample(name: &str, values: &[(&str, f64)]) -> PolygonSoup {
-    let values: Vec<(String, f64)> = values.iter().map(|&(n, v)| (n.into(), v)).collect();
-    shape::make(name, &values).expect("a shape").soup
-}
-
-/// The faces of a soup for which `keep` holds of their centroid and corners.
-fn cut(soup: &PolygonSoup, keep: impl Fn(DVec3, &[u32]) -> bool) -> Surface {
-    let mut rest = PolygonSoup {
-        positions: soup.positions.clone(),
-        ..PolygonSoup::default()
-    };
-    for face in soup.faces() {
-        let sum: DVec3 = face.iter().map(|&v| soup.positions[v as usize]).sum();
-        if keep(sum / face.len() as f64, face) {
-            rest.push_face(face);
-        }
-    }
-    surface(&rest)
-}
 
 fn try_fill(mesh: &HalfedgeMesh, x: &[DVec3], options: &FillOptions) -> Result<Filled, FillError> {
     fill(mesh, x, options, &mut |_, _| ControlFlow::Continue(()))
@@ -118,22 +97,6 @@ fn new_points(filled: &Filled) -> &[DVec3] {
     &filled.positions[first.vertices.start as usize..last.vertices.end as usize]
 }
 
-/// The unit sphere, its vertices pushed about by `jitter` edge lengths, without the cap of
-/// that half-angle.
-fn open_sphere(level: f64, jitter: f64, degrees: f64) -> Surface {
-    let mut random = Random(7);
-    let mut soup = sample("icosphere", &[("level", level)]);
-    let edge = 1.1 / 2f64.powf(level);
-    // About an axis that is none of the icosahedron's.
-    let pole = DVec3::new(0.3, 0.5, 0.8).normalize();
-    for p in &mut soup.positions {
-        *p = (*p + jitter * edge * random.vector()).normalize();
-    }
-    cut(&soup, |c, _| {
-        c.normalize().dot(pole) < degrees.to_radians().cos()
-    })
-}
-
 fn off_the_sphere(filled: &Filled) -> f64 {
     new_points(filled)
         .iter()
@@ -182,16 +145,6 @@ fn new_edge_length(filled: &Filled) -> f64 {
     let new: Vec<_> = mesh.edges().filter(is_new).collect();
     let length = |e: &umbilic::mesh::Edge| measure::edge_length(mesh, &filled.positions, *e);
     new.iter().map(length).sum::<f64>() / new.len() as f64
-}
-
-/// The numbers of the loops around the origin's side of each tube.
-fn inner_loops(s: &Surface) -> Vec<usize> {
-    let all = boundary_loops(&s.mesh, &s.x);
-    let is_inner = |i: &usize| {
-        let sum: DVec3 = all[*i].vertices.iter().map(|&v| s.x[v as usize]).sum();
-        (sum / all[*i].vertices.len() as f64).length() < 1.01
-    };
-    (0..all.len()).filter(is_inner).collect()
 }
 
 #[test]
@@ -298,6 +251,34 @@ fn small_holes_of_a_sphere_are_closed_with_few_triangles() {
     }
 }
 
+/// Two equilateral triangles, each refined towards the corner that the other has not.
+fn rhombus() -> Surface {
+    const SPOKES: u32 = 8;
+    let height = 0.75f64.sqrt();
+    let corners = [(0.5, 0.0), (0.0, height), (-0.5, 0.0), (0.0, -height)];
+    let mut x = corners.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec();
+    let mut faces = Vec::new();
+    for [from, tip, to] in [[0, 1, 2], [2, 3, 0]] {
+        let [a, apex, b] = [from, tip, to].map(|v: u32| x[v as usize]);
+        let first = x.len() as u32;
+        let at = |k: u32| a.lerp(b, f64::from(k) / f64::from(SPOKES + 1));
+        x.extend((1..=SPOKES).map(|k| apex.lerp(at(k), 0.8)));
+        let middle = x.len() as u32;
+        x.push(apex.lerp(0.5 * (a + b), 0.9));
+        let chain: Vec<u32> = [from]
+            .into_iter()
+            .chain(first..middle)
+            .chain([to])
+            .collect();
+        for pair in chain.windows(2) {
+            faces.push([pair[0], tip, pair[1]]);
+            faces.push([pair[0], pair[1], middle]);
+        }
+        faces.push([from, middle, to]);
+    }
+    surface(&PolygonSoup::from_faces(x, &faces))
+}
+
 #[test]
 fn chords_that_are_edges_already_are_not_used_again() {
     let triangle = surface(&PolygonSoup::from_faces(
@@ -305,6 +286,9 @@ fn chords_that_are_edges_already_are_not_used_again() {
         &[[0, 1, 2]],
     ));
     assert!(fill_all(&triangle).mesh.is_closed());
+    // The short diagonal of a rhombus is an edge, and its other corners have so many that
+    // no flip would take that diagonal out of the patch again.
+    assert!(fill_all(&rhombus()).mesh.is_closed());
     // Fans: all their inner edges are chords of the loop.
     for m in 4..14 {
         let rim = (0..m).map(|i| {
@@ -523,6 +507,28 @@ fn the_order_falls_where_the_surroundings_are_narrow_and_says_so() {
         let says = filled.warnings.iter().any(|w| w.contains("three rings"));
         assert_eq!(says, order < 3, "{:?}", filled.warnings);
     }
+}
+
+#[test]
+fn a_hole_beyond_a_hemisphere_is_called_a_guess() {
+    let told = |s: &Surface| {
+        let filled = try_fill(&s.mesh, &s.x, &FillOptions::default()).expect("filled");
+        filled.warnings.iter().any(|w| w.contains("hemisphere"))
+    };
+    for (degrees, is_large) in [(80.0, false), (90.0, false), (110.0, true), (130.0, true)] {
+        for jitter in [0.0, 0.25] {
+            assert_eq!(
+                told(&open_sphere(4.0, jitter, degrees)),
+                is_large,
+                "{degrees}°"
+            );
+        }
+    }
+    // Half a sphere by its own mesh, however coarse; the ends of a pipe are hemispheres.
+    assert!(!told(&surface(&sample("hemisphere", &[("rings", 4.0)]))));
+    assert!(!told(&surface(&sample("cylinder", &[]))));
+    // The outline of a sheet, which only a sphere's worth of curvature closes.
+    assert!(told(&surface(&sample("disk", &[]))));
 }
 
 #[test]

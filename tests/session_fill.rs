@@ -2,7 +2,8 @@
 #![allow(missing_docs, reason = "tests")]
 
 use std::ops::ControlFlow;
-use umbilic::flow::options::FlowOptions;
+use umbilic::flow::Status;
+use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::io::Format;
 use umbilic::remesh::fill::FillProgress;
 use umbilic::session::{Fault, FillOptions, FillOutcome, FlipOptions, Loops, Session};
@@ -60,6 +61,36 @@ fn the_next_flow_moves_the_new_vertices_only() {
     let after = s.positions().expect("positions");
     assert_eq!(after[..3 * n], before[..]);
     assert_ne!(after[3 * n..], start[3 * n..]);
+}
+
+/// What a page does with a sphere with holes, or with tubes: fill, choose a flow, play.
+#[test]
+fn a_fill_is_faired_by_the_flow_that_is_chosen_next() {
+    let mut s = session("holed-sphere", &[("level", 4.0), ("holes", 4.0)]);
+    let n = s.positions().expect("positions").len() / 3;
+    let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
+    assert_eq!((outcome.loops.len(), outcome.first_vertex), (4, n));
+    assert!(outcome.warnings.is_empty(), "{:?}", outcome.warnings);
+    assert!(s.info().expect("a mesh").closed);
+    let off = |s: &Session| {
+        let x = s.positions().expect("positions");
+        let radius = |p: &[f32]| p.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
+        let off = x.chunks_exact(3).map(|p| (radius(p) - 1.0).abs());
+        off.fold(0.0, f64::max)
+    };
+    let first = off(&s);
+    let options = FlowOptions {
+        flow: FlowName::Mmcv,
+        ..FlowOptions::default()
+    };
+    let configured = s.configure(options).expect("configured");
+    assert_eq!(configured.free_vertices, outcome.vertices_added);
+    s.run(100).expect("steps");
+    assert_eq!(s.state().expect("a state").status, Status::Converged);
+    // A surface of constant H is kept, and no surface else.
+    assert!(off(&s) < 5e-5 && first > 2e-4, "{first} -> {}", off(&s));
+    let jump = s.curvature_jump().expect("a mesh").expect("rims");
+    assert!(jump.relative < 1e-3, "{jump:?}");
 }
 
 #[test]

@@ -237,6 +237,17 @@
  */
 
 /**
+ * What `umbilic fill --fair` tells of the flow: it has come to rest only if `status` is
+ * `converged`.
+ * @typedef {object} Fairing
+ * @property {string} flow
+ * @property {Status} status
+ * @property {string} message
+ * @property {number} steps
+ * @property {CurvatureJump | null} curvatureJump  across the rims of the patches
+ */
+
+/**
  * One of the `boundaryLoops`.
  * @typedef {object} BoundaryLoop
  * @property {number} edges

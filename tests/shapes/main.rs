@@ -80,6 +80,7 @@ fn every_shape_is_the_manifold_it_should_be() {
         ("tubes",                  1560,  2880,   0,  6, true),
         ("cylinder-gaps",          3608,  7040,   0,  2, true),
         ("sphere-openings",       10242, 20480,   2,  0, true),
+        ("holed-sphere",           8390, 16383,  -4,  6, true),
         ("dodecahedron",           1154,  2304,   2,  0, true),
         ("four-bumps",             3721,  7200,   1,  1, true),
     ];
@@ -251,6 +252,43 @@ fn what_does_not_close_up_is_refused() {
         incompatible
     );
     assert_eq!(refusal("klein-bottle", &[("around", 31.0)]), incompatible);
+    // Too small for the mesh, too large for each other and for the sphere.
+    assert_eq!(refusal("holed-sphere", &[("level", 2.0)]), incompatible);
+    assert_eq!(refusal("holed-sphere", &[("radius", 0.7)]), incompatible);
+    let most = [("holes", 1.0), ("radius", 2.0), ("level", 3.0)];
+    assert_eq!(refusal("holed-sphere", &most), None);
+}
+
+#[test]
+fn holes_of_a_sphere_are_as_many_as_asked_for_and_simple() {
+    let mut made = 0;
+    for level in [3.0, 4.0, 5.0] {
+        for (holes, radius) in [
+            (1.0, 0.35),
+            (1.0, 1.9),
+            (3.0, 0.5),
+            (6.0, 0.3),
+            (12.0, 0.25),
+        ] {
+            for seed in 0..8 {
+                let values = [
+                    ("level", level),
+                    ("holes", holes),
+                    ("radius", radius),
+                    ("jitter", 0.2),
+                    ("seed", f64::from(seed)),
+                ];
+                if refusal("holed-sphere", &values).is_some() {
+                    continue;
+                }
+                made += 1;
+                let found = Topology::of(&soup("holed-sphere", &values)).expect("a manifold");
+                let (euler, loops) = (2 - holes as i64, holes as usize);
+                assert_eq!((found.euler, found.loops), (euler, loops), "{values:?}");
+            }
+        }
+    }
+    assert_eq!(made, 3 * 5 * 8 - 8);
 }
 
 #[test]

@@ -6,7 +6,8 @@
 use glam::DVec3;
 use std::path::PathBuf;
 use std::rc::Rc;
-use umbilic::mesh::{Built, HalfedgeMesh, build};
+use umbilic::mesh::{Built, HalfedgeMesh, build, shape};
+use umbilic::remesh::fill::boundary_loops;
 use umbilic::soup::PolygonSoup;
 
 /// A mesh ready for use.
@@ -114,4 +115,50 @@ impl Random {
     pub fn vector(&mut self) -> DVec3 {
         DVec3::new(self.next(), self.next(), self.next())
     }
+}
+
+pub fn sample(name: &str, values: &[(&str, f64)]) -> PolygonSoup {
+    let values: Vec<(String, f64)> = values.iter().map(|&(n, v)| (n.into(), v)).collect();
+    shape::make(name, &values).expect("a shape").soup
+}
+
+/// The faces of a soup for which `keep` holds of their centroid and corners.
+pub fn cut(soup: &PolygonSoup, keep: impl Fn(DVec3, &[u32]) -> bool) -> Surface {
+    let mut rest = PolygonSoup {
+        positions: soup.positions.clone(),
+        ..PolygonSoup::default()
+    };
+    for face in soup.faces() {
+        let sum: DVec3 = face.iter().map(|&v| soup.positions[v as usize]).sum();
+        if keep(sum / face.len() as f64, face) {
+            rest.push_face(face);
+        }
+    }
+    surface(&rest)
+}
+
+/// The unit sphere, its vertices pushed about by `jitter` edge lengths, without the cap of
+/// that half-angle.
+pub fn open_sphere(level: f64, jitter: f64, degrees: f64) -> Surface {
+    let mut random = Random(7);
+    let mut soup = sample("icosphere", &[("level", level)]);
+    let edge = 1.1 / 2f64.powf(level);
+    // About an axis that is none of the icosahedron's.
+    let pole = DVec3::new(0.3, 0.5, 0.8).normalize();
+    for p in &mut soup.positions {
+        *p = (*p + jitter * edge * random.vector()).normalize();
+    }
+    cut(&soup, |c, _| {
+        c.normalize().dot(pole) < degrees.to_radians().cos()
+    })
+}
+
+/// The numbers of the loops around the origin's side of each tube.
+pub fn inner_loops(s: &Surface) -> Vec<usize> {
+    let all = boundary_loops(&s.mesh, &s.x);
+    let is_inner = |i: &usize| {
+        let sum: DVec3 = all[*i].vertices.iter().map(|&v| s.x[v as usize]).sum();
+        (sum / all[*i].vertices.len() as f64).length() < 1.01
+    };
+    (0..all.len()).filter(is_inner).collect()
 }

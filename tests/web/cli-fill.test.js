@@ -109,6 +109,44 @@ test("fill --fair runs a flow on the new vertices only", () => {
   assert.notDeepEqual(after, lines(file("plain.off")).vertices);
 });
 
+test("fill --fair tells how the flow ended and what the patch joins with", () => {
+  const tubes = shape("tubes", "--count", "2", "--around", "20", "--along", "6");
+  const connect = ["--connect", "--loops", "0,2"];
+  const report = json(["fill", tubes, ...connect, "--fair", "mmcv"]);
+  assert.deepEqual(Object.keys(report.fair), [
+    ...["flow", "status", "message", "steps", "curvatureJump"],
+  ]);
+  assert.deepEqual([report.fair.flow, report.fair.status], ["mmcv", "converged"]);
+  assert.ok(report.fair.steps > 1 && report.fair.steps < 60);
+  const { relative, vertices } = report.fair.curvatureJump;
+  assert.ok(relative < 0.01 && vertices === 40, `${relative}`);
+
+  // A membrane between them pinches off: told, and the last state is written all the same.
+  const out = file("pinched.off");
+  const pinched = json(["fill", tubes, ...connect, "--fair", "mean-curvature", "--out", out], 4);
+  assert.equal(pinched.fair.status, "stepLimit");
+  assert.ok(pinched.warnings.some((/** @type {string} */ w) => /^Faces folded over/.test(w)));
+  assert.equal(json(["info", out]).vertices, pinched.info.vertices);
+  const words = umbilic(["fill", tubes, ...connect, "--fair", "mmcv"]);
+  assert.match(words.out, /mmcv: converged after \d+ steps[\s\S]*jump of H across the rims: 0\.0/);
+});
+
+test("fill warns of what no flow can make good", () => {
+  const said = (/** @type {string[]} */ parameters) =>
+    json(["fill", ...parameters]).warnings.join();
+  // One ring of surface is too little for curvature.
+  const ring = shape("cylinder", "--along", "1", "--length", "0.2");
+  assert.match(said([ring, "--loops", "0"]), /fewer than three rings/);
+  assert.match(said([shape("disk")]), /larger than a hemisphere/);
+  // Nothing to move.
+  const quad = "OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 2 0\n-1 2 0\n";
+  writeFileSync(file("quad.off"), `${quad}3 1 0 3\n3 3 2 1\n3 2 3 4\n3 3 5 4\n`);
+  const none = json(["fill", file("quad.off"), "--max-vertices", "0", "--fair", "mmcv"]);
+  assert.equal(none.verticesAdded, 0);
+  assert.equal(none.fair, undefined);
+  assert.match(none.warnings.join(), /no new vertex, and nothing for mmcv to move/);
+});
+
 test("fill refuses in words", () => {
   const sphere = shape("icosphere", "--level", "1");
   assert.equal(json(["fill", sphere], 3).kind, "NoLoops");

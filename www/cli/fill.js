@@ -5,9 +5,12 @@ import { orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
 import { runSteps } from "./flow.js";
 import { number, parse } from "./options.js";
+import { format } from "./text.js";
 
 /** @typedef {import("../protocol.js").Filled} Filled */
 /** @typedef {import("../protocol.js").Info} Info */
+/** @typedef {import("../protocol.js").Fairing} Fairing */
+/** @typedef {import("../protocol.js").StepReport} StepReport */
 /** @typedef {import("./options.js").Values} Values */
 
 const fairings = ["none", "circle", "mean-curvature", "surface-diffusion", "willmore", "mmcv"];
@@ -24,7 +27,7 @@ const syntax = {
       choices: fairings,
       help: "a flow that moves the new vertices afterwards (default none)",
     },
-    steps: { value: "N", help: "at most so many steps of it" },
+    steps: { value: "N", help: "at most so many steps of it (default: until it converges)" },
     "max-vertices": { value: "N", help: "at most so many new vertices (default 200000)" },
     out: { value: "FILE", help: "the filled mesh: .obj, .off, .ply, .stl or .glb" },
   },
@@ -53,10 +56,15 @@ export const fill = {
     /** @type {Filled} */
     const { firstVertex, ...filled } = orExit(3, () => session.fill(options, undefined));
     const { verticesAdded } = filled;
-    const fairing =
-      flow === "none" || verticesAdded === 0
-        ? undefined
-        : fair(session, flow, firstVertex, verticesAdded, steps, io);
+    /** @type {Fairing | undefined} */
+    let fairing;
+    if (flow !== "none" && verticesAdded === 0) {
+      filled.warnings.push(`There is no new vertex, and nothing for ${flow} to move.`);
+    } else if (flow !== "none") {
+      const { warnings, ...rest } = fair(session, flow, firstVertex, verticesAdded, steps, io);
+      filled.warnings.push(...warnings);
+      fairing = rest;
+    }
     /** @type {Info} */
     const info = session.info();
 
@@ -64,9 +72,18 @@ export const fill = {
     const report = { ...filled, ...(fairing && { fair: fairing }), info };
     if (values.json) io.write(`${JSON.stringify(report)}\n`);
     else io.write(summary(filled, fairing, info));
-    return fairing?.status === "failed" ? 4 : 0;
+    return fairing && !isDone(fairing, steps) ? 4 : 0;
   },
 };
+
+/**
+ * Whether a fairing did what was asked: it came to rest, or took the steps it was given.
+ * @param {Fairing} fairing
+ * @param {number | undefined} steps
+ */
+function isDone({ status, steps: taken }, steps) {
+  return status === "converged" || (status === "stepLimit" && taken === steps);
+}
 
 /**
  * The loops asked for.
@@ -84,13 +101,14 @@ function loops(values) {
 }
 
 /**
- * Runs a flow on the new vertices.
+ * Runs a flow on the new vertices, everything else held.
  * @param {import("./solver.js").Session} session
  * @param {string} flow
  * @param {number} first
  * @param {number} count
  * @param {number | undefined} maxSteps
  * @param {import("./terminal.js").Terminal} io
+ * @returns {Fairing & { warnings: string[] }}
  */
 function fair(session, flow, first, count, maxSteps, io) {
   const free = Array.from({ length: count }, (_, i) => first + i);
@@ -99,20 +117,40 @@ function fair(session, flow, first, count, maxSteps, io) {
   const { status, message, steps } = runSteps(session, maxSteps, ({ step, energy }) =>
     io.log(`step ${step}  energy ${energy}`),
   );
-  return { flow, status, message, steps: steps.length };
+  const curvatureJump = session.curvatureJump();
+  return { flow, status, message, steps: steps.length, curvatureJump, warnings: told(steps) };
+}
+
+/**
+ * What the steps warned of, each once; folds as a count of steps.
+ * @param {StepReport[]} steps
+ */
+function told(steps) {
+  const folding = steps.filter(({ flippedFaces }) => flippedFaces > 0).length;
+  const others = steps.flatMap(({ warnings }) => warnings.filter((w) => !/folded over/.test(w)));
+  const folds = folding > 0 ? [`Faces folded over in ${folding} of ${steps.length} steps.`] : [];
+  return [...new Set(others), ...folds];
 }
 
 /**
  * @param {Omit<Filled, "firstVertex">} filled
- * @param {ReturnType<typeof fair> | undefined} fairing
+ * @param {Fairing | undefined} fairing
  * @param {Info} info
  */
 function summary({ loops, verticesAdded, facesAdded, warnings }, fairing, info) {
   const lines = [
     `${loops.length} boundary loops: ${verticesAdded} new vertices, ${facesAdded} new faces`,
-    ...(fairing ? [`${fairing.flow}: ${fairing.status} after ${fairing.steps} steps`] : []),
+    ...(fairing ? fairingLines(fairing) : []),
     `${info.boundaryLoops} boundary loops left`,
     ...warnings.map((warning) => `warning: ${warning}`),
   ];
   return `${lines.join("\n")}\n`;
+}
+
+/** @param {Fairing} fairing */
+function fairingLines({ flow, status, message, steps, curvatureJump }) {
+  return [
+    `${flow}: ${status} after ${steps} steps: ${message}`,
+    ...(curvatureJump ? [`jump of H across the rims: ${format(curvatureJump.relative)}`] : []),
+  ];
 }

@@ -9,6 +9,7 @@ import { entries, format, table } from "./text.js";
 /** @typedef {import("../protocol.js").FlowOptions} FlowOptions */
 /** @typedef {import("../protocol.js").StepReport} StepReport */
 /** @typedef {import("../protocol.js").Fault} Fault */
+/** @typedef {import("../protocol.js").Status} Status */
 /** @typedef {import("../protocol.js").CurvatureJump} CurvatureJump */
 /** @typedef {import("./options.js").Values} Values */
 /** @typedef {import("./solver.js").Session} Session */
@@ -247,7 +248,7 @@ function positive(values, name) {
  * @param {Session} session
  * @param {number | undefined} limit
  * @param {(step: StepReport) => void} onStep
- * @returns {{ status: string, message: string, steps: StepReport[],
+ * @returns {{ status: Status, message: string, steps: StepReport[],
  *             fault?: { kind: string, hint: string } }}
  */
 export function runSteps(session, limit = Infinity, onStep) {

@@ -47,6 +47,12 @@ const PREFILL_PASSES: usize = 3;
 const ROUGH: f64 = 8.0;
 /// … and up to this many steps of surface diffusion go before.
 const RUNGS: usize = 40;
+/// A run of the sixth-order flow that has not come to rest in so many steps …
+const PATIENCE: usize = 60;
+/// … or that after this many still wants to move by more than [`LOST`] edges …
+const TRIAL: usize = 20;
+/// … begins anew, once, with those steps of surface diffusion.
+const LOST: f64 = 10.0;
 /// Surface diffusion has done its part when no vertex moves by more than this share of an
 /// edge.
 const RUNG_REST: f64 = 1e-2;
@@ -74,6 +80,10 @@ pub struct Pace {
     first_step: usize,
     /// Steps of surface diffusion still to be taken first.
     rungs: usize,
+    /// Steps taken by the flow's own law since.
+    own_steps: usize,
+    /// Whether the ladder of surface diffusion was used.
+    has_climbed: bool,
     warned: verdict::Warned,
 }
 
@@ -121,6 +131,8 @@ impl CurvatureFlow {
             step: 0,
             first_step: 0,
             rungs,
+            own_steps: 0,
+            has_climbed: false,
             warned: verdict::Warned::default(),
         };
         let mut flow = Self {
@@ -172,6 +184,30 @@ impl CurvatureFlow {
     fn take_curvatures(&mut self, x: &[DVec3]) -> Curvatures {
         let known = self.curvatures.take();
         known.unwrap_or_else(|| Curvatures::of(&self.mesh, x, &self.region))
+    }
+
+    /// Whether steps of surface diffusion must go before, the flow being about to move by
+    /// `size` edges: why, and whether from the start.
+    fn must_climb(&self, size: f64) -> Option<(String, bool)> {
+        let is_automatic = self.options.scheme == Scheme::Auto && self.options.rungs.is_none();
+        let pace = &self.pace;
+        if self.law != Law::CurvatureVariation || !is_automatic || pace.has_climbed {
+            return None;
+        }
+        let ladder = format!("up to {RUNGS} steps of surface diffusion go before");
+        if pace.step == 0 && size > ROUGH {
+            let why = format!(
+                "The start is too rough for the sixth-order flow, which would move it by {size:.0} \
+                 edge lengths: {ladder}."
+            );
+            return Some((why, false));
+        }
+        let steps = pace.own_steps;
+        let is_lost = steps >= PATIENCE || steps >= TRIAL && size > LOST;
+        is_lost.then(|| {
+            let why = format!("No rest in sight after {steps} steps: back to the start, {ladder}.");
+            (why, true)
+        })
     }
 
     fn update(&mut self, at: &Curvatures, x: &[DVec3]) -> Result<Update, FlowError> {
@@ -303,32 +339,41 @@ impl Flow for CurvatureFlow {
     }
 
     fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
+        let pace = self.pace;
+        self.try_step(x).inspect_err(|_| self.pace = pace)
+    }
+}
+
+impl CurvatureFlow {
+    fn try_step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
         let start = Instant::now();
         if let Some(verdict) = self.done_before_step() {
             return Ok((None, verdict));
         }
         self.tell("assemble", 0.0);
-        let at = self.take_curvatures(x);
+        let mut at = self.take_curvatures(x);
         let fitted = start.elapsed().as_secs_f64();
         let mut update = self.update(&at, x)?;
-        let is_automatic = self.options.scheme == Scheme::Auto && self.options.rungs.is_none();
-        let is_first = self.pace.step == 0 && self.law == Law::CurvatureVariation;
+        let mut y = x.clone();
         let mut warnings = Vec::new();
-        if is_first && is_automatic && update.size > ROUGH {
-            warnings.push(format!(
-                "The start is too rough for the sixth-order flow, which would move it by {:.0} \
-                 edge lengths: up to {RUNGS} steps of surface diffusion go before.",
-                update.size
-            ));
+        if let Some((why, restart)) = self.must_climb(update.size) {
+            warnings.push(why);
             self.pace.rungs = RUNGS;
-            update = self.update(&at, x)?;
+            self.pace.own_steps = 0;
+            self.pace.has_climbed = true;
+            if restart {
+                y.clone_from(&self.start);
+                at = Curvatures::of(&self.mesh, &y, &self.region);
+            }
+            update = self.update(&at, &y)?;
         }
         update.quality.assemble += fitted;
         let share = match self.options.scheme {
             Scheme::Auto => (CAP / update.size).min(1.0),
             Scheme::Paper => 1.0,
         };
-        let mut y = x.clone();
+        let area = measure::area(&self.mesh, &y);
+        let before = self.present_law().energy(&at, area);
         for (&v, phi) in self.region.free.iter().zip(&update.phi) {
             let row = at.row(v as usize)?;
             y[v as usize] += share * phi * at.operators.normal(row);
@@ -342,12 +387,9 @@ impl Flow for CurvatureFlow {
             .iter()
             .find(|&&v| next.operators.row(v as usize).is_none())
         {
-            self.curvatures = Some(at);
             return Err(FlowError::Unfit { vertex });
         }
         update.quality.assemble += watch.elapsed().as_secs_f64();
-        let area = measure::area(&self.mesh, x);
-        let before = self.present_law().energy(&at, area);
         let (mut report, verdict) = self.conclude(x, y, &update, share, next, before);
         warnings.append(&mut report.warnings);
         report.warnings = warnings;

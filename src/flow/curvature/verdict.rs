@@ -100,7 +100,10 @@ impl CurvatureFlow {
             if size < RUNG_REST {
                 self.pace.rungs = 0;
             }
-        } else if size < AT_REST {
+            return self.done_before_step().unwrap_or(Verdict::GoOn);
+        }
+        self.pace.own_steps += 1;
+        if size < AT_REST {
             let steps = self.pace.step;
             let why = format!("Converged after {steps} steps: no vertex moves any more");
             return Verdict::Stop(Status::Converged, why);

@@ -2,56 +2,14 @@
 
 use glam::DVec3;
 
-use super::{Parameter, Sample, Shape};
+use super::parameter::{HEIGHT, LOOPS, RESOLUTION, RINGS, SEED, count, level, real};
+use super::{Sample, Shape};
 use super::{
-    blocks, gap, hole, knot, one_sided, patch, platonic, rough, scan, scar, sphere, torus, tubes,
+    blocks, gap, hole, holed, knot, one_sided, patch, platonic, rough, scan, scar, sphere, torus,
+    tubes,
 };
 use crate::mesh::subdivide::linear_levels;
 use crate::soup::PolygonSoup;
-
-const fn count(
-    name: &'static str,
-    label: &'static str,
-    default: u32,
-    low: u32,
-    high: u32,
-) -> Parameter {
-    let (default, low, high) = (default as f64, low as f64, high as f64);
-    Parameter {
-        name,
-        label,
-        default,
-        low,
-        high,
-        integer: true,
-    }
-}
-
-const fn real(
-    name: &'static str,
-    label: &'static str,
-    default: f64,
-    low: f64,
-    high: f64,
-) -> Parameter {
-    Parameter {
-        name,
-        label,
-        default,
-        low,
-        high,
-        integer: false,
-    }
-}
-
-/// Levels of 1-to-4 subdivision.
-const fn level(default: u32, high: u32) -> Parameter {
-    count("level", "Subdivisions", default, 0, high)
-}
-
-const SEED: Parameter = count("seed", "Seed", 1, 0, 1_000_000);
-const RINGS: Parameter = count("rings", "Rings", 16, 1, 500);
-const HEIGHT: Parameter = real("height", "Height", 0.5, -5.0, 5.0);
 
 pub(super) static SHAPES: &[Shape] = &[
     Shape {
@@ -378,6 +336,18 @@ pub(super) static SHAPES: &[Shape] = &[
         build: |v| gap::sphere_with_openings(n(v[0]), v[1]).map_err(|error| error.to_string()),
     },
     Shape {
+        name: "holed-sphere",
+        label: "Sphere with round holes",
+        parameters: &[
+            level(5, 7),
+            count("holes", "Holes", 6, 1, 12),
+            real("radius", "Radius of a hole", 0.35, 0.05, 2.0),
+            real("jitter", "Jitter in edge lengths", 0.1, 0.0, 0.2),
+            SEED,
+        ],
+        build: |v| Ok(holed::sphere_with_holes(n(v[0]), n(v[1]), v[2], v[3], v[4] as u64)?.into()),
+    },
+    Shape {
         name: "dodecahedron",
         label: "Dodecahedron",
         parameters: &[level(3, 6)],
@@ -390,9 +360,6 @@ pub(super) static SHAPES: &[Shape] = &[
         build: |v| Ok(gap::four_bumps(n(v[0]))),
     },
 ];
-
-const RESOLUTION: Parameter = count("resolution", "Rows", 285, 60, 1000);
-const LOOPS: Parameter = count("loops", "Boundary loops", 88, 1, 500);
 
 fn n(value: f64) -> usize {
     value as usize

@@ -13,6 +13,7 @@
 
 mod blend;
 mod boundary;
+mod doubts;
 mod error;
 mod fair;
 mod hull;
@@ -23,7 +24,7 @@ mod refine;
 pub use boundary::{BoundaryLoop, boundary_loops};
 pub use error::FillError;
 
-use crate::mesh::{Built, HalfedgeMesh, build, counted, triangulate};
+use crate::mesh::{Built, HalfedgeMesh, build, triangulate};
 use crate::soup::PolygonSoup;
 use boundary::{Rim, check_simple};
 use fair::{Lowered, ORDER, fair};
@@ -103,6 +104,8 @@ struct Job {
     most: usize,
     order: usize,
     lowered: Option<Lowered>,
+    /// ∫K that the surroundings ask of the patch, where it is a disc.
+    total_curvature: Option<f64>,
 }
 
 /// Fills holes, or connects loops, of a mesh at `x`.
@@ -154,7 +157,7 @@ pub fn fill(
         remesh(&mut jobs, ROUNDS[1], Smoothing::Tangential, progress)?;
         draw_in(&mut jobs, &triangles, PASSES, progress)?;
     }
-    warn_of_orders(&jobs, &mut warnings);
+    warnings.extend(jobs.iter().flat_map(doubts::of));
     finish(old, jobs, warnings)
 }
 
@@ -216,12 +219,13 @@ fn begin(
     options: &FillOptions,
 ) -> Result<Job, FillError> {
     let mut points: Vec<DVec3> = rim.vertices.iter().map(|&v| x[v as usize]).collect();
+    let angles = rim.angles(mesh, x);
     let faces = if options.connect {
         blend::connect(&rim, &points)?
     } else {
         let outline = Outline {
             x: &points,
-            angles: &rim.angles(mesh, x),
+            angles: &angles,
             is_forbidden: &|i, j| rim.is_joined(i, j),
         };
         let mut found = Triangulation::default();
@@ -244,6 +248,7 @@ fn begin(
         most: usize::MAX,
         order: ORDER,
         lowered: None,
+        total_curvature: (!options.connect).then(|| doubts::total_curvature(&angles)),
         rim,
     })
 }
@@ -345,32 +350,6 @@ fn draw_in(
         job.patch.x[n_rim..].copy_from_slice(moved);
     }
     Ok(())
-}
-
-fn warn_of_orders(jobs: &[Job], warnings: &mut Vec<String>) {
-    for job in jobs {
-        let Some(lowered) = job.lowered else { continue };
-        let why = match lowered {
-            Lowered::NearBoundary => {
-                "there are fewer than three rings of surface around it".to_owned()
-            }
-            Lowered::Size => format!(
-                "it has {}",
-                counted(job.patch.n_free(), "new vertex", "new vertices")
-            ),
-            Lowered::Folds => "a smoother one would fold over".to_owned(),
-            Lowered::Rough => "the surface around it is too rough to be continued".to_owned(),
-        };
-        let how = match job.order {
-            2 => "meets the surface around it with its tangent planes but not its curvature",
-            1 => "meets the surface around it with a kink",
-            _ => "stays a membrane",
-        };
-        let loops: Vec<String> = job.rim.loops.iter().map(usize::to_string).collect();
-        let noun = if loops.len() == 1 { "loop" } else { "loops" };
-        let loops = loops.join(", ");
-        warnings.push(format!("The patch at {noun} {loops} {how}, as {why}."));
-    }
 }
 
 fn finish(

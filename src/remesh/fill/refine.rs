@@ -73,6 +73,7 @@ pub(super) fn refine(
         progress(round as f64 / target.rounds as f64)?;
         split_long(patch, target.length, target);
         collapse_short(patch);
+        patch.compact();
         if 2 * round < target.rounds {
             flip_delaunay(patch);
         } else {
@@ -83,7 +84,6 @@ pub(super) fn refine(
         }
         spread_sizes(patch, target.length);
     }
-    patch.compact();
     progress(1.0)
 }
 
@@ -108,9 +108,8 @@ fn set_sizes(patch: &mut Patch, length: f64) {
 fn spread_sizes(patch: &mut Patch, length: f64) {
     let free: Vec<u32> = patch.free_vertices().collect();
     for v in free {
-        let neighbours = patch.neighbours(v);
-        let sum: f64 = neighbours.iter().map(|&w| patch.sizes[w as usize]).sum();
-        patch.sizes[v as usize] = length.min(GROWTH * sum / neighbours.len() as f64);
+        let mean: f64 = patch.mean_around(v, |w| patch.sizes[w as usize]);
+        patch.sizes[v as usize] = length.min(GROWTH * mean);
     }
 }
 
@@ -196,16 +195,51 @@ fn flip_while(patch: &mut Patch, wants: impl Fn(&Patch, [u32; 4]) -> bool) {
 fn smooth(patch: &mut Patch, smoothing: Smoothing) {
     let free: Vec<u32> = patch.free_vertices().collect();
     for v in free {
-        let neighbours = patch.neighbours(v);
-        let sum: glam::DVec3 = neighbours.iter().map(|&w| patch.x[w as usize]).sum();
         let at = patch.x[v as usize];
-        let mut step = sum / neighbours.len() as f64 - at;
+        let mut step: glam::DVec3 = patch.mean_around(v, |w| patch.x[w as usize]) - at;
         if smoothing == Smoothing::Tangential {
             let normal = patch.vertex_normal(v);
             step -= step.dot(normal) * normal;
         }
         if !patch.try_move(v, at + step) {
             patch.try_move(v, at + 0.25 * step);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use std::collections::HashSet;
+
+    #[test]
+    fn smoothing_turns_no_face_over() {
+        // An arrowhead: the mean of its corners, at 1/2, lies behind its notch, at 2.
+        let corners = [
+            (3.0, 0.0),
+            (-1.5, 3.0),
+            (2.0, 0.0),
+            (-1.5, -3.0),
+            (2.4, 0.0),
+        ];
+        let x = corners.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec();
+        let faces = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+        let start = Patch::new(x, faces, vec![3; 4], HashSet::new(), 1.0);
+        for smoothing in [Smoothing::Umbrella, Smoothing::Tangential] {
+            let mut patch = start.clone();
+            for _ in 0..20 {
+                smooth(&mut patch, smoothing);
+            }
+            let height = |[a, b, c]: [u32; 3]| {
+                let [a, b, c] = [a, b, c].map(|v| patch.x[v as usize]);
+                (b - a).cross(c - a).z
+            };
+            assert!(
+                patch.faces().all(|face| height(face) > 0.0),
+                "{:?}",
+                patch.x[4]
+            );
         }
     }
 }
