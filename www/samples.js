@@ -214,6 +214,15 @@ export const samples = [
     fill: "inner",
   },
   {
+    id: "holed-sphere",
+    label: "Sphere with holes filled",
+    note: "Holes are triangulated, remeshed, pre-filled and faired: the sphere again (variation of curvature, figure 5.3).",
+    shape: "holed-sphere",
+    parameters: {},
+    options: { flow: "mmcv" },
+    fill: { loops: "all" },
+  },
+  {
     id: "dodecahedron",
     label: "Dodecahedron, corners kept",
     note: "Twenty points are interpolated: the sphere through them (variation of curvature, figure 5.4).",
