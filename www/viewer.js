@@ -1,9 +1,10 @@
 // @ts-check
-// The surface on its canvas: loads the wasm viewer, draws only when something changed,
+// The surface on its canvas: opens the wasm viewer, draws only when something changed,
 // follows the size of the canvas, and builds itself anew from the data it holds when the
 // graphics device is lost.
 
 import { listenForGestures } from "./gestures.js";
+import { chooseRenderer, openViewer } from "./renderer.js";
 
 /**
  * @typedef {Pick<import("./protocol.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
@@ -46,8 +47,11 @@ const RETRY_MILLISECONDS = 500;
 /** … and counted anew once the device has held for so long. */
 const CALM_MILLISECONDS = 60_000;
 
+/** How long a browser may take, each time, to give a lost WebGL context back. */
+const RESTORE_MILLISECONDS = 4000;
+
 /**
- * Opens a viewer on a canvas. Rejects with a `Fault` where WebGPU is missing.
+ * Opens a viewer on a canvas. Rejects with a `Fault` where there is neither WebGPU nor WebGL2.
  * @param {HTMLCanvasElement} canvas
  * @param {ViewerOptions} [options]
  */
@@ -63,7 +67,7 @@ export async function createViewer(canvas, options = {}) {
  * @returns {Promise<Drawable>}
  */
 export async function icosahedron(level) {
-  const module = await loadModule();
+  const { module } = await chooseRenderer();
   const none = new Uint32Array();
   return { ...module.icosahedron(level), wireEdges: none, boundaryEdges: none };
 }
@@ -76,6 +80,8 @@ class SurfaceView {
 
   /** @type {WasmViewer | null} none while the device is being replaced */
   #viewer = null;
+  /** @type {import("./renderer.js").Renderer | null} */
+  #renderer = null;
   /** @type {number | null} the animation frame asked for */
   #frame = null;
   #cameraMoved = false;
@@ -112,6 +118,7 @@ class SurfaceView {
     this.#size = this.#estimateSize({ width: clientWidth || 1, height: clientHeight || 1 });
     await this.#openDevice();
     this.#watchSize();
+    this.#watchContext();
     listenForGestures(this.#canvas, this.#moves(), this.#listening.signal);
   }
 
@@ -237,6 +244,8 @@ class SurfaceView {
    * @returns {Promise<Blob>}
    */
   snapshot() {
+    // WebGL forgets a picture once it is on the screen.
+    this.#viewer?.invalidate();
     this.#draw();
     return new Promise((resolve, reject) => {
       this.#canvas.toBlob((blob) => (blob ? resolve(blob) : reject(lostFault("no picture"))));
@@ -261,6 +270,12 @@ class SurfaceView {
     return this.#viewer?.colourBar(signed, count) ?? new Uint8Array(3 * count);
   }
 
+  /** What draws, and why that. */
+  get renderer() {
+    const { name = "WebGPU", reason = "" } = this.#renderer ?? {};
+    return { name, reason };
+  }
+
   /** What the graphics adapter calls itself, often nothing. */
   get adapter() {
     return this.#viewer?.adapter() ?? "";
@@ -282,6 +297,8 @@ class SurfaceView {
     if (this.#frame !== null) cancelAnimationFrame(this.#frame);
     this.#viewer?.free();
     this.#viewer = null;
+    // Now, and not when garbage is collected: browsers allow few contexts at a time.
+    this.#context()?.getExtension("WEBGL_lose_context")?.loseContext();
   }
 
   /** Resolves when what has been asked for is on the canvas. */
@@ -290,10 +307,11 @@ class SurfaceView {
   }
 
   async #openDevice() {
-    const { Viewer } = await loadModule();
     this.#canvas.width = this.#size.width;
     this.#canvas.height = this.#size.height;
-    const viewer = await Viewer.create(this.#canvas, { samples: this.#options.samples ?? 4 });
+    const options = { samples: this.#options.samples ?? 4 };
+    const { viewer, renderer } = await openViewer(this.#canvas, options);
+    this.#renderer = renderer;
     if (this.#listening.signal.aborted) {
       viewer.free();
       return;
@@ -325,6 +343,7 @@ class SurfaceView {
       await new Promise((resolve) => setTimeout(resolve, RETRY_MILLISECONDS * this.#attempts));
       this.#attempts += 1;
       try {
+        await this.#contextBack();
         await this.#openDevice();
         this.setCamera(camera);
         return;
@@ -333,6 +352,33 @@ class SurfaceView {
       }
     }
     if (!this.#listening.signal.aborted) this.#options.onFault?.(lostFault(reason));
+  }
+
+  /** The canvas's WebGL context; null where WebGPU draws. */
+  #context() {
+    return this.#renderer?.name === "WebGL2" ? this.#canvas.getContext("webgl2") : null;
+  }
+
+  /** The viewer is told of a lost WebGPU device; of a lost WebGL context, the canvas is. */
+  #watchContext() {
+    const { signal } = this.#listening;
+    const recover = (/** @type {Event} */ event) => {
+      // The browser then gives it back when it can.
+      event.preventDefault();
+      if (this.#viewer) this.#recover("the browser took the WebGL context away");
+    };
+    this.#canvas.addEventListener("webglcontextlost", recover, { signal });
+  }
+
+  /** Waits for a lost WebGL context: there is nothing to open on the canvas before. */
+  async #contextBack() {
+    const context = this.#context();
+    if (!context?.isContextLost()) return;
+    await new Promise((resolve) => {
+      this.#canvas.addEventListener("webglcontextrestored", resolve, { once: true });
+      setTimeout(resolve, RESTORE_MILLISECONDS);
+    });
+    if (context.isContextLost()) throw lostFault("the WebGL context does not come back");
   }
 
   #putStyle() {
@@ -420,23 +466,6 @@ class SurfaceView {
       roll: (angle) => this.#move((viewer) => viewer.roll(angle)),
       fit: () => this.fit(),
       home: () => this.home(),
-    };
-  }
-}
-
-/** The wasm module, fetched when first asked for so that the page paints before. */
-async function loadModule() {
-  try {
-    const module = await import("./pkg/viewer/viewer.js");
-    const wasm = new URL("./pkg/viewer/viewer_bg.wasm", import.meta.url);
-    await module.default({ module_or_path: wasm });
-    return module;
-  } catch (error) {
-    throw {
-      kind: "ViewerNotLoaded",
-      message: `the viewer could not be loaded: ${error instanceof Error ? error.message : error}`,
-      hint: "Check the connection and reload the page.",
-      detail: {},
     };
   }
 }

@@ -1,6 +1,9 @@
 //! Reads a picture back from the GPU, for golden pictures.
 
-use super::device::Gpu;
+use js_sys::Promise;
+use wasm_bindgen_futures::JsFuture;
+
+use super::device::{Gpu, IS_WEBGL};
 use super::signal::Signal;
 use crate::viewer::error::ViewerError;
 
@@ -16,6 +19,7 @@ pub struct Picture {
 
 /// A picture on its way back. Holds nothing of the viewer, so that drawing can go on.
 pub(super) struct Readback {
+    device: wgpu::Device,
     buffer: wgpu::Buffer,
     mapped: Signal<bool>,
     lost: Signal<String>,
@@ -73,6 +77,7 @@ impl Readback {
             signal.set(result.is_ok())
         });
         Self {
+            device: gpu.device.clone(),
             buffer,
             mapped,
             lost: gpu.lost.clone(),
@@ -85,6 +90,14 @@ impl Readback {
     /// The picture, once it is here.
     pub(super) async fn finish(self) -> Result<Picture, ViewerError> {
         let failure = || ViewerError::GpuLost(self.lost.get().unwrap_or_default());
+        // WebGPU calls back by itself. Of WebGL one must ask, and not in one turn: fences
+        // pass only between turns of the event loop.
+        while IS_WEBGL && self.mapped.get().is_none() {
+            self.device
+                .poll(wgpu::PollType::Poll)
+                .map_err(|_| failure())?;
+            next_turn().await;
+        }
         if !self.mapped.wait().await {
             return Err(failure());
         }
@@ -103,6 +116,17 @@ impl Readback {
             data,
         })
     }
+}
+
+async fn next_turn() {
+    let turn = Promise::new(&mut |resolve, _| {
+        if let Some(window) = web_sys::window() {
+            // Refused only with too many arguments.
+            let _ = window.set_timeout_with_callback(&resolve);
+        }
+    });
+    // Never rejects.
+    let _ = JsFuture::from(turn).await;
 }
 
 /// Rows of a copied texture begin at multiples of 256 bytes.
