@@ -3,6 +3,8 @@
 // shader compiler, is several times as large, and is fetched only then. `?renderer=webgl`
 // or `?renderer=webgpu` in the page's address forces the choice.
 
+import { hasContext } from "./webgl-context.js";
+
 /** @typedef {import("./protocol.js").Fault} Fault */
 /** @typedef {Pick<typeof import("./pkg/viewer/viewer.js"), "Viewer" | "icosahedron">} ViewerModule */
 
@@ -76,7 +78,7 @@ async function loadWebgpu(reason, isForced) {
 /** @param {string} reason @param {boolean} isForced @returns {Promise<Renderer>} */
 async function loadWebgl(reason, isForced) {
   // Looked for first: nothing large is fetched in vain.
-  if (!hasWebgl()) {
+  if (!hasContext()) {
     throw fault(
       "NoRenderer",
       isForced ? "this browser has no WebGL2" : `${reason}; there is no WebGL2 either`,
@@ -87,13 +89,6 @@ async function loadWebgl(reason, isForced) {
   const wasm = new URL("./pkg/viewer-webgl/viewer-webgl_bg.wasm", import.meta.url);
   const module = await load(() => import("./pkg/viewer-webgl/viewer-webgl.js"), wasm);
   return { name: "WebGL2", reason, isForced, module };
-}
-
-/** Tried on a canvas of its own, which is let go at once: browsers count contexts. */
-function hasWebgl() {
-  const context = document.createElement("canvas").getContext("webgl2");
-  context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return context !== null;
 }
 
 /**

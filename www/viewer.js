@@ -5,6 +5,7 @@
 
 import { listenForGestures } from "./gestures.js";
 import { chooseRenderer, openViewer } from "./renderer.js";
+import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
 
 /**
  * @typedef {Pick<import("./protocol.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
@@ -46,9 +47,6 @@ const ATTEMPTS = 3;
 const RETRY_MILLISECONDS = 500;
 /** … and counted anew once the device has held for so long. */
 const CALM_MILLISECONDS = 60_000;
-
-/** How long a browser may take, each time, to give a lost WebGL context back. */
-const RESTORE_MILLISECONDS = 4000;
 
 /**
  * Opens a viewer on a canvas. Rejects with a `Fault` where there is neither WebGPU nor WebGL2.
@@ -118,7 +116,10 @@ class SurfaceView {
     this.#size = this.#estimateSize({ width: clientWidth || 1, height: clientHeight || 1 });
     await this.#openDevice();
     this.#watchSize();
-    this.#watchContext();
+    // Of a lost WebGPU device the viewer is told; of a lost WebGL context, the canvas is.
+    watchContext(this.#canvas, this.#listening.signal, () => {
+      if (this.#viewer) this.#recover("the browser took the WebGL context away");
+    });
     listenForGestures(this.#canvas, this.#moves(), this.#listening.signal);
   }
 
@@ -297,13 +298,16 @@ class SurfaceView {
     if (this.#frame !== null) cancelAnimationFrame(this.#frame);
     this.#viewer?.free();
     this.#viewer = null;
-    // Now, and not when garbage is collected: browsers allow few contexts at a time.
-    this.#context()?.getExtension("WEBGL_lose_context")?.loseContext();
+    if (this.#isWebgl) releaseContext(this.#canvas);
   }
 
   /** Resolves when what has been asked for is on the canvas. */
   drawn() {
     return new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+  }
+
+  get #isWebgl() {
+    return this.#renderer?.name === "WebGL2";
   }
 
   async #openDevice() {
@@ -314,6 +318,7 @@ class SurfaceView {
     this.#renderer = renderer;
     if (this.#listening.signal.aborted) {
       viewer.free();
+      if (this.#isWebgl) releaseContext(this.#canvas);
       return;
     }
     viewer.onLost((/** @type {string} */ reason) => {
@@ -343,7 +348,8 @@ class SurfaceView {
       await new Promise((resolve) => setTimeout(resolve, RETRY_MILLISECONDS * this.#attempts));
       this.#attempts += 1;
       try {
-        await this.#contextBack();
+        // There is nothing to open on the canvas before.
+        if (this.#isWebgl && !(await contextBack(this.#canvas))) continue;
         await this.#openDevice();
         this.setCamera(camera);
         return;
@@ -352,33 +358,6 @@ class SurfaceView {
       }
     }
     if (!this.#listening.signal.aborted) this.#options.onFault?.(lostFault(reason));
-  }
-
-  /** The canvas's WebGL context; null where WebGPU draws. */
-  #context() {
-    return this.#renderer?.name === "WebGL2" ? this.#canvas.getContext("webgl2") : null;
-  }
-
-  /** The viewer is told of a lost WebGPU device; of a lost WebGL context, the canvas is. */
-  #watchContext() {
-    const { signal } = this.#listening;
-    const recover = (/** @type {Event} */ event) => {
-      // The browser then gives it back when it can.
-      event.preventDefault();
-      if (this.#viewer) this.#recover("the browser took the WebGL context away");
-    };
-    this.#canvas.addEventListener("webglcontextlost", recover, { signal });
-  }
-
-  /** Waits for a lost WebGL context: there is nothing to open on the canvas before. */
-  async #contextBack() {
-    const context = this.#context();
-    if (!context?.isContextLost()) return;
-    await new Promise((resolve) => {
-      this.#canvas.addEventListener("webglcontextrestored", resolve, { once: true });
-      setTimeout(resolve, RESTORE_MILLISECONDS);
-    });
-    if (context.isContextLost()) throw lostFault("the WebGL context does not come back");
   }
 
   #putStyle() {

@@ -9,7 +9,7 @@ import { test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { download, stillPicture, until, untilDrawn, useSite } from "./support/app.js";
 import { difference } from "./support/browser.js";
-import { site as folder } from "./support/server.js";
+import { site as folder, serve } from "./support/server.js";
 
 /** Of the viewer for WebGL2 with its script, compressed, in kB of 1000 bytes. */
 const BOUND = 1000;
@@ -111,6 +111,37 @@ test("both renderers draw the same, smoothed edges too", async (context) => {
   );
   assert.ok(apart.mean <= MEAN, `mean difference ${apart.mean}`);
   assert.ok(apart.percentile95 <= PERCENTILE_95, `95th percentile ${apart.percentile95}`);
+});
+
+test("both renderers can be read back, and give the same pixels", async () => {
+  const packages = await serve(path.join(folder, "..", "www", "pkg"));
+  const { page, faults, close } = await site.blank();
+  await page.route(packages.url, (route) =>
+    route.fulfill({ contentType: "text/html", body: '<link rel="icon" href="data:,">' }),
+  );
+  await page.goto(packages.url);
+  const read = (/** @type {string} */ name) =>
+    page.evaluate(async (name) => {
+      const { default: init, Viewer, icosahedron } = await import(`./${name}/${name}.js`);
+      await init();
+      const canvas = document.createElement("canvas");
+      const viewer = await Viewer.create(canvas, { samples: 1 });
+      // No multiple of what rows of a copied texture are padded to.
+      viewer.resize(90, 70);
+      const { positions, triangles } = icosahedron(3);
+      const none = new Uint32Array();
+      viewer.setMesh(positions, triangles, none, none);
+      const { width, height, data } = await viewer.readPixels();
+      return { width, height, data: [...data] };
+    }, name);
+  const [webgpu, webgl] = [await read("viewer"), await read("viewer-webgl")];
+  assert.deepEqual([webgl.width, webgl.height, webgl.data.length], [90, 70, 4 * 90 * 70]);
+  assert.ok(new Set(webgl.data).size > 50, "no surface");
+  const apart = webgl.data.reduce((sum, byte, n) => sum + Math.abs(byte - webgpu.data[n]), 0);
+  assert.ok(apart / webgl.data.length <= MEAN, `mean difference ${apart / webgl.data.length}`);
+  assert.deepEqual(faults, []);
+  await close();
+  await packages.close();
 });
 
 test("the viewer for WebGL2 takes little enough to fetch", (context) => {

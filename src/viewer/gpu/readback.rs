@@ -1,9 +1,8 @@
 //! Reads a picture back from the GPU, for golden pictures.
 
-use js_sys::Promise;
-use wasm_bindgen_futures::JsFuture;
-
-use super::device::{Gpu, IS_WEBGL};
+use super::device::Gpu;
+#[cfg(feature = "viewer-webgl")]
+use super::polling::poll_until;
 use super::signal::Signal;
 use crate::viewer::error::ViewerError;
 
@@ -19,6 +18,7 @@ pub struct Picture {
 
 /// A picture on its way back. Holds nothing of the viewer, so that drawing can go on.
 pub(super) struct Readback {
+    #[cfg(feature = "viewer-webgl")]
     device: wgpu::Device,
     buffer: wgpu::Buffer,
     mapped: Signal<bool>,
@@ -77,6 +77,7 @@ impl Readback {
             signal.set(result.is_ok())
         });
         Self {
+            #[cfg(feature = "viewer-webgl")]
             device: gpu.device.clone(),
             buffer,
             mapped,
@@ -90,13 +91,13 @@ impl Readback {
     /// The picture, once it is here.
     pub(super) async fn finish(self) -> Result<Picture, ViewerError> {
         let failure = || ViewerError::GpuLost(self.lost.get().unwrap_or_default());
-        // WebGPU calls back by itself. Of WebGL one must ask, and not in one turn: fences
-        // pass only between turns of the event loop.
-        while IS_WEBGL && self.mapped.get().is_none() {
-            self.device
-                .poll(wgpu::PollType::Poll)
-                .map_err(|_| failure())?;
-            next_turn().await;
+        #[cfg(feature = "viewer-webgl")]
+        {
+            let is_over = || self.mapped.get().is_some() || self.lost.get().is_some();
+            poll_until(&self.device, is_over).await;
+            if self.mapped.get().is_none() {
+                return Err(failure());
+            }
         }
         if !self.mapped.wait().await {
             return Err(failure());
@@ -116,17 +117,6 @@ impl Readback {
             data,
         })
     }
-}
-
-async fn next_turn() {
-    let turn = Promise::new(&mut |resolve, _| {
-        if let Some(window) = web_sys::window() {
-            // Refused only with too many arguments.
-            let _ = window.set_timeout_with_callback(&resolve);
-        }
-    });
-    // Never rejects.
-    let _ = JsFuture::from(turn).await;
 }
 
 /// Rows of a copied texture begin at multiples of 256 bytes.
