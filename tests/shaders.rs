@@ -5,6 +5,8 @@ use std::fs;
 use std::mem::offset_of;
 use std::path::Path;
 
+use naga::back::glsl;
+use naga::proc::BoundsCheckPolicies;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
 use umbilic::viewer::frame::{Frame, Line};
@@ -74,6 +76,39 @@ fn shaders_use_nothing_that_webgl2_lacks() {
         for (_, variable) in parse(name).global_variables.iter() {
             let is_storage = matches!(variable.space, naga::AddressSpace::Storage { .. });
             assert!(!is_storage, "{name}: storage buffer {:?}", variable.name);
+        }
+    }
+}
+
+/// Every stage of every shader as `viewer-webgl` hands it to the browser.
+#[test]
+fn shaders_can_be_written_for_webgl2() {
+    let options = glsl::Options {
+        version: glsl::Version::new_gles(300),
+        ..Default::default()
+    };
+    for name in ["background.wgsl", "surface.wgsl", "line.wgsl"] {
+        let module = parse(name);
+        let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
+            .validate(&module)
+            .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(&source(name))));
+        for entry in &module.entry_points {
+            let stage = glsl::PipelineOptions {
+                shader_stage: entry.stage,
+                entry_point: entry.name.clone(),
+                multiview: None,
+            };
+            let mut text = String::new();
+            glsl::Writer::new(
+                &mut text,
+                &module,
+                &info,
+                &options,
+                &stage,
+                BoundsCheckPolicies::default(),
+            )
+            .and_then(|mut writer| writer.write())
+            .unwrap_or_else(|error| panic!("{name}, {}: {error}", entry.name));
         }
     }
 }

@@ -1,9 +1,11 @@
 // @ts-check
-// The surface on its canvas: loads the wasm viewer, draws only when something changed,
+// The surface on its canvas: opens the wasm viewer, draws only when something changed,
 // follows the size of the canvas, and builds itself anew from the data it holds when the
 // graphics device is lost.
 
 import { listenForGestures } from "./gestures.js";
+import { chooseRenderer, openViewer } from "./renderer.js";
+import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
 
 /**
  * @typedef {Pick<import("./protocol.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
@@ -47,7 +49,7 @@ const RETRY_MILLISECONDS = 500;
 const CALM_MILLISECONDS = 60_000;
 
 /**
- * Opens a viewer on a canvas. Rejects with a `Fault` where WebGPU is missing.
+ * Opens a viewer on a canvas. Rejects with a `Fault` where there is neither WebGPU nor WebGL2.
  * @param {HTMLCanvasElement} canvas
  * @param {ViewerOptions} [options]
  */
@@ -63,7 +65,7 @@ export async function createViewer(canvas, options = {}) {
  * @returns {Promise<Drawable>}
  */
 export async function icosahedron(level) {
-  const module = await loadModule();
+  const { module } = await chooseRenderer();
   const none = new Uint32Array();
   return { ...module.icosahedron(level), wireEdges: none, boundaryEdges: none };
 }
@@ -76,6 +78,8 @@ class SurfaceView {
 
   /** @type {WasmViewer | null} none while the device is being replaced */
   #viewer = null;
+  /** @type {import("./renderer.js").Renderer | null} */
+  #renderer = null;
   /** @type {number | null} the animation frame asked for */
   #frame = null;
   #cameraMoved = false;
@@ -113,6 +117,10 @@ class SurfaceView {
     this.#size = this.#estimateSize({ width: clientWidth || 1, height: clientHeight || 1 });
     await this.#openDevice();
     this.#watchSize();
+    // Of a lost WebGPU device the viewer is told; of a lost WebGL context, the canvas is.
+    watchContext(this.#canvas, this.#listening.signal, () => {
+      if (this.#viewer) this.#recover("the browser took the WebGL context away");
+    });
     listenForGestures(this.#canvas, this.#moves(), this.#listening.signal);
   }
 
@@ -254,6 +262,8 @@ class SurfaceView {
    * @returns {Promise<Blob>}
    */
   snapshot() {
+    // WebGL forgets a picture once it is on the screen.
+    this.#viewer?.invalidate();
     this.#draw();
     return new Promise((resolve, reject) => {
       this.#canvas.toBlob((blob) => (blob ? resolve(blob) : reject(lostFault("no picture"))));
@@ -278,6 +288,12 @@ class SurfaceView {
     return this.#viewer?.colourBar(signed, count) ?? new Uint8Array(3 * count);
   }
 
+  /** What draws, and why that. */
+  get renderer() {
+    const { name = "WebGPU", reason = "" } = this.#renderer ?? {};
+    return { name, reason };
+  }
+
   /** What the graphics adapter calls itself, often nothing. */
   get adapter() {
     return this.#viewer?.adapter() ?? "";
@@ -299,6 +315,7 @@ class SurfaceView {
     if (this.#frame !== null) cancelAnimationFrame(this.#frame);
     this.#viewer?.free();
     this.#viewer = null;
+    if (this.#isWebgl) releaseContext(this.#canvas);
   }
 
   /** Resolves when what has been asked for is on the canvas. */
@@ -306,13 +323,19 @@ class SurfaceView {
     return new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
   }
 
+  get #isWebgl() {
+    return this.#renderer?.name === "WebGL2";
+  }
+
   async #openDevice() {
-    const { Viewer } = await loadModule();
     this.#canvas.width = this.#size.width;
     this.#canvas.height = this.#size.height;
-    const viewer = await Viewer.create(this.#canvas, { samples: this.#options.samples ?? 4 });
+    const options = { samples: this.#options.samples ?? 4 };
+    const { viewer, renderer } = await openViewer(this.#canvas, options);
+    this.#renderer = renderer;
     if (this.#listening.signal.aborted) {
       viewer.free();
+      if (this.#isWebgl) releaseContext(this.#canvas);
       return;
     }
     viewer.onLost((/** @type {string} */ reason) => {
@@ -342,6 +365,8 @@ class SurfaceView {
       await new Promise((resolve) => setTimeout(resolve, RETRY_MILLISECONDS * this.#attempts));
       this.#attempts += 1;
       try {
+        // There is nothing to open on the canvas before.
+        if (this.#isWebgl && !(await contextBack(this.#canvas))) continue;
         await this.#openDevice();
         this.setCamera(camera);
         return;
@@ -437,23 +462,6 @@ class SurfaceView {
       roll: (angle) => this.#move((viewer) => viewer.roll(angle)),
       fit: () => this.fit(),
       home: () => this.home(),
-    };
-  }
-}
-
-/** The wasm module, fetched when first asked for so that the page paints before. */
-async function loadModule() {
-  try {
-    const module = await import("./pkg/viewer/viewer.js");
-    const wasm = new URL("./pkg/viewer/viewer_bg.wasm", import.meta.url);
-    await module.default({ module_or_path: wasm });
-    return module;
-  } catch (error) {
-    throw {
-      kind: "ViewerNotLoaded",
-      message: `the viewer could not be loaded: ${error instanceof Error ? error.message : error}`,
-      hint: "Check the connection and reload the page.",
-      detail: {},
     };
   }
 }

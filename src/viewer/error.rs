@@ -2,20 +2,27 @@
 
 use thiserror::Error;
 
+/// What this build draws with.
+const API: &str = if cfg!(feature = "viewer-webgl") {
+    "WebGL2"
+} else {
+    "WebGPU"
+};
+
 /// A refusal of the viewer.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum ViewerError {
     /// `navigator.gpu` does not exist.
     #[error("this browser has no WebGPU, or the page is not served securely")]
     NoWebGpu,
-    /// WebGPU exists but offers no graphics adapter.
-    #[error("WebGPU offers no graphics adapter")]
+    /// WebGPU or WebGL2 exists but offers no graphics adapter.
+    #[error("{API} offers no graphics adapter")]
     NoAdapter,
     /// The adapter gives no device.
     #[error("the graphics adapter gives no device: {0}")]
     NoDevice(String),
     /// The canvas cannot be drawn on.
-    #[error("the canvas gives no WebGPU context: {0}")]
+    #[error("the canvas gives no {API} context: {0}")]
     NoCanvas(String),
     /// The device went away while a picture was being read.
     #[error("the graphics device was lost: {0}")]

@@ -1,4 +1,4 @@
-//! The viewer: one surface on one canvas, drawn with WebGPU.
+//! The viewer: one surface on one canvas, drawn with WebGPU or WebGL2.
 //!
 //! It knows no flow: positions, triangles, edges and a value a vertex come in, a picture
 //! goes out. What is mathematics or bookkeeping is plain Rust, compiled and tested
@@ -19,7 +19,10 @@ pub mod drawing;
 pub mod edges;
 pub mod error;
 pub mod frame;
-#[cfg(all(feature = "viewer", target_arch = "wasm32"))]
+#[cfg(all(
+    any(feature = "viewer", feature = "viewer-webgl"),
+    target_arch = "wasm32"
+))]
 pub mod gpu;
 pub mod normals;
 pub mod pick;

@@ -81,7 +81,7 @@ impl Viewer {
     ) -> Result<Viewer, JsValue> {
         let property = |object: JsValue, key: &str| Reflect::get(&object, &key.into());
         let navigator = property(js_sys::global().into(), "navigator")?;
-        if property(navigator, "gpu")?.is_falsy() {
+        if cfg!(not(feature = "viewer-webgl")) && property(navigator, "gpu")?.is_falsy() {
             return Err(ViewerError::NoWebGpu.into());
         }
         let single = options.and_then(|options| options.samples()) == Some(1);
@@ -244,6 +244,12 @@ impl Viewer {
     #[wasm_bindgen(js_name = setCamera)]
     pub fn set_camera(&mut self, numbers: &[f32]) -> bool {
         self.0.camera_mut().set_from_slice(numbers)
+    }
+
+    /// Draws at the next call of `draw` even if nothing has changed: WebGL forgets a picture
+    /// once it is on the screen.
+    pub fn invalidate(&mut self) {
+        self.0.invalidate();
     }
 
     /// Draws if anything has changed; says whether it did.

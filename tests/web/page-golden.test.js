@@ -5,8 +5,9 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
-import { choice, download, until, untilDrawn, useSite } from "./support/app.js";
+import { useSite } from "./support/app.js";
 import { difference } from "./support/browser.js";
+import { context as browserContext, file, scenes, stored, takePicture } from "./support/golden.js";
 
 /**
  * Bounds on the difference, of 255: rounding and edges a pixel off differ between
@@ -18,9 +19,6 @@ const PERCENTILE_95 = 4;
 const site = useSite();
 const update = process.env.UPDATE_GOLDEN === "1";
 
-/** @param {string} name */
-const golden = (name) => new URL(`golden/${name}`, import.meta.url);
-
 /** Chromium and its graphics. @param {import("playwright-core").Page} page */
 async function system(page) {
   const adapter = await page.evaluate(async () => {
@@ -31,35 +29,18 @@ async function system(page) {
   return `Chromium ${site.browser.version()}, ${adapter || "unnamed adapter"}`;
 }
 
-/** What is drawn, and how it is coloured. */
-const scenes = {
-  "icosahedron-none": { colour: "Nothing", scene: "sample=icosahedron" },
-  "icosahedron-mean-curvature": { colour: "Mean curvature H", scene: "sample=icosahedron" },
-  "torus-flat-wireframe": {
-    colour: "Nothing",
-    scene: "sample=coarse-torus&shading=flat&wireframe=true",
-  },
-  "pipe-clamped": { colour: "Nothing", scene: "sample=pipe" },
-};
-
 for (const [name, { colour, scene }] of Object.entries(scenes)) {
   test(`${name} looks as it did`, async (context) => {
-    // The canvas is what the panel, of 392 pixels, leaves.
-    const viewport = { width: 392 + 320, height: 240 };
-    const { page, faults, close } = await site.open(scene, { viewport, colorScheme: "light" });
-    await choice(page, "Colour by").selectOption({ label: colour });
-    if (colour !== "Nothing") await page.getByRole("img", { name: /^Colours:/ }).waitFor();
-    await until(page, "Ready");
-    await untilDrawn(page);
-    const { bytes } = await download(page, "Picture, PNG");
+    const { page, faults, close } = await site.open(scene, browserContext);
+    const bytes = await takePicture(page, colour);
     if (update) {
-      writeFileSync(golden(`${name}.png`), bytes);
-      writeFileSync(golden("made-on.txt"), `${await system(page)}\n`);
+      writeFileSync(file(`${name}.png`), bytes);
+      writeFileSync(file("made-on.txt"), `${await system(page)}\n`);
     }
-    const apart = difference(readFileSync(golden(`${name}.png`)), bytes);
+    const apart = difference(stored(name), bytes);
     context.diagnostic(
       `mean ${apart.mean.toFixed(3)}, 95th percentile ${apart.percentile95}; here: ` +
-        `${await system(page)}; made on: ${readFileSync(golden("made-on.txt"), "utf8").trim()}`,
+        `${await system(page)}; made on: ${readFileSync(file("made-on.txt"), "utf8").trim()}`,
     );
     assert.ok(apart.mean <= MEAN, `mean difference ${apart.mean}`);
     assert.ok(apart.percentile95 <= PERCENTILE_95, `95th percentile ${apart.percentile95}`);

@@ -1,5 +1,5 @@
 // @ts-check
-// A browser without WebGPU: told so in plain words, and everything but the picture works.
+// A browser with neither WebGPU nor WebGL2: told so in plain words, and everything but the picture works.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -11,22 +11,28 @@ import {
   playAndPause,
   plotted,
   reading,
+  until,
   useSite,
 } from "./support/app.js";
 import { picture } from "./support/browser.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 
-const site = useSite({ webgpu: false });
+const site = useSite({ webgpu: false, webgl: false });
 
 // Elsewhere Chromium may find a real graphics card by itself.
-const skip = process.platform !== "linux" && "this system may have WebGPU all the same";
+const skip = process.platform !== "linux" && "this system may have graphics all the same";
 
-test("without WebGPU the page says what is missing and what to do", { skip }, async () => {
-  const { page, faults, close } = await site.open();
+test("without graphics the page says what is missing and what to do", { skip }, async () => {
+  const { page, faults, close } = await site.blank();
+  /** @type {string[]} */
+  const asked = [];
+  page.on("request", (request) => asked.push(request.url()));
+  await page.goto(`${site.url}?msaa=1`);
+  await until(page, "Ready");
   const said = page.locator("#absence");
   await said.waitFor();
   const text = (await said.textContent()) ?? "";
-  assert.match(text, /WebGPU/);
+  assert.match(text, /WebGPU.* no WebGL2/s);
   assert.match(text, /Chrome.*Edge.*Safari.*Firefox/s, "browsers that have it");
   assert.match(text, /works without the picture/);
   assert.doesNotMatch(text, /undefined|\[object|TypeError/);
@@ -34,11 +40,17 @@ test("without WebGPU the page says what is missing and what to do", { skip }, as
     assert.notEqual(await page.locator(line).textContent(), "", line);
   }
   assert.equal(await page.locator("#surface").isVisible(), false);
+  assert.equal(await page.locator("#renderer").textContent(), "");
+  assert.deepEqual(
+    asked.filter((url) => url.includes("viewer-webgl")),
+    [],
+    "fetched in vain",
+  );
   assert.deepEqual(faults, []);
   await close();
 });
 
-test("without WebGPU the flow runs, is read, plotted and saved", { skip }, async () => {
+test("without graphics the flow runs, is read, plotted and saved", { skip }, async () => {
   const { page, faults, close } = await site.open();
   await openMesh(page, "wavy.obj", obj(wavyTorus()));
   const atStart = await energy(page);

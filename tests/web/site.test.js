@@ -18,9 +18,9 @@ test("the page names its files by relative addresses", () => {
   );
 });
 
-test("both wasm halves are there", () => {
+test("every wasm file is there", () => {
   const files = readdirSync(path.join(site, "assets"));
-  for (const half of ["solver", "viewer"]) {
+  for (const half of ["solver", "viewer", "viewer-webgl"]) {
     assert.ok(
       files.some((file) => file.startsWith(`${half}_bg`) && file.endsWith(".wasm")),
       `${half} is missing among ${files.join(", ")}`,

@@ -35,6 +35,10 @@ export const rustChecks = [
     run: () => run("cargo", ["clippy", "--locked", ...wasm, "--features", "viewer", ...deny]),
   },
   {
+    title: "Clippy, the viewer for WebGL2 in wasm",
+    run: () => run("cargo", ["clippy", "--locked", ...wasm, "--features", "viewer-webgl", ...deny]),
+  },
+  {
     title: "Links in the Rust documentation",
     run: () =>
       run("cargo", ["doc", "--locked", "--no-deps", "--lib", "--document-private-items"], {
@@ -47,8 +51,8 @@ export const rustChecks = [
 export const typeCheck = {
   title: "Types of the JavaScript source",
   run: () => {
-    // The types of the wasm halves are written by the build.
-    if (!existsSync(path.join(root, "www", "pkg", "viewer"))) buildWasm();
+    // The types of the wasm files are written by the build.
+    if (!existsSync(path.join(root, "www", "pkg", "viewer-webgl"))) buildWasm();
     runNode(["node_modules/typescript/bin/tsc", "--project", "tsconfig.json"]);
   },
 };

@@ -1,5 +1,5 @@
 // @ts-check
-// The two wasm halves, from Rust source to `www/pkg`: cargo, then wasm-bindgen's
+// The wasm files, from Rust source to `www/pkg`: cargo, then wasm-bindgen's
 // tool, then wasm-opt. Cargo decides what is out of date; what follows it is done
 // again only when cargo's output has changed.
 
@@ -14,6 +14,7 @@ import { root, run, runNode, say, targetDir } from "./process.js";
  * @typedef {object} Half
  * @property {string} name         the cargo feature, and the folder under `www/pkg`
  * @property {string} level        our own crate's optimisation level
+ * @property {string} [rest]       that of all others, where it is not the release profile's
  * @property {string[]} shrink    wasm-opt's passes
  */
 
@@ -22,6 +23,8 @@ const halves = [
   { name: "solver", level: "s", shrink: ["-Oz", "--converge"] },
   // What takes time in a picture is the browser's; the smallest code will do.
   { name: "viewer", level: "z", shrink: ["-Oz", "--converge"] },
+  // Large with a shader compiler that runs once: for size, dependencies and all.
+  { name: "viewer-webgl", level: "z", rest: "z", shrink: ["-Oz"] },
 ];
 
 /** What wasm-bindgen's tool is made of. */
@@ -33,7 +36,7 @@ export function buildWasm() {
 }
 
 /** @param {Half} half */
-function buildHalf({ name, level, shrink }) {
+function buildHalf({ name, level, rest, shrink }) {
   const target = "wasm32-unknown-unknown";
   say(`Compiling the ${name} (Rust to wasm; the first time takes minutes)`);
   // As a cdylib alone: with the rlib beside it cargo would leave out the link-time
@@ -44,6 +47,7 @@ function buildHalf({ name, level, shrink }) {
     ...["rustc", "--lib", "--crate-type", "cdylib", "--release", "--locked"],
     ...["--target", target, "--target-dir", folder, "--no-default-features", "--features", name],
     ...["--config", `profile.release.package.umbilic.opt-level="${level}"`],
+    ...(rest ? ["--config", `profile.release.opt-level="${rest}"`] : []),
   ];
   run("cargo", parameters, { env: { CARGO_ENCODED_RUSTFLAGS: flags().join("\x1f") } });
   const compiled = path.join(folder, target, "release", "umbilic.wasm");

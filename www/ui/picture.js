@@ -1,6 +1,6 @@
 // @ts-check
 // The canvas: hands the viewer what changed, and says in words what it shows. Where
-// there is no WebGPU it says so in place of the picture.
+// there is neither WebGPU nor WebGL2 it says so in place of the picture.
 
 /** @import { Fault, Pane } from "../protocol.js" */
 /** @import { PageState, View } from "../state.js" */
@@ -140,6 +140,10 @@ export function createPicture(controller, state, samples) {
           level === null ? null : icosahedron(level),
         ]);
         viewer = opened;
+        const { name, reason } = viewer.renderer;
+        for (const id of ["renderer", "help-renderer"]) {
+          setText(byId(id, HTMLElement), `Drawn with ${name}: ${reason}.`);
+        }
         if (shape) viewer.setMesh(shape);
         draw(state());
         await viewer.drawn();

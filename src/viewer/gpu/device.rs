@@ -13,6 +13,9 @@ use crate::viewer::error::ViewerError;
 /// Format of the depth buffer.
 pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 
+/// Whether this is the build for browsers without WebGPU.
+pub(super) const IS_WEBGL: bool = cfg!(feature = "viewer-webgl");
+
 /// Device, queue and canvas.
 pub(super) struct Gpu {
     pub(super) device: wgpu::Device,
@@ -32,13 +35,24 @@ impl Gpu {
     /// Opens a device for a canvas, drawing with 1 or 4 samples a pixel.
     ///
     /// The adapter is asked for before the canvas: a canvas once asked for a WebGPU
-    /// context can never have another kind.
+    /// context can never have another kind. WebGL has no adapter without a canvas.
     pub(super) async fn open(canvas: HtmlCanvasElement, samples: u32) -> Result<Self, ViewerError> {
         let (width, height) = (canvas.width().max(1), canvas.height().max(1));
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        let mut backend = wgpu::InstanceDescriptor::new_without_display_handle();
+        if IS_WEBGL {
+            backend.backends = wgpu::Backends::GL;
+        }
+        let instance = wgpu::Instance::new(backend);
+        let surface = || {
+            instance
+                .create_surface(wgpu::SurfaceTarget::Canvas(canvas.clone()))
+                .map_err(|error| ViewerError::NoCanvas(error.to_string()))
+        };
+        let early = IS_WEBGL.then(surface).transpose()?;
         let adapter = instance
             .request_adapter(&wgpu::RequestAdapterOptions {
                 power_preference: wgpu::PowerPreference::HighPerformance,
+                compatible_surface: early.as_ref(),
                 ..Default::default()
             })
             .await
@@ -52,9 +66,7 @@ impl Gpu {
             })
             .await
             .map_err(|error| ViewerError::NoDevice(error.to_string()))?;
-        let canvas = instance
-            .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
-            .map_err(|error| ViewerError::NoCanvas(error.to_string()))?;
+        let canvas = early.map_or_else(surface, Ok)?;
 
         // Never an sRGB format: shaders encode, so that every backend shows the same bytes.
         let formats = canvas.get_capabilities(&adapter).formats;

@@ -2,13 +2,15 @@
 //!
 //! [`Viewer`] puts the parts together: `device` (device, canvas, loss, resize), `bindings`
 //! (what every shader sees), three passes with one shader each beside them, `readback` for
-//! golden pictures. `frame.wgsl` is put in front of every shader.
+//! golden pictures, `polling` for WebGL. `frame.wgsl` is put in front of every shader.
 
 mod background_pass;
 mod bindings;
 mod device;
 mod line_pass;
 mod pipeline;
+#[cfg(feature = "viewer-webgl")]
+mod polling;
 mod readback;
 mod scene;
 mod signal;

@@ -1,6 +1,8 @@
 //! Reads a picture back from the GPU, for golden pictures.
 
 use super::device::Gpu;
+#[cfg(feature = "viewer-webgl")]
+use super::polling::poll_until;
 use super::signal::Signal;
 use crate::viewer::error::ViewerError;
 
@@ -16,6 +18,8 @@ pub struct Picture {
 
 /// A picture on its way back. Holds nothing of the viewer, so that drawing can go on.
 pub(super) struct Readback {
+    #[cfg(feature = "viewer-webgl")]
+    device: wgpu::Device,
     buffer: wgpu::Buffer,
     mapped: Signal<bool>,
     lost: Signal<String>,
@@ -73,6 +77,8 @@ impl Readback {
             signal.set(result.is_ok())
         });
         Self {
+            #[cfg(feature = "viewer-webgl")]
+            device: gpu.device.clone(),
             buffer,
             mapped,
             lost: gpu.lost.clone(),
@@ -85,6 +91,14 @@ impl Readback {
     /// The picture, once it is here.
     pub(super) async fn finish(self) -> Result<Picture, ViewerError> {
         let failure = || ViewerError::GpuLost(self.lost.get().unwrap_or_default());
+        #[cfg(feature = "viewer-webgl")]
+        {
+            let is_over = || self.mapped.get().is_some() || self.lost.get().is_some();
+            poll_until(&self.device, is_over).await;
+            if self.mapped.get().is_none() {
+                return Err(failure());
+            }
+        }
         if !self.mapped.wait().await {
             return Err(failure());
         }

@@ -306,6 +306,11 @@ impl Viewer {
         &mut self.camera
     }
 
+    /// Draws at the next call of [`draw`](Self::draw), even if nothing has changed.
+    pub fn invalidate(&mut self) {
+        self.stale.picture = true;
+    }
+
     /// Draws, if anything has changed; says whether it did.
     pub fn draw(&mut self) -> bool {
         if !self.stale.picture || self.lost().get().is_some() {

@@ -19,7 +19,7 @@ const PATIENCE = 90_000;
 
 /**
  * One server and one browser for a test file.
- * @param {{ webgpu?: boolean }} [options]
+ * @param {import("./chromium.js").Graphics} [options]
  */
 export function useSite(options) {
   /** @type {Awaited<ReturnType<typeof serve>>} */
@@ -54,10 +54,11 @@ export function useSite(options) {
      * A page with a scene on it. One sample a pixel: software draws it faster.
      * @param {string} [scene]  the address from `#` on, without it
      * @param {import("playwright-core").BrowserContextOptions} [context]
+     * @param {string} [query]  the address from `?` on, without it
      */
-    async open(scene = "", context = {}) {
+    async open(scene = "", context = {}, query = "msaa=1") {
       const opened = await this.blank(context);
-      await opened.page.goto(`${server.url}?msaa=1#${scene}`);
+      await opened.page.goto(`${server.url}?${query}#${scene}`);
       await until(opened.page, scene.includes("step=") ? /^Paused/ : "Ready");
       return opened;
     },

@@ -9,7 +9,7 @@ import { decodePng } from "./png.js";
 /** @typedef {import("playwright-core").BrowserContextOptions} ContextOptions */
 
 /**
- * @param {{ webgpu?: boolean }} [options]  false: as a browser without WebGPU
+ * @param {import("./chromium.js").Graphics} [options]
  * @returns {Promise<Browser>}
  */
 export async function launch(options) {

@@ -90,10 +90,16 @@ function isExecutable(file) {
  * adapter is there, but the first frame loses the device. `--disable-gpu` and
  * `--disable-vulkan-surface` must not be added: the canvas then stays blank, without
  * an error. Elsewhere the machine's own graphics are used.
- * @param {{ webgpu?: boolean }} [options]  false: as a browser without WebGPU
+ * @typedef {object} Graphics
+ * @property {boolean} [webgpu]  false: as a browser without WebGPU
+ * @property {boolean} [webgl]   false: without WebGL as well
+ */
+
+/**
+ * @param {Graphics} [options]
  * @returns {string[]}
  */
-export function chromiumSwitches({ webgpu = true } = {}) {
+export function chromiumSwitches({ webgpu = true, webgl = true } = {}) {
   const quiet = [
     "--disable-quic",
     "--no-first-run",
@@ -108,5 +114,7 @@ export function chromiumSwitches({ webgpu = true } = {}) {
     "--use-angle=swiftshader",
   ];
   const graphics = ["--enable-unsafe-webgpu", ...(process.platform === "linux" ? software : [])];
-  return [...quiet, ...sandbox, ...(webgpu ? graphics : [])];
+  const webglAlone = process.platform === "linux" ? ["--use-angle=swiftshader"] : [];
+  const without = webgl ? webglAlone : ["--disable-3d-apis"];
+  return [...quiet, ...sandbox, ...(webgpu ? graphics : without)];
 }

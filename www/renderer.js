@@ -1,0 +1,117 @@
+// @ts-check
+// Which of the two viewers draws: WebGPU where it works; else WebGL2, which brings its own
+// shader compiler, is several times as large, and is fetched only then. `?renderer=webgl`
+// or `?renderer=webgpu` in the page's address forces the choice.
+
+import { hasContext } from "./webgl-context.js";
+
+/** @typedef {import("./protocol.js").Fault} Fault */
+/** @typedef {Pick<typeof import("./pkg/viewer/viewer.js"), "Viewer" | "icosahedron">} ViewerModule */
+
+/**
+ * @typedef {object} Renderer
+ * @property {"WebGPU" | "WebGL2"} name
+ * @property {string} reason          why this one, a clause for people
+ * @property {boolean} isForced       by the address
+ * @property {ViewerModule} module    its wasm, ready
+ */
+
+const NO_WEBGPU = "this browser has no WebGPU, or the page is not served securely";
+
+/** @type {Promise<Renderer> | null} one for the whole page */
+let chosen = null;
+/** Whether a canvas has been taken: such a canvas cannot change its renderer any more. */
+let hasOpened = false;
+
+/** @returns {Promise<Renderer>} */
+export function chooseRenderer() {
+  chosen ??= choose().catch((error) => {
+    chosen = null;
+    throw error;
+  });
+  return chosen;
+}
+
+/**
+ * Opens a viewer on a canvas. Rejects with a `Fault` where neither renderer works.
+ * @param {HTMLCanvasElement} canvas
+ * @param {{ samples: number }} options
+ */
+export async function openViewer(canvas, options) {
+  const renderer = await chooseRenderer();
+  try {
+    const viewer = await renderer.module.Viewer.create(canvas, options);
+    hasOpened = true;
+    return { viewer, renderer };
+  } catch (error) {
+    // An adapter that gives no device: the canvas has not been asked for anything yet.
+    const { kind = "", message = "" } = /** @type {Partial<Fault>} */ (error);
+    const isEarly = kind === "NoAdapter" || kind === "NoDevice";
+    if (hasOpened || renderer.isForced || renderer.name === "WebGL2" || !isEarly) throw error;
+    chosen = loadWebgl(message, false);
+    const fallback = await chosen;
+    return { viewer: await fallback.module.Viewer.create(canvas, options), renderer: fallback };
+  }
+}
+
+/** @returns {Promise<Renderer>} */
+async function choose() {
+  const forced = new URLSearchParams(location.search).get("renderer");
+  if (forced === "webgpu") return loadWebgpu("the address asks for it", true);
+  if (forced === "webgl") return loadWebgl("the address asks for it", true);
+  const gpu = /** @type {any} */ (navigator).gpu;
+  if (!gpu) return loadWebgl(NO_WEBGPU, false);
+  // Fetched meanwhile: browsers that have WebGPU mostly have an adapter too.
+  const webgpu = loadWebgpu("this browser offers it", false);
+  webgpu.catch(() => {});
+  const adapter = await gpu.requestAdapter({ powerPreference: "high-performance" });
+  return adapter ? webgpu : loadWebgl("WebGPU offers no graphics adapter", false);
+}
+
+/** @param {string} reason @param {boolean} isForced @returns {Promise<Renderer>} */
+async function loadWebgpu(reason, isForced) {
+  const wasm = new URL("./pkg/viewer/viewer_bg.wasm", import.meta.url);
+  const module = await load(() => import("./pkg/viewer/viewer.js"), wasm);
+  return { name: "WebGPU", reason, isForced, module };
+}
+
+/** @param {string} reason @param {boolean} isForced @returns {Promise<Renderer>} */
+async function loadWebgl(reason, isForced) {
+  // Looked for first: nothing large is fetched in vain.
+  if (!hasContext()) {
+    throw fault(
+      "NoRenderer",
+      isForced ? "this browser has no WebGL2" : `${reason}; there is no WebGL2 either`,
+      "Use a current Chrome, Edge, Firefox or Safari, over https or on localhost, and switch " +
+        "on hardware acceleration in its settings.",
+    );
+  }
+  const wasm = new URL("./pkg/viewer-webgl/viewer-webgl_bg.wasm", import.meta.url);
+  const module = await load(() => import("./pkg/viewer-webgl/viewer-webgl.js"), wasm);
+  return { name: "WebGL2", reason, isForced, module };
+}
+
+/**
+ * @template {{ default: (options: { module_or_path: URL }) => Promise<unknown> }} Module
+ * @param {() => Promise<Module>} fetchModule
+ * @param {URL} wasm
+ * @returns {Promise<Module>}
+ */
+async function load(fetchModule, wasm) {
+  try {
+    const module = await fetchModule();
+    await module.default({ module_or_path: wasm });
+    return module;
+  } catch (error) {
+    throw fault(
+      "ViewerNotLoaded",
+      `the viewer could not be loaded: ${error instanceof Error ? error.message : error}`,
+      "Check the connection and reload the page.",
+    );
+  }
+}
+
+/** @param {string} kind @param {string} message @param {string} hint @returns {Fault} */
+function fault(kind, message, hint) {
+  return { kind, message, hint, detail: {} };
+}
