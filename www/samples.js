@@ -285,4 +285,28 @@ export const samples = [
     parameters: {},
     options: {},
   },
+  {
+    id: "saddle",
+    label: "Saddle, boundary free",
+    note: "Set free it becomes a flat, convex piece of the plane; with its boundary fixed it stays a saddle (figure 7).",
+    shape: "hyperbolic-paraboloid",
+    parameters: { cells: 16 },
+    options: { boundary: "free" },
+  },
+  {
+    id: "genus-4",
+    label: "Surface with four handles",
+    note: "Its handles round off; ∫H² tends below 8π (p-Willmore, figure 8).",
+    shape: "double-torus",
+    parameters: { genus: 4, level: 2 },
+    options: { flow: "p-willmore" },
+  },
+  {
+    id: "rough-mesh",
+    label: "Ellipsoid, skewed triangles",
+    note: "One pass of “Regularise the mesh now” is enough here (p-Willmore, figure 7).",
+    shape: "ellipsoid",
+    parameters: { level: 4, jitter: 0.2 },
+    options: { flow: "p-willmore", keep: ["volume"] },
+  },
 ];
