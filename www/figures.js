@@ -48,7 +48,7 @@ import { pWillmore } from "./figures/p-willmore.js";
  * @property {Pane[]} panes
  * @property {Regularised | null} regularised
  * @property {State[]} refined              ends on the coarser meshes of `refine`
- * @property {Pick<Loaded, "positions" | "triangles"> | null} reference  the undamaged surface
+ * @property {Pick<Loaded, "positions" | "triangles" | "boundaryEdges"> | null} reference  the undamaged surface
  */
 
 /** @type {readonly Figure[]} */

@@ -309,4 +309,12 @@ export const samples = [
     parameters: { level: 4, jitter: 0.2 },
     options: { flow: "p-willmore", keep: ["volume"] },
   },
+  {
+    id: "range-scan",
+    label: "Noisy scan, 38,000 vertices",
+    note: "As large as the paper’s, with as many holes; a hundred steps begin to take the features too (figure 12).",
+    shape: "scan",
+    parameters: { resolution: 285, loops: 88 },
+    options: { goal: "smooth", detail: 4, smoothSteps: 10 },
+  },
 ];

@@ -170,10 +170,10 @@ export const circle = [
         figure: `Fig. 12, ${steps} steps`,
         title: `Scan smoothed by ${steps} steps`,
         reports: `A scan of 37,000 vertices with 88 boundary loops loses its noise; shown after ${steps} steps.`,
-        expected: `A made scan of ${steps === 10 ? "9,000 vertices" : "9,000 vertices, whose features begin to go"}: distance to the clean surface below ${share} of the noise`,
-        sample: "noisy-scan",
+        expected: `A made scan with 88 loops and ${steps === 10 ? "38,000 vertices" : "38,000 vertices, whose features begin to go"}: distance to the clean surface below ${share} of the noise`,
+        sample: "range-scan",
         options: { tau: 0.01, smoothSteps: steps, boundary: "fixed" },
-        reference: { shape: "scan-clean", parameters: { resolution: 140, loops: 30 } },
+        reference: { shape: "scan-clean", parameters: { resolution: 285, loops: 88 } },
         steps,
         quick: steps === 10,
         measure: ({ first, last, start, positions, reference }) => {

@@ -70,7 +70,7 @@ export const curvature = [
     steps: "rest",
     quick: true,
     measure: ({ positions, steps, last, jump }) => {
-      // The tubes lie along one axis: the distance from it is that of the two smaller spreads.
+      // Along the axis the tubes lie on, which is not said, they are off least.
       const off = Math.min(...[0, 1, 2].map((axis) => offTube(positions, axis, 0.5)));
       return {
         value: `off ${short(off, 2)}, jump ${short(jump?.relative ?? Number.NaN, 2)} in ${steps} steps, ${last.status}`,
@@ -120,6 +120,8 @@ export const curvature = [
     reports: "Holes of a head are filled smoothly, with continuous curvature at their rims.",
     expected:
       "A made scan instead of a head: only its outer boundary is left, at rest, and the jump of curvature at the rims below 0.1",
+    shortfall:
+      "The holes of the made scan are a few edges wide, too small for a jump of curvature across their rims to be measured.",
     sample: "holed-scan",
     colour: "mean-curvature",
     steps: "rest",

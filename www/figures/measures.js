@@ -111,11 +111,11 @@ export function offPlane(positions) {
 
 /**
  * Distance of vertices from the equally numbered ones of a surface along its normals, root mean
- * square: sliding along it does not count.
+ * square: sliding along it does not count, nor does its boundary, which is held.
  * @param {Float32Array} positions
- * @param {Pick<import("../protocol.js").Loaded, "positions" | "triangles">} surface
+ * @param {Pick<import("../protocol.js").Loaded, "positions" | "triangles" | "boundaryEdges">} surface
  */
-export function apart(positions, { positions: surface, triangles }) {
+export function apart(positions, { positions: surface, triangles, boundaryEdges }) {
   const [moved, list] = [points(positions), points(surface)];
   const normals = list.map(() => [0, 0, 0]);
   const difference = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
@@ -126,8 +126,9 @@ export function apart(positions, { positions: surface, triangles }) {
     const normal = cross(difference(b, a), difference(c, a));
     for (const v of corners) for (let k = 0; k < 3; k++) normals[v][k] += normal[k];
   }
-  const off = list.map(
-    (p, v) => dot(difference(moved[v], p), normals[v]) / Math.hypot(...normals[v]),
+  const held = new Set(boundaryEdges);
+  const off = list.flatMap((p, v) =>
+    held.has(v) ? [] : [dot(difference(moved[v], p), normals[v]) / Math.hypot(...normals[v])],
   );
   return rms(off);
 }
