@@ -2,6 +2,7 @@
 // `umbilic bench`: the tables of the documentation, measured on this machine.
 
 import { Failure, orExit, usage } from "./failure.js";
+import { chosen, figureRows } from "./figures.js";
 import { number, parse } from "./options.js";
 import { memoryBytes } from "./solver.js";
 import { table } from "./text.js";
@@ -13,9 +14,15 @@ import { table } from "./text.js";
  * @typedef {object} Bench
  * @property {string} title
  * @property {string[]} columns  keys of a row, in order
+ * @property {number} [left]      how many of them are set flush left (default 1)
  * @property {(session: Session, limits: Limits) => Generator<Row>} rows
  */
-/** @typedef {{ maxVertices: number, steps: number }} Limits */
+/**
+ * @typedef {object} Limits
+ * @property {number} maxVertices
+ * @property {number} steps
+ * @property {readonly import("../figures.js").Figure[]} figures
+ */
 /** @typedef {Record<string, number | string | null>} Row */
 
 /** @type {Record<string, Bench>} */
@@ -63,6 +70,12 @@ const tables = {
     ],
     rows: mmcvRows,
   },
+  figures: {
+    title: "The figures of the four papers: what is expected, and what was measured here just now",
+    columns: ["id", "figure", "expected", "measured", "verdict", "steps", "milliseconds"],
+    left: 4,
+    rows: (session, { figures }) => figureRows(session, figures),
+  },
 };
 
 /** @type {import("./options.js").Syntax} */
@@ -73,6 +86,8 @@ const syntax = {
     table: { value: "NAME", choices: Object.keys(tables), help: "which table" },
     "max-vertices": { value: "N", help: "leaves out larger meshes" },
     steps: { value: "N", help: "steps measured a row, after one that is not (default 3)" },
+    figures: { value: "ID,ID", help: "of the table figures only these" },
+    quick: { help: "of the table figures only those that take a few seconds" },
   },
 };
 
@@ -86,10 +101,15 @@ export const bench = {
     const maxVertices = number(values, "max-vertices", { low: 1 }) ?? Infinity;
     const steps = number(values, "steps", { low: 1, integer: true }) ?? 3;
 
-    const { title, columns, rows: measure } = tables[name];
+    if (name !== "figures" && (values.figures !== undefined || values.quick)) {
+      throw usage("--figures and --quick need --table figures.");
+    }
+    const figures = chosen(values.figures, values.quick === true);
+
+    const { title, columns, left, rows: measure } = tables[name];
     const session = await open();
     const rows = [];
-    for (const row of measure(session, { maxVertices, steps })) {
+    for (const row of measure(session, { maxVertices, steps, figures })) {
       io.log(columns.map((column) => `${column} ${cell(row[column])}`).join("  "));
       rows.push(row);
     }
@@ -97,7 +117,7 @@ export const bench = {
       io.write(`${JSON.stringify({ table: name, rows })}\n`);
     } else {
       const cells = rows.map((row) => columns.map((column) => cell(row[column])));
-      io.write(`${title}\n\n${table([columns, ...cells])}`);
+      io.write(`${title}\n\n${table([columns, ...cells], left)}`);
     }
     return 0;
   },
