@@ -9,7 +9,7 @@ import { figures } from "../figures.js";
 import { root } from "./process.js";
 
 /** Steps that are worth waiting for in a picture. */
-const MOST = 60;
+const MOST = 30;
 
 const folder = path.join(root, "www", "thumbnails");
 mkdirSync(folder, { recursive: true });
@@ -24,21 +24,25 @@ try {
     const steps = figure.steps === "rest" ? MOST : Math.min(figure.steps, MOST);
     const words = new URLSearchParams({ sample: figure.sample });
     for (const [key, value] of Object.entries({ ...figure.options, ...figure.arrangement })) {
-      words.set(key, String(value ?? "auto"));
+      words.set(key, String(value ?? (key === "flipsPerStep" ? "all" : "auto")));
     }
     if (figure.colour) words.set("colour", figure.colour);
     if (steps > 0) words.set("step", String(steps));
+    page.setDefaultTimeout(100_000);
     await page.goto(`${server.url}#${words}`);
     const status = page.getByRole("status").first();
     await status
       .filter({ hasText: /Ready|Paused|Converged|Stopped|Stalled/ })
       .waitFor({ timeout: 120_000 });
     await page.keyboard.press("f");
-    await page.addStyleTag({
-      content:
-        "#header, #transport, #messages, #colour-bar, figcaption { display: none !important }",
+    // The page's policy forbids style sheets from elsewhere.
+    await page.evaluate(() => {
+      for (const one of ["#header", "#transport", "#messages", "#colour-bar", "#own-caption"]) {
+        const element = document.querySelector(one);
+        if (element instanceof HTMLElement) element.style.display = "none";
+      }
     });
-    await page.waitForTimeout(1500);
+    await page.waitForTimeout(700);
     writeFileSync(path.join(folder, `${figure.id}.png`), await page.screenshot());
     console.log(figure.id);
     await close();

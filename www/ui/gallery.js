@@ -18,10 +18,10 @@ const papers = {
 
 /** What a figure's measure is given. @param {Readonly<PageState>} state @param {PageState["reading"]} first @returns {Run | null} */
 function runOf({ reading, mesh, frame }, first) {
-  if (!reading || !mesh || !first) return null;
+  if (!reading || !mesh || !frame || !first) return null;
   /** @type {Record<string, number>} */
   const jumps = {};
-  for (const { name, standing } of frame?.panes ?? []) {
+  for (const { name, standing } of frame.panes) {
     if (standing?.jump) jumps[name] = standing.jump.relative;
   }
   return {
@@ -29,16 +29,35 @@ function runOf({ reading, mesh, frame }, first) {
     last: reading,
     steps: reading.step,
     info: mesh.info,
-    jump: frame?.jump ?? null,
+    jump: frame.jump,
     jumps,
+    start: mesh.positions,
+    positions: frame.positions,
+    panes: [...frame.panes],
+    regularised: null,
+    refined: [],
+    reference: null,
   };
 }
+
+/** Whether it takes more than one run to measure. @param {Figure} figure */
+const isCompound = ({ refine, reference, regularise }) =>
+  Boolean(refine || reference || regularise);
 
 /** Whether a run has come as far as the figure wants. @param {Figure} figure @param {Readonly<PageState>} state */
 function isThere({ steps }, { reading, phase }) {
   if (!reading || phase === "running" || phase === "loading") return false;
   if (reading.status !== "ready" && reading.status !== "running") return true;
   return steps !== "rest" && reading.step >= steps;
+}
+
+/** @param {Figure} figure */
+function waitingText(figure) {
+  if (isCompound(figure)) {
+    return `It takes more than one run to measure: umbilic bench --table figures --figures ${figure.id}`;
+  }
+  if (figure.steps === "rest") return "Play, until it comes to rest.";
+  return figure.steps === 0 ? "As it stands." : `Play, at least to step ${figure.steps}.`;
 }
 
 /** @param {Controller} controller */
@@ -50,6 +69,7 @@ export function createGallery(controller) {
   const said = byId("figure-reports", HTMLElement);
   const expected = byId("figure-expected", HTMLElement);
   const measured = byId("figure-measured", HTMLElement);
+  const why = byId("figure-why", HTMLElement);
 
   /** @param {Figure} figure */
   function card(figure) {
@@ -115,16 +135,10 @@ export function createGallery(controller) {
       }
       if (!figure) return;
       if (state.reading?.step === 0 && state.reading.status === "ready") first = state.reading;
-      const run = isThere(figure, state) ? runOf(state, first) : null;
+      const run = isCompound(figure) || !isThere(figure, state) ? null : runOf(state, first);
       const result = run && figure.measure(run);
-      setText(
-        measured,
-        result
-          ? `${result.ok ? "✓" : "✗"} ${result.value}`
-          : figure.steps === "rest"
-            ? "Play, until it comes to rest."
-            : `Play, at least to step ${figure.steps}.`,
-      );
+      setText(measured, result ? `${result.ok ? "✓" : "✗"} ${result.value}` : waitingText(figure));
+      setText(why, result && !result.ok && figure.shortfall ? figure.shortfall : "");
       measured.dataset.verdict = result ? (result.ok ? "yes" : "no") : "open";
     },
   };
