@@ -75,9 +75,23 @@ test("a measurement does not pass what has not run", async () => {
   }
 });
 
+test("flows side by side are run to the rest of each, and only inner loops are filled", async () => {
+  const session = await openSession();
+  const [compared] = chosen("curvature-5.6", false);
+  const { panes } = runFigure(session, compared);
+  for (const { name, standing } of panes) assert.equal(standing?.status, "converged", name);
+  assert.equal(panes.length, 4);
+  const [scan] = chosen("curvature-5.3", false);
+  assert.equal(runFigure(session, scan).info.boundaryLoops, 1);
+});
+
 test("bench prints the figures asked for, and refuses those there are not", () => {
   const umbilic = (/** @type {string[]} */ ...parameters) =>
     spawnSync(process.execPath, [program, "bench", ...parameters], { encoding: "utf8" });
+  assert.deepEqual(
+    chosen("flips-8,circle-9", false).map(({ id }) => id),
+    ["circle-9", "flips-8"],
+  );
   const asked = umbilic("--table", "figures", "--figures", "flips-8,circle-9", "--json");
   assert.equal(asked.status, 0, asked.stderr);
   const { table, rows } = JSON.parse(asked.stdout);
@@ -92,6 +106,6 @@ test("bench prints the figures asked for, and refuses those there are not", () =
   const none = umbilic("--table", "figures", "--figures", "circle-1");
   assert.equal(none.status, 2);
   assert.match(none.stderr, /circle-1.*\n?.*circle-6/s);
-  assert.equal(umbilic("--table", "circle", "--quick").status, 2);
+  assert.equal(umbilic("--table", "circle", "--max-vertices", "1", "--quick").status, 2);
   assert.deepEqual(chosen(undefined, true), quick);
 });

@@ -106,20 +106,11 @@ function innerLoops(session) {
  */
 function take(session, wanted) {
   let taken = 0;
-  while ((wanted === "rest" || taken < wanted) && !isOver(session)) {
+  while ((wanted === "rest" || taken < wanted) && !over.includes(state(session).status)) {
     if (orExit(4, () => session.step()) === null) break;
     taken += 1;
   }
   return taken;
-}
-
-/** Of flows side by side all must be over. @param {Session} session */
-function isOver(session) {
-  const { status, flips } = state(session);
-  if (flips || !over.includes(status)) return over.includes(status);
-  /** @type {Pane[]} */
-  const panes = session.panes("none");
-  return panes.every(({ standing }) => !standing || over.includes(standing.status));
 }
 
 /** @param {Session} session @returns {State} */
