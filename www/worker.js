@@ -135,7 +135,8 @@ const actions = {
   arrange({ arrangement }) {
     session.arrange(arrangement);
     const state = session.state();
-    if (!running) frame(state);
+    // Between a mesh and its flow there is nothing to see yet.
+    if (!running && session.heldVertices().length > 0) frame(state);
     return state;
   },
   adopt: () => session.adopt(),

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { figures } from "../../www/figures.js";
-import { button, choice, openMesh, until, useSite } from "./support/app.js";
+import { button, openMesh, until, useSite } from "./support/app.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 
 const site = useSite();
@@ -69,7 +69,9 @@ test("figures side by side bring their arrangement, and the next one leaves it",
   const single = figures.find(({ paper }) => paper === "circle");
   await page.locator(".card", { hasText: single?.title }).first().click();
   await page.waitForFunction(() => document.querySelectorAll(".pane").length === 1);
-  assert.equal(await choice(page, "Flow").inputValue(), "circle");
+  await page.waitForFunction(
+    () => /** @type {HTMLSelectElement} */ (document.querySelector("#flow")).value === "circle",
+  );
   assert.deepEqual(faults, []);
   await close();
 });
