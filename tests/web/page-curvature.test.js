@@ -112,7 +112,7 @@ test("a hole is filled, faired by two flows beside each other, and the fill undo
     (n) => Number(document.querySelector("[data-reading=vertices]")?.textContent) === n,
     vertices,
   );
-  assert.equal(await loops.count(), count);
+  await page.waitForFunction((n) => document.querySelectorAll("#loops input").length === n, count);
   assert.deepEqual(faults, []);
   await close();
 });
