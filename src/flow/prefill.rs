@@ -79,18 +79,11 @@ pub fn smooth(
 
 /// The free vertices of components with a held one, and the row of each vertex among them.
 fn anchored(mesh: &HalfedgeMesh, free: &[bool]) -> (Vec<Option<u32>>, Vec<Vertex>) {
-    let (component, count) = mesh.components();
-    let mut anchored = vec![false; count];
-    for (v, _) in free.iter().enumerate().filter(|(_, f)| !**f) {
-        anchored[component[v] as usize] = true;
-    }
+    let anchored = polyharmonic::anchored(mesh, free);
+    let moving: Vec<Vertex> = mesh.vertices().filter(|v| anchored[v.index()]).collect();
     let mut row = vec![None; free.len()];
-    let mut moving = Vec::new();
-    for v in mesh.vertices() {
-        if free[v.index()] && anchored[component[v.index()] as usize] {
-            row[v.index()] = Some(moving.len() as u32);
-            moving.push(v);
-        }
+    for (r, v) in (0..).zip(&moving) {
+        row[v.index()] = Some(r);
     }
     (row, moving)
 }

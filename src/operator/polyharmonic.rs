@@ -89,7 +89,7 @@ pub fn fill(
 }
 
 /// `free` without the components that have no held vertex; looks at free vertices only.
-fn anchored(mesh: &HalfedgeMesh, free: &[bool]) -> Vec<bool> {
+pub(crate) fn anchored(mesh: &HalfedgeMesh, free: &[bool]) -> Vec<bool> {
     let mut anchored = free.to_vec();
     let mut is_seen = vec![false; free.len()];
     let mut region: Vec<Vertex> = Vec::new();
