@@ -115,6 +115,16 @@ export function createController(store, voice) {
     if (scene.step) await run(scene.step);
   }
 
+  /** @param {string} id @param {Partial<Scene>} scene */
+  function loadSample(id, scene) {
+    const sample = samples.find((one) => one.id === id) ?? samples[0];
+    const suggested = { ...defaults, ...sample.options };
+    const options = { ...suggested, ...scene.options };
+    const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
+    const ask = () => solver.sample(sample.shape, sample.parameters);
+    return load(sample.label, source, ask, options, suggested, scene, sample.fill);
+  }
+
   /** @param {NonNullable<import("./samples.js").Sample["fill"]>} wanted @returns {Promise<Loaded>} */
   async function filled(wanted) {
     if (wanted !== "inner") return (await solver.fill(wanted)).loaded;
@@ -190,27 +200,14 @@ export function createController(store, voice) {
     begin: solver.begin,
 
     /** @param {string} id @param {Partial<Scene>} [scene] */
-    sample: (id, scene = {}) =>
-      enqueue(() => {
-        const sample = samples.find((one) => one.id === id) ?? samples[0];
-        const suggested = { ...defaults, ...sample.options };
-        const options = { ...suggested, ...scene.options };
-        const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
-        const ask = () => solver.sample(sample.shape, sample.parameters);
-        return load(sample.label, source, ask, options, suggested, scene, sample.fill);
-      }),
+    sample: (id, scene = {}) => enqueue(() => loadSample(id, scene)),
 
     /** A figure of a paper: its sample, flow and parameters. @param {import("./figures.js").Figure} figure */
     figure: (figure) =>
       enqueue(async () => {
-        const sample = samples.find((one) => one.id === figure.sample) ?? samples[0];
-        const suggested = { ...defaults, ...sample.options };
-        const options = { ...suggested, ...figure.options };
-        const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
-        const ask = () => solver.sample(sample.shape, sample.parameters);
         const arrangement = { ...plainArrangement, ...figure.arrangement };
-        const scene = { arrangement, colour: figure.colour ?? "none" };
-        await load(sample.label, source, ask, options, suggested, scene, sample.fill);
+        const scene = { options: figure.options, arrangement, colour: figure.colour ?? "none" };
+        await loadSample(figure.sample, scene);
         store.update(to.figured, figure);
       }),
 
