@@ -230,8 +230,15 @@ export const transitions = {
   /** @param {S} s @param {boolean} presenting @returns {S} */
   presenting: (s, presenting) => ({ ...s, presenting }),
 
-  /** A new solver is on its way. @param {S} s @returns {S} */
-  reviving: (s) => ({ ...s, phase: "loading", loadingName: null, pausing: false, progress: null }),
+  /** A new solver is on its way; what could be undone went with the old one. @param {S} s @returns {S} */
+  reviving: (s) => ({
+    ...s,
+    phase: "loading",
+    loadingName: null,
+    pausing: false,
+    progress: null,
+    earlier: [],
+  }),
 
   /** No solver any more. @param {S} s @returns {S} */
   failed: (s) => ({ ...s, phase: "failed", pausing: false, goal: null, progress: null }),

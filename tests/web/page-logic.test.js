@@ -180,10 +180,27 @@ test("a brush paints what lies in its ball, and regions grow by rings", () => {
   const set = Uint8Array.from([1, 1, 1, 1, 1]);
   painted(set, positions, [1.6, 0.2, 0], 0.7, 0);
   assert.deepEqual([...set], [1, 0, 0, 1, 1]);
+  for (const aside of [
+    [1.6, 0.9, 0],
+    [1.6, 0, 0.9],
+  ]) {
+    painted(set, positions, aside, 0.7, 1);
+    assert.deepEqual([...set], [1, 0, 0, 1, 1], "out of reach");
+  }
   // A strip: each triangle has three vertices in a row.
   const strip = Uint32Array.from([0, 1, 2, 1, 2, 3, 2, 3, 4]);
   assert.deepEqual([...grown(set, strip, 0)], [0, 0, 0, 0, 0]);
   assert.deepEqual([...grown(set, strip.subarray(0, 6), 1)], [1, 1, 1, 1, 1]);
   assert.deepEqual([...grown(Uint8Array.from([0, 1, 1, 1, 1]), strip, 0)], [0, 0, 0, 1, 1]);
   assert.deepEqual([...set], [1, 0, 0, 1, 1], "the set itself is not changed by growing");
+});
+
+test("a new solver knows nothing of the edits of the old one", () => {
+  const store = page();
+  const { mesh, source, options } = store.get();
+  const earlier = /** @type {any} */ ([{ source, options, what: "3 flips" }]);
+  store.update(to.edited, /** @type {any} */ (source), /** @type {any} */ (mesh), earlier);
+  assert.equal(store.get().earlier.length, 1);
+  store.update(to.reviving);
+  assert.equal(store.get().earlier.length, 0);
 });
