@@ -2,12 +2,14 @@
 // What a user can ask for, as functions: each asks the solver and moves the state on.
 // Nothing here touches the document.
 
-/** @import { Arrangement, Fault, FieldName, FillOptions, Frame, Loaded, Stopped } from "./protocol.js" */
+/** @import { Arrangement, Fault, FieldName, Frame, Loaded, Stopped } from "./protocol.js" */
 /** @import { Scene } from "./link.js" */
 /** @import { Options } from "./options.js" */
 /** @import { Marks, Source, Store, View } from "./state.js" */
 
-import { byCurvature, defaults, plainArrangement } from "./options.js";
+import { createEdits } from "./actions/edits.js";
+import { createQuestions } from "./actions/questions.js";
+import { defaults, plainArrangement } from "./options.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
 import { transitions as to } from "./state.js";
@@ -141,22 +143,6 @@ export function createController(store, voice) {
     await solver.arrange(arrangement);
   }
 
-  /**
-   * Makes the surface as it is the start; `undo` takes that back.
-   * @param {Options} options  that it goes on with
-   * @param {string} what      for people: what undoing takes back
-   */
-  async function adopt(options, what) {
-    const { source, options: before, earlier, mesh } = store.get();
-    if (!source || !mesh) return;
-    const loaded = await solver.adopt();
-    // No sample any more, and no file either: a link to it can only name it.
-    const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
-    store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
-    await configure(options);
-    await colour(store.get().colour);
-  }
-
   /** @param {FieldName} name */
   async function colour(name) {
     store.update(to.coloured, name, await solver.colour(name));
@@ -196,7 +182,13 @@ export function createController(store, voice) {
     });
   }
 
+  /** @type {import("./actions/core.js").Core} */
+  const core = { store, solver, voice, enqueue, rest, configure, colour, arrange };
+  const edits = createEdits(core);
+
   const controller = {
+    ...edits.actions,
+    ...createQuestions(solver),
     begin: solver.begin,
 
     /** @param {string} id @param {Partial<Scene>} [scene] */
@@ -235,27 +227,6 @@ export function createController(store, voice) {
         await rest();
         if (store.get().reading?.canStepBack) await solver.back();
       }),
-    /** Regularises the mesh as it is; a step back undoes it. */
-    regularise: () =>
-      enqueue(async () => {
-        await rest();
-        if (!store.get().reading) return;
-        const { regulariseEpsilon: epsilon } = store.get().options;
-        store.update(to.progress, { stage: "regularise", fraction: 0 });
-        const outcome = await solver.regularise({ epsilon }).finally(() => {
-          store.update(to.progress, null);
-        });
-        const { passes, before, after, distance } = outcome;
-        voice.answer(
-          passes === 0
-            ? "The mesh is as regular as it gets."
-            : `Regularised in ${passes} ${passes === 1 ? "pass" : "passes"}: smallest angle ` +
-                `${before.minAngleDegrees.toFixed(1)}° → ${after.minAngleDegrees.toFixed(1)}°, ` +
-                `distortion ${before.distortion.toPrecision(2)} → ${after.distortion.toPrecision(2)}; ` +
-                `no vertex is farther than ${(100 * distance).toPrecision(2)} % of the size from ` +
-                "the surface before. Back undoes it.",
-        );
-      }),
     reset: () => enqueue(() => rest().then(() => store.get().reading && solver.reset())),
 
     /** Ends a step that takes too long. */
@@ -274,7 +245,7 @@ export function createController(store, voice) {
         try {
           if (before.flow === "flips" && options.flow !== "flips" && reading && reading.step > 0) {
             // The point of better edges is what is done with them next.
-            await adopt(options, `${reading.step} flips`);
+            await edits.adopt(options, `${reading.step} flips`);
             voice.answer(
               "The flow starts from the mesh with its edges flipped; Undo brings the one before back.",
             );
@@ -289,79 +260,6 @@ export function createController(store, voice) {
     colour: (name) => enqueue(() => colour(name)),
     /** How edge flips are shown; a run goes on. @param {Partial<Arrangement>} change */
     arrange: (change) => enqueue(() => arrange(change)),
-    /** All flips that gain anything, at once. */
-    finish: () =>
-      enqueue(async () => {
-        await rest();
-        if (!store.get().reading) return;
-        const { flipsPerStep } = store.get().arrangement;
-        await solver.arrange({ ...store.get().arrangement, flipsPerStep: null });
-        store.update(to.progress, { stage: "flips", fraction: 0 });
-        await solver.step().finally(() => store.update(to.progress, null));
-        await arrange({ flipsPerStep });
-      }),
-    /** Makes the surface as it is the start of what comes. */
-    adopt: () =>
-      enqueue(async () => {
-        await rest();
-        const { options, reading } = store.get();
-        if (reading && reading.step > 0) await adopt(options, `${reading.step} steps`);
-      }),
-    /** Takes the last edit back. */
-    undo: () =>
-      enqueue(async () => {
-        await rest();
-        const { earlier } = store.get();
-        const last = earlier.at(-1);
-        if (!last) return;
-        store.update(to.edited, last.source, await solver.undo(), earlier.slice(0, -1));
-        await configure(last.options);
-        await colour(store.get().colour);
-      }),
-    /**
-     * Fills holes, or connects loops; a flow on the new vertices is ready then.
-     * @param {FillOptions} wanted
-     */
-    fill: (wanted) =>
-      enqueue(async () => {
-        await rest();
-        const { source, options: before, earlier, mesh } = store.get();
-        if (!source || !mesh) return;
-        store.update(to.progress, { stage: "fill", fraction: 0 });
-        const { filled: outcome, loaded } = await solver
-          .fill(wanted)
-          .finally(() => store.update(to.progress, null));
-        const count = outcome.loops.length;
-        const what = `the fill of ${count} ${count === 1 ? "loop" : "loops"}`;
-        const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
-        store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
-        for (const warning of outcome.warnings) voice.note(warning);
-        const flow = byCurvature.includes(before.flow) ? before.flow : "mmcv";
-        const free = loaded.free ? [...loaded.free] : null;
-        const plain = { boundary: null, fixed: null, dt: null, tau: null, prefill: false };
-        await configure({ ...before, ...plain, goal: "relax", flow, free });
-        await colour(store.get().colour);
-        voice.answer(
-          `Filled ${count} ${count === 1 ? "loop" : "loops"} with ${outcome.verticesAdded} new ` +
-            "vertices. Play lets the flow fair them; Undo takes the fill back.",
-        );
-      }),
-    /** Frees these vertices and holds the others; the surface as it is becomes the start. @param {number[] | null} free */
-    select: (free) =>
-      enqueue(async () => {
-        await rest();
-        const { options, reading } = store.get();
-        const wanted = { ...options, free, fixed: null };
-        if (reading && reading.step > 0) await adopt(wanted, `${reading.step} steps`);
-        else await configure(wanted);
-      }),
-    loops: () => solver.loops(),
-    // Questions that change nothing; the worker answers them between steps.
-    conjecture: () => solver.conjecture(),
-    /** @param {number[]} corners */
-    quadrilateral: (corners) => solver.quadrilateral(corners),
-    /** @param {number} pairs */
-    lab: (pairs) => solver.lab(pairs),
     /** @param {Marks | null} marks */
     mark: (marks) => store.update(to.marked, marks),
 

@@ -1,0 +1,119 @@
+// @ts-check
+// What makes another mesh of the one at hand, and the way back from it.
+
+/** @import { FillOptions } from "../protocol.js" */
+/** @import { Options } from "../options.js" */
+/** @import { Core } from "./core.js" */
+
+import { byCurvature } from "../options.js";
+import { transitions as to } from "../state.js";
+
+/** @param {Core} core */
+export function createEdits({ store, solver, voice, enqueue, rest, configure, colour, arrange }) {
+  /**
+   * Makes the surface as it is the start; `undo` takes that back.
+   * @param {Options} options  that it goes on with
+   * @param {string} what      for people: what undoing takes back
+   */
+  async function adopt(options, what) {
+    const { source, options: before, earlier, mesh } = store.get();
+    if (!source || !mesh) return;
+    const loaded = await solver.adopt();
+    // No sample any more, and no file either: a link to it can only name it.
+    const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
+    store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
+    await configure(options);
+    await colour(store.get().colour);
+  }
+
+  const actions = {
+    /** Regularises the mesh as it is; a step back undoes it. */
+    regularise: () =>
+      enqueue(async () => {
+        await rest();
+        if (!store.get().reading) return;
+        const { regulariseEpsilon: epsilon } = store.get().options;
+        store.update(to.progress, { stage: "regularise", fraction: 0 });
+        const outcome = await solver.regularise({ epsilon }).finally(() => {
+          store.update(to.progress, null);
+        });
+        const { passes, before, after, distance } = outcome;
+        voice.answer(
+          passes === 0
+            ? "The mesh is as regular as it gets."
+            : `Regularised in ${passes} ${passes === 1 ? "pass" : "passes"}: smallest angle ` +
+                `${before.minAngleDegrees.toFixed(1)}° → ${after.minAngleDegrees.toFixed(1)}°, ` +
+                `distortion ${before.distortion.toPrecision(2)} → ${after.distortion.toPrecision(2)}; ` +
+                `no vertex is farther than ${(100 * distance).toPrecision(2)} % of the size from ` +
+                "the surface before. Back undoes it.",
+        );
+      }),
+    /** All flips that gain anything, at once. */
+    finish: () =>
+      enqueue(async () => {
+        await rest();
+        if (!store.get().reading) return;
+        const { flipsPerStep } = store.get().arrangement;
+        await solver.arrange({ ...store.get().arrangement, flipsPerStep: null });
+        store.update(to.progress, { stage: "flips", fraction: 0 });
+        await solver.step().finally(() => store.update(to.progress, null));
+        await arrange({ flipsPerStep });
+      }),
+    /** Makes the surface as it is the start of what comes. */
+    adopt: () =>
+      enqueue(async () => {
+        await rest();
+        const { options, reading } = store.get();
+        if (reading && reading.step > 0) await adopt(options, `${reading.step} steps`);
+      }),
+    /** Takes the last edit back. */
+    undo: () =>
+      enqueue(async () => {
+        await rest();
+        const { earlier } = store.get();
+        const last = earlier.at(-1);
+        if (!last) return;
+        store.update(to.edited, last.source, await solver.undo(), earlier.slice(0, -1));
+        await configure(last.options);
+        await colour(store.get().colour);
+      }),
+    /**
+     * Fills holes, or connects loops; a flow on the new vertices is ready then.
+     * @param {FillOptions} wanted
+     */
+    fill: (wanted) =>
+      enqueue(async () => {
+        await rest();
+        const { source, options: before, earlier, mesh } = store.get();
+        if (!source || !mesh) return;
+        store.update(to.progress, { stage: "fill", fraction: 0 });
+        const { filled: outcome, loaded } = await solver
+          .fill(wanted)
+          .finally(() => store.update(to.progress, null));
+        const count = outcome.loops.length;
+        const what = `the fill of ${count} ${count === 1 ? "loop" : "loops"}`;
+        const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
+        store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
+        for (const warning of outcome.warnings) voice.note(warning);
+        const flow = byCurvature.includes(before.flow) ? before.flow : "mmcv";
+        const free = loaded.free ? [...loaded.free] : null;
+        const plain = { boundary: null, fixed: null, dt: null, tau: null, prefill: false };
+        await configure({ ...before, ...plain, goal: "relax", flow, free });
+        await colour(store.get().colour);
+        voice.answer(
+          `Filled ${count} ${count === 1 ? "loop" : "loops"} with ${outcome.verticesAdded} new ` +
+            "vertices. Play lets the flow fair them; Undo takes the fill back.",
+        );
+      }),
+    /** Frees these vertices and holds the others; the surface as it is becomes the start. @param {number[] | null} free */
+    select: (free) =>
+      enqueue(async () => {
+        await rest();
+        const { options, reading } = store.get();
+        const wanted = { ...options, free, fixed: null };
+        if (reading && reading.step > 0) await adopt(wanted, `${reading.step} steps`);
+        else await configure(wanted);
+      }),
+  };
+  return { adopt, actions };
+}

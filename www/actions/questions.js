@@ -1,0 +1,12 @@
+// @ts-check
+// Questions to the solver that change nothing; the worker answers them between steps.
+
+/** @param {import("../solver.js").Solver} solver */
+export const createQuestions = (solver) => ({
+  loops: () => solver.loops(),
+  conjecture: () => solver.conjecture(),
+  /** @param {number[]} corners */
+  quadrilateral: (corners) => solver.quadrilateral(corners),
+  /** @param {number} pairs */
+  lab: (pairs) => solver.lab(pairs),
+});
