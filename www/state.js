@@ -121,6 +121,9 @@ const firstFrame = (mesh) => ({
   jump: null,
 });
 
+/** Edits that the session keeps to be undone. */
+const MOST_EDITS = 8;
+
 /** @typedef {Readonly<PageState>} S */
 
 export const transitions = {
@@ -164,7 +167,7 @@ export const transitions = {
     reading: null,
     history: [],
     configured: null,
-    earlier,
+    earlier: earlier.slice(-MOST_EDITS),
     marks: null,
   }),
 

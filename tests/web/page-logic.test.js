@@ -204,3 +204,13 @@ test("a new solver knows nothing of the edits of the old one", () => {
   store.update(to.reviving);
   assert.equal(store.get().earlier.length, 0);
 });
+
+test("as many edits can be undone as the solver keeps", () => {
+  const store = page();
+  const { mesh, options } = store.get();
+  const source = /** @type {const} */ ({ kind: "file", name: "icosphere" });
+  const earlier = Array.from({ length: 9 }, (_, n) => ({ source, options, what: String(n) }));
+  store.update(to.edited, source, /** @type {any} */ (mesh), earlier);
+  const kept = store.get().earlier.map(({ what }) => what);
+  assert.deepEqual(kept, ["1", "2", "3", "4", "5", "6", "7", "8"]);
+});
