@@ -11,6 +11,7 @@ import { createColourBar } from "./ui/colour-bar.js";
 import { createConjecture } from "./ui/conjecture.js";
 import { createCurvatureForm } from "./ui/curvature-form.js";
 import { createDownload } from "./ui/download.js";
+import { createEditsForm } from "./ui/edits.js";
 import { createEnergyPlot } from "./ui/energy-plot.js";
 import { createFlipPlots } from "./ui/flip-plots.js";
 import { createFlipsForm } from "./ui/flips-form.js";
@@ -58,6 +59,7 @@ const parts = [
   createFlipsForm(controller),
   createCurvatureForm(controller),
   createHoles(controller, picture.nearestEdge),
+  createEditsForm(controller),
   createRegion(controller, picture),
   createMethodForm(controller),
   createViewForm(controller, picture.fit),

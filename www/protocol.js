@@ -384,6 +384,7 @@
  * | `regularise` | `options: RegulariseOptions`, `run` | `Regularised`       |
  * | `arrange`   | `arrangement`                 | `State`; a run goes on      |
  * | `adopt`, `undo` |                           | `Loaded`                    |
+ * | `subdivide` | `options: { scheme: 'linear' \| 'loop' }` | `Loaded`       |
  * | `loops`     |                               | `BoundaryLoop[]`            |
  * | `fill`      | `options: FillOptions`, `run` | `{ filled: Filled, loaded: Loaded }` |
  * | `conjecture` |                              | `Conjecture`                |

@@ -108,11 +108,12 @@ export function createSolver(listener) {
 
   /**
    * A mesh made of the one at hand: for a new worker it is a file of its own.
-   * @param {"adopt" | "undo"} type
+   * @param {"adopt" | "undo" | "subdivide"} type
+   * @param {Record<string, unknown>} [fields]
    * @returns {Promise<Loaded>}
    */
-  async function edit(type) {
-    const loaded = await ask(type);
+  async function edit(type, fields) {
+    const loaded = await ask(type, fields);
     await keep(loaded);
     return loaded;
   }
@@ -170,6 +171,8 @@ export function createSolver(listener) {
     adopt: () => edit("adopt"),
     /** Takes the last edit back. */
     undo: () => edit("undo"),
+    /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
+    subdivide: (scheme) => edit("subdivide", { options: { scheme } }),
     /** @returns {Promise<BoundaryLoop[]>} */
     loops: () => ask("loops"),
     /**

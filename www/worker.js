@@ -141,6 +141,7 @@ const actions = {
   },
   adopt: () => session.adopt(),
   undo: () => session.undoEdit(),
+  subdivide: ({ options }) => session.subdivide(options),
   loops: () => session.boundaryLoops(),
   fill(request) {
     running = false;

@@ -114,6 +114,17 @@ pub fn loop_scheme(soup: &PolygonSoup) -> Result<PolygonSoup, SubdivisionError> 
     Ok(PolygonSoup::from_faces(positions, &split.faces))
 }
 
+/// The two ends of the edge that each new vertex of either scheme stands for, in the order of
+/// the new vertices; those before keep their numbers.
+///
+/// # Errors
+/// [`SubdivisionError::NotATriangle`].
+pub fn parents(soup: &PolygonSoup) -> Result<Vec<[u32; 2]>, SubdivisionError> {
+    let split = Split::new(soup)?;
+    let ends = |edge: &Edge| [edge.a as u32, edge.b as u32];
+    Ok(split.edges.iter().map(ends).collect())
+}
+
 /// Neighbours of a vertex, summed as they are met.
 #[derive(Clone, Default)]
 struct Star {

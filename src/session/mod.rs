@@ -14,6 +14,7 @@ mod flip;
 mod history;
 mod pane;
 mod readings;
+mod subdivide;
 mod work;
 
 pub use crate::flow::Progress;
@@ -26,6 +27,7 @@ pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
 pub use pane::{Arrangement, Compare, Curves, Pane};
 pub use readings::{EnergyReadings, Info, State};
+pub use subdivide::{Scheme as SubdivisionScheme, SubdivideOptions};
 pub use work::Configured;
 
 use crate::energy::curvature_jump::CurvatureJump;

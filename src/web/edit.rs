@@ -3,7 +3,9 @@
 
 use super::fault::{fault, object};
 use super::session::{Session, field, floats, from_js, indices, loaded, to_js};
-use crate::session::{Arrangement, ConjectureReport, FillOptions, FlipOptions, Pane};
+use crate::session::{
+    Arrangement, ConjectureReport, FillOptions, FlipOptions, Pane, SubdivideOptions,
+};
 use js_sys::{Float64Array, Function};
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
@@ -122,6 +124,15 @@ impl Session {
         Ok(loaded(&self.0.adopt()?))
     }
 
+    /// Divides each triangle into four: `Loaded`. `options` is `{ scheme?: 'linear' | 'loop' }`.
+    ///
+    /// # Errors
+    /// Meshes with faces other than triangles, or that would become too large.
+    pub fn subdivide(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
+        let options: SubdivideOptions = from_js(options)?;
+        Ok(loaded(&self.0.subdivide(options)?))
+    }
+
     /// Boundary loops of the surface as it is now: `[{ edges, length, vertices }]`.
     ///
     /// # Errors
@@ -160,7 +171,7 @@ impl Session {
         Ok(loaded(&self.0.loaded()?))
     }
 
-    /// Undoes the last fill or edge flips: `Loaded`.
+    /// Undoes the last edit: `Loaded`.
     ///
     /// # Errors
     /// If there is nothing to undo.

@@ -96,6 +96,19 @@ test("a run goes on until it converges, and says so", async () => {
   assert.ok((await energy(page)) < 1, `W = ${await energy(page)} is far from a round sphere's 0`);
   assert.equal(await button(page, "Play").isVisible(), true);
   assert.equal((await plotted(page)).length, Number(await reading(page, "Step")) + 1);
+
+  // Finer faces of the surface it came to, and the way back.
+  const [low, faces] = [await energy(page), Number(await reading(page, "Faces"))];
+  await button(page, "Subdivide").click();
+  const count = page.locator("[data-reading=faces]");
+  await count.filter({ hasText: String(4 * faces) }).waitFor();
+  await until(page, "Ready");
+  // The same point set, with new vertices that lie in its faces.
+  assert.ok((await energy(page)) > low);
+  await button(page, "Step").click();
+  await until(page, "Paused at step 1");
+  await button(page, "Undo").click();
+  await count.filter({ hasText: new RegExp(`^${faces}$`) }).waitFor();
   assert.deepEqual(faults, []);
   await close();
 });

@@ -5,6 +5,7 @@
 /** @import { Options } from "../options.js" */
 /** @import { Core } from "./core.js" */
 
+import { t } from "../language.js";
 import { byCurvature } from "../options.js";
 import { transitions as to } from "../state.js";
 
@@ -65,6 +66,27 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
         await rest();
         const { options, reading } = store.get();
         if (reading && reading.step > 0) await adopt(options, `${reading.step} steps`);
+      }),
+    /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
+    subdivide: (scheme) =>
+      enqueue(async () => {
+        await rest();
+        const { source, options: before, earlier, mesh } = store.get();
+        if (!source || !mesh) return;
+        const loaded = await solver.subdivide(scheme);
+        const what = t("a subdivision");
+        const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
+        store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
+        // What was held or free, on the finer mesh.
+        const free = loaded.free ? [...loaded.free] : null;
+        const fixed = loaded.fixed ? [...loaded.fixed] : null;
+        await configure({ ...before, free, fixed });
+        await colour(store.get().colour);
+        voice.answer(
+          t("Subdivided into {count} triangles; Undo takes it back.", {
+            count: loaded.info.faces,
+          }),
+        );
       }),
     /** Takes the last edit back. */
     undo: () =>

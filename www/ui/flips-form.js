@@ -8,7 +8,7 @@
 /** @import { Options } from "../options.js" */
 
 import { choices, defaults, plainArrangement } from "../options.js";
-import { byId, fillSelect, setText } from "./element.js";
+import { byId, fillSelect } from "./element.js";
 import { formatNumber } from "./number.js";
 import { chosen, show } from "./option-form.js";
 
@@ -51,9 +51,6 @@ export function createFlipsForm(controller) {
   const compare = byId("compare", HTMLSelectElement);
   const subdivide = byId("subdivide", HTMLSelectElement);
   const rows = byId("flips-rows", HTMLTableSectionElement);
-  const undo = byId("undo", HTMLButtonElement);
-  const undoNote = byId("undo-note", HTMLElement);
-  const adopt = byId("adopt", HTMLButtonElement);
   fillSelect(criterion, choices.criterion);
 
   form.addEventListener("submit", (event) => event.preventDefault());
@@ -67,8 +64,6 @@ export function createFlipsForm(controller) {
     else controller.configure({ [control.name]: chosen(form, control.name) });
   });
   byId("flips-end", HTMLButtonElement).addEventListener("click", () => controller.finish());
-  adopt.addEventListener("click", () => controller.adopt());
-  undo.addEventListener("click", () => controller.undo());
 
   /** @param {Readonly<PageState>} state */
   function fillTable({ frame, reading }) {
@@ -115,11 +110,6 @@ export function createFlipsForm(controller) {
         frame = state.frame;
         fillTable(state);
       }
-      const last = state.earlier.at(-1);
-      undo.parentElement?.toggleAttribute("hidden", !last);
-      setText(undoNote, last ? `takes back ${last.what}` : "");
-      const standing = state.reading !== null && state.reading.step > 0;
-      if (adopt.ariaDisabled !== String(!standing)) adopt.ariaDisabled = String(!standing);
     },
   };
 }

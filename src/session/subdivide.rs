@@ -1,0 +1,102 @@
+//! Subdivision as an edit: finer faces, of the same surface or of a smoother one.
+
+use super::document::{Document, triangulated};
+use super::fault::Fault;
+use super::work::Work;
+use super::{Loaded, Session};
+use crate::mesh::{self, HalfedgeMesh, subdivide};
+use serde::Deserialize;
+use std::rc::Rc;
+
+/// How faces are divided into four.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Scheme {
+    /// At the midpoints of edges: the surface stays the same point set.
+    #[default]
+    Linear,
+    /// By Loop's scheme: every vertex moves towards a smooth limit surface.
+    Loop,
+}
+
+/// Options of [`Session::subdivide`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct SubdivideOptions {
+    /// How.
+    pub scheme: Scheme,
+}
+
+/// Faces at most; no flow could take a step on more.
+const MAX_FACES: usize = 2_000_000;
+
+/// What a selection of vertices is on the finer mesh: a new vertex belongs to it if `belongs`
+/// says so of the ends of its edge.
+fn refined(
+    chosen: &[u32],
+    n_old: usize,
+    parents: &[[u32; 2]],
+    belongs: impl Fn(bool, bool) -> bool,
+) -> Vec<u32> {
+    let mut is_chosen = vec![false; n_old];
+    for &v in chosen {
+        if let Some(is_chosen) = is_chosen.get_mut(v as usize) {
+            *is_chosen = true;
+        }
+    }
+    let new = (n_old as u32..).zip(parents);
+    let new = new.filter(|&(_, &[a, b])| belongs(is_chosen[a as usize], is_chosen[b as usize]));
+    let mut all = chosen.to_vec();
+    all.extend(new.map(|(v, _)| v));
+    all
+}
+
+impl Work {
+    /// A document with each face divided into four.
+    fn subdivided(&self, options: SubdivideOptions) -> Result<(Document, ()), Fault> {
+        let document = self.present();
+        let n_faces = 4 * document.polygons.n_faces();
+        if n_faces > MAX_FACES {
+            let message = format!("the finer mesh would have {n_faces} faces");
+            let hint = format!("No more than {MAX_FACES} are made.");
+            return Err(Fault::new("TooManyFaces", message, hint));
+        }
+        let soup = document.polygons.to_soup(&document.start);
+        let parents = subdivide::parents(&soup)?;
+        let finer = match options.scheme {
+            Scheme::Linear => subdivide::linear(&soup)?,
+            Scheme::Loop => subdivide::loop_scheme(&soup)?,
+        };
+        let polygons: Rc<HalfedgeMesh> = Rc::new(mesh::build(&finer)?.mesh);
+        let n_old = document.start.len();
+        let of = |list: &Option<Vec<u32>>, belongs: fn(bool, bool) -> bool| {
+            list.as_deref()
+                .map(|chosen| refined(chosen, n_old, &parents, belongs))
+        };
+        // An edge with one end held moved with its other end, so its midpoint moves.
+        let free = of(&self.options.free, |a, b| a || b);
+        let fixed = of(&self.options.fixed, |a, b| a && b);
+        let document = Document {
+            triangles: triangulated(&polygons, &finer.positions)?,
+            polygons,
+            start: finer.positions,
+            free,
+            fixed,
+            ..document
+        };
+        Ok((document, ()))
+    }
+}
+
+impl Session {
+    /// Divides each triangle into four; the finer surface becomes the start, and what was held
+    /// or free stays so. [`undo_edit`](Self::undo_edit) undoes it.
+    ///
+    /// # Errors
+    /// Meshes with faces other than triangles, edges of more than two faces, and meshes that
+    /// would become too large; the mesh stays as it was.
+    pub fn subdivide(&mut self, options: SubdivideOptions) -> Result<Loaded, Fault> {
+        self.edit(|work| work.subdivided(options))?;
+        self.loaded()
+    }
+}
