@@ -1,6 +1,7 @@
 // @ts-check
 // Builds the parts, wires them to the state, and opens the scene in the address.
 
+import { createArrival, sceneOfFigure } from "./arrival.js";
 import { createController } from "./controller.js";
 import { createLinkWriter, readLink } from "./link.js";
 import { samples } from "./samples.js";
@@ -26,6 +27,7 @@ import { createPanes } from "./ui/panes.js";
 import { createPicture } from "./ui/picture.js";
 import { createReadings } from "./ui/readings.js";
 import { createRegion } from "./ui/region.js";
+import { createShare } from "./ui/share.js";
 import { createStatus } from "./ui/status.js";
 import { createTransport } from "./ui/transport.js";
 import { createViewForm } from "./ui/view-form.js";
@@ -37,6 +39,7 @@ const controller = createController(store, messages);
 const msaa = new URLSearchParams(location.search).get("msaa") === "1" ? 1 : 4;
 const picture = createPicture(controller, store.get, msaa);
 const help = createHelp();
+const arrival = createArrival(controller, store.get, messages);
 
 createPanel();
 createLab(controller);
@@ -70,6 +73,8 @@ const parts = [
   createGallery(controller),
   createPresenter(controller),
   createLinkWriter(),
+  createShare(),
+  arrival,
   help,
 ];
 for (const part of parts) store.subscribe((state) => part.update(state));
@@ -78,17 +83,19 @@ for (const part of parts) store.subscribe((state) => part.update(state));
 function openLink(address) {
   awaited = readLink(address);
   controller.view(awaited.view);
-  if (awaited.sample) controller.sample(awaited.sample, awaited);
-  else {
+  const scene = awaited;
+  if (scene.sample) controller.sample(scene.sample, scene).then(() => arrival.check(scene));
+  else if (scene.figure) {
+    const open = (/** @type {import("./link.js").Scene & { sample: string }} */ whole) =>
+      controller.sample(whole.sample, whole).then(() => arrival.check(whole));
+    sceneOfFigure(scene).then(open, controller.report);
+  } else {
     const message = `This link shows the mesh “${awaited.mesh}”, a file on its author’s computer.`;
     messages.error({ message, hint: "Open that file here; the scene then follows." });
   }
 }
 
-createMeshInput((file) => {
-  const isAwaited = awaited.mesh !== null && file.name.replace(/\.[^.]+$/, "") === awaited.mesh;
-  controller.open(file, isAwaited ? awaited : {});
-});
+createMeshInput((file) => arrival.open(awaited, file));
 
 // The event's address and not `location`: by now the old scene may have been written there.
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));
