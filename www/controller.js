@@ -229,6 +229,8 @@ export function createController(store, voice) {
       }),
 
     play: () => enqueue(() => run(null)),
+    /** Starts, and pauses by itself there. @param {number} step */
+    runTo: (step) => enqueue(() => run(step)),
     /** Answered after the step in hand, so not queued behind anything. */
     pause: () => rest().catch(report),
     toggle: () => (store.get().phase === "running" ? controller.pause() : controller.play()),

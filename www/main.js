@@ -3,6 +3,7 @@
 
 import { createArrival, sceneOfFigure } from "./arrival.js";
 import { createController } from "./controller.js";
+import { createEmbedding, isEmbedded } from "./embed/host.js";
 import { createLinkWriter, readLink } from "./link.js";
 import { samples } from "./samples.js";
 import { createStore } from "./state.js";
@@ -52,6 +53,13 @@ const isFirst = awaited.sample === samples[0].id && awaited.step === 0 && !await
 controller.view(awaited.view);
 const pictured = picture.start(isFirst ? samples[0].parameters.level : null);
 
+const { get } = store;
+const { snapshot } = picture;
+const { still } = arrival;
+const embedding = isEmbedded(location)
+  ? createEmbedding({ controller, get, still, openLink, messages, snapshot })
+  : null;
+
 const parts = [
   createTransport(controller),
   createStatus(),
@@ -72,7 +80,7 @@ const parts = [
   createConjecture(controller, picture.nearestEdge),
   createGallery(controller),
   createPresenter(controller),
-  createLinkWriter(),
+  embedding ?? createLinkWriter(),
   createShare(),
   arrival,
   help,
@@ -84,25 +92,28 @@ function openLink(address) {
   awaited = readLink(address);
   controller.view(awaited.view);
   const scene = awaited;
-  if (scene.sample) controller.sample(scene.sample, scene).then(() => arrival.check(scene));
-  else if (scene.figure) {
+  if (scene.sample) return controller.sample(scene.sample, scene).then(() => arrival.check(scene));
+  if (scene.figure) {
     const open = (/** @type {import("./link.js").Scene & { sample: string }} */ whole) =>
       controller.sample(whole.sample, whole).then(() => arrival.check(whole));
-    sceneOfFigure(scene).then(open, controller.report);
-  } else {
-    const message = `This link shows the mesh “${awaited.mesh}”, a file on its author’s computer.`;
-    messages.error({ message, hint: "Open that file here; the scene then follows." });
+    return sceneOfFigure(scene).then(open, controller.report);
   }
+  const message = `This link shows the mesh “${awaited.mesh}”, a file on its author’s computer.`;
+  messages.error({ message, hint: "Open that file here; the scene then follows." });
 }
 
-createMeshInput((file) => arrival.open(awaited, file));
+// Whoever embeds the page could take away what a visitor opens in it.
+if (!embedding) createMeshInput((file) => arrival.open(awaited, file));
 
 // The event's address and not `location`: by now the old scene may have been written there.
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));
 // The solver is the larger half: the first picture does not wait for it to be fetched, nor
 // the solver for a picture that takes its time.
 const patience = new Promise((resolve) => setTimeout(resolve, 4000));
-(isFirst ? Promise.race([pictured, patience]) : Promise.resolve()).then(() => {
-  controller.begin();
-  openLink(location);
-});
+const opened = (isFirst ? Promise.race([pictured, patience]) : Promise.resolve())
+  .then(() => embedding?.wanted)
+  .then(() => {
+    controller.begin();
+    if (!embedding?.isFed) return openLink(location);
+  });
+embedding?.begin(opened);
