@@ -9,6 +9,7 @@
 
 import { createEdits } from "./actions/edits.js";
 import { createQuestions } from "./actions/questions.js";
+import { sha256 } from "./digest.js";
 import { defaults, plainArrangement } from "./options.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
@@ -114,7 +115,16 @@ export function createController(store, voice) {
       store.update(to.refused);
       throw error;
     }
+    if (scene.figure) await showFigure(scene.figure).catch(report);
     if (scene.step) await run(scene.step);
+  }
+
+  /** The figure that a link belongs to, if its sample is the one shown. @param {string} id */
+  async function showFigure(id) {
+    const { source } = store.get();
+    const { figures } = await import("./figures.js");
+    const figure = figures.find((one) => one.id === id);
+    if (source?.kind === "sample" && figure?.sample === source.id) store.update(to.figured, figure);
   }
 
   /** @param {string} id @param {Partial<Scene>} scene */
@@ -214,10 +224,13 @@ export function createController(store, voice) {
         const plain = { ...defaults, boundary };
         const options = { ...plain, flow, p, keep, regularise, ...scene.options };
         const ask = () => solver.load(file.name, bytes);
-        return load(file.name, { kind: "file", name }, ask, options, plain, scene);
+        const source = { name, sha256: await sha256(bytes), bytes: bytes.byteLength };
+        return load(file.name, { kind: "file", ...source }, ask, options, plain, scene);
       }),
 
     play: () => enqueue(() => run(null)),
+    /** Starts, and pauses by itself there. @param {number} step */
+    runTo: (step) => enqueue(() => run(step)),
     /** Answered after the step in hand, so not queued behind anything. */
     pause: () => rest().catch(report),
     toggle: () => (store.get().phase === "running" ? controller.pause() : controller.play()),

@@ -5,6 +5,8 @@
 /** @import { FieldName } from "./protocol.js" */
 /** @import { PageState, View } from "./state.js" */
 
+import { isReading } from "./link-check.js";
+import { decodeRegion, encodeRegion } from "./link-region.js";
 import {
   arrangementReaders,
   asText,
@@ -20,12 +22,16 @@ import { samples } from "./samples.js";
  * @typedef {object} Scene
  * @property {string | null} sample  id of a sample; null when the mesh came from a file
  * @property {string | null} mesh    name of that file's mesh
+ * @property {string | null} hash    the first 16 digits of its SHA-256
+ * @property {string | null} figure  id in `figures.js`; without a sample, all of that figure
  * @property {Partial<import("./options.js").Options>} options
  * @property {Partial<import("./protocol.js").Arrangement>} arrangement
  * @property {FieldName} colour
  * @property {number} step
  * @property {Float32Array | null} camera
  * @property {Partial<View>} view
+ * @property {string | null} check    the energy at `step`, as it was when the link was written
+ * @property {string | null} version  of the solver that computed it
  */
 
 /** @param {string | null} id the options a sample comes with */
@@ -54,11 +60,23 @@ export function readLink({ search, hash }) {
   };
   const camera = (words.get("camera") ?? "").split(",").map(Number);
   const shading = words.get("shading");
+  const scale = words.get("scale");
+  const digest = /^[\da-f]{16,64}$/.exec(words.get("hash") ?? "")?.[0].slice(0, 16) ?? null;
+  const figure = /^[\w.-]{1,60}$/.exec(words.get("figure") ?? "")?.[0] ?? null;
+  const check = words.get("check");
+  /** @type {{ free?: number[], fixed?: number[] }} */
+  const region = {};
+  for (const key of /** @type {const} */ (["free", "fixed"])) {
+    const vertices = decodeRegion(words.get(key) ?? "");
+    if (vertices) region[key] = vertices;
+  }
   const colour = choices.colour.find(({ id }) => id === words.get("colour"))?.id ?? "none";
   return {
-    sample: known ? asked : mesh ? null : samples[0].id,
+    sample: known ? asked : mesh || figure ? null : samples[0].id,
     mesh: known ? null : mesh,
-    options: understood(readers),
+    hash: known || !mesh ? null : digest,
+    figure,
+    options: { ...understood(readers), ...region },
     arrangement: understood(arrangementReaders),
     colour: /** @type {FieldName} */ (colour),
     step: Number(/^\d{1,7}$/.exec(words.get("step") ?? "")?.[0] ?? 0),
@@ -66,7 +84,11 @@ export function readLink({ search, hash }) {
     view: {
       ...(shading === "flat" || shading === "smooth" ? { shading } : {}),
       ...(words.has("wireframe") ? { wireframe: words.get("wireframe") === "true" } : {}),
+      ...(words.has("border") ? { boundary: words.get("border") !== "false" } : {}),
+      ...(scale === "log" || scale === "linear" ? { scale } : {}),
     },
+    check: isReading(check) ? check : null,
+    version: /^[\w.+-]{1,40}$/.exec(words.get("version") ?? "")?.[0] ?? null,
   };
 }
 
@@ -74,16 +96,23 @@ export function readLink({ search, hash }) {
  * @param {Readonly<PageState>} state
  * @returns {string} the address's part from `#` on
  */
-export function writeLink({ source, options, arrangement, colour, camera, reading, view, goal }) {
+export function writeLink(state) {
+  const { source, options, arrangement, colour, camera, reading, view, goal, figure } = state;
   if (!source) return "";
   const words = new URLSearchParams();
   if (source.kind === "sample") words.set("sample", source.id);
   else words.set("mesh", source.name);
+  if (source.kind === "file" && source.sha256) words.set("hash", source.sha256.slice(0, 16));
+  if (source.kind === "sample" && source.id === figure?.sample) words.set("figure", figure.id);
   words.set("flow", options.flow);
   const base = suggested(source.kind === "sample" ? source.id : null);
   for (const key of /** @type {(keyof typeof options)[]} */ (Object.keys(readers))) {
     if (key !== "flow" && asText(options[key]) !== asText(base[key]))
       words.set(key, asText(options[key]));
+  }
+  for (const key of /** @type {const} */ (["free", "fixed"])) {
+    const region = options[key] && encodeRegion(options[key]);
+    if (region) words.set(key, region);
   }
   const { compare, subdivide, flipsPerStep } = arrangement;
   const own = byCurvature.includes(options.flow)
@@ -100,10 +129,35 @@ export function writeLink({ source, options, arrangement, colour, camera, readin
   if (colour !== "none") words.set("colour", colour);
   if (view.shading !== "smooth") words.set("shading", view.shading);
   if (view.wireframe) words.set("wireframe", "true");
+  if (!view.boundary) words.set("border", "false");
+  if (view.scale !== "auto") words.set("scale", view.scale);
   if (camera) words.set("camera", [...camera].map((x) => +x.toPrecision(5)).join(","));
   const step = goal ?? reading?.step ?? 0;
   if (step > 0) words.set("step", String(step));
-  return `#${words.toString().replaceAll("%2C", ",")}`;
+  // On the way to another step the energy there is not known yet. At the start it follows
+  // from the rest of the link: `sharedLink` adds it there.
+  if (step > 0 && step === reading?.step) addCheck(words, state);
+  return asHash(words);
+}
+
+/** @param {URLSearchParams} words */
+const asHash = (words) => `#${words.toString().replaceAll("%2C", ",")}`;
+
+/** @param {URLSearchParams} words @param {Readonly<PageState>} state */
+function addCheck(words, { reading, version }) {
+  if (version) words.set("version", version);
+  // All of its digits, so that it can be compared to the last bit.
+  if (reading && Number.isFinite(reading.energy)) words.set("check", String(reading.energy));
+}
+
+/**
+ * The link to send: {@link writeLink}, and always something to check the scene by.
+ * @param {Readonly<PageState>} state
+ */
+export function sharedLink(state) {
+  const words = new URLSearchParams(writeLink(state).slice(1));
+  if (state.goal === null) addCheck(words, state);
+  return asHash(words);
 }
 
 /**

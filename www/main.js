@@ -1,7 +1,9 @@
 // @ts-check
 // Builds the parts, wires them to the state, and opens the scene in the address.
 
+import { createArrival, sceneOfFigure } from "./arrival.js";
 import { createController } from "./controller.js";
+import { createEmbedding, isEmbedded } from "./embed/host.js";
 import { createLinkWriter, readLink } from "./link.js";
 import { samples } from "./samples.js";
 import { createStore } from "./state.js";
@@ -27,6 +29,7 @@ import { createPanes } from "./ui/panes.js";
 import { createPicture } from "./ui/picture.js";
 import { createReadings } from "./ui/readings.js";
 import { createRegion } from "./ui/region.js";
+import { createShare } from "./ui/share.js";
 import { createStatus } from "./ui/status.js";
 import { createTransport } from "./ui/transport.js";
 import { createViewForm } from "./ui/view-form.js";
@@ -38,6 +41,7 @@ const controller = createController(store, messages);
 const msaa = new URLSearchParams(location.search).get("msaa") === "1" ? 1 : 4;
 const picture = createPicture(controller, store.get, msaa);
 const help = createHelp();
+const arrival = createArrival(controller, store.get, messages);
 
 createPanel();
 createLab(controller);
@@ -49,6 +53,13 @@ let awaited = readLink(location);
 const isFirst = awaited.sample === samples[0].id && awaited.step === 0 && !awaited.camera;
 controller.view(awaited.view);
 const pictured = picture.start(isFirst ? samples[0].parameters.level : null);
+
+const { get } = store;
+const { snapshot } = picture;
+const { still } = arrival;
+const embedding = isEmbedded(location)
+  ? createEmbedding({ controller, get, still, openLink, messages, snapshot })
+  : null;
 
 const parts = [
   createTransport(controller),
@@ -71,7 +82,9 @@ const parts = [
   createConjecture(controller, picture.nearestEdge),
   createGallery(controller),
   createPresenter(controller),
-  createLinkWriter(),
+  embedding ?? createLinkWriter(),
+  createShare(),
+  arrival,
   help,
 ];
 for (const part of parts) store.subscribe((state) => part.update(state));
@@ -80,24 +93,29 @@ for (const part of parts) store.subscribe((state) => part.update(state));
 function openLink(address) {
   awaited = readLink(address);
   controller.view(awaited.view);
-  if (awaited.sample) controller.sample(awaited.sample, awaited);
-  else {
-    const message = `This link shows the mesh “${awaited.mesh}”, a file on its author’s computer.`;
-    messages.error({ message, hint: "Open that file here; the scene then follows." });
+  const scene = awaited;
+  if (scene.sample) return controller.sample(scene.sample, scene).then(() => arrival.check(scene));
+  if (scene.figure) {
+    const open = (/** @type {import("./link.js").Scene & { sample: string }} */ whole) =>
+      controller.sample(whole.sample, whole).then(() => arrival.check(whole));
+    return sceneOfFigure(scene).then(open, controller.report);
   }
+  const message = `This link shows the mesh “${awaited.mesh}”, a file on its author’s computer.`;
+  messages.error({ message, hint: "Open that file here; the scene then follows." });
 }
 
-createMeshInput((file) => {
-  const isAwaited = awaited.mesh !== null && file.name.replace(/\.[^.]+$/, "") === awaited.mesh;
-  controller.open(file, isAwaited ? awaited : {});
-});
+// Whoever embeds the page could take away what a visitor opens in it.
+if (!embedding) createMeshInput((file) => arrival.open(awaited, file));
 
 // The event's address and not `location`: by now the old scene may have been written there.
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));
 // The solver is the larger half: the first picture does not wait for it to be fetched, nor
 // the solver for a picture that takes its time.
 const patience = new Promise((resolve) => setTimeout(resolve, 4000));
-(isFirst ? Promise.race([pictured, patience]) : Promise.resolve()).then(() => {
-  controller.begin();
-  openLink(location);
-});
+const opened = (isFirst ? Promise.race([pictured, patience]) : Promise.resolve())
+  .then(() => embedding?.wanted)
+  .then(() => {
+    controller.begin();
+    if (!embedding?.isFed) return openLink(location);
+  });
+embedding?.begin(opened);

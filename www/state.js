@@ -11,7 +11,7 @@ import { defaults, plainArrangement } from "./options.js";
 /** @typedef {{ step: number, time: number, dt: number, energy: number }} Sample  a point of the plot */
 
 /**
- * @typedef {{ kind: 'sample', id: string } | { kind: 'file', name: string }} Source
+ * @typedef {{ kind: 'sample', id: string } | { kind: 'file', name: string, sha256?: string, bytes?: number }} Source
  */
 
 /**

@@ -26,6 +26,16 @@ export default defineConfig({
     // Everything is a file of its own: the page's policy forbids `data:` but for pictures.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    rolldownOptions: {
+      input: {
+        index: fileURLToPath(new URL("../index.html", import.meta.url)),
+        embed: fileURLToPath(new URL("embed.js", import.meta.url)),
+      },
+      output: {
+        // Other pages name it: it keeps its name, and is all in one file.
+        entryFileNames: ({ name }) => (name === "embed" ? "embed.js" : "assets/[name]-[hash].js"),
+      },
+    },
   },
   worker: { format: "es" },
 });

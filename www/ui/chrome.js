@@ -8,6 +8,9 @@ import { byId, setText } from "./element.js";
 
 export function createHelp() {
   const dialog = byId("help", HTMLDialogElement);
+  // Not in the markup: a browser would try it at once, and complain inside another page.
+  const close = dialog.querySelector("button");
+  if (close) close.autofocus = true;
   const open = () => dialog.showModal();
   byId("help-open", HTMLButtonElement).addEventListener("click", open);
   // A click on the backdrop is a click on the dialog itself.

@@ -70,6 +70,8 @@ export function createEnergyPlot(controller, pictured) {
     /** @param {Readonly<PageState>} state */
     update(state) {
       const { history, view } = state;
+      // A link brings its own.
+      if (scale.value !== view.scale) scale.value = view.scale;
       if (history.length > 0 && !asked) open();
       const same = history === shown?.history && view === shown.view;
       if (history !== shown?.history) fillTable(history);

@@ -73,8 +73,8 @@ const symbols = {
   mmcv: "∫|∇H|²",
 };
 
-/** The energy's symbol. @param {Readonly<PageState>} state */
-const symbol = ({ options }) => {
+/** The energy's symbol. @param {Pick<PageState, "options">} state */
+export const symbol = ({ options }) => {
   const known = symbols[options.flow];
   if (known) return known;
   if (options.spontaneousCurvature || options.tension || options.pressure) return "Energy";

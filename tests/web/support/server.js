@@ -37,7 +37,9 @@ export async function serve(folder = site, base = "/some/folder/") {
       if (file === null || !file.startsWith(folder + path.sep)) throw new Error("outside");
       const bytes = await readFile(file);
       const type = types[path.extname(file)] ?? "application/octet-stream";
-      response.writeHead(200, { "content-type": type }).end(bytes);
+      // As hosts of static sites do: a script module may be used by other pages only so.
+      const headers = { "content-type": type, "access-control-allow-origin": "*" };
+      response.writeHead(200, headers).end(bytes);
     } catch {
       response.writeHead(404).end();
     }

@@ -1,0 +1,291 @@
+// @ts-check
+// <umbilic-surface>: a scene of Umbilic in any page. One script, without any others:
+//
+//   <script type="module" src="https://…/embed.js"></script>
+//   <umbilic-surface sample="pipe" colour="mean-curvature" autoplay></umbilic-surface>
+//
+// Attributes are the words of a link (`flow`, `p`, `step`, `camera`, …; `smoothSteps` is written
+// `smooth-steps`), and those of `own` below. Methods return promises; events are
+// `ready`, `frame`, `statechange` and `error`, what they tell is in `detail`.
+
+/**
+ * Attributes that are no words of a link: `mesh`, the address of a mesh file, which the
+ * embedding page fetches; `controls="none"`, no buttons; `autoplay`, plays once it is seen;
+ * `theme`, light or dark, else as the system; `page`, the address of Umbilic, where this script
+ * was copied elsewhere; `title`, what it shows, for whoever does not see it.
+ */
+const own = ["mesh", "controls", "autoplay", "theme", "page", "title"];
+/** Global attributes that mean nothing here. */
+const global =
+  /^(?:id|class|style|slot|part|lang|dir|hidden|tabindex|role|name|data-.*|aria-.*|on.*)$/;
+
+const script = import.meta.url;
+/** @param {string} attribute */
+const wordOf = (attribute) => attribute.replace(/-(\w)/g, (_, letter) => letter.toUpperCase());
+/** @param {string} address @returns {string} the last part of it, as a file is called */
+const fileNameOf = (address) =>
+  decodeURIComponent(new URL(address, document.baseURI).pathname.split("/").pop() ?? "");
+
+const style = new CSSStyleSheet();
+style.replaceSync(`
+  :host { display: block; aspect-ratio: 4 / 3; min-height: 12rem; }
+  :host([hidden]) { display: none; }
+  iframe { display: block; width: 100%; height: 100%; border: 0; }
+`);
+
+/** @typedef {{ resolve: (ok: any) => void, reject: (reason: unknown) => void }} Waiting */
+
+class UmbilicSurface extends HTMLElement {
+  #shadow = this.attachShadow({ mode: "open" });
+  /** @type {HTMLIFrameElement | null} */
+  #frame = null;
+  /** @type {Map<number, Waiting>} */
+  #waiting = new Map();
+  /** @type {Record<string, unknown>[]} requests made before the page listened */
+  #queue = [];
+  #isListening = false;
+  #lastId = 0;
+  /** @type {Set<string>} attributes that changed and have not been told yet */
+  #changed = new Set();
+  #attributes = new MutationObserver((records) => {
+    for (const { attributeName } of records) this.#change(attributeName ?? "");
+  });
+  /** @param {MessageEvent} event */
+  #hear = ({ source, origin, data }) => {
+    const isPage = this.#frame && source === this.#frame.contentWindow;
+    if (!isPage || origin !== this.#address.origin || data?.umbilic !== 1) return;
+    if ("id" in data) this.#settle(data);
+    else if (data.event === "listening") this.#listen();
+    else this.#announce(String(data.event), data.detail);
+  };
+
+  constructor() {
+    super();
+    this.#shadow.adoptedStyleSheets = [style];
+  }
+
+  connectedCallback() {
+    addEventListener("message", this.#hear);
+    this.#attributes.observe(this, { attributes: true });
+    this.#open();
+  }
+
+  disconnectedCallback() {
+    removeEventListener("message", this.#hear);
+    this.#attributes.disconnect();
+    this.#close();
+  }
+
+  /**
+   * Another scene, or a mesh: words of a link as text or as an object, or a mesh file with
+   * such words.
+   * @param {string | Record<string, unknown> | Blob | ArrayBuffer | Uint8Array} scene
+   * @param {{ name?: string } & Record<string, unknown>} [words]  `name` of a mesh that is no file
+   */
+  async load(scene, { name, ...words } = {}) {
+    if (scene instanceof Blob) {
+      const bytes = await scene.arrayBuffer();
+      return this.#send(bytes, name ?? /** @type {File} */ (scene).name, words);
+    }
+    if (scene instanceof ArrayBuffer) return this.#send(scene.slice(0), name, words);
+    if (ArrayBuffer.isView(scene)) return this.#send(Uint8Array.from(scene).buffer, name, words);
+    return this.#ask("load", { scene });
+  }
+  play() {
+    return this.#ask("play");
+  }
+  pause() {
+    return this.#ask("pause");
+  }
+  step() {
+    return this.#ask("step");
+  }
+  back() {
+    return this.#ask("back");
+  }
+  reset() {
+    return this.#ask("reset");
+  }
+  /** @param {number} step */
+  seek(step) {
+    return this.#ask("seek", { step });
+  }
+  /** @param {string | Record<string, unknown>} words  flow, parameters, colour, camera, … */
+  set(words) {
+    return this.#ask("set", { words });
+  }
+  /** Where it stands: step, time, energy, area, status, … */
+  state() {
+    return this.#ask("state");
+  }
+  /**
+   * @param {string} [format]  as in the page's “Save as”: `ply`, `obj`, `stl`, `glb`, `csv`, `png`, …
+   * @returns {Promise<File>}
+   */
+  async exportMesh(format = "ply") {
+    const { name, bytes } = await this.#ask("export", { format });
+    return new File([bytes], name);
+  }
+
+  /** Where Umbilic is. */
+  get #address() {
+    const page = this.getAttribute("page");
+    if (page) return new URL(page, document.baseURI);
+    return new URL(import.meta.env.DEV ? "../" : "./", script);
+  }
+
+  /** The attributes that are words of a link. @param {(attribute: string) => boolean} [which] */
+  #words(which = () => true) {
+    /** @type {Record<string, string>} */
+    const words = {};
+    for (const { name, value } of this.attributes) {
+      if (!own.includes(name) && !global.test(name) && which(name)) words[wordOf(name)] = value;
+    }
+    return words;
+  }
+
+  #open() {
+    const frame = document.createElement("iframe");
+    const address = this.#address;
+    const query = new URLSearchParams(address.search);
+    query.set("embed", "");
+    for (const name of ["controls", "theme"]) {
+      const value = this.getAttribute(name);
+      if (value) query.set(name, value);
+    }
+    if (this.hasAttribute("autoplay")) query.set("autoplay", "");
+    const mesh = this.getAttribute("mesh");
+    if (mesh !== null) query.set("wait", "");
+    address.search = query.toString();
+    const words = { ...(mesh === null ? {} : { mesh: fileNameOf(mesh) }), ...this.#words() };
+    address.hash = new URLSearchParams(words).toString();
+    frame.title = this.title || "Umbilic";
+    frame.loading = "lazy";
+    frame.allow = "fullscreen";
+    frame.src = address.href;
+    this.#frame = frame;
+    this.#shadow.replaceChildren(frame);
+  }
+
+  #close() {
+    this.#frame?.remove();
+    this.#frame = null;
+    this.#isListening = false;
+    this.#queue = [];
+    for (const { reject } of this.#waiting.values()) {
+      reject(new DOMException("The surface was taken out of the page.", "AbortError"));
+    }
+    this.#waiting.clear();
+  }
+
+  #listen() {
+    this.#isListening = true;
+    const mesh = this.getAttribute("mesh");
+    // Before whatever was asked of it meanwhile.
+    if (mesh !== null) this.#fetch(mesh);
+    else this.#flush();
+  }
+
+  #flush() {
+    const queue = this.#queue;
+    this.#queue = [];
+    for (const message of queue) this.#post(message);
+  }
+
+  /** @param {string} mesh  an address */
+  async #fetch(mesh) {
+    try {
+      const response = await fetch(new URL(mesh, document.baseURI));
+      if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+      this.#send(await response.arrayBuffer(), fileNameOf(mesh), this.#words()).catch((error) =>
+        this.#announce("error", error),
+      );
+    } catch (error) {
+      const message = `The mesh ${mesh} could not be had: ${/** @type {Error} */ (error).message}`;
+      this.#announce("error", { message, hint: "Look at the attribute `mesh`." });
+    }
+    this.#flush();
+  }
+
+  /** @param {ArrayBuffer} bytes @param {string | undefined} name @param {Record<string, unknown>} words */
+  #send(bytes, name, words) {
+    return this.#ask("load", { name: name ?? "mesh.ply", bytes, scene: words }, true);
+  }
+
+  /**
+   * @param {string} type
+   * @param {Record<string, unknown>} [fields]
+   * @param {boolean} [isFirst]  before what waits
+   * @returns {Promise<any>}
+   */
+  #ask(type, fields = {}, isFirst = false) {
+    const frame = this.#frame;
+    if (!frame) {
+      return Promise.reject(new DOMException("The surface is in no page.", "InvalidStateError"));
+    }
+    this.#lastId += 1;
+    const message = { umbilic: 1, id: this.#lastId, type, ...fields };
+    // Whoever asks does not wait until somebody scrolls there.
+    frame.loading = "eager";
+    return new Promise((resolve, reject) => {
+      this.#waiting.set(message.id, { resolve, reject });
+      const isHeld = !this.#isListening || (this.#queue.length > 0 && !isFirst);
+      if (isHeld) this.#queue.push(message);
+      else this.#post(message);
+    });
+  }
+
+  /** @param {Record<string, unknown>} message */
+  #post(message) {
+    const transfer = message.bytes instanceof ArrayBuffer ? [message.bytes] : [];
+    this.#frame?.contentWindow?.postMessage(message, this.#address.origin, transfer);
+  }
+
+  /** @param {{ id: number, ok?: unknown, error?: { kind: string, message: string, hint: string } }} reply */
+  #settle({ id, ok, error }) {
+    const waiting = this.#waiting.get(id);
+    this.#waiting.delete(id);
+    if (!error) waiting?.resolve(ok);
+    else waiting?.reject(Object.assign(new Error(error.message), error));
+  }
+
+  /** @param {string} event @param {unknown} detail */
+  #announce(event, detail) {
+    if (!["ready", "frame", "statechange", "error"].includes(event)) return;
+    this.dispatchEvent(new CustomEvent(event, { detail }));
+  }
+
+  /** @param {string} attribute */
+  #change(attribute) {
+    if (global.test(attribute)) return;
+    if (this.#changed.size === 0) queueMicrotask(() => this.#follow());
+    this.#changed.add(attribute);
+  }
+
+  /** Does what the changed attributes say. */
+  #follow() {
+    const changed = [...this.#changed];
+    this.#changed.clear();
+    if (!this.#frame) return;
+    if (changed.includes("title")) this.#frame.title = this.title || "Umbilic";
+    /** A refusal has no other way to whoever wrote the attribute. @param {unknown} error */
+    const tell = (error) => this.#announce("error", error);
+    const isNew = changed.some((name) => ["sample", "figure"].includes(name));
+    const isGone = changed.some((name) => !own.includes(name) && !this.hasAttribute(name));
+    if (changed.some((name) => ["mesh", "controls", "autoplay", "theme", "page"].includes(name))) {
+      this.#close();
+      this.#open();
+    } else if (isNew || (isGone && !this.hasAttribute("mesh"))) {
+      this.load(this.#words()).catch(tell);
+    } else {
+      const words = this.#words((name) => changed.includes(name));
+      if (Object.keys(words).length > 0) {
+        this.set(words).catch(tell);
+      }
+    }
+  }
+}
+
+if (!customElements.get("umbilic-surface")) {
+  customElements.define("umbilic-surface", UmbilicSurface);
+}

@@ -1,0 +1,285 @@
+// @ts-check
+// The page inside another one: answers what that asks, tells what happens, and rests while
+// nobody sees it. Works only in an address with `?embed`.
+
+/** @import { Controller } from "../controller.js" */
+/** @import { PageState } from "../state.js" */
+/** @import { Request } from "./messages.js" */
+
+import { t } from "../language.js";
+import { readLink, sharedLink } from "../link.js";
+import { fileName } from "../ui/download.js";
+import { byId } from "../ui/element.js";
+import { pageAddress } from "../ui/share.js";
+import {
+  asHash,
+  asRequest,
+  fault,
+  fileOf,
+  formatOf,
+  PROTOCOL,
+  readWords,
+  stepOf,
+} from "./messages.js";
+import { seek } from "./seek.js";
+
+/** @param {{ search: string }} address */
+export const isEmbedded = ({ search }) => new URLSearchParams(search).has("embed");
+
+/** Requests that wait for nothing that was asked before. */
+const isImmediate = ["pause", "state"];
+
+/**
+ * @typedef {object} Page  what is embedded
+ * @property {Controller} controller
+ * @property {() => Readonly<PageState>} get
+ * @property {() => Promise<unknown>} still  nothing runs or loads any more
+ * @property {(address: { search: string, hash: string }) => unknown} openLink
+ * @property {{ error: (fault: { message: string, hint: string }) => void }} messages
+ * @property {() => Promise<Blob | null>} snapshot
+ */
+
+/** @param {Page} page */
+export function createEmbedding({ controller, get, still, openLink, messages, snapshot }) {
+  const asked = new URLSearchParams(location.search);
+  const root = document.documentElement;
+  root.classList.add("embedded");
+  root.classList.toggle("bare", asked.get("controls") === "none");
+  addFullPage();
+
+  const host = window.parent === window ? null : window.parent;
+  /** Whoever embeds, once it has spoken; events hold nothing of a mesh but its numbers. */
+  let origin = "*";
+
+  /** @param {Record<string, unknown>} message @param {Transferable[]} [transfer] */
+  function post(message, transfer = []) {
+    host?.postMessage({ umbilic: PROTOCOL, ...message }, origin, transfer);
+  }
+  /** @param {string} event @param {Record<string, unknown>} [detail] */
+  const tell = (event, detail = {}) => post({ event, detail });
+
+  /** A run that rests until it is seen. */
+  let isSuspended = false;
+  let isIntersecting = false;
+  const isSeen = () => isIntersecting && document.visibilityState === "visible";
+
+  /** Where it stands. */
+  function standing() {
+    const { phase, reading, mesh, options, version } = get();
+    const { step = 0, time = 0, energy = null, area = null, status = null } = reading ?? {};
+    const { volume = null, message = "", canStepBack = false } = reading ?? {};
+    const { vertices = 0, faces = 0 } = mesh?.info ?? {};
+    return {
+      ...{ step, time, energy, area, volume, status, message, canStepBack },
+      ...{ phase, isWaiting: isSuspended, flow: options.flow, version },
+      ...{ name: mesh?.name ?? null, vertices, faces },
+    };
+  }
+
+  // Errors are shown here and told there.
+  /** @type {Set<{ message: string, hint: string }[]>} */
+  const hearing = new Set();
+  const show = messages.error;
+  messages.error = (said) => {
+    show(said);
+    const { message, hint } = said;
+    for (const list of hearing) list.push({ message, hint });
+    // What goes wrong with a request is its answer.
+    if (hearing.size === 0) tell("error", { message, hint });
+  };
+
+  /** Lets a run rest while nobody sees it, and go on after. */
+  function settle() {
+    const { phase, goal, pausing } = get();
+    // On the way to a step it goes on: somebody waits for that.
+    if (!isSeen() && phase === "running" && goal === null && !pausing) {
+      isSuspended = true;
+      controller.pause();
+    } else if (isSeen() && isSuspended && phase !== "running" && phase !== "loading") {
+      isSuspended = false;
+      controller.play();
+    }
+  }
+
+  /** @type {(value?: unknown) => void} */
+  let want = () => {};
+  const wanted = new Promise((resolve) => {
+    want = resolve;
+  });
+  function look() {
+    if (isSeen()) want();
+    settle();
+  }
+  new IntersectionObserver((entries) => {
+    isIntersecting = entries[entries.length - 1].isIntersecting;
+    look();
+  }).observe(root);
+  document.addEventListener("visibilitychange", look);
+
+  /** A scene is there. */
+  function arrived() {
+    if (!get().mesh) return;
+    isSuspended = asked.has("autoplay");
+    tell("ready", standing());
+    settle();
+  }
+
+  /** @param {number} step */
+  const toStep = (step) => seek({ ...controller, still }, get, step);
+
+  /** @type {Record<string, (request: Request) => Promise<unknown>>} */
+  const answers = {
+    async load(request) {
+      const file = fileOf(request);
+      const address = { search: "", hash: asHash(request.scene ?? "") };
+      await (file ? controller.open(file, readLink(address)) : openLink(address));
+      await still();
+      arrived();
+    },
+    async play() {
+      isSuspended = !isSeen();
+      if (!isSuspended) await controller.play();
+    },
+    async pause() {
+      isSuspended = false;
+      await controller.pause();
+    },
+    async seek(request) {
+      const step = stepOf(request);
+      isSuspended = false;
+      await toStep(step);
+    },
+    async set({ words }) {
+      const { options, arrangement, colour, camera, view, step, named } = readWords(words);
+      if (Object.keys(options).length > 0) await controller.configure(options);
+      if (Object.keys(arrangement).length > 0) await controller.arrange(arrangement);
+      if (named.has("colour")) await controller.colour(colour);
+      if (named.has("scale")) view.scale ??= "auto";
+      controller.view(view);
+      if (camera) controller.look(camera);
+      if (named.has("step")) await toStep(step);
+    },
+    state: async () => {},
+  };
+  for (const move of /** @type {const} */ (["step", "back", "reset"])) {
+    answers[move] = async () => {
+      isSuspended = false;
+      await controller[move]();
+    };
+  }
+
+  /** @param {Request} request @returns {Promise<{ name: string, bytes: Uint8Array<ArrayBuffer> }>} */
+  async function exported(request) {
+    const format = formatOf(request);
+    if (!get().mesh) throw fault("NoMesh", t("There is no mesh yet."), "");
+    const name = fileName(get(), format);
+    const data = format === "png" ? await snapshot() : await controller.export(format);
+    if (data === null) throw fault("NoPicture", t("There is no picture to save."), "");
+    const bytes = new Uint8Array(await new Blob([data]).arrayBuffer());
+    return { name, bytes };
+  }
+
+  // In the order in which they were asked.
+  let turn = Promise.resolve();
+  /** @param {Request} request */
+  function receive(request) {
+    if (isImmediate.includes(request.type)) answer(request);
+    else {
+      want();
+      turn = turn.then(() => loaded).then(() => answer(request));
+    }
+  }
+
+  /** @param {Request} request */
+  async function answer(request) {
+    const { id, type } = request;
+    /** @type {{ message: string, hint: string }[]} */
+    const faults = [];
+    try {
+      if (type === "export") {
+        const ok = await exported(request);
+        return post({ id, ok }, [ok.bytes.buffer]);
+      }
+      if (!Object.hasOwn(answers, type)) {
+        const known = [...Object.keys(answers), "export"].join(", ");
+        throw fault(
+          "UnknownRequest",
+          t("There is no request “{type}”.", { type: type.slice(0, 60) }),
+          t("Known are {known}.", { known }),
+        );
+      }
+      hearing.add(faults);
+      await answers[type](request).finally(() => hearing.delete(faults));
+      if (faults.length > 0) throw faults[0];
+      post({ id, ok: standing() });
+    } catch (error) {
+      const { kind = "Refused", message, hint = "" } = /** @type {any} */ (error);
+      post({ id, error: { kind, message: String(message ?? error), hint } });
+    }
+  }
+
+  addEventListener("message", (event) => {
+    if (!host || event.source !== host) return;
+    const request = asRequest(event.data);
+    if (!request) return;
+    // A page from a file, or in a sandbox, has no origin that could be named.
+    origin = event.origin === "null" ? "*" : event.origin;
+    receive(request);
+  });
+
+  /** @type {PageState["frame"]} */
+  let frame = null;
+  /** @type {PageState["phase"] | null} */
+  let phase = null;
+  /** @type {Promise<unknown>} the scene of the address */
+  let loaded = Promise.resolve();
+  return {
+    /** Settled once it is seen, or something is asked of it: until then no solver is needed. */
+    wanted,
+    /** Whether the mesh comes from whoever embeds, and not from the address. */
+    isFed: asked.has("wait"),
+
+    /**
+     * Once the page listens to what is asked of it.
+     * @param {Promise<unknown>} opened  the scene of the address
+     */
+    begin(opened) {
+      const theme = asked.get("theme");
+      if (theme === "light" || theme === "dark") controller.view({ theme });
+      loaded = opened.then(still).then(arrived, controller.report);
+      tell("listening", { version: get().version });
+    },
+
+    /** @param {Readonly<PageState>} state */
+    update(state) {
+      if (state.frame !== frame && state.reading && state.phase !== "loading") {
+        frame = state.frame;
+        tell("frame", standing());
+      }
+      if (state.phase !== phase) {
+        phase = state.phase;
+        tell("statechange", standing());
+      }
+      // After everybody has been told of this state.
+      queueMicrotask(settle);
+    },
+  };
+
+  /** A way to the whole page, with the scene as it is. */
+  function addFullPage() {
+    const link = document.createElement("a");
+    link.id = "full-page";
+    link.target = "_blank";
+    link.rel = "noopener";
+    link.textContent = t("Full page");
+    link.title = t("Open this scene in the whole page");
+    const point = () => {
+      link.href = pageAddress(location) + (get().source ? sharedLink(get()) : location.hash);
+    };
+    point();
+    for (const event of ["pointerenter", "focus", "click", "contextmenu"]) {
+      link.addEventListener(event, point);
+    }
+    byId("transport", HTMLElement).append(link);
+  }
+}

@@ -1,0 +1,144 @@
+// @ts-check
+// What a page that embeds this one may ask, and how its words are read. Whoever embeds may be
+// anybody: a message is taken apart here, and nothing of it goes on unread.
+//
+//   { umbilic: 1, id, type, … }        →  { umbilic: 1, id, ok } or { umbilic: 1, id, error }
+//
+// | type     | fields                                   | ok                               |
+// | -------- | ---------------------------------------- | -------------------------------- |
+// | `load`   | `scene`: words of a link, as text or as an object; or `name`, `bytes`: a mesh file, with `scene` as well | where it stands, once the scene is there |
+// | `play`   |                                          | where it stands; hidden, it plays once it is seen |
+// | `pause`, `step`, `back`, `reset` |                  | where it stands then             |
+// | `seek`   | `step`                                   | where it stands then             |
+// | `set`    | `words`: flow, parameters, `colour`, `camera`, `shading`, … as in a link | where it stands then |
+// | `export` | `format`                                 | `{ name, bytes }`, transferred   |
+// | `state`  |                                          | where it stands                  |
+//
+// Events, unasked: `{ umbilic: 1, event, detail }` with `listening` (requests are answered from
+// now on), `ready` (a scene is there), `frame`, `statechange` and `error`.
+
+/** @import { Fault } from "../protocol.js" */
+/** @import { Scene } from "../link.js" */
+
+import { t } from "../language.js";
+import { readLink } from "../link.js";
+import { arrangementReaders, asText, choices, readers } from "../options.js";
+
+/** The version of what is said here. */
+export const PROTOCOL = 1;
+
+/** @typedef {{ id: string | number, type: string } & Record<string, unknown>} Request */
+
+/**
+ * @param {unknown} data
+ * @returns {Request | null} null where it is no request of ours, and not to be answered
+ */
+export function asRequest(data) {
+  if (typeof data !== "object" || data === null) return null;
+  const { umbilic, id, type } = /** @type {Record<string, unknown>} */ (data);
+  if (umbilic !== PROTOCOL || typeof type !== "string") return null;
+  if (typeof id !== "string" && typeof id !== "number") return null;
+  return /** @type {Request} */ (data);
+}
+
+/** @param {string} kind @param {string} message @param {string} hint @returns {Fault} */
+export const fault = (kind, message, hint) => ({ kind, message, hint, detail: {} });
+
+/** @param {unknown} value @returns {Record<string, unknown>} */
+const asObject = (value) =>
+  typeof value === "object" && value !== null && !Array.isArray(value)
+    ? /** @type {Record<string, unknown>} */ (value)
+    : {};
+
+/**
+ * @param {unknown} scene  words of a link: text with or without `#`, or an object
+ * @returns {string} the same from `#` on
+ */
+export function asHash(scene) {
+  if (typeof scene === "string") return `#${scene.replace(/^#/, "")}`;
+  const words = new URLSearchParams();
+  for (const [word, value] of Object.entries(asObject(scene))) {
+    words.set(word, ArrayBuffer.isView(value) ? String(value) : asText(value));
+  }
+  return `#${words}`;
+}
+
+/**
+ * @param {unknown} words
+ * @returns {Scene & { named: Set<string> }} with the words that were said
+ * @throws {Fault} that names a word there is not, or a value it cannot have
+ */
+export function readWords(words) {
+  const hash = asHash(words);
+  const said = new URLSearchParams(hash.slice(1));
+  const scene = readLink({ search: "", hash });
+  /** @type {Record<string, (text: string) => boolean>} */
+  const known = {
+    colour: (text) => scene.colour === text,
+    camera: () => scene.camera !== null,
+    step: (text) => String(scene.step) === text,
+    shading: () => scene.view.shading !== undefined,
+    wireframe: () => scene.view.wireframe !== undefined,
+    border: () => scene.view.boundary !== undefined,
+    scale: (text) => text === "auto" || scene.view.scale !== undefined,
+    free: () => scene.options.free !== undefined,
+    fixed: () => scene.options.fixed !== undefined,
+  };
+  for (const [word, text] of said) {
+    const isOption = Object.hasOwn(readers, word) || Object.hasOwn(arrangementReaders, word);
+    if (!isOption && !Object.hasOwn(known, word)) {
+      throw fault(
+        "UnknownWord",
+        t("There is nothing called “{word}” to set.", { word: word.slice(0, 60) }),
+        t("Known are the words of a link: {words}.", {
+          words: [...Object.keys(known), ...Object.keys(readers)].join(", "),
+        }),
+      );
+    }
+    const isRead = isOption
+      ? Object.hasOwn(scene.options, word) || Object.hasOwn(scene.arrangement, word)
+      : known[word](text);
+    if (!isRead) {
+      throw fault(
+        "BadValue",
+        t("“{word}” cannot be “{text}”.", { word, text: text.slice(0, 60) }),
+        t("Copy a link from the page to see how its words are written."),
+      );
+    }
+  }
+  return { ...scene, named: new Set(said.keys()) };
+}
+
+/** @param {Request} request @returns {number} */
+export function stepOf({ step }) {
+  if (typeof step === "number" && Number.isInteger(step) && step >= 0 && step < 1e7) return step;
+  throw fault(
+    "BadStep",
+    t("A step is a whole number from 0 on, not “{step}”.", { step: String(step).slice(0, 60) }),
+    "",
+  );
+}
+
+/** @param {Request} request @returns {string} */
+export function formatOf({ format = "ply" }) {
+  if (choices.format.some(({ id }) => id === format)) return /** @type {string} */ (format);
+  throw fault(
+    "UnknownFormat",
+    t("There is no format “{format}”.", { format: String(format).slice(0, 60) }),
+    t("Known are {formats}.", { formats: choices.format.map(({ id }) => id).join(", ") }),
+  );
+}
+
+/** @param {Request} request @returns {File | null} the mesh that was sent along */
+export function fileOf({ name, bytes }) {
+  if (bytes === undefined) return null;
+  const isBytes = bytes instanceof ArrayBuffer || bytes instanceof Uint8Array;
+  if (!isBytes || typeof name !== "string" || !/^[^/\\]{1,200}$/.test(name)) {
+    throw fault(
+      "BadMesh",
+      t("A mesh is sent as `name`, with its extension, and `bytes`, an ArrayBuffer."),
+      "",
+    );
+  }
+  return new File([/** @type {ArrayBuffer} */ (bytes)], name);
+}
