@@ -5,6 +5,7 @@
 /** @import { FieldName } from "./protocol.js" */
 /** @import { PageState, View } from "./state.js" */
 
+import { readComparison, writeComparison } from "./link-comparison.js";
 import {
   arrangementReaders,
   asText,
@@ -23,6 +24,7 @@ import { samples } from "./samples.js";
  * @property {Partial<import("./options.js").Options>} options
  * @property {Partial<import("./protocol.js").Arrangement>} arrangement
  * @property {FieldName} colour
+ * @property {import("./actions/compare.js").Linked | null} comparison
  * @property {number} step
  * @property {Float32Array | null} camera
  * @property {Partial<View>} view
@@ -54,13 +56,16 @@ export function readLink({ search, hash }) {
   };
   const camera = (words.get("camera") ?? "").split(",").map(Number);
   const shading = words.get("shading");
+  const options = understood(readers);
+  const base = suggested(known ? asked : mesh ? null : samples[0].id);
   const colour = choices.colour.find(({ id }) => id === words.get("colour"))?.id ?? "none";
   return {
     sample: known ? asked : mesh ? null : samples[0].id,
     mesh: known ? null : mesh,
-    options: understood(readers),
+    options,
     arrangement: understood(arrangementReaders),
     colour: /** @type {FieldName} */ (colour),
+    comparison: readComparison(words, { ...base, ...options }),
     step: Number(/^\d{1,7}$/.exec(words.get("step") ?? "")?.[0] ?? 0),
     camera: camera.length > 1 && camera.every(Number.isFinite) ? new Float32Array(camera) : null,
     view: {
@@ -74,7 +79,8 @@ export function readLink({ search, hash }) {
  * @param {Readonly<PageState>} state
  * @returns {string} the address's part from `#` on
  */
-export function writeLink({ source, options, arrangement, colour, camera, reading, view, goal }) {
+export function writeLink(state) {
+  const { source, options, arrangement, colour, camera, reading, view, goal, comparison } = state;
   if (!source) return "";
   const words = new URLSearchParams();
   if (source.kind === "sample") words.set("sample", source.id);
@@ -98,6 +104,7 @@ export function writeLink({ source, options, arrangement, colour, camera, readin
       words.set("flipsPerStep", String(flipsPerStep ?? "all"));
   }
   if (colour !== "none") words.set("colour", colour);
+  writeComparison(words, comparison, options, reading);
   if (view.shading !== "smooth") words.set("shading", view.shading);
   if (view.wireframe) words.set("wireframe", "true");
   if (camera) words.set("camera", [...camera].map((x) => +x.toPrecision(5)).join(","));
