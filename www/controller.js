@@ -7,8 +7,11 @@
 /** @import { Options } from "./options.js" */
 /** @import { Marks, Source, Store, View } from "./state.js" */
 
+import { createCompare } from "./actions/compare.js";
+import { createContest } from "./actions/contest.js";
 import { createEdits } from "./actions/edits.js";
 import { createQuestions } from "./actions/questions.js";
+import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { defaults, plainArrangement } from "./options.js";
 import { samples } from "./samples.js";
@@ -39,6 +42,7 @@ export function createController(store, voice) {
 
   /** @param {Frame} frame */
   function onFrame(frame) {
+    if (contest.holds(frame)) return;
     store.update(to.frame, frame);
     for (const text of frame.reports.flatMap(({ warnings }) => warnings)) voice.note(text);
   }
@@ -72,12 +76,14 @@ export function createController(store, voice) {
   async function rest() {
     if (store.get().phase !== "running") return;
     store.update(to.pausing);
-    store.update(to.stopped, await solver.pause());
+    if (contest.isPlaying()) await contest.pause();
+    else store.update(to.stopped, await solver.pause());
   }
 
   /** Goes back to the start. @param {Options} options */
   async function configure(options) {
     store.update(to.configured, options, await solver.configure(options));
+    await contest.follow();
   }
 
   /**
@@ -98,6 +104,7 @@ export function createController(store, voice) {
       store.update(to.loaded, source, mesh);
       for (const warning of mesh.info.warnings) voice.note(warning);
       if (scene.camera) store.update(to.looked, scene.camera);
+      compare.prepare(scene.comparison);
       if (scene.arrangement) await arrange(scene.arrangement);
       const suits = await configure(options).then(
         () => true,
@@ -115,8 +122,9 @@ export function createController(store, voice) {
       store.update(to.refused);
       throw error;
     }
+    const steps = scene.comparison?.panes.map(({ step }) => step) ?? [];
     if (scene.figure) await showFigure(scene.figure).catch(report);
-    if (scene.step) await run(scene.step);
+    if (scene.step || steps.some(Boolean)) await run(scene.step ?? 0, steps);
   }
 
   /** The figure that a link belongs to, if its sample is the one shown. @param {string} id */
@@ -155,15 +163,19 @@ export function createController(store, voice) {
 
   /** @param {FieldName} name */
   async function colour(name) {
-    store.update(to.coloured, name, await solver.colour(name));
+    const field = await solver.colour(name);
+    store.update(to.coloured, name, field);
+    await contest.colour(name, field);
   }
 
-  /** @param {number | null} until */
-  async function run(until) {
+  /** @param {number | null} until @param {readonly (number | null)[]} [steps]  of the panes beside */
+  async function run(until, steps = []) {
     const { phase, reading } = store.get();
     if (!reading || phase === "running" || phase === "loading") return;
     store.update(to.started, until);
-    await solver.run(until);
+    if (!contest.isOpen()) await solver.run(until);
+    else
+      contest.play(({ step }, n) => step >= ((n > 0 ? steps[n - 1] : null) ?? until ?? Infinity));
   }
 
   let reviving = false;
@@ -192,12 +204,15 @@ export function createController(store, voice) {
     });
   }
 
+  const contest = createContest({ store, solver, voice, report });
   /** @type {import("./actions/core.js").Core} */
   const core = { store, solver, voice, enqueue, rest, configure, colour, arrange };
   const edits = createEdits(core);
+  const compare = createCompare(core, contest);
 
   const controller = {
     ...edits.actions,
+    ...compare.actions,
     ...createQuestions(solver),
     begin: solver.begin,
 
@@ -208,7 +223,8 @@ export function createController(store, voice) {
     figure: (figure) =>
       enqueue(async () => {
         const arrangement = { ...plainArrangement, ...figure.arrangement };
-        const scene = { options: figure.options, arrangement, colour: figure.colour ?? "none" };
+        const { options, colour = "none" } = figure;
+        const scene = { options, arrangement, colour, comparison: null };
         await loadSample(figure.sample, scene);
         store.update(to.figured, figure);
       }),
@@ -234,16 +250,17 @@ export function createController(store, voice) {
     /** Answered after the step in hand, so not queued behind anything. */
     pause: () => rest().catch(report),
     toggle: () => (store.get().phase === "running" ? controller.pause() : controller.play()),
-    step: () => enqueue(() => rest().then(() => store.get().reading && solver.step())),
+    step: () => enqueue(() => rest().then(() => store.get().reading && contest.step())),
     back: () =>
       enqueue(async () => {
         await rest();
-        if (store.get().reading?.canStepBack) await solver.back();
+        if (canStepBack(store.get())) await contest.back();
       }),
-    reset: () => enqueue(() => rest().then(() => store.get().reading && solver.reset())),
+    reset: () => enqueue(() => rest().then(() => store.get().reading && contest.reset())),
 
     /** Ends a step that takes too long. */
     halt: () =>
+      contest.halt() &&
       revive((step) => ({
         message: `The computation was ended; the surface is as after step ${step}.`,
         hint: "",
@@ -270,9 +287,17 @@ export function createController(store, voice) {
         }
       }),
     /** @param {FieldName} name */
-    colour: (name) => enqueue(() => colour(name)),
+    colour: (name) =>
+      enqueue(() => {
+        store.update(on.compared, { difference: null });
+        return colour(name);
+      }),
     /** How edge flips are shown; a run goes on. @param {Partial<Arrangement>} change */
-    arrange: (change) => enqueue(() => arrange(change)),
+    arrange: (change) =>
+      enqueue(() => {
+        if ((change.compare ?? "none") !== "none") compare.close();
+        return arrange(change);
+      }),
     /** @param {Marks | null} marks */
     mark: (marks) => store.update(to.marked, marks),
 

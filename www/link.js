@@ -6,6 +6,7 @@
 /** @import { PageState, View } from "./state.js" */
 
 import { isReading } from "./link-check.js";
+import { readComparison, writeComparison } from "./link-comparison.js";
 import { decodeRegion, encodeRegion } from "./link-region.js";
 import {
   arrangementReaders,
@@ -27,6 +28,7 @@ import { samples } from "./samples.js";
  * @property {Partial<import("./options.js").Options>} options
  * @property {Partial<import("./protocol.js").Arrangement>} arrangement
  * @property {FieldName} colour
+ * @property {import("./actions/compare.js").Linked | null} comparison
  * @property {number} step
  * @property {Float32Array | null} camera
  * @property {Partial<View>} view
@@ -70,15 +72,18 @@ export function readLink({ search, hash }) {
     const vertices = decodeRegion(words.get(key) ?? "");
     if (vertices) region[key] = vertices;
   }
+  const options = { ...understood(readers), ...region };
+  const base = suggested(known ? asked : mesh || figure ? null : samples[0].id);
   const colour = choices.colour.find(({ id }) => id === words.get("colour"))?.id ?? "none";
   return {
     sample: known ? asked : mesh || figure ? null : samples[0].id,
     mesh: known ? null : mesh,
     hash: known || !mesh ? null : digest,
     figure,
-    options: { ...understood(readers), ...region },
+    options,
     arrangement: understood(arrangementReaders),
     colour: /** @type {FieldName} */ (colour),
+    comparison: readComparison(words, { ...base, ...options }),
     step: Number(/^\d{1,7}$/.exec(words.get("step") ?? "")?.[0] ?? 0),
     camera: camera.length > 1 && camera.every(Number.isFinite) ? new Float32Array(camera) : null,
     view: {
@@ -97,7 +102,8 @@ export function readLink({ search, hash }) {
  * @returns {string} the address's part from `#` on
  */
 export function writeLink(state) {
-  const { source, options, arrangement, colour, camera, reading, view, goal, figure } = state;
+  const { source, options, arrangement, colour, camera, reading, view, goal, figure, comparison } =
+    state;
   if (!source) return "";
   const words = new URLSearchParams();
   if (source.kind === "sample") words.set("sample", source.id);
@@ -127,6 +133,7 @@ export function writeLink(state) {
       words.set("flipsPerStep", String(flipsPerStep ?? "all"));
   }
   if (colour !== "none") words.set("colour", colour);
+  writeComparison(words, comparison, options, reading);
   if (view.shading !== "smooth") words.set("shading", view.shading);
   if (view.wireframe) words.set("wireframe", "true");
   if (!view.boundary) words.set("border", "false");

@@ -10,6 +10,8 @@ import { createStore } from "./state.js";
 import { createChoices } from "./ui/choices.js";
 import { createHelp, createPanel, createPresenter } from "./ui/chrome.js";
 import { createColourBar } from "./ui/colour-bar.js";
+import { createComparisonForm } from "./ui/comparison-form.js";
+import { createComparisonPlot } from "./ui/comparison-plot.js";
 import { createConjecture } from "./ui/conjecture.js";
 import { createCurvatureForm } from "./ui/curvature-form.js";
 import { createDownload } from "./ui/download.js";
@@ -45,7 +47,7 @@ const arrival = createArrival(controller, store.get, messages);
 
 createPanel();
 createLab(controller);
-createKeys(controller, help.open);
+createKeys(controller, store.get, help.open);
 createDownload(controller, store.get, picture.snapshot);
 /** A link to a mesh names it only; its scene waits for the user to open the file. */
 let awaited = readLink(location);
@@ -76,6 +78,8 @@ const parts = [
   createViewForm(controller, picture.fit),
   picture,
   createPanes(controller, msaa),
+  createComparisonForm(controller),
+  createComparisonPlot(controller),
   createColourBar(picture.colours, pictured),
   createEnergyPlot(controller, pictured),
   createFlipPlots(controller),

@@ -338,7 +338,10 @@
  * @property {boolean} canStepBack
  */
 
-/** @typedef {'none' | 'mean-curvature' | 'gauss-curvature' | 'willmore' | 'gradient' | 'displacement'} FieldName */
+/**
+ * @typedef {'none' | 'mean-curvature' | 'gauss-curvature' | 'willmore' | 'gradient' | 'displacement' |
+ *           'distance'} FieldName  `distance`, from one pane to another, is the page's own
+ */
 
 /**
  * A value per vertex and how to show it.
@@ -395,6 +398,7 @@
  * | `colour`    | `field: FieldName`            | `Field \| null`             |
  * | `export`    | `format`                      | `Uint8Array` (transferred)  |
  * | `history`   |                               | `string` (CSV)              |
+ * | `bending`   |                               | `number`, ∫H² dA            |
  * | `restore`   | `positions`, `step`, `time`, `run` | `State`                |
  * | `ack`       | `run`                         | nothing is answered         |
  *

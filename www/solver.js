@@ -141,6 +141,10 @@ export function createSolver(listener) {
     load: (name, bytes) => make("load", { name, bytes }),
     /** @param {string} name @param {Record<string, number>} parameters */
     sample: (name, parameters) => make("sample", { name, parameters }),
+    /** How the mesh was made, so that another solver can make the same. */
+    origin: () => origin,
+    /** @param {Record<string, unknown>} of  another solver's `origin` */
+    same: ({ type, ...fields }) => make(/** @type {string} */ (type), fields),
     /** @param {FlowOptions} wanted @returns {Promise<Configured>} */
     async configure(wanted) {
       const configured = await move("configure", { options: wanted });
@@ -199,6 +203,8 @@ export function createSolver(listener) {
     export: (format) => ask("export", { format }),
     /** @returns {Promise<string>} CSV */
     history: () => ask("history"),
+    /** @returns {Promise<number>} ∫H² dA of the surface as it is */
+    bending: () => ask("bending"),
 
     /**
      * After `dismiss` or a crash: a new worker with the mesh, options and positions of

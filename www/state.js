@@ -4,11 +4,15 @@
 
 /** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Pane } from "./protocol.js" */
 
+import { alone, begunAnew } from "./comparison.js";
 import { defaults, plainArrangement } from "./options.js";
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'running' | 'paused' | 'failed'} Phase */
 
-/** @typedef {{ step: number, time: number, dt: number, energy: number }} Sample  a point of the plot */
+/**
+ * A point of the plot.
+ * @typedef {Pick<Reading, "step" | "time" | "dt" | "energy" | "area" | "volume" | "minAngleDegrees">} Sample
+ */
 
 /**
  * @typedef {{ kind: 'sample', id: string } | { kind: 'file', name: string, sha256?: string, bytes?: number }} Source
@@ -49,6 +53,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {readonly Earlier[]} earlier  what `undo` brings back, oldest first
  * @property {Marks | null} marks         drawn over the surface
  * @property {import("./figures.js").Figure | null} figure  of a paper, that is being shown
+ * @property {Readonly<import("./comparison.js").Comparison>} comparison  flows beside this one
  * @property {FieldName} colour
  * @property {number | null} goal         the step a link asks for, while running to it
  * @property {boolean} pausing            asked to pause; the step in hand is not done
@@ -74,6 +79,7 @@ export const initial = Object.freeze({
   earlier: [],
   marks: null,
   figure: null,
+  comparison: alone,
   colour: "none",
   goal: null,
   pausing: false,
@@ -97,15 +103,18 @@ const still = (reading) => {
   return reading.step === 0 && reading.status === "ready" ? "ready" : "paused";
 };
 
-/** @param {{ step: number, time: number, dt: number, energy: number }} of @returns {Sample} */
-const sample = ({ step, time, dt, energy }) => ({ step, time, dt, energy });
+/** @param {Sample} of @returns {Sample} */
+const sample = ({ step, time, dt, energy, area, volume, minAngleDegrees }) => ({
+  ...{ step, time, dt, energy },
+  ...{ area, volume, minAngleDegrees },
+});
 
 /**
  * @param {readonly Sample[]} history
  * @param {Reading} reading
  * @param {readonly Sample[]} added  oldest first
  */
-function extended(history, reading, added) {
+export function extended(history, reading, added) {
   const first = added.length > 0 ? added[0].step : reading.step;
   const kept = history.filter((point) => point.step < first);
   return added.length > 0 ? [...kept, ...added.map(sample)] : [...kept, sample(reading)];
@@ -149,6 +158,7 @@ export const transitions = {
     earlier: [],
     marks: null,
     figure: null,
+    comparison: begunAnew(s.comparison),
     goal: null,
     progress: null,
     camera: null,
@@ -169,6 +179,7 @@ export const transitions = {
     configured: null,
     earlier: earlier.slice(-MOST_EDITS),
     marks: null,
+    comparison: begunAnew(s.comparison),
   }),
 
   /** @param {S} s @param {Readonly<Arrangement>} arrangement @returns {S} */

@@ -163,6 +163,7 @@ const actions = {
   },
   export: ({ format }) => session.export(format),
   history: () => session.history(),
+  bending: () => session.energy({}).willmore,
   restore: ({ run, positions, step, time }) =>
     moved(run, () => session.restore(positions, step, time)),
 };

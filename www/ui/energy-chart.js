@@ -11,9 +11,9 @@ import { formatShort } from "./number.js";
 /** A fall by more than this is easier to read on a logarithmic axis. */
 const WIDE = 30;
 
-/** @param {PageState["view"]["scale"]} scale @param {readonly Sample[]} history */
-function isLogarithmic(scale, history) {
-  const positive = history.map(({ energy }) => energy).filter((energy) => energy > 0);
+/** @param {PageState["view"]["scale"]} scale @param {readonly number[]} values */
+export function isLogarithmic(scale, values) {
+  const positive = values.filter((value) => value > 0);
   if (scale === "linear" || positive.length === 0) return false;
   if (scale === "log") return true;
   const high = positive.reduce((a, b) => Math.max(a, b));
@@ -28,15 +28,21 @@ function decades(low, high) {
   return Array.from({ length: count }, (_, i) => 10 ** (to - i * stride)).reverse();
 }
 
-/** @param {HTMLElement} root @param {boolean} logarithmic */
-function makePlot(root, logarithmic) {
+/**
+ * @typedef {object} Line
+ * @property {() => string} stroke
+ * @property {number[]} [dash]    of more than one, told apart without colours too
+ */
+
+/** @param {HTMLElement} root @param {boolean} logarithmic @param {readonly Line[]} [lines] @param {boolean} [byStep] */
+export function makePlot(root, logarithmic, lines, byStep = true) {
   // Colours come from the style sheet through properties the element does not use itself.
   const style = () => getComputedStyle(root);
   const text = () => style().color;
   const accent = () => style().borderTopColor;
-  const lines = () => style().outlineColor;
+  const rules = () => style().outlineColor;
   const font = `12px ${style().fontFamily}`;
-  const axis = { stroke: text, font, grid: { stroke: lines, width: 1 }, ticks: { show: false } };
+  const axis = { stroke: text, font, grid: { stroke: rules, width: 1 }, ticks: { show: false } };
   return new uPlot(
     {
       width: Math.max(root.clientWidth, 80),
@@ -47,7 +53,10 @@ function makePlot(root, logarithmic) {
       scales: {
         x: {
           time: false,
-          range: (_, low, high) => [low ?? 0, Math.max(high ?? 0, (low ?? 0) + 5)],
+          range: (_, low, high) => [
+            low ?? 0,
+            byStep ? Math.max(high ?? 0, (low ?? 0) + 5) : high || 1,
+          ],
         },
         y: logarithmic ? { distr: 3 } : {},
       },
@@ -56,7 +65,12 @@ function makePlot(root, logarithmic) {
           ...axis,
           size: 26,
           gap: 4,
-          incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1e3, 1e4, 1e5, 1e6],
+          ...(byStep
+            ? { incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1e3, 1e4, 1e5, 1e6] }
+            : {
+                values: (/** @type {uPlot} */ _, /** @type {number[]} */ ticks) =>
+                  ticks.map(formatShort),
+              }),
         },
         {
           ...axis,
@@ -74,9 +88,17 @@ function makePlot(root, logarithmic) {
           values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : formatShort(tick))),
         },
       ],
-      series: [{}, { stroke: accent, width: 2, points: { size: 5, fill: accent } }],
+      series: [
+        {},
+        ...(lines ?? [{ stroke: accent }]).map(({ stroke, dash }) => ({
+          ...{ stroke, dash, width: 2 },
+          points: { show: dash ? false : undefined, size: 5, fill: stroke },
+          // Steps by time of one pane are not those of another.
+          spanGaps: true,
+        })),
+      ],
     },
-    [[], []],
+    [[], ...(lines ?? [[]]).map(() => [])],
     root,
   );
 }
@@ -94,7 +116,10 @@ export function createEnergyChart(root) {
   return {
     /** @param {readonly Sample[]} history @param {PageState["view"]["scale"]} scale */
     show(history, scale) {
-      const wanted = isLogarithmic(scale, history);
+      const wanted = isLogarithmic(
+        scale,
+        history.map(({ energy }) => energy),
+      );
       if (!plot || wanted !== logarithmic) {
         plot?.destroy();
         logarithmic = wanted;

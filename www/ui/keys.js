@@ -19,8 +19,12 @@ function takesKeys(target) {
 const takesSpace = (target) =>
   target instanceof Element && target.matches("button, summary, a[href], input, .scroll");
 
-/** @param {Controller} controller @param {() => void} help */
-export function createKeys(controller, help) {
+/**
+ * @param {Controller} controller
+ * @param {() => Readonly<import("../state.js").PageState>} state
+ * @param {() => void} help
+ */
+export function createKeys(controller, state, help) {
   const on = byId("keys-on", HTMLInputElement);
   try {
     on.checked = localStorage.getItem(KEY) !== "off";
@@ -42,12 +46,16 @@ export function createKeys(controller, help) {
     ",": controller.back,
     r: controller.reset,
     f: () => controller.present(),
+    b: controller.flip,
     "?": help,
   };
   const repeating = [".", ","];
 
   window.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") controller.present(false);
+    if (event.key === "Escape") {
+      if (state().comparison.shown === "side") controller.present(false);
+      else controller.sideBySide();
+    }
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const action = Object.hasOwn(actions, key) ? actions[key] : null;
     if (!action || !on.checked || event.defaultPrevented) return;

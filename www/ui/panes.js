@@ -1,16 +1,17 @@
 // @ts-check
 // Pictures beside the surface: edge flips from the same start by other criteria, or the
-// start itself. One camera for all.
+// start itself; flows that are compared. One camera for all.
 
 /** @import { Pane } from "../protocol.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
-/** @import { Viewer } from "./picture.js" */
+/** @import { Shown } from "./extra-pane.js" */
 
 import { byCurvature } from "../options.js";
-import { isDark } from "../state.js";
+import { captions, rivalPictures } from "./comparison-words.js";
 import { flowLabel, jumpText } from "./curvature-form.js";
 import { byId, setText } from "./element.js";
+import { ExtraPane } from "./extra-pane.js";
 import { criterionLabel } from "./flips-form.js";
 import { formatCount, formatNumber } from "./number.js";
 import { ownPane } from "./picture.js";
@@ -33,94 +34,26 @@ function captionOf(name, { reading, frame }) {
   return `${label.replace(" Willmore energy", "")}: ${flips}area ${formatNumber(area, 6)}, W ${formatNumber(circle, 5)}`;
 }
 
-/** A picture of its own. */
-class ExtraPane {
-  /** @type {Viewer | null} */
-  #viewer = null;
-  #isGone = false;
-  /** @type {Pane | null} */
-  #shown = null;
-  /** @type {PageState["mesh"]} */
-  #mesh = null;
-  /** @type {PageState["camera"]} */
-  #camera = null;
-  /** @type {Readonly<PageState>["view"] | null} */
-  #view = null;
-  /** @type {Readonly<PageState> | null} */
-  #state = null;
-
-  /** @param {Pane["name"]} name @param {Controller} controller @param {1 | 4} samples */
-  constructor(name, controller, samples) {
-    this.name = name;
-    this.figure = document.createElement("figure");
-    this.figure.className = "pane";
-    this.figure.style.order = String(order.indexOf(name));
-    this.canvas = document.createElement("canvas");
-    this.canvas.role = "img";
-    this.canvas.tabIndex = 0;
-    this.caption = document.createElement("figcaption");
-    this.figure.append(this.canvas, this.caption);
-    this.#open(controller, samples);
+/** @param {Readonly<PageState>} state @returns {{ own: string, ownOrder: number, others: Shown[] }} */
+function picturesOf(state) {
+  if (state.comparison.rivals.length > 0) {
+    return { own: captions(state)[0], ownOrder: 0, others: rivalPictures(state) };
   }
-
-  /** @param {Controller} controller @param {1 | 4} samples */
-  async #open(controller, samples) {
-    try {
-      const { createViewer } = await import("../viewer.js");
-      // Laid out first, so that the picture has a size.
-      await new Promise(requestAnimationFrame);
-      const viewer = await createViewer(this.canvas, {
-        samples,
-        onFault: controller.report,
-        onCamera: (camera) => {
-          this.#camera = camera;
-          controller.look(camera);
-        },
-      });
-      if (this.#isGone) viewer.destroy();
-      else this.#viewer = viewer;
-      if (this.#state) this.update(this.#state);
-    } catch (error) {
-      controller.report(error);
-    }
-  }
-
-  /** @param {Readonly<PageState>} state */
-  update(state) {
-    this.#state = state;
-    const pane = state.frame?.panes.find(({ name }) => name === this.name);
-    const caption = captionOf(this.name, state);
-    setText(this.caption, caption);
-    const label = `Surface: ${state.mesh?.name ?? "none"}, ${caption}`;
-    if (this.canvas.ariaLabel !== label) this.canvas.ariaLabel = label;
-    const viewer = this.#viewer;
-    if (!viewer || !pane) return;
-    if (state.view !== this.#view) {
-      this.#view = state.view;
-      const { shading, wireframe, boundary } = state.view;
-      viewer.setStyle({ shading, wireframe, boundary, theme: isDark(state) ? "dark" : "light" });
-    }
-    if (pane !== this.#shown) {
-      if (state.mesh !== this.#mesh) {
-        viewer.setMesh(pane);
-        this.#mesh = state.mesh;
-        this.#camera = null;
-      } else viewer.replaceMesh(pane);
-      viewer.setFrame(pane.positions, pane.field);
-      viewer.setHighlight(pane.highlight);
-      this.#shown = pane;
-    }
-    if (state.camera !== this.#camera && state.camera) {
-      this.#camera = state.camera;
-      viewer.setCamera(state.camera);
-    }
-  }
-
-  close() {
-    this.#isGone = true;
-    this.#viewer?.destroy();
-    this.figure.remove();
-  }
+  const own = ownPane(state);
+  const others = (state.frame?.panes ?? [])
+    .filter(({ name }) => name !== own?.name)
+    .map((pane) => ({
+      key: pane.name,
+      order: order.indexOf(pane.name),
+      caption: captionOf(pane.name, state),
+      drawable: pane,
+      ...pane,
+    }));
+  return {
+    own: own && others.length > 0 ? captionOf(own.name, state) : "",
+    ownOrder: order.indexOf(own?.name ?? ""),
+    others,
+  };
 }
 
 /**
@@ -134,26 +67,40 @@ export function createPanes(controller, samples) {
   /** @type {ExtraPane[]} */
   let extra = [];
 
+  /** One in the place of all, or side by side. @param {PageState["comparison"]["shown"]} shown */
+  function arrange(shown) {
+    const word = String(shown);
+    if ((root.dataset.shown ?? "side") === word) return;
+    root.dataset.shown = word;
+    const figures = [own, ...extra.map(({ figure }) => figure)];
+    const held = figures.some((figure) => figure.contains(document.activeElement));
+    figures.forEach((figure, n) => {
+      figure.classList.toggle("in-place", n === shown);
+    });
+    // What is not seen cannot keep the focus.
+    if (held) figures[shown === "side" ? 0 : shown]?.querySelector("canvas")?.focus();
+  }
+
   return {
     /** @param {Readonly<PageState>} state */
     update(state) {
-      const pane = ownPane(state);
-      const names = (state.frame?.panes ?? [])
-        .map(({ name }) => name)
-        .filter((n) => n !== pane?.name);
-      if (names.join() !== extra.map(({ name }) => name).join()) {
-        for (const one of extra) if (!names.includes(one.name)) one.close();
-        extra = names.map(
-          (name) =>
-            extra.find((one) => one.name === name) ?? new ExtraPane(name, controller, samples),
+      const { own: caption, ownOrder, others } = picturesOf(state);
+      const keys = others.map(({ key }) => key);
+      if (keys.join() !== extra.map(({ key }) => key).join()) {
+        for (const one of extra) if (!keys.includes(one.key)) one.close();
+        extra = keys.map(
+          (key) => extra.find((one) => one.key === key) ?? new ExtraPane(key, controller, samples),
         );
         root.append(...extra.map(({ figure }) => figure));
         root.dataset.count = String(1 + extra.length);
       }
-      own.style.order = String(order.indexOf(pane?.name ?? ""));
+      own.style.order = String(ownOrder);
       ownCaption.hidden = extra.length === 0;
-      if (pane && extra.length > 0) setText(ownCaption, captionOf(pane.name, state));
-      for (const one of extra) one.update(state);
+      if (extra.length > 0) setText(ownCaption, caption);
+      extra.forEach((one, n) => {
+        one.update(state, others[n]);
+      });
+      arrange(state.comparison.shown);
     },
   };
 }

@@ -4,6 +4,7 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
+import { canStepBack, hasMoved } from "../comparison-state.js";
 import { byId, setText } from "./element.js";
 
 /** @param {Controller} controller */
@@ -40,15 +41,16 @@ export function createTransport(controller) {
 
   return {
     /** @param {Readonly<PageState>} state */
-    update({ phase, reading }) {
+    update(state) {
+      const { phase, reading } = state;
       const running = phase === "running";
       const usable = reading !== null && phase !== "loading" && phase !== "failed";
       setText(label, running ? "Pause" : "Play");
       play.dataset.running = String(running);
       allow(play, usable);
       allow(buttons.step, usable);
-      allow(buttons.back, usable && (running || reading.canStepBack));
-      allow(buttons.reset, usable && (running || reading.step > 0));
+      allow(buttons.back, usable && (running || canStepBack(state)));
+      allow(buttons.reset, usable && (running || hasMoved(state)));
     },
   };
 }

@@ -1,0 +1,291 @@
+// @ts-check
+// Which panes there are, what each does otherwise than the first, and how they go together.
+
+/** @import { Rival } from "../comparison.js" */
+/** @import { PageState } from "../state.js" */
+/** @import { Controller } from "../controller.js" */
+/** @import { Options } from "../options.js" */
+
+import { letter, MOST_PANES, optionsOf, timeExponent, timeUnitsAgree } from "../comparison.js";
+import { t } from "../language.js";
+import { byCurvature, choices, readers, usualBoundary } from "../options.js";
+import { presets } from "./comparison-presets.js";
+import { captions } from "./comparison-words.js";
+import { byId, fillSelect, setText } from "./element.js";
+
+/**
+ * A control of a pane's form.
+ * @typedef {object} Control
+ * @property {keyof Options} name
+ * @property {string} label
+ * @property {readonly string[] | null} flows  that it has a meaning for; null: all
+ * @property {readonly { id: string, label: string }[]} [choices]  else a number
+ */
+
+/** @returns {Control[]} */
+const controls = () => [
+  {
+    name: "flow",
+    label: t("Flow"),
+    flows: null,
+    choices: choices.flow.filter(({ id }) => id !== "flips"),
+  },
+  {
+    name: "scheme",
+    label: t("Scheme"),
+    flows: null,
+    choices: [
+      { id: "auto", label: t("Recommended") },
+      { id: "paper", label: t("As in the paper") },
+    ],
+  },
+  { name: "p", label: t("Exponent p"), flows: ["p-willmore"] },
+  {
+    name: "keep",
+    label: t("Keep"),
+    flows: ["p-willmore"],
+    choices: [
+      { id: "none", label: t("Nothing") },
+      { id: "area", label: t("Area") },
+      { id: "volume", label: t("Volume") },
+      { id: "area,volume", label: t("Area and volume") },
+    ],
+  },
+  {
+    name: "regularise",
+    label: t("Regularise"),
+    flows: ["p-willmore"],
+    choices: [
+      { id: "nonlinear", label: t("After each step") },
+      { id: "linear", label: t("After each step, linear") },
+      { id: "off", label: t("Never") },
+    ],
+  },
+  { name: "epsilon", label: t("Angle smoothing ε"), flows: ["circle"] },
+  {
+    name: "integrator",
+    label: t("Integrator"),
+    flows: ["circle"],
+    choices: [
+      { id: "semi-implicit", label: t("Semi-implicit") },
+      { id: "forward-euler", label: t("Forward Euler") },
+      { id: "backward-euler", label: t("Backward Euler (Newton)") },
+      { id: "l-bfgs", label: "L-BFGS" },
+    ],
+  },
+  {
+    name: "boundary",
+    label: t("Boundary"),
+    flows: ["circle", ...byCurvature],
+    choices: choices.boundary,
+  },
+  {
+    name: "prefill",
+    label: t("First guess"),
+    flows: ["circle", ...byCurvature],
+    choices: [
+      { id: "false", label: t("The start as it is") },
+      { id: "true", label: t("Smooth") },
+    ],
+  },
+  { name: "tau", label: t("Time step τ"), flows: null },
+];
+
+/** What stands in a control. @param {Control} control @param {Options} options */
+function chosenIn({ name }, options) {
+  if (name === "boundary") return options.boundary ?? usualBoundary(options.flow);
+  const value = options[name];
+  if (Array.isArray(value)) return value.length === 0 ? "none" : [...value].sort().join();
+  return value === null ? "" : String(value);
+}
+
+/** The form of one pane. */
+class PaneForm {
+  /** @type {Map<HTMLInputElement | HTMLSelectElement, Control>} */
+  #controls = new Map();
+  /** @type {Rival["change"] | null} */
+  #change = null;
+  /** @type {Options | null} */
+  #main = null;
+
+  /** @param {number} id @param {Controller} controller */
+  constructor(id, controller) {
+    this.id = id;
+    this.root = document.createElement("fieldset");
+    this.root.className = "fields pane-form";
+    this.legend = document.createElement("legend");
+    this.root.append(this.legend);
+    for (const control of controls()) this.#add(control, controller);
+    this.remove = document.createElement("button");
+    this.remove.type = "button";
+    this.remove.className = "small";
+    this.remove.addEventListener("click", () => controller.removePane(id));
+    this.root.append(this.remove);
+  }
+
+  /** @param {Control} control @param {Controller} controller */
+  #add(control, controller) {
+    const field = document.createElement("div");
+    field.className = "field";
+    const label = document.createElement("label");
+    label.textContent = control.label;
+    label.htmlFor = `pane-${this.id}-${control.name}`;
+    const element = document.createElement(control.choices ? "select" : "input");
+    element.id = label.htmlFor;
+    if (element instanceof HTMLSelectElement) fillSelect(element, control.choices ?? []);
+    else {
+      element.type = "number";
+      element.step = "any";
+      element.min = "0";
+      if (control.name === "tau") element.placeholder = t("automatic");
+      else element.required = true;
+    }
+    element.addEventListener("change", () => {
+      const text = control.name === "tau" && element.value === "" ? "auto" : element.value;
+      const value = readers[control.name](text);
+      if (value === undefined) return void element.reportValidity();
+      // A raw step size would override the other.
+      const own = control.name === "tau" ? { dt: null } : {};
+      controller.changePane(this.id, { [control.name]: value, ...own });
+    });
+    // A value that was refused must not stay beside the one in force.
+    element.addEventListener("focusout", () => this.#fill());
+    field.append(label, element);
+    this.root.append(field);
+    this.#controls.set(element, control);
+  }
+
+  /** @param {Options} main @param {Rival} rival @param {number} index */
+  update(main, rival, index) {
+    const pane = letter(index);
+    setText(this.legend, t("Pane {pane}", { pane }));
+    setText(this.remove, t("Remove pane {pane}", { pane }));
+    this.root.dataset.curve = String(index);
+    if (main === this.#main && rival.change === this.#change) return;
+    this.#main = main;
+    this.#change = rival.change;
+    this.#fill();
+  }
+
+  #fill() {
+    if (!this.#main || !this.#change) return;
+    const options = optionsOf(this.#main, this.#change);
+    for (const [element, control] of this.#controls) {
+      element.value = chosenIn(control, options);
+      const field = /** @type {HTMLElement} */ (element.parentElement);
+      field.hidden = control.flows !== null && !control.flows.includes(options.flow);
+      field.classList.toggle("differs", control.name in this.#change);
+    }
+  }
+}
+
+/** @param {Options[]} all  of all panes */
+function lockstepNote(all) {
+  if (timeUnitsAgree(all)) {
+    return t("By step all step at once; by time the one that is behind goes next.");
+  }
+  const units = all
+    .map((options, n) => `${letter(n)}: ${t("length^{k}", { k: timeExponent(options) })}`)
+    .join(", ");
+  return t("By time is for flows whose times have one unit; these have {units}.", { units });
+}
+
+/** @param {Controller} controller */
+export function createComparisonForm(controller) {
+  const section = byId("comparison", HTMLDetailsElement);
+  const add = byId("pane-add", HTMLButtonElement);
+  const preset = byId("preset", HTMLSelectElement);
+  const root = byId("pane-forms", HTMLElement);
+  const box = byId("comparison-controls", HTMLElement);
+  const flip = byId("flip-panes", HTMLButtonElement);
+  const side = byId("side-by-side", HTMLButtonElement);
+  const lockstep = byId("lockstep", HTMLSelectElement);
+  const note = byId("lockstep-note", HTMLElement);
+  const difference = byId("difference", HTMLSelectElement);
+  const said = byId("comparison-said", HTMLElement);
+  const ready = presets();
+  fillSelect(preset, [{ id: "", label: t("Ready-made…") }, ...ready]);
+
+  add.addEventListener("click", () => {
+    if (add.ariaDisabled !== "true") controller.addPane();
+  });
+  preset.addEventListener("change", () => {
+    const chosen = ready.find(({ id }) => id === preset.value);
+    if (chosen) controller.preset(chosen);
+    preset.value = "";
+  });
+  flip.addEventListener("click", () => controller.flip());
+  side.addEventListener("click", () => {
+    controller.sideBySide();
+    flip.focus();
+  });
+  byId("comparison-close", HTMLButtonElement).addEventListener("click", () => {
+    controller.closeComparison();
+    add.focus();
+  });
+  lockstep.addEventListener("change", () =>
+    controller.lockstep({ lockstep: lockstep.value === "time" ? "time" : "step" }),
+  );
+  difference.addEventListener("change", () =>
+    controller.difference(difference.value === "" ? null : Number(difference.value)),
+  );
+
+  /** @type {PaneForm[]} */
+  let forms = [];
+  /** @type {PageState["comparison"] | null} */
+  let shown = null;
+  /** @type {Options | null} */
+  let main = null;
+
+  /** @param {PageState["comparison"]} comparison @param {Options} options */
+  function fill({ rivals }, options) {
+    const ids = rivals.map(({ id }) => id);
+    if (ids.join() !== forms.map(({ id }) => id).join()) {
+      // A form that goes takes the focus with it.
+      const held = root.contains(document.activeElement);
+      forms = ids.map((id) => forms.find((one) => one.id === id) ?? new PaneForm(id, controller));
+      root.replaceChildren(...forms.map((form) => form.root));
+      if (held && !root.contains(document.activeElement)) add.focus();
+      if (ids.length > 0) section.open = true;
+      const to = [0, ...ids].map((_, n) => ({
+        id: String(n),
+        label: t("Distance to {pane}", { pane: letter(n) }),
+      }));
+      fillSelect(difference, [{ id: "", label: t("As chosen above") }, ...to]);
+    }
+    forms.forEach((form, n) => {
+      form.update(options, rivals[n], n + 1);
+    });
+    const all = [options, ...rivals.map(({ change }) => optionsOf(options, change))];
+    setText(note, lockstepNote(all));
+    lockstep.options[1].disabled = !timeUnitsAgree(all);
+  }
+
+  return {
+    /** @param {Readonly<PageState>} state */
+    update(state) {
+      const { comparison, options } = state;
+      const usable = state.reading !== null && comparison.rivals.length < MOST_PANES - 1;
+      if (add.ariaDisabled !== String(!usable)) add.ariaDisabled = String(!usable);
+      if (comparison === shown && options === main) return;
+      const before = shown?.shown ?? "side";
+      if (comparison.rivals !== shown?.rivals || options !== main) fill(comparison, options);
+      shown = comparison;
+      main = options;
+      document.body.classList.toggle("comparing", comparison.rivals.length > 0);
+      box.hidden = comparison.rivals.length === 0;
+      const inPlace = comparison.shown !== "side";
+      flip.ariaPressed = String(inPlace);
+      side.hidden = !inPlace;
+      lockstep.value = comparison.lockstep;
+      difference.value = comparison.difference === null ? "" : String(comparison.difference);
+      if (comparison.shown === before) return;
+      setText(
+        said,
+        comparison.shown === "side"
+          ? t("All panes side by side.")
+          : t("In place: {caption}", { caption: captions(state)[comparison.shown] }),
+      );
+    },
+  };
+}

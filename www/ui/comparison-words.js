@@ -1,0 +1,142 @@
+// @ts-check
+// Panes of a comparison in words: what each does otherwise, and where it stands.
+
+/** @import { Options } from "../options.js" */
+/** @import { PageState } from "../state.js" */
+/** @import { Shown } from "./extra-pane.js" */
+
+import { isOver, letter, optionsOf } from "../comparison.js";
+import { t } from "../language.js";
+import { asText, choices, usualBoundary } from "../options.js";
+import { flowLabel } from "./curvature-form.js";
+import { formatNumber } from "./number.js";
+
+/** @param {keyof Options} key @param {Options} options @returns {string} */
+function inWords(key, options) {
+  const value = asText(options[key]);
+  switch (key) {
+    case "flow":
+      return options.flow === "p-willmore"
+        ? t("p-Willmore, p = {p}", { p: options.p })
+        : flowLabel(value);
+    case "epsilon":
+      return `ε = ${value}`;
+    case "p":
+      return `p = ${value}`;
+    case "tau":
+      return value === "auto" ? t("automatic time step") : `τ = ${value}`;
+    case "dt":
+      return value === "auto" ? t("automatic time step") : `dt = ${value}`;
+    case "scheme":
+      return value === "paper" ? t("the paper’s scheme") : t("recommended scheme");
+    case "boundary": {
+      const id = options.boundary ?? usualBoundary(options.flow);
+      return choices.boundary.find((one) => one.id === id)?.label ?? id;
+    }
+    case "keep":
+      return value === "none"
+        ? t("nothing kept")
+        : t("{kept} kept", { kept: value.replace(",", ", ") });
+    case "regularise":
+      if (value === "off") return t("not regularised");
+      return value === "linear" ? t("regularised linearly") : t("regularised");
+    case "regulariseEpsilon":
+      return t("regularisation ε = {value}", { value });
+    case "prefill":
+      return value === "true" ? t("smooth first guess") : t("no first guess");
+    case "sharpen":
+      return value === "true" ? t("sharpened at the end") : t("not sharpened");
+    case "integrator":
+      return (
+        {
+          "semi-implicit": t("semi-implicit"),
+          "forward-euler": t("forward Euler"),
+          "backward-euler": t("backward Euler"),
+          "l-bfgs": "L-BFGS",
+        }[value] ?? value
+      );
+    case "mass":
+      return t("mass: {value}", { value });
+    default:
+      return `${key} = ${value}`;
+  }
+}
+
+/**
+ * What tells the panes apart, in words a pane.
+ * @param {Options} main
+ * @param {readonly Partial<Options>[]} changes  of the panes beside
+ * @returns {string[]}
+ */
+export function differences(main, changes) {
+  const all = [main, ...changes.map((change) => optionsOf(main, change))];
+  const keys = /** @type {(keyof Options)[]} */ (Object.keys(main)).filter((key) =>
+    changes.some((change) => key in change),
+  );
+  return all.map((options) => {
+    // With the flow p-Willmore its exponent is said already.
+    const own = keys.filter((key) => key !== "p" || !keys.includes("flow"));
+    return own.map((key) => inWords(key, options)).join(", ") || flowLabel(options.flow);
+  });
+}
+
+/** @param {{ reading: PageState["reading"], phase: string, reason: string }} pane */
+function standing({ reading, phase, reason }) {
+  if (phase === "loading") return t("loading…");
+  if (phase === "lost") return reason;
+  if (!reading || !isOver(reading.status)) return "";
+  switch (reading.status) {
+    case "converged":
+      return t("converged");
+    case "stalled":
+      return t("stalled");
+    case "stepLimit":
+      return t("at the step limit");
+    default:
+      return t("failed: {reason}", { reason: reading.message });
+  }
+}
+
+/** What stands under each pane. @param {Readonly<PageState>} state @returns {string[]} */
+export function captions({ options, reading, comparison }) {
+  const { rivals } = comparison;
+  const what = differences(
+    options,
+    rivals.map(({ change }) => change),
+  );
+  const panes = [{ reading, phase: "ready", reason: "" }, ...rivals];
+  return panes.map((pane, n) => {
+    const numbers = pane.reading && {
+      step: pane.reading.step,
+      energy: formatNumber(pane.reading.energy, 4),
+      time: formatNumber(pane.reading.time, 3),
+    };
+    return [
+      `${letter(n)}: ${what[n]}`,
+      numbers ? t("step {step}, energy {energy}, t = {time}", numbers) : "",
+      standing(pane),
+    ]
+      .filter(Boolean)
+      .join(" · ");
+  });
+}
+
+/** @param {Readonly<PageState>} state @returns {Shown[]} */
+export function rivalPictures(state) {
+  const { mesh, comparison } = state;
+  const words = captions(state);
+  return comparison.rivals.flatMap(({ id, frame, configured }, n) =>
+    mesh
+      ? {
+          key: `rival-${id}`,
+          order: n + 1,
+          caption: words[n + 1],
+          drawable: mesh,
+          positions: frame?.positions ?? mesh.positions,
+          field: frame?.field ?? null,
+          marked: frame?.flippedTriangles,
+          held: configured?.heldVertices,
+        }
+      : [],
+  );
+}
