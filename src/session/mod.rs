@@ -12,7 +12,10 @@ mod field;
 mod fill;
 mod flip;
 mod history;
+mod invert;
+mod look;
 mod pane;
+mod probe;
 mod readings;
 mod work;
 
@@ -24,7 +27,10 @@ pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
+pub use invert::{InversionReadings, InversionReport, Inverted};
+pub use look::{ALIGNED_DEGREES, Alignment, Drawn, Kind, Look, MAX_CIRCLES, MAX_CROSSES, Wanted};
 pub use pane::{Arrangement, Compare, Curves, Pane};
+pub use probe::{Probe, ProbedEdge, edge_angle};
 pub use readings::{EnergyReadings, Info, State};
 pub use work::Configured;
 

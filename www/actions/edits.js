@@ -1,7 +1,7 @@
 // @ts-check
 // What makes another mesh of the one at hand, and the way back from it.
 
-/** @import { FillOptions } from "../protocol.js" */
+/** @import { FillOptions, Loaded } from "../protocol.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Core } from "./core.js" */
 
@@ -16,9 +16,17 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
    * @param {string} what      for people: what undoing takes back
    */
   async function adopt(options, what) {
+    if (store.get().mesh) await edited({ loaded: await solver.adopt(), what }, options);
+  }
+
+  /**
+   * Goes on with a mesh that the solver has made of the one at hand.
+   * @param {{ loaded: Loaded, what: string }} edit
+   * @param {Options} [options]  those in force unless given
+   */
+  async function edited({ loaded, what }, options = store.get().options) {
     const { source, options: before, earlier, mesh } = store.get();
     if (!source || !mesh) return;
-    const loaded = await solver.adopt();
     // No sample any more, and no file either: a link to it can only name it.
     const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
     store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
@@ -115,5 +123,5 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
         else await configure(wanted);
       }),
   };
-  return { adopt, actions };
+  return { adopt, edited, actions };
 }
