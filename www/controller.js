@@ -11,6 +11,7 @@ import { createCompare } from "./actions/compare.js";
 import { createContest } from "./actions/contest.js";
 import { createEdits } from "./actions/edits.js";
 import { createQuestions } from "./actions/questions.js";
+import { createSeeing } from "./actions/see.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { defaults, plainArrangement } from "./options.js";
@@ -214,6 +215,7 @@ export function createController(store, voice) {
     ...edits.actions,
     ...compare.actions,
     ...createQuestions(solver),
+    ...createSeeing(core, edits.edited),
     begin: solver.begin,
 
     /** @param {string} id @param {Partial<Scene>} [scene] */

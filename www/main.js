@@ -26,6 +26,7 @@ import { createLab } from "./ui/lab.js";
 import { createMeshInput } from "./ui/mesh-input.js";
 import { createMessages } from "./ui/messages.js";
 import { createMethodForm } from "./ui/method-form.js";
+import { createMoebius } from "./ui/moebius.js";
 import { createPWillmoreForm } from "./ui/p-willmore-form.js";
 import { createPanes } from "./ui/panes.js";
 import { createPicture } from "./ui/picture.js";
@@ -77,6 +78,7 @@ const parts = [
   createMethodForm(controller),
   createViewForm(controller, picture.fit),
   picture,
+  createMoebius(controller, picture),
   createPanes(controller, msaa),
   createComparisonForm(controller),
   createComparisonPlot(controller),

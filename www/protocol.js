@@ -256,6 +256,72 @@
  */
 
 /**
+ * What is looked at more closely: a vertex, the circumcircles of all triangles, principal
+ * directions.
+ * @typedef {{ probe: number | null, circles: boolean, directions: boolean }} Wanted
+ */
+
+/**
+ * A vertex in numbers; angles in radians.
+ * @typedef {object} Probe
+ * @property {number} vertex
+ * @property {[number, number, number]} position  in the coordinates of the file
+ * @property {boolean} boundary
+ * @property {{ neighbour: number, length: number, beta: number | null, boundary: boolean }[]} edges
+ *                                in cyclic order; `beta` null where the energy has no angle
+ * @property {number | null} turn    β₃ of a boundary vertex, where it counts
+ * @property {number} sum         Σβ, with β₃
+ * @property {number | null} energy  W_i = Σβ − 2π; null where it is no part of the energy
+ * @property {number} defect      K_i, integrated
+ * @property {number} meanCurvature   pointwise
+ * @property {number} gaussCurvature  pointwise; 0 on the boundary
+ * @property {[number, number] | null} principal  κ₁ ≥ κ₂ by the quadratic fit
+ * @property {number} area        a third of its triangles
+ * @property {number[]} radii     circumradii of its triangles
+ */
+
+/** @typedef {{ drawn: number, total: number, leftOut: number }} Drawn */
+
+/**
+ * What `look` answers, and every frame brings.
+ * @typedef {object} Look
+ * @property {Probe | null} probe  null also where there is no such vertex
+ * @property {Float32Array} ends   of segments over the surface, two of three coordinates each
+ * @property {Uint8Array} kinds    a segment: 0 spoke, 1 circle at the vertex, 2 any circle,
+ *                                 3 larger, 4 smaller principal curvature
+ * @property {Drawn | null} circles  left out: circles larger than the surface
+ * @property {Drawn | null} directions  left out: umbilics
+ * @property {{ aligned: number, edges: number } | null} alignment  edges within 5° of a line of
+ *                                 curvature, of those not between umbilics
+ */
+
+/**
+ * @typedef {object} InversionReadings
+ * @property {number} circle         W over interior vertices: Möbius invariant
+ * @property {number | null} circleClosed  open surfaces: W with loops closed at infinity, not invariant
+ * @property {number} willmore       ∫H² dA
+ * @property {number} area
+ */
+
+/**
+ * An inversion in numbers: what `invert` answers beside `loaded`.
+ * @typedef {object} InversionReport
+ * @property {[number, number, number]} centre  in the coordinates of the file
+ * @property {number} radius
+ * @property {boolean} mirrored      a reflection follows, so that normals point where they did
+ * @property {number} distance       of the centre from the surface, in diagonals of its box
+ * @property {InversionReadings} before
+ * @property {InversionReadings} after
+ * @property {number} angles         sum of all angles, which the rounding of W is measured by
+ * @property {number} largestChange  of a W_i
+ */
+
+/**
+ * What `previewInversion` answers: nothing has changed.
+ * @typedef {{ report: InversionReport, positions: Float32Array, field: Field | null, look: Look }} Inverted
+ */
+
+/**
  * What `configure` answers.
  * @typedef {object} Configured
  * @property {number} freeVertices
@@ -368,6 +434,7 @@
  * @property {Pane[]} panes          of edge flips, which change the connectivity, or of flows side by side
  * @property {Curves | null} curves  of edge flips
  * @property {CurvatureJump | null} jump  across the boundary of what moves
+ * @property {Look | null} look      null where nothing is looked at more closely
  */
 
 /**
@@ -390,6 +457,9 @@
  * | `subdivide` | `options: { scheme: 'linear' \| 'loop' }` | `Loaded`       |
  * | `loops`     |                               | `BoundaryLoop[]`            |
  * | `fill`      | `options: FillOptions`, `run` | `{ filled: Filled, loaded: Loaded }` |
+ * | `look`      | `wanted: Wanted`              | `Look`; frames then bring one too |
+ * | `previewInversion` | `centre: number[]`     | `Inverted`; from the middle of the box, in diagonals of it |
+ * | `invert`    | `centre`                      | `{ report: InversionReport, loaded: Loaded }` |
  * | `conjecture` |                              | `Conjecture`                |
  * | `quadrilateral` | `corners: number[]`       | `Quadrilateral`             |
  * | `lab`       | `pairs`                       | `Lab`                       |

@@ -2,7 +2,7 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, Frame, Lab, Loaded, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped } from "./protocol.js" */
+/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, Frame, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped, Wanted } from "./protocol.js" */
 
 /**
  * @typedef {object} Listener
@@ -33,6 +33,8 @@ export function createSolver(listener) {
   let field = "none";
   /** @type {Arrangement | null} */
   let arrangement = null;
+  /** @type {Wanted | null} */
+  let lookedAt = null;
   /** @type {{ positions: Float32Array, step: number, time: number } | null} */
   let last = null;
 
@@ -189,6 +191,20 @@ export function createSolver(listener) {
       await keep(answer.loaded);
       return answer;
     },
+    /** @param {Wanted} wanted @returns {Promise<Look>} */
+    async look(wanted) {
+      const look = await ask("look", { wanted });
+      lookedAt = wanted;
+      return look;
+    },
+    /** @param {number[]} centre @returns {Promise<Inverted>} */
+    previewInversion: (centre) => ask("previewInversion", { centre }),
+    /** @param {number[]} centre @returns {Promise<{ report: InversionReport, loaded: Loaded }>} */
+    async invert(centre) {
+      const answer = await ask("invert", { centre });
+      await keep(answer.loaded);
+      return answer;
+    },
     /** @returns {Promise<Conjecture>} */
     conjecture: () => ask("conjecture"),
     /** @param {number[]} corners @returns {Promise<Quadrilateral>} */
@@ -219,6 +235,7 @@ export function createSolver(listener) {
       await ask("configure", { options, run: 0 });
       if (field !== "none") await ask("colour", { field });
       if (arrangement) await ask("arrange", { arrangement });
+      if (lookedAt) await ask("look", { wanted: lookedAt });
       return last && last.step > 0 ? move("restore", last) : move("reset");
     },
   };

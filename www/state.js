@@ -2,7 +2,7 @@
 // What the page shows, as one frozen object, and the only functions that change it.
 // Transitions are pure: (state, …) → state. Parts read; the controller writes.
 
-/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Pane } from "./protocol.js" */
+/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Wanted } from "./protocol.js" */
 
 import { alone, begunAnew } from "./comparison.js";
 import { defaults, plainArrangement } from "./options.js";
@@ -44,7 +44,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {string | null} loadingName
  * @property {Source | null} source
  * @property {Loaded | null} mesh
- * @property {{ positions: Float32Array, field: Field | null, flippedTriangles: Uint32Array, panes: readonly Pane[], curves: Curves | null, jump: CurvatureJump | null } | null} frame
+ * @property {{ positions: Float32Array, field: Field | null, flippedTriangles: Uint32Array, panes: readonly Pane[], curves: Curves | null, jump: CurvatureJump | null, look: Look | null } | null} frame
  * @property {Reading | null} reading
  * @property {readonly Sample[]} history  from the start to the present step
  * @property {Readonly<Required<FlowOptions>>} options
@@ -52,6 +52,8 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {Readonly<Arrangement>} arrangement  of edge flips
  * @property {readonly Earlier[]} earlier  what `undo` brings back, oldest first
  * @property {Marks | null} marks         drawn over the surface
+ * @property {Readonly<Wanted>} wanted    what is looked at more closely
+ * @property {Inverted | null} preview    shown in place of the frame: the surface inverted
  * @property {import("./figures.js").Figure | null} figure  of a paper, that is being shown
  * @property {Readonly<import("./comparison.js").Comparison>} comparison  flows beside this one
  * @property {FieldName} colour
@@ -78,6 +80,8 @@ export const initial = Object.freeze({
   arrangement: plainArrangement,
   earlier: [],
   marks: null,
+  wanted: Object.freeze({ probe: null, circles: false, directions: false }),
+  preview: null,
   figure: null,
   comparison: alone,
   colour: "none",
@@ -128,6 +132,7 @@ const firstFrame = (mesh) => ({
   panes: [],
   curves: null,
   jump: null,
+  look: null,
 });
 
 /** Edits that the session keeps to be undone. */
@@ -157,6 +162,7 @@ export const transitions = {
     configured: null,
     earlier: [],
     marks: null,
+    preview: null,
     figure: null,
     comparison: begunAnew(s.comparison),
     goal: null,
@@ -180,6 +186,7 @@ export const transitions = {
     earlier: earlier.slice(-MOST_EDITS),
     marks: null,
     comparison: begunAnew(s.comparison),
+    preview: null,
   }),
 
   /** @param {S} s @param {Readonly<Arrangement>} arrangement @returns {S} */
@@ -190,6 +197,12 @@ export const transitions = {
 
   /** @param {S} s @param {Marks | null} marks @returns {S} */
   marked: (s, marks) => ({ ...s, marks }),
+
+  /** @param {S} s @param {Readonly<Wanted>} wanted @param {Look} look @returns {S} */
+  looking: (s, wanted, look) => ({ ...s, wanted, frame: s.frame && { ...s.frame, look } }),
+
+  /** @param {S} s @param {Inverted | null} preview @returns {S} */
+  previewed: (s, preview) => ({ ...s, preview }),
 
   /** @param {S} s @param {S["options"]} options @param {Configured} configured @returns {S} */
   configured: (s, options, configured) => ({
@@ -208,13 +221,25 @@ export const transitions = {
   pausing: (s) => ({ ...s, pausing: true }),
 
   /** @param {S} s @param {Frame} frame @returns {S} */
-  frame: (s, { state, reports, positions, field, flippedTriangles, panes, curves, jump }) => ({
+  frame: (
+    s,
+    { state, reports, positions, field, flippedTriangles, panes, curves, jump, look },
+  ) => ({
     ...s,
     phase: s.phase === "running" || s.phase === "loading" ? s.phase : still(state),
     reading: state,
     history: extended(s.history, state, reports),
     // All panes share one scale of colours.
-    frame: { positions, field: panes[0]?.field ?? field, flippedTriangles, panes, curves, jump },
+    frame: {
+      positions,
+      field: panes[0]?.field ?? field,
+      flippedTriangles,
+      panes,
+      curves,
+      jump,
+      look,
+    },
+    preview: null,
     progress: null,
   }),
 

@@ -38,6 +38,17 @@ import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
  * @property {Uint32Array} marked
  */
 
+/**
+ * Segments of space over the surface.
+ * @typedef {object} Overlay
+ * @property {Float32Array} ends    two of three coordinates each
+ * @property {Uint8Array} colours   r, g, b, a in sRGB each
+ * @property {number} hidden        opacity where the surface hides them
+ */
+
+/** @type {Overlay} */
+const none = { ends: new Float32Array(), colours: new Uint8Array(), hidden: 0 };
+
 /** How near to an edge a click counts, in CSS pixels. */
 const CLICK_REACH = 12;
 
@@ -96,6 +107,8 @@ class SurfaceView {
   #fixed = new Uint8Array();
   /** @type {Uint32Array} */
   #highlight = new Uint32Array();
+  /** @type {Overlay | null} */
+  #overlay = null;
   /** @type {Style} */
   #style = { lineWidth: 1.25 };
   #size = { width: 1, height: 1 };
@@ -192,6 +205,49 @@ class SurfaceView {
     this.#viewer?.setHighlight(ends);
     this.#highlight = ends;
     this.#redraw();
+  }
+
+  /**
+   * Draws these segments over the surface and no others; they stay where they are when the
+   * surface moves or its mesh is replaced.
+   * @param {Overlay | null} overlay
+   */
+  setOverlay(overlay) {
+    this.#overlay = overlay;
+    this.#putOverlay();
+    this.#redraw();
+  }
+
+  #putOverlay() {
+    const { ends, colours, hidden } = this.#overlay ?? none;
+    this.#viewer?.setOverlay(ends, colours, hidden);
+  }
+
+  /**
+   * @param {ArrayLike<number>} point
+   * @returns {{ x: number, y: number, depth: number } | null} where it is seen, in CSS pixels
+   *   of the canvas, and how far from the eye; null from behind
+   */
+  project(point) {
+    const scale = this.#scale;
+    const seen = this.#viewer?.project(point[0], point[1], point[2]);
+    return seen ? { x: seen[0] / scale, y: seen[1] / scale, depth: seen[2] } : null;
+  }
+
+  /**
+   * The point seen there.
+   * @param {{ x: number, y: number, depth: number }} seen
+   * @returns {number[] | null}
+   */
+  unproject({ x, y, depth }) {
+    const scale = this.#scale;
+    const point = this.#viewer?.unproject(x * scale, y * scale, depth);
+    return point ? [...point] : null;
+  }
+
+  /** Device pixels a CSS pixel. */
+  get #scale() {
+    return this.#size.width / Math.max(this.#canvas.clientWidth, 1);
   }
 
   /** Whether drags are somebody else's, as those of a brush. @param {boolean} isResting */
@@ -347,6 +403,7 @@ class SurfaceView {
     if (this.#shown) this.#putFrame(this.#shown);
     viewer.setMarkedVertices(this.#fixed);
     viewer.setHighlight(this.#highlight);
+    this.#putOverlay();
     this.#redraw();
   }
 

@@ -2,7 +2,7 @@
 // The solver's side: one session, a table of what may be asked of it, and a run loop
 // that lets messages in after every step.
 
-/** @import { Fault, FieldName, Pane, Request, State, StepReport } from "./protocol.js" */
+/** @import { Fault, FieldName, Pane, Request, State, StepReport, Wanted } from "./protocol.js" */
 
 import init, { Session } from "./pkg/solver/solver.js";
 
@@ -13,6 +13,8 @@ const page = /** @type {any} */ (self);
 let session;
 /** @type {FieldName} */
 let field = "none";
+/** @type {Wanted | null} what is looked at more closely */
+let wanted = null;
 let run = 0;
 let running = false;
 /** @type {number | null} the step to pause at by itself */
@@ -71,10 +73,12 @@ function frame(state) {
   const jump = state.flips ? null : session.curvatureJump();
   const flippedTriangles = session.flippedTriangles();
   const curves = state.flips ? session.curves() : null;
+  const look = wanted && session.look(wanted);
   const transfer = [positions.buffer, flippedTriangles.buffer, ...buffersOf(colours)];
+  transfer.push(...buffersOf(look));
   for (const pane of panes) transfer.push(...buffersOf(pane), ...buffersOf(pane.field));
   const message = { type: "frame", run, state, reports: untold, positions, field: colours };
-  page.postMessage({ ...message, flippedTriangles, panes, curves, jump }, transfer);
+  page.postMessage({ ...message, flippedTriangles, panes, curves, jump, look }, transfer);
   untold = [];
   taken = false;
 }
@@ -149,6 +153,19 @@ const actions = {
     const filled = session.fill(request.options, tell);
     return { filled, loaded: session.loaded() };
   },
+  look(request) {
+    const look = session.look(request.wanted);
+    const { probe, circles, directions } = request.wanted;
+    wanted = probe !== null || circles || directions ? request.wanted : null;
+    return look;
+  },
+  previewInversion: ({ centre }) =>
+    session.previewInversion(Float64Array.from(centre), field, wanted ?? {}),
+  invert({ centre }) {
+    running = false;
+    const report = session.invert(Float64Array.from(centre));
+    return { report, loaded: session.loaded() };
+  },
   conjecture: () => session.conjecture(),
   quadrilateral: ({ corners }) => session.quadrilateral(corners),
   lab: ({ pairs }) => session.lab(pairs),
@@ -177,7 +194,11 @@ function buffersOf(answer) {
   if (ArrayBuffer.isView(answer)) return [answer.buffer];
   if (typeof answer !== "object") return [];
   return Object.values(answer ?? {}).flatMap((value) =>
-    ArrayBuffer.isView(value) ? [value.buffer] : value?.positions ? buffersOf(value) : [],
+    ArrayBuffer.isView(value)
+      ? [value.buffer]
+      : value?.positions || value?.values || value?.ends
+        ? buffersOf(value)
+        : [],
   );
 }
 

@@ -119,13 +119,16 @@ pub fn vertex_areas(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<f64> {
     areas
 }
 
+/// Least and greatest corner of the axis-aligned bounding box.
+pub fn bounding_box(x: &[DVec3]) -> (DVec3, DVec3) {
+    let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let wider = |(l, h): (DVec3, DVec3), &p: &DVec3| (l.min(p), h.max(p));
+    x.iter().fold(empty, wider)
+}
+
 /// Length of the diagonal of the axis-aligned bounding box.
 pub fn bounding_diagonal(x: &[DVec3]) -> f64 {
-    let (low, high) = x
-        .iter()
-        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), &p| {
-            (l.min(p), h.max(p))
-        });
+    let (low, high) = bounding_box(x);
     if x.is_empty() {
         0.0
     } else {

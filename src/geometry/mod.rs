@@ -3,8 +3,10 @@
 //! Conventions: outward normals on closed surfaces; H = (κ₁+κ₂)/2, positive on a
 //! sphere; K Gaussian. Names say `integrated_` or `pointwise_` where both exist.
 
+pub mod circumcircle;
 pub mod curvature;
 pub mod frame;
+pub mod inversion;
 pub mod measure;
 pub mod nearest;
 pub mod quality;

@@ -87,7 +87,7 @@ impl Session {
         !self.edits.0.is_empty()
     }
 
-    /// Undoes the last edit, a fill, edge flips or a surface that was kept: mesh, positions,
+    /// Undoes the last edit, a fill, edge flips, an inversion or a surface that was kept: mesh, positions,
     /// flow, history and reports are those before it, bit for bit.
     ///
     /// # Errors

@@ -138,6 +138,11 @@ impl Work {
     }
 
     pub(super) fn field(&self, name: FieldName) -> Result<Field, Fault> {
+        self.field_at(name, &self.x)
+    }
+
+    /// The field of the surface with its vertices at `x`.
+    pub(super) fn field_at(&self, name: FieldName, x: &[DVec3]) -> Result<Field, Fault> {
         let Some(flow) = &self.flow else {
             let hint = "Configure one before asking for a field.";
             return Err(Fault::new(
@@ -146,7 +151,7 @@ impl Work {
                 hint,
             ));
         };
-        let (x, start) = (&self.x, &self.document.start);
+        let start = &self.document.start;
         let measured = |name| match name {
             FieldName::MeanCurvature => flow.mean_curvature(x),
             FieldName::Gradient => Some(flow.gradient(x).iter().map(|g| g.length()).collect()),

@@ -274,6 +274,12 @@ impl Camera {
         (depth > 0.0).then(|| (0.5 * self.viewport + offset, depth))
     }
 
+    /// The point seen at a pixel at such a distance from the plane of the eye.
+    pub fn unproject(&self, x: f32, y: f32, depth: f32) -> Vec3 {
+        let (origin, direction) = self.ray(x, y);
+        origin - direction * (depth / direction.dot(self.backward()))
+    }
+
     fn eye(&self) -> Vec3 {
         self.target + self.distance * self.backward()
     }
@@ -324,6 +330,16 @@ mod tests {
             center + radius * Vec3::new(cos * (1.0 - z * z).sqrt(), sin * (1.0 - z * z).sqrt(), z)
         };
         (0..500).map(point).collect()
+    }
+
+    #[test]
+    fn a_point_is_found_again_at_its_pixel() {
+        let camera = looking_at(Vec3::new(3.0, 1.0, -2.0), 2.0, SIZES[0]);
+        for point in on_sphere(Vec3::new(3.0, 1.0, -2.0), 2.0) {
+            let (at, depth) = camera.project(point).expect("in front");
+            assert!(at.distance(pixel(&camera, point)) < 1e-2);
+            assert!(camera.unproject(at.x, at.y, depth).distance(point) < 1e-5);
+        }
     }
 
     #[test]

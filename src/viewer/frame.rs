@@ -47,7 +47,7 @@ pub struct Frame {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Line {
-    /// Linear light and opacity.
+    /// Linear light and opacity; of segments with colours of their own the opacity only.
     pub colour: Vec4,
     /// Half the width in pixels.
     pub half_width: f32,

@@ -8,6 +8,7 @@
 //! | --- | --- |
 //! | [`camera`] | turntable, fit, zoom to the cursor, clip planes |
 //! | [`drawing`] | arrays of the surface as drawn; [`seams`], [`normals`] and [`edges`] serve it |
+//! | [`segments`] | lines of space drawn over it |
 //! | [`pick`] | what lies under a pixel |
 //! | [`colour`] | colour maps, palettes of the themes |
 //! | [`frame`] | uniform blocks, mirrored in WGSL |
@@ -27,3 +28,4 @@ pub mod gpu;
 pub mod normals;
 pub mod pick;
 pub mod seams;
+pub mod segments;

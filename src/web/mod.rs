@@ -9,6 +9,8 @@ mod fault;
 #[cfg(target_arch = "wasm32")]
 mod panic;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]
+mod see;
+#[cfg(all(feature = "solver", target_arch = "wasm32"))]
 pub mod session;
 #[cfg(all(
     any(feature = "viewer", feature = "viewer-webgl"),

@@ -1,6 +1,6 @@
 //! JavaScript class `Viewer`: see the methods for what `www/viewer.js` may call.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use js_sys::{Float32Array, Function, Promise, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{future_to_promise, spawn_local};
@@ -152,6 +152,30 @@ impl Viewer {
     #[wasm_bindgen(js_name = setHighlight)]
     pub fn set_highlight(&mut self, ends: &[u32]) -> Result<(), JsValue> {
         Ok(self.0.set_highlight(ends)?)
+    }
+
+    /// Draws these segments over the surface: two ends of three coordinates, and r, g, b, a
+    /// bytes each. `hidden` is their opacity where the surface hides them.
+    #[wasm_bindgen(js_name = setOverlay)]
+    pub fn set_overlay(
+        &mut self,
+        ends: &[f32],
+        colours: &[u8],
+        hidden: f32,
+    ) -> Result<(), JsValue> {
+        Ok(self.0.set_overlay(ends, colours, hidden)?)
+    }
+
+    /// The pixel a point is seen at, and its distance from the plane of the eye; none from
+    /// behind.
+    pub fn project(&self, x: f32, y: f32, z: f32) -> Option<Vec<f32>> {
+        let (at, depth) = self.0.camera().project(Vec3::new(x, y, z))?;
+        Some(vec![at.x, at.y, depth])
+    }
+
+    /// The point seen at a pixel at such a distance.
+    pub fn unproject(&self, x: f32, y: f32, depth: f32) -> Vec<f32> {
+        self.0.camera().unproject(x, y, depth).to_array().to_vec()
     }
 
     /// The point of the surface under a pixel: three coordinates and the size of a pixel there,

@@ -1,7 +1,7 @@
 // @ts-check
 // What makes another mesh of the one at hand, and the way back from it.
 
-/** @import { FillOptions } from "../protocol.js" */
+/** @import { FillOptions, Loaded } from "../protocol.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Core } from "./core.js" */
 
@@ -17,9 +17,17 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
    * @param {string} what      for people: what undoing takes back
    */
   async function adopt(options, what) {
+    if (store.get().mesh) await edited({ loaded: await solver.adopt(), what }, options);
+  }
+
+  /**
+   * Goes on with a mesh that the solver has made of the one at hand.
+   * @param {{ loaded: Loaded, what: string }} edit
+   * @param {Options} [options]  those in force unless given
+   */
+  async function edited({ loaded, what }, options = store.get().options) {
     const { source, options: before, earlier, mesh } = store.get();
     if (!source || !mesh) return;
-    const loaded = await solver.adopt();
     // No sample any more, and no file either: a link to it can only name it.
     const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
     store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
@@ -71,17 +79,13 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
     subdivide: (scheme) =>
       enqueue(async () => {
         await rest();
-        const { source, options: before, earlier, mesh } = store.get();
-        if (!source || !mesh) return;
+        if (!store.get().mesh) return;
         const loaded = await solver.subdivide(scheme);
-        const what = t("a subdivision");
-        const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
-        store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
         // What was held or free, on the finer mesh.
         const free = loaded.free ? [...loaded.free] : null;
         const fixed = loaded.fixed ? [...loaded.fixed] : null;
-        await configure({ ...before, free, fixed });
-        await colour(store.get().colour);
+        const what = t("a subdivision");
+        await edited({ loaded, what }, { ...store.get().options, free, fixed });
         voice.answer(
           t("Subdivided into {count} triangles; Undo takes it back.", {
             count: loaded.info.faces,
@@ -137,5 +141,5 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
         else await configure(wanted);
       }),
   };
-  return { adopt, actions };
+  return { adopt, edited, actions };
 }

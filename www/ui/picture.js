@@ -10,6 +10,7 @@ import { samples as shapes } from "../samples.js";
 import { isDark } from "../state.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
+import { overlayOf } from "./overlay.js";
 
 /** @typedef {Awaited<ReturnType<typeof import("../viewer.js").createViewer>>} Viewer */
 
@@ -50,6 +51,11 @@ export function createPicture(controller, state, samples) {
   let mesh = null;
   /** @type {PageState["frame"]} */
   let frame = null;
+  /** @type {PageState["preview"]} */
+  let preview = null;
+  /** @type {import("../protocol.js").Look | null} */
+  let look = null;
+  let dark = false;
   /** @type {Uint8Array | null} */
   let held = null;
   /** @type {Readonly<View> | null} */
@@ -93,10 +99,12 @@ export function createPicture(controller, state, samples) {
       held = null;
       camera = null;
     }
-    if (s.frame !== frame && s.frame) {
+    if (s.frame && (s.frame !== frame || s.preview !== preview)) {
       frame = s.frame;
+      preview = s.preview;
       drawFrame(viewer, s.frame, s);
     } else if (s.marks !== marks) drawMarks(viewer, s);
+    drawLook(viewer, s);
     if (!pane && s.configured && s.configured.heldVertices !== held) {
       held = s.configured.heldVertices;
       viewer.setFixed(held);
@@ -114,9 +122,18 @@ export function createPicture(controller, state, samples) {
     else if (pane && mesh) opened.replaceMesh(mesh);
     if (next || pane) held = null;
     pane = next;
-    const { positions, field } = pane ?? now;
+    const { positions, field } = s.preview ?? pane ?? now;
     opened.setFrame(positions, field, now.flippedTriangles);
     drawMarks(opened, s);
+  }
+
+  /** @param {Viewer} opened @param {Readonly<PageState>} s */
+  function drawLook(opened, s) {
+    const next = (s.preview ?? s.frame)?.look ?? null;
+    if (next === look && isDark(s) === dark) return;
+    look = next;
+    dark = isDark(s);
+    opened.setOverlay(look && overlayOf(look, dark));
   }
 
   /** @param {Viewer} opened @param {Readonly<PageState>} s */
@@ -172,6 +189,10 @@ export function createPicture(controller, state, samples) {
     showHeld: (now) => viewer?.setFixed(now),
     /** @param {boolean} on  whether a drag paints and does not turn */
     brush: (on) => viewer?.rest(on),
+    /** @param {ArrayLike<number>} point */
+    project: (point) => viewer?.project(point) ?? null,
+    /** @param {{ x: number, y: number, depth: number }} seen */
+    unproject: (seen) => viewer?.unproject(seen) ?? null,
     /** @param {MouseEvent} event @param {Uint32Array} ends */
     nearestEdge: (event, ends) => viewer?.nearestEdge(event, ends) ?? null,
     /** @returns {Promise<Blob | null>} */

@@ -19,6 +19,7 @@
 //! In the paper both have the opposite sign.
 
 mod fit;
+pub mod principal;
 mod stencil;
 
 use crate::mesh::{HalfedgeMesh, Vertex};

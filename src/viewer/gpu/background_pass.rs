@@ -14,11 +14,13 @@ impl BackgroundPass {
             &Plan {
                 label: "background",
                 shader: &shader(gpu, "background", include_str!("background.wgsl")),
+                vertex: "vertex",
                 fragment: "fragment",
                 groups: &[Some(&bindings.layout)],
                 buffers: &[],
                 topology: wgpu::PrimitiveTopology::TriangleList,
                 is_opaque: true,
+                is_behind: false,
             },
         ))
     }

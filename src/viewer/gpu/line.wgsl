@@ -1,4 +1,4 @@
-// Edges as ribbons of a fixed width in pixels, with round ends: one instance an edge.
+// Edges and segments as ribbons of a fixed width in pixels, with round ends: one instance each.
 
 struct Line {
     colour: vec4f,
@@ -14,22 +14,53 @@ struct Varying {
     @builtin(position) clip: vec4f,
     // In pixels: along the edge from its start, across it, its length.
     @location(0) place: vec3f,
-    @location(1) opacity: f32,
+    @location(1) colour: vec4f,
 }
 
+// One corner of a ribbon; where it stands along the line, and how deep.
+struct Corner {
+    clip: vec4f,
+    place: vec3f,
+    z: f32,
+}
+
+// An edge of the mesh.
 @vertex
 fn vertex(
     @builtin(vertex_index) corner: u32,
     @location(0) ends: vec2u,
     @location(1) surroundings: vec2f,
 ) -> Varying {
-    var a = view_position(vertex_at(ends.x).xyz);
-    var b = view_position(vertex_at(ends.y).xyz);
-    let own_length = distance(a, b);
+    let a = view_position(vertex_at(ends.x).xyz);
+    let b = view_position(vertex_at(ends.y).xyz);
+    let at = ribbon(corner, a, b);
+    // A dense mesh would drown in its own lines: they fade with the size on screen of the
+    // edges about, taken without foreshortening.
+    let mean_length = distance(a, b) * select(surroundings.x, surroundings.y, (corner & 1u) == 1u);
+    let size = mean_length / (frame.pixel_size * -at.z);
+    let opacity = line.colour.a * smoothstep(line.fade_from, line.fade_to, size);
+    return Varying(at.clip, at.place, vec4f(line.colour.rgb, opacity));
+}
+
+// A segment between two points of space, in its own colour.
+@vertex
+fn segment(
+    @builtin(vertex_index) corner: u32,
+    @location(0) start: vec3f,
+    @location(1) end: vec3f,
+    @location(2) colour: vec4f,
+) -> Varying {
+    let at = ribbon(corner, view_position(start), view_position(end));
+    return Varying(at.clip, at.place, vec4f(colour.rgb, colour.a * line.colour.a));
+}
+
+fn ribbon(corner: u32, start_view: vec3f, end_view: vec3f) -> Corner {
+    var a = start_view;
+    var b = end_view;
     // Projected below by hand, so cut at the near plane by hand too.
     let plane = -frame.near;
     if min(a.z, b.z) >= plane {
-        return Varying(vec4f(2.0, 2.0, 2.0, 1.0), vec3f(0.0), 0.0);
+        return Corner(vec4f(2.0, 2.0, 2.0, 1.0), vec3f(0.0), plane);
     }
     if a.z > plane {
         a = mix(a, b, (a.z - plane) / (a.z - b.z));
@@ -54,16 +85,10 @@ fn vertex(
     // into the triangle on its far side.
     let depth = select(a.z, b.z, at_end) * (1.0 - line.lift * frame.pixel_size);
     let lifted = frame.clip_from_view * vec4f(0.0, 0.0, depth, 1.0);
-
-    // A dense mesh would drown in its own lines: they fade with the size on screen of the
-    // edges about, taken without foreshortening.
-    let mean_length = own_length * select(surroundings.x, surroundings.y, at_end);
-    let size = mean_length / (frame.pixel_size * -select(a.z, b.z, at_end));
-    let opacity = line.colour.a * smoothstep(line.fade_from, line.fade_to, size);
-    return Varying(
+    return Corner(
         vec4f(2.0 * pixel / frame.viewport, lifted.z / lifted.w, 1.0),
         vec3f(offset_along, offset_across, length),
-        opacity,
+        select(a.z, b.z, at_end),
     );
 }
 
@@ -78,5 +103,5 @@ fn fragment(in: Varying) -> @location(0) vec4f {
     let beyond = in.place.x - clamp(in.place.x, 0.0, in.place.z);
     let distance = length(vec2f(beyond, in.place.y));
     let coverage = clamp(line.half_width + 0.5 - distance, 0.0, 1.0);
-    return vec4f(encoded(line.colour.rgb), in.opacity * coverage);
+    return vec4f(encoded(in.colour.rgb), in.colour.a * coverage);
 }

@@ -1,4 +1,5 @@
-//! Edges as ribbons of fixed pixel width: the wireframe and the boundary loops.
+//! Edges as ribbons of fixed pixel width: the wireframe and the boundary loops. Segments of
+//! space likewise, in colours of their own.
 //!
 //! Each edge is one instance of a four-cornered strip that looks up its two ends in the
 //! texture of vertices. So edges are sent once, and follow the surface for nothing.
@@ -10,18 +11,33 @@ use super::device::Gpu;
 use super::pipeline::{GrowingBuffer, Plan, pipeline, shader};
 use crate::viewer::edges::Edge;
 use crate::viewer::frame::Line;
+use crate::viewer::segments::Segment;
 
-/// The pipeline of all lines.
+/// The pipelines of all lines.
 pub(super) struct LinePass {
-    pipeline: wgpu::RenderPipeline,
+    edges: wgpu::RenderPipeline,
+    segments: wgpu::RenderPipeline,
+    hidden_segments: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
+}
+
+/// How lines are drawn.
+struct Pen {
+    uniforms: wgpu::Buffer,
+    group: wgpu::BindGroup,
 }
 
 /// Edges drawn alike.
 pub(super) struct EdgeSet {
     edges: GrowingBuffer,
-    uniforms: wgpu::Buffer,
-    group: wgpu::BindGroup,
+    pen: Pen,
+}
+
+/// Segments drawn alike, and alike where the surface hides them.
+pub(super) struct SegmentSet {
+    segments: GrowingBuffer,
+    seen: Pen,
+    hidden: Pen,
 }
 
 impl LinePass {
@@ -41,26 +57,38 @@ impl LinePass {
                     count: None,
                 }],
             });
-        let pipeline = pipeline(
-            gpu,
-            &Plan {
-                label: "line",
-                shader: &shader(gpu, "line", include_str!("line.wgsl")),
-                fragment: "fragment",
-                groups: &[Some(&bindings.layout), Some(&layout)],
-                buffers: &[Some(wgpu::VertexBufferLayout {
-                    array_stride: size_of::<Edge>() as u64,
-                    step_mode: wgpu::VertexStepMode::Instance,
-                    attributes: &wgpu::vertex_attr_array![0 => Uint32x2, 1 => Float32x2],
-                })],
-                topology: wgpu::PrimitiveTopology::TriangleStrip,
-                is_opaque: false,
-            },
-        );
-        Self { pipeline, layout }
+        let shader = shader(gpu, "line", include_str!("line.wgsl"));
+        let plan = |vertex, stride: usize, attributes: &[wgpu::VertexAttribute], is_behind| {
+            pipeline(
+                gpu,
+                &Plan {
+                    label: "line",
+                    shader: &shader,
+                    vertex,
+                    fragment: "fragment",
+                    groups: &[Some(&bindings.layout), Some(&layout)],
+                    buffers: &[Some(wgpu::VertexBufferLayout {
+                        array_stride: stride as u64,
+                        step_mode: wgpu::VertexStepMode::Instance,
+                        attributes,
+                    })],
+                    topology: wgpu::PrimitiveTopology::TriangleStrip,
+                    is_opaque: false,
+                    is_behind,
+                },
+            )
+        };
+        let edge = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Float32x2];
+        let segment = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4];
+        Self {
+            edges: plan("vertex", size_of::<Edge>(), &edge, false),
+            segments: plan("segment", size_of::<Segment>(), &segment, false),
+            hidden_segments: plan("segment", size_of::<Segment>(), &segment, true),
+            layout,
+        }
     }
 
-    pub(super) fn edge_set(&self, gpu: &Gpu) -> EdgeSet {
+    fn pen(&self, gpu: &Gpu) -> Pen {
         let uniforms = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("line"),
             size: size_of::<Line>() as u64,
@@ -75,22 +103,49 @@ impl LinePass {
                 resource: uniforms.as_entire_binding(),
             }],
         });
-        let edges = GrowingBuffer::new(gpu, wgpu::BufferUsages::VERTEX);
+        Pen { uniforms, group }
+    }
+
+    pub(super) fn edge_set(&self, gpu: &Gpu) -> EdgeSet {
         EdgeSet {
-            edges,
-            uniforms,
-            group,
+            edges: GrowingBuffer::new(gpu, wgpu::BufferUsages::VERTEX),
+            pen: self.pen(gpu),
+        }
+    }
+
+    pub(super) fn segment_set(&self, gpu: &Gpu) -> SegmentSet {
+        SegmentSet {
+            segments: GrowingBuffer::new(gpu, wgpu::BufferUsages::VERTEX),
+            seen: self.pen(gpu),
+            hidden: self.pen(gpu),
         }
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, set: &EdgeSet) {
         let count = set.edges.count::<Edge>();
-        if count > 0 {
-            pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(1, &set.group, &[]);
-            pass.set_vertex_buffer(0, set.edges.slice());
-            pass.draw(0..4, 0..count);
-        }
+        strips(pass, &self.edges, &set.pen, &set.edges, count);
+    }
+
+    pub(super) fn draw_segments(&self, pass: &mut wgpu::RenderPass<'_>, set: &SegmentSet) {
+        let count = set.segments.count::<Segment>();
+        let (seen, hidden) = (&self.segments, &self.hidden_segments);
+        strips(pass, hidden, &set.hidden, &set.segments, count);
+        strips(pass, seen, &set.seen, &set.segments, count);
+    }
+}
+
+fn strips(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipeline: &wgpu::RenderPipeline,
+    pen: &Pen,
+    instances: &GrowingBuffer,
+    count: u32,
+) {
+    if count > 0 {
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(1, &pen.group, &[]);
+        pass.set_vertex_buffer(0, instances.slice());
+        pass.draw(0..4, 0..count);
     }
 }
 
@@ -100,6 +155,20 @@ impl EdgeSet {
     }
 
     pub(super) fn set_line(&self, gpu: &Gpu, line: &Line) {
-        gpu.queue.write_buffer(&self.uniforms, 0, bytes_of(line));
+        gpu.queue
+            .write_buffer(&self.pen.uniforms, 0, bytes_of(line));
+    }
+}
+
+impl SegmentSet {
+    pub(super) fn set_segments(&mut self, gpu: &Gpu, segments: &[Segment]) {
+        self.segments.set(gpu, segments);
+    }
+
+    /// How they are drawn in front of the surface and behind it.
+    pub(super) fn set_lines(&self, gpu: &Gpu, seen: &Line, hidden: &Line) {
+        for (pen, line) in [(&self.seen, seen), (&self.hidden, hidden)] {
+            gpu.queue.write_buffer(&pen.uniforms, 0, bytes_of(line));
+        }
     }
 }

@@ -6,12 +6,15 @@ use super::device::{DEPTH_FORMAT, Gpu};
 pub(super) struct Plan<'a> {
     pub(super) label: &'static str,
     pub(super) shader: &'a wgpu::ShaderModule,
+    pub(super) vertex: &'static str,
     pub(super) fragment: &'static str,
     pub(super) groups: &'a [Option<&'a wgpu::BindGroupLayout>],
     pub(super) buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     pub(super) topology: wgpu::PrimitiveTopology,
     /// Opaque things write depth, transparent ones are blended over them.
     pub(super) is_opaque: bool,
+    /// Draws only what lies behind, instead of what lies in front.
+    pub(super) is_behind: bool,
 }
 
 /// Compiles a shader, with the common part in front.
@@ -40,7 +43,7 @@ pub(super) fn pipeline(gpu: &Gpu, plan: &Plan<'_>) -> wgpu::RenderPipeline {
             layout: Some(&layout),
             vertex: wgpu::VertexState {
                 module: plan.shader,
-                entry_point: Some("vertex"),
+                entry_point: Some(plan.vertex),
                 compilation_options: Default::default(),
                 buffers: plan.buffers,
             },
@@ -51,7 +54,11 @@ pub(super) fn pipeline(gpu: &Gpu, plan: &Plan<'_>) -> wgpu::RenderPipeline {
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
                 depth_write_enabled: Some(plan.is_opaque),
-                depth_compare: Some(wgpu::CompareFunction::LessEqual),
+                depth_compare: Some(if plan.is_behind {
+                    wgpu::CompareFunction::Greater
+                } else {
+                    wgpu::CompareFunction::LessEqual
+                }),
                 stencil: Default::default(),
                 bias: Default::default(),
             }),

@@ -6,7 +6,7 @@ use web_sys::HtmlCanvasElement;
 use super::background_pass::BackgroundPass;
 use super::bindings::Bindings;
 use super::device::Gpu;
-use super::line_pass::{EdgeSet, LinePass};
+use super::line_pass::{EdgeSet, LinePass, SegmentSet};
 use super::readback::{Picture, Readback};
 use super::signal::Signal;
 use super::surface_pass::SurfacePass;
@@ -17,6 +17,7 @@ use crate::viewer::edges::edges;
 use crate::viewer::error::ViewerError;
 use crate::viewer::frame::{Frame, Line};
 use crate::viewer::pick::{Hit, nearest_edge, pick};
+use crate::viewer::segments::segments;
 
 /// How the surface is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,6 +49,8 @@ impl Default for Style {
 
 /// Width of the boundary in widths of an edge.
 const BOUNDARY_WIDTH: f32 = 3.0;
+/// The same of segments over the surface.
+const OVERLAY_WIDTH: f32 = 1.6;
 /// Opacity of the edges of the mesh.
 const WIRE_OPACITY: f32 = 0.75;
 /// Edges of the mesh vanish where they are shorter on screen than the first, and are drawn
@@ -85,6 +88,9 @@ pub struct Viewer {
     wire: EdgeSet,
     boundary: EdgeSet,
     highlight: EdgeSet,
+    overlay: SegmentSet,
+    /// Opacity of the overlay where the surface hides it.
+    overlay_hidden: f32,
     drawing: Drawing,
     camera: Camera,
     style: Style,
@@ -111,6 +117,8 @@ impl Viewer {
             wire: lines.edge_set(&gpu),
             boundary: lines.edge_set(&gpu),
             highlight: lines.edge_set(&gpu),
+            overlay: lines.segment_set(&gpu),
+            overlay_hidden: 0.0,
             lines,
             bindings,
             gpu,
@@ -244,6 +252,24 @@ impl Viewer {
         expect_range("highlight", ends, self.drawing.n_vertices())?;
         let edges = edges(self.drawing.vertices(), ends);
         self.highlight.set_edges(&self.gpu, &edges);
+        self.stale.picture = true;
+        Ok(())
+    }
+
+    /// Draws these segments of space over the surface, two ends and a colour each, and no
+    /// others; `hidden` is their opacity where the surface hides them.
+    ///
+    /// # Errors
+    /// `WrongLength`.
+    pub fn set_overlay(
+        &mut self,
+        ends: &[f32],
+        colours: &[u8],
+        hidden: f32,
+    ) -> Result<(), ViewerError> {
+        let segments = segments(ends, colours)?;
+        self.overlay.set_segments(&self.gpu, &segments);
+        self.overlay_hidden = hidden;
         self.stale.picture = true;
         Ok(())
     }
@@ -383,6 +409,10 @@ impl Viewer {
             .set_line(gpu, &line(palette.boundary, 1.0, width, always));
         self.highlight
             .set_line(gpu, &line(palette.marked, 1.0, width, always));
+        let width = OVERLAY_WIDTH * self.style.line_width;
+        let segments = |opacity| line(palette.marked, opacity, width, always);
+        self.overlay
+            .set_lines(gpu, &segments(1.0), &segments(self.overlay_hidden));
     }
 
     fn frame(&self) -> Frame {
@@ -437,6 +467,7 @@ impl Viewer {
                 self.lines.draw(pass, &self.boundary);
             }
             self.lines.draw(pass, &self.highlight);
+            self.lines.draw_segments(pass, &self.overlay);
         });
     }
 }

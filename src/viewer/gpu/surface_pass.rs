@@ -33,11 +33,13 @@ impl SurfacePass {
                 &Plan {
                     label: "surface",
                     shader: &shader,
+                    vertex: "vertex",
                     fragment,
                     groups: &[Some(&bindings.layout)],
                     buffers: &[layout(12, &normal), layout(4, &flag)],
                     topology: wgpu::PrimitiveTopology::TriangleList,
                     is_opaque,
+                    is_behind: false,
                 },
             )
         };
