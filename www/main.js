@@ -2,11 +2,12 @@
 // Builds the parts, wires them to the state, and opens the scene in the address.
 
 import { createController } from "./controller.js";
+import { openLanguage, t } from "./language.js";
 import { createLinkWriter, readLink } from "./link.js";
 import { samples } from "./samples.js";
 import { createStore } from "./state.js";
 import { createChoices } from "./ui/choices.js";
-import { createHelp, createPanel, createPresenter } from "./ui/chrome.js";
+import { createHelp, createPanel } from "./ui/chrome.js";
 import { createColourBar } from "./ui/colour-bar.js";
 import { createConjecture } from "./ui/conjecture.js";
 import { createCurvatureForm } from "./ui/curvature-form.js";
@@ -18,18 +19,22 @@ import { createGallery } from "./ui/gallery.js";
 import { createHoles } from "./ui/holes.js";
 import { createKeys } from "./ui/keys.js";
 import { createLab } from "./ui/lab.js";
+import { createLanguageChoice } from "./ui/language-choice.js";
 import { createMeshInput } from "./ui/mesh-input.js";
 import { createMessages } from "./ui/messages.js";
 import { createMethodForm } from "./ui/method-form.js";
 import { createPWillmoreForm } from "./ui/p-willmore-form.js";
 import { createPanes } from "./ui/panes.js";
 import { createPicture } from "./ui/picture.js";
+import { createPresenter } from "./ui/presenter.js";
 import { createReadings } from "./ui/readings.js";
 import { createRegion } from "./ui/region.js";
 import { createStatus } from "./ui/status.js";
 import { createTransport } from "./ui/transport.js";
 import { createViewForm } from "./ui/view-form.js";
 
+// Sentences are made when the parts are built: the language comes first.
+await openLanguage();
 const store = createStore();
 const messages = createMessages();
 const controller = createController(store, messages);
@@ -37,8 +42,10 @@ const controller = createController(store, messages);
 const msaa = new URLSearchParams(location.search).get("msaa") === "1" ? 1 : 4;
 const picture = createPicture(controller, store.get, msaa);
 const help = createHelp();
+const gallery = createGallery(controller);
 
 createPanel();
+createLanguageChoice(store.get);
 createLab(controller);
 createKeys(controller, help.open);
 createDownload(controller, store.get, picture.snapshot);
@@ -67,8 +74,8 @@ const parts = [
   createEnergyPlot(controller, pictured),
   createFlipPlots(controller),
   createConjecture(controller, picture.nearestEdge),
-  createGallery(controller),
-  createPresenter(controller),
+  gallery,
+  createPresenter(controller, store.get, gallery.open),
   createLinkWriter(),
   help,
 ];
@@ -80,8 +87,12 @@ function openLink(address) {
   controller.view(awaited.view);
   if (awaited.sample) controller.sample(awaited.sample, awaited);
   else {
-    const message = `This link shows the mesh “${awaited.mesh}”, a file on its author’s computer.`;
-    messages.error({ message, hint: "Open that file here; the scene then follows." });
+    messages.error({
+      message: t("This link shows the mesh “{mesh}”, a file on its author’s computer.", {
+        mesh: awaited.mesh ?? "",
+      }),
+      hint: t("Open that file here; the scene then follows."),
+    });
   }
 }
 

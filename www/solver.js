@@ -4,6 +4,8 @@
 
 /** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, Frame, Lab, Loaded, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped } from "./protocol.js" */
 
+import { t } from "./language.js";
+
 /**
  * @typedef {object} Listener
  * @property {(version: string) => void} onReady
@@ -46,7 +48,7 @@ export function createSolver(listener) {
     const started = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     started.onmessage = ({ data }) => started === worker && receive(data);
     started.onerror = (event) => {
-      if (started === worker) lost(event.message || "it could not be loaded");
+      if (started === worker) lost(event.message || t("it could not be loaded"));
     };
     return started;
   }

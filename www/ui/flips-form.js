@@ -7,6 +7,7 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
+import { t, translated } from "../language.js";
 import { choices, defaults, plainArrangement } from "../options.js";
 import { byId, fillSelect, setText } from "./element.js";
 import { formatNumber } from "./number.js";
@@ -14,7 +15,7 @@ import { chosen, show } from "./option-form.js";
 
 /** @param {string} criterion */
 export const criterionLabel = (criterion) =>
-  choices.criterion.find(({ id }) => id === criterion)?.label ?? criterion;
+  translated(choices.criterion.find(({ id }) => id === criterion)?.label ?? criterion);
 
 /** @param {string} text */
 function cell(text) {
@@ -75,7 +76,7 @@ export function createFlipsForm(controller) {
     const first = frame?.curves?.runs[0];
     const start =
       first &&
-      row("start", "Start", [
+      row("start", t("Start"), [
         "0",
         "",
         formatNumber(first.area[0], 6),
@@ -117,7 +118,7 @@ export function createFlipsForm(controller) {
       }
       const last = state.earlier.at(-1);
       undo.parentElement?.toggleAttribute("hidden", !last);
-      setText(undoNote, last ? `takes back ${last.what}` : "");
+      setText(undoNote, last ? t("takes back {what}", { what: last.what }) : "");
       const standing = state.reading !== null && state.reading.step > 0;
       if (adopt.ariaDisabled !== String(!standing)) adopt.ariaDisabled = String(!standing);
     },

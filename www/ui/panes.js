@@ -7,13 +7,13 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Viewer } from "./picture.js" */
 
+import { t } from "../language.js";
 import { byCurvature } from "../options.js";
-import { isDark } from "../state.js";
 import { flowLabel, jumpText } from "./curvature-form.js";
 import { byId, setText } from "./element.js";
 import { criterionLabel } from "./flips-form.js";
 import { formatCount, formatNumber } from "./number.js";
-import { ownPane } from "./picture.js";
+import { ownPane, styleOf } from "./picture.js";
 
 const order = ["start", "area", ...byCurvature, "localised"];
 
@@ -21,16 +21,24 @@ const order = ["start", "area", ...byCurvature, "localised"];
 function captionOf(name, { reading, frame }) {
   const standing = frame?.panes.find((pane) => pane.name === name)?.standing;
   if (standing) {
-    const jump = standing.jump ? `, jump of H ${jumpText(standing.jump)}` : "";
-    return `${flowLabel(name)}: step ${standing.step}${jump}`;
+    const { step } = standing;
+    const values = { flow: flowLabel(name), step, jump: jumpText(standing.jump) };
+    return standing.jump
+      ? t("{flow}: step {step}, jump of H {jump}", values)
+      : t("{flow}: step {step}", values);
   }
-  const label = name === "start" ? "Start" : criterionLabel(name);
+  const named = name === "localised" ? t("Localised") : criterionLabel(name);
+  const label = name === "start" ? t("Start") : named;
   const run = reading?.flips?.find(({ criterion }) => criterion === name);
   const first = frame?.curves?.runs[0];
-  const area = run ? run.area : first?.area[0];
-  const circle = run ? run.circle : first?.circle[0];
-  const flips = run ? `${formatCount(run.flips, { one: "# flip", other: "# flips" })}, ` : "";
-  return `${label.replace(" Willmore energy", "")}: ${flips}area ${formatNumber(area, 6)}, W ${formatNumber(circle, 5)}`;
+  const values = {
+    label,
+    area: formatNumber(run ? run.area : first?.area[0], 6),
+    circle: formatNumber(run ? run.circle : first?.circle[0], 5),
+  };
+  if (!run) return t("{label}: area {area}, W {circle}", values);
+  const flips = formatCount(run.flips, { one: "# flip", other: "# flips" });
+  return t("{label}: {flips}, area {area}, W {circle}", { ...values, flips });
 }
 
 /** A picture of its own. */
@@ -91,14 +99,13 @@ class ExtraPane {
     const pane = state.frame?.panes.find(({ name }) => name === this.name);
     const caption = captionOf(this.name, state);
     setText(this.caption, caption);
-    const label = `Surface: ${state.mesh?.name ?? "none"}, ${caption}`;
+    const label = t("Surface: {name}, {caption}", { name: state.mesh?.name ?? "–", caption });
     if (this.canvas.ariaLabel !== label) this.canvas.ariaLabel = label;
     const viewer = this.#viewer;
     if (!viewer || !pane) return;
     if (state.view !== this.#view) {
       this.#view = state.view;
-      const { shading, wireframe, boundary } = state.view;
-      viewer.setStyle({ shading, wireframe, boundary, theme: isDark(state) ? "dark" : "light" });
+      viewer.setStyle(styleOf(state));
     }
     if (pane !== this.#shown) {
       if (state.mesh !== this.#mesh) {

@@ -4,6 +4,7 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
+import { t } from "../language.js";
 import { byId, setText } from "./element.js";
 
 /** @param {Controller} controller */
@@ -43,7 +44,7 @@ export function createTransport(controller) {
     update({ phase, reading }) {
       const running = phase === "running";
       const usable = reading !== null && phase !== "loading" && phase !== "failed";
-      setText(label, running ? "Pause" : "Play");
+      setText(label, running ? t("Pause") : t("Play"));
       play.dataset.running = String(running);
       allow(play, usable);
       allow(buttons.step, usable);
