@@ -14,10 +14,12 @@ import { createQuestions } from "./actions/questions.js";
 import { createSeeing } from "./actions/see.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
+import { t, translated } from "./language.js";
 import { defaults, plainArrangement } from "./options.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
 import { transitions as to } from "./state.js";
+import { formatCount } from "./ui/number.js";
 
 /**
  * @typedef {object} Voice  how the controller speaks to the user
@@ -36,8 +38,11 @@ export function createController(store, voice) {
     onProgress: (progress) => store.update(to.progress, progress),
     onCrashed: (reason) =>
       revive((step) => ({
-        message: `The solver stopped unexpectedly (${reason}); a new one goes on from step ${step}.`,
-        hint: "If it was short of memory, close other tabs or use a mesh with fewer faces.",
+        message: t(
+          "The solver stopped unexpectedly ({reason}); a new one goes on from step {step}.",
+          { reason: translated(reason), step },
+        ),
+        hint: t("If it was short of memory, close other tabs or use a mesh with fewer faces."),
       })),
   });
 
@@ -143,7 +148,7 @@ export function createController(store, voice) {
     const options = { ...suggested, ...scene.options };
     const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
     const ask = () => solver.sample(sample.shape, sample.parameters);
-    return load(sample.label, source, ask, options, suggested, scene, sample.fill);
+    return load(translated(sample.label), source, ask, options, suggested, scene, sample.fill);
   }
 
   /** @param {NonNullable<import("./samples.js").Sample["fill"]>} wanted @returns {Promise<Loaded>} */
@@ -190,7 +195,7 @@ export function createController(store, voice) {
     return enqueue(async () => {
       store.update(to.reviving);
       try {
-        if (store.get().version === "") throw new Error("The solver could not be started.");
+        if (store.get().version === "") throw new Error(t("The solver could not be started."));
         const reading = await solver.revive();
         if (reading) store.update(to.stopped, reading);
         else store.update(to.refused);
@@ -198,7 +203,7 @@ export function createController(store, voice) {
       } catch (error) {
         store.update(to.failed);
         const { message } = /** @type {Error} */ (error);
-        voice.error({ message, hint: "Reload the page; its address keeps the scene." });
+        voice.error({ message, hint: t("Reload the page; its address keeps the scene.") });
       } finally {
         reviving = false;
       }
@@ -264,7 +269,7 @@ export function createController(store, voice) {
     halt: () =>
       contest.halt() &&
       revive((step) => ({
-        message: `The computation was ended; the surface is as after step ${step}.`,
+        message: t("The computation was ended; the surface is as after step {step}.", { step }),
         hint: "",
       })),
 
@@ -277,9 +282,12 @@ export function createController(store, voice) {
         try {
           if (before.flow === "flips" && options.flow !== "flips" && reading && reading.step > 0) {
             // The point of better edges is what is done with them next.
-            await edits.adopt(options, `${reading.step} flips`);
+            const count = formatCount(reading.step, { one: "# flip", other: "# flips" });
+            await edits.adopt(options, count);
             voice.answer(
-              "The flow starts from the mesh with its edges flipped; Undo brings the one before back.",
+              t(
+                "The flow starts from the mesh with its edges flipped; Undo brings the one before back.",
+              ),
             );
           } else await configure(options);
         } catch (error) {

@@ -4,11 +4,12 @@
 import { createArrival, sceneOfFigure } from "./arrival.js";
 import { createController } from "./controller.js";
 import { createEmbedding, isEmbedded } from "./embed/host.js";
+import { openLanguage, t } from "./language.js";
 import { createLinkWriter, readLink } from "./link.js";
 import { samples } from "./samples.js";
 import { createStore } from "./state.js";
 import { createChoices } from "./ui/choices.js";
-import { createHelp, createPanel, createPresenter } from "./ui/chrome.js";
+import { createHelp, createPanel } from "./ui/chrome.js";
 import { createColourBar } from "./ui/colour-bar.js";
 import { createComparisonForm } from "./ui/comparison-form.js";
 import { createComparisonPlot } from "./ui/comparison-plot.js";
@@ -23,6 +24,7 @@ import { createGallery } from "./ui/gallery.js";
 import { createHoles } from "./ui/holes.js";
 import { createKeys } from "./ui/keys.js";
 import { createLab } from "./ui/lab.js";
+import { createLanguageChoice } from "./ui/language-choice.js";
 import { createMeshInput } from "./ui/mesh-input.js";
 import { createMessages } from "./ui/messages.js";
 import { createMethodForm } from "./ui/method-form.js";
@@ -30,6 +32,7 @@ import { createMoebius } from "./ui/moebius.js";
 import { createPWillmoreForm } from "./ui/p-willmore-form.js";
 import { createPanes } from "./ui/panes.js";
 import { createPicture } from "./ui/picture.js";
+import { createPresenter } from "./ui/presenter.js";
 import { createReadings } from "./ui/readings.js";
 import { createRegion } from "./ui/region.js";
 import { createShare } from "./ui/share.js";
@@ -37,6 +40,8 @@ import { createStatus } from "./ui/status.js";
 import { createTransport } from "./ui/transport.js";
 import { createViewForm } from "./ui/view-form.js";
 
+// Sentences are made when the parts are built: the language comes first.
+await openLanguage();
 const store = createStore();
 const messages = createMessages();
 const controller = createController(store, messages);
@@ -45,8 +50,10 @@ const msaa = new URLSearchParams(location.search).get("msaa") === "1" ? 1 : 4;
 const picture = createPicture(controller, store.get, msaa);
 const help = createHelp();
 const arrival = createArrival(controller, store.get, messages);
+const gallery = createGallery(controller);
 
 createPanel();
+createLanguageChoice(store.get);
 createLab(controller);
 createKeys(controller, store.get, help.open);
 createDownload(controller, store.get, picture.snapshot);
@@ -86,8 +93,8 @@ const parts = [
   createEnergyPlot(controller, pictured),
   createFlipPlots(controller),
   createConjecture(controller, picture.nearestEdge),
-  createGallery(controller),
-  createPresenter(controller),
+  gallery,
+  createPresenter(controller, store.get, gallery.open),
   embedding ?? createLinkWriter(),
   createShare(),
   arrival,
@@ -106,8 +113,12 @@ function openLink(address) {
       controller.sample(whole.sample, whole).then(() => arrival.check(whole));
     return sceneOfFigure(scene).then(open, controller.report);
   }
-  const message = `This link shows the mesh “${awaited.mesh}”, a file on its author’s computer.`;
-  messages.error({ message, hint: "Open that file here; the scene then follows." });
+  messages.error({
+    message: t("This link shows the mesh “{mesh}”, a file on its author’s computer.", {
+      mesh: awaited.mesh ?? "",
+    }),
+    hint: t("Open that file here; the scene then follows."),
+  });
 }
 
 // Whoever embeds the page could take away what a visitor opens in it.

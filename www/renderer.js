@@ -3,6 +3,7 @@
 // shader compiler, is several times as large, and is fetched only then. `?renderer=webgl`
 // or `?renderer=webgpu` in the page's address forces the choice.
 
+import { t } from "./language.js";
 import { hasContext } from "./webgl-context.js";
 
 /** @typedef {import("./protocol.js").Fault} Fault */
@@ -15,8 +16,6 @@ import { hasContext } from "./webgl-context.js";
  * @property {boolean} isForced       by the address
  * @property {ViewerModule} module    its wasm, ready
  */
-
-const NO_WEBGPU = "this browser has no WebGPU, or the page is not served securely";
 
 /** @type {Promise<Renderer> | null} one for the whole page */
 let chosen = null;
@@ -57,15 +56,16 @@ export async function openViewer(canvas, options) {
 /** @returns {Promise<Renderer>} */
 async function choose() {
   const forced = new URLSearchParams(location.search).get("renderer");
-  if (forced === "webgpu") return loadWebgpu("the address asks for it", true);
-  if (forced === "webgl") return loadWebgl("the address asks for it", true);
+  if (forced === "webgpu") return loadWebgpu(t("the address asks for it"), true);
+  if (forced === "webgl") return loadWebgl(t("the address asks for it"), true);
   const gpu = /** @type {any} */ (navigator).gpu;
-  if (!gpu) return loadWebgl(NO_WEBGPU, false);
+  const none = t("this browser has no WebGPU, or the page is not served securely");
+  if (!gpu) return loadWebgl(none, false);
   // Fetched meanwhile: browsers that have WebGPU mostly have an adapter too.
-  const webgpu = loadWebgpu("this browser offers it", false);
+  const webgpu = loadWebgpu(t("this browser offers it"), false);
   webgpu.catch(() => {});
   const adapter = await gpu.requestAdapter({ powerPreference: "high-performance" });
-  return adapter ? webgpu : loadWebgl("WebGPU offers no graphics adapter", false);
+  return adapter ? webgpu : loadWebgl(t("WebGPU offers no graphics adapter"), false);
 }
 
 /** @param {string} reason @param {boolean} isForced @returns {Promise<Renderer>} */
@@ -81,9 +81,12 @@ async function loadWebgl(reason, isForced) {
   if (!hasContext()) {
     throw fault(
       "NoRenderer",
-      isForced ? "this browser has no WebGL2" : `${reason}; there is no WebGL2 either`,
-      "Use a current Chrome, Edge, Firefox or Safari, over https or on localhost, and switch " +
-        "on hardware acceleration in its settings.",
+      isForced
+        ? t("this browser has no WebGL2")
+        : t("{reason}; there is no WebGL2 either", { reason }),
+      t(
+        "Use a current Chrome, Edge, Firefox or Safari, over https or on localhost, and switch on hardware acceleration in its settings.",
+      ),
     );
   }
   const wasm = new URL("./pkg/viewer-webgl/viewer-webgl_bg.wasm", import.meta.url);
@@ -105,8 +108,10 @@ async function load(fetchModule, wasm) {
   } catch (error) {
     throw fault(
       "ViewerNotLoaded",
-      `the viewer could not be loaded: ${error instanceof Error ? error.message : error}`,
-      "Check the connection and reload the page.",
+      t("the viewer could not be loaded: {reason}", {
+        reason: error instanceof Error ? error.message : String(error),
+      }),
+      t("Check the connection and reload the page."),
     );
   }
 }

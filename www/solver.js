@@ -4,6 +4,8 @@
 
 /** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, Frame, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped, Wanted } from "./protocol.js" */
 
+import { t } from "./language.js";
+
 /**
  * @typedef {object} Listener
  * @property {(version: string) => void} onReady
@@ -48,7 +50,7 @@ export function createSolver(listener) {
     const started = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     started.onmessage = ({ data }) => started === worker && receive(data);
     started.onerror = (event) => {
-      if (started === worker) lost(event.message || "it could not be loaded");
+      if (started === worker) lost(event.message || t("it could not be loaded"));
     };
     return started;
   }

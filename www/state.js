@@ -36,6 +36,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {'auto' | 'light' | 'dark'} theme
  * @property {boolean} systemDark   what `auto` means now
  * @property {'auto' | 'log' | 'linear'} scale  of the energy axis
+ * @property {boolean} contrast     colours that are told apart from afar and by everyone
  */
 
 /**
@@ -96,6 +97,7 @@ export const initial = Object.freeze({
     theme: "auto",
     systemDark: false,
     scale: "auto",
+    contrast: false,
   }),
   presenting: false,
   version: "",
@@ -266,8 +268,8 @@ export const transitions = {
   /** @param {S} s @param {Partial<View>} change @returns {S} */
   viewed: (s, change) => ({ ...s, view: Object.freeze({ ...s.view, ...change }) }),
 
-  /** @param {S} s @param {boolean} presenting @returns {S} */
-  presenting: (s, presenting) => ({ ...s, presenting }),
+  /** Lines and colours change too: the view is another. @param {S} s @param {boolean} presenting @returns {S} */
+  presenting: (s, presenting) => ({ ...s, presenting, view: Object.freeze({ ...s.view }) }),
 
   /** A new solver is on its way; what could be undone went with the old one. @param {S} s @returns {S} */
   reviving: (s) => ({
@@ -286,6 +288,9 @@ export const transitions = {
 /** @param {S} s whether the surface is shown on a dark ground */
 export const isDark = ({ view }) =>
   view.theme === "dark" || (view.theme === "auto" && view.systemDark);
+
+/** @param {S} s whether colours are of high contrast: a projector washes the others out */
+export const hasContrast = ({ view, presenting }) => view.contrast || presenting;
 
 /**
  * @param {S} first

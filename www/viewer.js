@@ -4,6 +4,7 @@
 // graphics device is lost.
 
 import { listenForGestures } from "./gestures.js";
+import { t, translated } from "./language.js";
 import { chooseRenderer, openViewer } from "./renderer.js";
 import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
 
@@ -20,6 +21,7 @@ import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
  * @property {boolean} [wireframe]  the mesh's own edges
  * @property {boolean} [boundary]   the boundary loops
  * @property {"light" | "dark"} [theme]
+ * @property {boolean} [contrast]   colour maps of high contrast
  * @property {number} [lineWidth]   of an edge, in CSS pixels
  */
 
@@ -132,7 +134,7 @@ class SurfaceView {
     this.#watchSize();
     // Of a lost WebGPU device the viewer is told; of a lost WebGL context, the canvas is.
     watchContext(this.#canvas, this.#listening.signal, () => {
-      if (this.#viewer) this.#recover("the browser took the WebGL context away");
+      if (this.#viewer) this.#recover(t("the browser took the WebGL context away"));
     });
     listenForGestures(this.#canvas, this.#moves(), this.#listening.signal);
   }
@@ -322,7 +324,7 @@ class SurfaceView {
     this.#viewer?.invalidate();
     this.#draw();
     return new Promise((resolve, reject) => {
-      this.#canvas.toBlob((blob) => (blob ? resolve(blob) : reject(lostFault("no picture"))));
+      this.#canvas.toBlob((blob) => (blob ? resolve(blob) : reject(lostFault(t("no picture")))));
     });
   }
 
@@ -332,7 +334,7 @@ class SurfaceView {
    * @returns {Promise<{ width: number, height: number, data: Uint8Array }>}
    */
   pixels() {
-    return this.#viewer ? this.#viewer.readPixels() : Promise.reject(lostFault("rebuilding"));
+    return this.#viewer ? this.#viewer.readPixels() : Promise.reject(lostFault(t("rebuilding")));
   }
 
   /**
@@ -530,8 +532,8 @@ class SurfaceView {
 function lostFault(reason) {
   return {
     kind: "GpuLost",
-    message: `the graphics device was lost: ${reason}`,
-    hint: "Reload the page. Your surface is safe: download it first if you changed it.",
+    message: t("the graphics device was lost: {reason}", { reason: translated(reason) }),
+    hint: t("Reload the page. Your surface is safe: download it first if you changed it."),
     detail: {},
   };
 }

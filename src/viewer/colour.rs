@@ -1,6 +1,6 @@
 //! Colour maps and the palettes of the two themes, in sRGB.
 
-use colorous::{RED_BLUE, VIRIDIS};
+use colorous::{INFERNO, RED_BLUE, VIRIDIS};
 
 /// Texels of a colour map on the GPU.
 pub const MAP_LENGTH: usize = 256;
@@ -8,12 +8,60 @@ pub const MAP_LENGTH: usize = 256;
 /// Share of the diverging map left out at each end.
 const DARK_END: f64 = 0.12;
 
+/// Share of the sequential map of high contrast left out at its low end, which is black: nothing
+/// could be told by its shading there.
+const BLACK_END: f64 = 0.1;
+
+/// The signed map of high contrast at equal distances, `0xrrggbb`. In CIELAB its L* are 10, 30,
+/// 52, 76, 98 and back: equal on both sides of zero, so that size is seen as lightness and sign
+/// as hue, blue or orange, which every kind of colour blindness tells apart.
+const BLUE_ORANGE: [u32; 9] = [
+    0x0c1842, 0x004592, 0x2280cb, 0x8ec1e9, 0xf9f9f9, 0xf7ac5f, 0xc75e0d, 0x7a3003, 0x2f1405,
+];
+
+/// Which colour map.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ColourMap {
+    /// Diverging from zero in the middle, not from low to high.
+    pub signed: bool,
+    /// For the last row of a lecture hall: nearly all of the range from black to white.
+    pub contrast: bool,
+}
+
+impl ColourMap {
+    /// The colour at `t` from 0, the low end, to 1, as r, g, b.
+    fn at(self, t: f64) -> [u8; 3] {
+        match (self.signed, self.contrast) {
+            (false, false) => VIRIDIS.eval_continuous(t).as_array(),
+            (false, true) => INFERNO
+                .eval_continuous(BLACK_END + (1.0 - BLACK_END) * t)
+                .as_array(),
+            (true, false) => RED_BLUE
+                .eval_continuous(1.0 - DARK_END - (1.0 - 2.0 * DARK_END) * t)
+                .as_array(),
+            (true, true) => between(&BLUE_ORANGE, t),
+        }
+    }
+}
+
+/// Linear between neighbours of a list of colours `0xrrggbb`.
+fn between(stops: &[u32], t: f64) -> [u8; 3] {
+    let place = t.clamp(0.0, 1.0) * (stops.len() - 1) as f64;
+    let low = (place as usize).min(stops.len() - 2);
+    let share = place - low as f64;
+    [16, 8, 0].map(|shift| {
+        let channel = |n: usize| f64::from(stops[n] >> shift & 0xff);
+        (channel(low) + share * (channel(low + 1) - channel(low))).round() as u8
+    })
+}
+
 /// `n` colours of a map from low to high, as r, g, b bytes.
 ///
-/// Sequential: viridis, perceptually uniform and readable by the colour-blind.
-/// Signed: blue below zero, white at zero, red above (`RdBu` of ColorBrewer, reversed),
-/// without its ends, which are too dark to carry shading.
-pub fn colour_bar(signed: bool, n: usize) -> Vec<u8> {
+/// Sequential: viridis, or inferno where contrast is wanted; both perceptually uniform and
+/// readable by the colour-blind. Signed: blue below zero, white at zero, red above (`RdBu` of
+/// ColorBrewer, reversed), without its ends, which are too dark to carry shading; with contrast
+/// blue, white and orange with nearly black ends.
+pub fn colour_bar(map: ColourMap, n: usize) -> Vec<u8> {
     let colour = |i: usize| {
         // One colour alone is the middle of the map.
         let t = if n > 1 {
@@ -21,20 +69,15 @@ pub fn colour_bar(signed: bool, n: usize) -> Vec<u8> {
         } else {
             0.5
         };
-        let colour = if signed {
-            RED_BLUE.eval_continuous(1.0 - DARK_END - (1.0 - 2.0 * DARK_END) * t)
-        } else {
-            VIRIDIS.eval_continuous(t)
-        };
-        colour.as_array()
+        map.at(t)
     };
     (0..n).flat_map(colour).collect()
 }
 
 /// A colour map as RGBA texels, [`MAP_LENGTH`] of them.
-pub fn map_texels(signed: bool) -> Vec<u8> {
+pub fn map_texels(map: ColourMap) -> Vec<u8> {
     let opaque = |rgb: &[u8]| [rgb[0], rgb[1], rgb[2], 255];
-    colour_bar(signed, MAP_LENGTH)
+    colour_bar(map, MAP_LENGTH)
         .chunks_exact(3)
         .flat_map(opaque)
         .collect()
@@ -116,22 +159,133 @@ pub fn linear(srgb: u32) -> [f32; 4] {
 mod tests {
     use super::*;
 
-    #[test]
-    fn sequential_map_grows_lighter_all_the_way() {
-        let luminance = |rgb: &[u8]| {
-            let packed = u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]);
-            let [r, g, b, _] = linear(packed);
-            0.2126 * r + 0.7152 * g + 0.0722 * b
+    const PLAIN: ColourMap = ColourMap {
+        signed: false,
+        contrast: false,
+    };
+    const SIGNED: ColourMap = ColourMap {
+        signed: true,
+        ..PLAIN
+    };
+    const CONTRAST: ColourMap = ColourMap {
+        contrast: true,
+        ..PLAIN
+    };
+    const SIGNED_CONTRAST: ColourMap = ColourMap {
+        signed: true,
+        contrast: true,
+    };
+
+    /// Linear light of trichromats and, by the matrices of Machado, Oliveira & Fernandes 2009
+    /// (severity 1), what protanopes, deuteranopes and tritanopes see of it.
+    const SIGHT: [[[f64; 3]; 3]; 4] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [
+            [0.152286, 1.052583, -0.204868],
+            [0.114503, 0.786281, 0.099216],
+            [-0.003882, -0.048116, 1.051998],
+        ],
+        [
+            [0.367322, 0.860646, -0.227968],
+            [0.280085, 0.672501, 0.047413],
+            [-0.011820, 0.042940, 0.968881],
+        ],
+        [
+            [1.255528, -0.076749, -0.178779],
+            [-0.078411, 0.930809, 0.147602],
+            [0.004733, 0.691367, 0.303900],
+        ],
+    ];
+
+    /// CIELAB (CIE 15, white D65) of a map's colours, low to high, as `sight` sees them.
+    fn lab(map: ColourMap, n: usize, sight: &[[f64; 3]; 3]) -> Vec<[f64; 3]> {
+        let mix = |rows: &[[f64; 3]; 3], c: [f64; 3]| {
+            rows.map(|row| (0..3).map(|k| row[k] * c[k]).sum::<f64>())
         };
-        let bar = colour_bar(false, 64);
-        let steps: Vec<f32> = bar.chunks_exact(3).map(luminance).collect();
-        assert!(steps.is_sorted());
-        assert!(steps[0] < 0.03 && steps[63] > 0.7);
+        let one = |rgb: &[u8]| {
+            let [r, g, b, _] = linear(u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]));
+            let seen = mix(sight, [r, g, b].map(f64::from)).map(|c| c.clamp(0.0, 1.0));
+            // Linear sRGB to XYZ over the white point (IEC 61966-2-1).
+            let xyz = mix(
+                &[
+                    [0.412456, 0.357576, 0.180437],
+                    [0.212673, 0.715152, 0.072175],
+                    [0.019334, 0.119192, 0.950304],
+                ],
+                seen,
+            );
+            let white = [0.95047, 1.0, 1.08883];
+            let f = |t: f64| {
+                if t > (6.0f64 / 29.0).powi(3) {
+                    t.cbrt()
+                } else {
+                    t * (29.0f64 / 6.0).powi(2) / 3.0 + 4.0 / 29.0
+                }
+            };
+            let [x, y, z] = [0, 1, 2].map(|k| f(xyz[k] / white[k]));
+            [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+        };
+        colour_bar(map, n).chunks_exact(3).map(one).collect()
+    }
+
+    /// CIE 1976 ΔE*; about 2.3 is just noticed side by side.
+    fn difference(p: [f64; 3], q: [f64; 3]) -> f64 {
+        (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt()
+    }
+
+    #[test]
+    fn sequential_maps_grow_lighter_all_the_way() {
+        for (map, range) in [(PLAIN, 75.0), (CONTRAST, 90.0)] {
+            for sight in &SIGHT {
+                let bar = lab(map, 64, sight);
+                assert!(
+                    bar.windows(2).all(|pair| pair[1][0] > pair[0][0]),
+                    "{map:?}: L* falls under {sight:?}"
+                );
+            }
+            let bar = lab(map, 64, &SIGHT[0]);
+            assert!(bar[63][0] - bar[0][0] > range, "{map:?} of {range}");
+        }
+    }
+
+    #[test]
+    fn diverging_map_of_contrast_is_as_light_on_either_side_of_zero() {
+        let bar = lab(SIGNED_CONTRAST, 65, &SIGHT[0]);
+        for i in 0..32 {
+            assert!(bar[i + 1][0] > bar[i][0], "L* falls at {i}");
+            let off = bar[i][0] - bar[64 - i][0];
+            assert!(off.abs() < 3.0, "L* differs by {off:.1} at ±{}", 32 - i);
+        }
+        assert!(bar[32][0] - bar[0][0] > 85.0);
+    }
+
+    #[test]
+    fn maps_of_contrast_are_told_apart_by_the_colour_blind() {
+        for sight in &SIGHT {
+            for map in [CONTRAST, SIGNED_CONTRAST] {
+                // Sixteen classes, each five times what is just noticed from the next.
+                let bar = lab(map, 16, sight);
+                for (i, pair) in bar.windows(2).enumerate() {
+                    let apart = difference(pair[0], pair[1]);
+                    assert!(
+                        apart > if map.signed { 7.0 } else { 5.0 },
+                        "{map:?}: {i} and {} differ by {apart:.1} under {sight:?}",
+                        i + 1
+                    );
+                }
+            }
+            // Equally far from zero, the sign is seen by the hue: nearly black at the ends.
+            let bar = lab(SIGNED_CONTRAST, 9, sight);
+            for (i, least) in [25.0, 40.0, 40.0, 30.0].into_iter().enumerate() {
+                let apart = difference(bar[i], bar[8 - i]);
+                assert!(apart > least, "±{}: {apart:.1} under {sight:?}", 4 - i);
+            }
+        }
     }
 
     #[test]
     fn diverging_map_is_blue_white_red() {
-        let bar = colour_bar(true, 3);
+        let bar = colour_bar(SIGNED, 3);
         assert!(bar[2] > bar[0] + 30, "low end {:?} is not blue", &bar[..3]);
         assert!(
             bar[3..6].iter().all(|&channel| channel > 230),
@@ -143,11 +297,13 @@ mod tests {
 
     #[test]
     fn any_number_of_colours_can_be_had() {
-        for n in [0, 1, 2, 7, 256] {
-            assert_eq!(colour_bar(true, n).len(), 3 * n);
-            assert_eq!(colour_bar(false, n).len(), 3 * n);
+        for map in [PLAIN, SIGNED, CONTRAST, SIGNED_CONTRAST] {
+            for n in [0, 1, 2, 7, 256] {
+                assert_eq!(colour_bar(map, n).len(), 3 * n);
+            }
         }
-        assert_eq!(map_texels(false).len(), 4 * MAP_LENGTH);
+        assert_eq!(map_texels(PLAIN).len(), 4 * MAP_LENGTH);
+        assert_eq!(colour_bar(SIGNED_CONTRAST, 3)[3..6], [0xf9; 3]);
     }
 
     #[test]

@@ -9,7 +9,7 @@ use web_sys::HtmlCanvasElement;
 use super::fault::{fault, object};
 use crate::mesh::shape::platonic;
 use crate::mesh::subdivide::linear_levels;
-use crate::viewer::colour::{Theme, colour_bar};
+use crate::viewer::colour::{ColourMap, Theme, colour_bar};
 use crate::viewer::error::ViewerError;
 use crate::viewer::gpu;
 
@@ -20,7 +20,7 @@ extern "C" {
     #[wasm_bindgen(method, getter)]
     fn samples(this: &ViewerOptions) -> Option<u32>;
 
-    /// `{ shading?, wireframe?, boundary?, theme?, lineWidth? }`
+    /// `{ shading?, wireframe?, boundary?, theme?, contrast?, lineWidth? }`
     pub type StyleOptions;
     #[wasm_bindgen(method, getter)]
     fn shading(this: &StyleOptions) -> Option<String>;
@@ -30,6 +30,8 @@ extern "C" {
     fn boundary(this: &StyleOptions) -> Option<bool>;
     #[wasm_bindgen(method, getter)]
     fn theme(this: &StyleOptions) -> Option<String>;
+    #[wasm_bindgen(method, getter)]
+    fn contrast(this: &StyleOptions) -> Option<bool>;
     #[wasm_bindgen(method, getter, js_name = lineWidth)]
     fn line_width(this: &StyleOptions) -> Option<f32>;
 }
@@ -220,6 +222,7 @@ impl Viewer {
         }
         style.wireframe = options.wireframe().unwrap_or(style.wireframe);
         style.boundary = options.boundary().unwrap_or(style.boundary);
+        style.contrast = options.contrast().unwrap_or(style.contrast);
         style.line_width = options.line_width().unwrap_or(style.line_width);
         self.0.set_style(style);
     }
@@ -320,9 +323,11 @@ impl Viewer {
         self.0.adapter().to_owned()
     }
 
-    /// `n` colours of a colour map from low to high, r, g, b bytes each.
+    /// `n` colours of a colour map from low to high, r, g, b bytes each; of high contrast
+    /// where the style has it.
     #[wasm_bindgen(js_name = colourBar)]
     pub fn colour_bar(&self, signed: bool, n: usize) -> Vec<u8> {
-        colour_bar(signed, n)
+        let contrast = self.0.style().contrast;
+        colour_bar(ColourMap { signed, contrast }, n)
     }
 }

@@ -168,7 +168,7 @@ export function createContest({ store, solver, voice, report }) {
     const frame = contenders().find((one) => one.id === id)?.frame;
     if (!state || !frame) return;
     const { positions, flippedTriangles } = frame;
-    const none = { reports: [], panes: [], curves: null, jump: null };
+    const none = { reports: [], panes: [], curves: null, jump: null, look: null };
     const field = fields.get(id) ?? null;
     held?.set(id, { type: "frame", run: 0, state, positions, field, flippedTriangles, ...none });
   }

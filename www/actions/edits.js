@@ -5,9 +5,12 @@
 /** @import { Options } from "../options.js" */
 /** @import { Core } from "./core.js" */
 
-import { t } from "../language.js";
+import { plural, t } from "../language.js";
 import { byCurvature } from "../options.js";
 import { transitions as to } from "../state.js";
+
+/** What going on from a surface takes back when it is undone. @param {number} count */
+const stepsOf = (count) => plural(count, { one: "{count} step", other: "{count} steps" });
 
 /** @param {Core} core */
 export function createEdits({ store, solver, voice, enqueue, rest, configure, colour, arrange }) {
@@ -49,12 +52,22 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
         const { passes, before, after, distance } = outcome;
         voice.answer(
           passes === 0
-            ? "The mesh is as regular as it gets."
-            : `Regularised in ${passes} ${passes === 1 ? "pass" : "passes"}: smallest angle ` +
-                `${before.minAngleDegrees.toFixed(1)}° → ${after.minAngleDegrees.toFixed(1)}°, ` +
-                `distortion ${before.distortion.toPrecision(2)} → ${after.distortion.toPrecision(2)}; ` +
-                `no vertex is farther than ${(100 * distance).toPrecision(2)} % of the size from ` +
-                "the surface before. Back undoes it.",
+            ? t("The mesh is as regular as it gets.")
+            : plural(
+                passes,
+                {
+                  one: "Regularised in {count} pass: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.",
+                  other:
+                    "Regularised in {count} passes: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.",
+                },
+                {
+                  angle: before.minAngleDegrees.toFixed(1),
+                  angleNow: after.minAngleDegrees.toFixed(1),
+                  distortion: before.distortion.toPrecision(2),
+                  distortionNow: after.distortion.toPrecision(2),
+                  distance: (100 * distance).toPrecision(2),
+                },
+              ),
         );
       }),
     /** All flips that gain anything, at once. */
@@ -73,7 +86,7 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
       enqueue(async () => {
         await rest();
         const { options, reading } = store.get();
-        if (reading && reading.step > 0) await adopt(options, `${reading.step} steps`);
+        if (reading && reading.step > 0) await adopt(options, stepsOf(reading.step));
       }),
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
     subdivide: (scheme) =>
@@ -117,7 +130,10 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
           .fill(wanted)
           .finally(() => store.update(to.progress, null));
         const count = outcome.loops.length;
-        const what = `the fill of ${count} ${count === 1 ? "loop" : "loops"}`;
+        const what = plural(count, {
+          one: "the fill of {count} loop",
+          other: "the fill of {count} loops",
+        });
         const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
         store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
         for (const warning of outcome.warnings) voice.note(warning);
@@ -127,8 +143,15 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
         await configure({ ...before, ...plain, goal: "relax", flow, free });
         await colour(store.get().colour);
         voice.answer(
-          `Filled ${count} ${count === 1 ? "loop" : "loops"} with ${outcome.verticesAdded} new ` +
-            "vertices. Play lets the flow fair them; Undo takes the fill back.",
+          plural(
+            count,
+            {
+              one: "Filled {count} loop with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.",
+              other:
+                "Filled {count} loops with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.",
+            },
+            { vertices: outcome.verticesAdded },
+          ),
         );
       }),
     /** Frees these vertices and holds the others; the surface as it is becomes the start. @param {number[] | null} free */
@@ -137,7 +160,7 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
         await rest();
         const { options, reading } = store.get();
         const wanted = { ...options, free, fixed: null };
-        if (reading && reading.step > 0) await adopt(wanted, `${reading.step} steps`);
+        if (reading && reading.step > 0) await adopt(wanted, stepsOf(reading.step));
         else await configure(wanted);
       }),
   };

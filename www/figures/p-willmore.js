@@ -252,8 +252,9 @@ export const pWillmore = [
           const ratio = (coarse.energy - middle.energy) / (middle.energy - last.energy);
           const together = [coarse, middle].every(({ time }) => near(time, last.time, 1e-9));
           const energies = [coarse, middle, last].map(({ energy }) => short(energy, 5));
+          const told = `${energies.join(", ")}: ratio ${short(ratio, 3)}`;
           return {
-            value: `${energies.join(", ")}: ratio ${short(ratio, 3)}${together ? "" : ", not at one time"}`,
+            value: together ? told : `${told}, not at one time`,
             ok: together && last.energy < first.energy && Math.abs(ratio - 4) < 1,
           };
         },

@@ -6,6 +6,7 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
+import { translated } from "../language.js";
 import { choices, usualBoundary } from "../options.js";
 import { samples } from "../samples.js";
 import { byId, fillSelect, setText } from "./element.js";
@@ -56,7 +57,7 @@ export function createChoices(controller) {
         shown = state.source;
         own.textContent = shown.kind === "file" ? shown.name : "";
         sample.value = shown.kind === "sample" ? shown.id : "";
-        setText(note, samples.find(({ id }) => id === sample.value)?.note ?? "");
+        setText(note, translated(samples.find(({ id }) => id === sample.value)?.note ?? ""));
       } else if (state.phase !== "loading" && shown?.kind === "sample") {
         // A sample that was refused leaves the one before in place.
         if (sample.value !== shown.id) sample.value = shown.id;

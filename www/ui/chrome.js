@@ -1,9 +1,9 @@
 // @ts-check
-// What stands around the surface: help, the panel, and presenting without either.
+// What stands around the surface: help, and the panel.
 
 /** @import { PageState } from "../state.js" */
-/** @import { Controller } from "../controller.js" */
 
+import { t } from "../language.js";
 import { byId, setText } from "./element.js";
 
 export function createHelp() {
@@ -20,14 +20,22 @@ export function createHelp() {
     open,
     /** @param {Readonly<PageState>} state */
     update(state) {
-      setText(version, state.version ? `Solver version ${state.version}` : "");
+      setText(
+        version,
+        state.version ? t("Solver version {version}", { version: state.version }) : "",
+      );
     },
   };
 }
 
+/** How far down a swipe has to go to close the sheet, in CSS pixels. */
+const SWIPE = 60;
+
 /** Open beside the surface where there is room; a sheet that starts closed on a phone. */
 export function createPanel() {
   const button = byId("panel-toggle", HTMLButtonElement);
+  const panel = byId("panel", HTMLElement);
+  const handle = byId("panel-handle", HTMLButtonElement);
   const narrow = matchMedia("(max-width: 700px)");
   /** @param {boolean} open */
   function show(open) {
@@ -37,28 +45,29 @@ export function createPanel() {
   button.addEventListener("click", () => show(button.ariaExpanded !== "true"));
   narrow.addEventListener("change", () => show(!narrow.matches));
   show(!narrow.matches);
-}
 
-/** @param {Controller} controller */
-export function createPresenter(controller) {
-  const button = byId("present", HTMLButtonElement);
-  button.addEventListener("click", () => controller.present());
-  // Leaving full screen with the browser's own key ends the presentation too.
-  document.addEventListener("fullscreenchange", () => {
-    if (!document.fullscreenElement) controller.present(false);
+  function close() {
+    show(false);
+    button.focus();
+  }
+  handle.addEventListener("click", close);
+  // The sheet follows the finger, and is let go of where it came far enough.
+  /** @type {number | null} */
+  let from = null;
+  handle.addEventListener("pointerdown", (event) => {
+    from = event.clientY;
+    handle.setPointerCapture(event.pointerId);
   });
-
-  let shown = false;
-  return {
-    /** @param {Readonly<PageState>} state */
-    update({ presenting }) {
-      if (presenting === shown) return;
-      shown = presenting;
-      document.documentElement.classList.toggle("presenting", presenting);
-      button.ariaPressed = String(presenting);
-      // Refused where the page is embedded; presenting works without.
-      if (presenting) document.documentElement.requestFullscreen?.().catch(() => {});
-      else if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
-    },
-  };
+  handle.addEventListener("pointermove", ({ clientY }) => {
+    if (from !== null) panel.style.translate = `0 ${Math.max(0, clientY - from)}px`;
+  });
+  /** @param {PointerEvent} event */
+  function lift({ type, clientY }) {
+    const isFar = from !== null && type === "pointerup" && clientY - from > SWIPE;
+    from = null;
+    panel.style.translate = "";
+    if (isFar) close();
+  }
+  handle.addEventListener("pointerup", lift);
+  handle.addEventListener("pointercancel", lift);
 }

@@ -3,7 +3,9 @@
 
 /** @import { PageState } from "../state.js" */
 
+import { t, translated } from "../language.js";
 import { choices } from "../options.js";
+import { hasContrast } from "../state.js";
 import { byId, setText } from "./element.js";
 import { formatShort } from "./number.js";
 
@@ -34,28 +36,31 @@ export function createColourBar(colours, pictured) {
   let painted = "";
   /** @type {PageState["frame"]} */
   let shown = null;
+  let contrast = false;
 
   function update() {
     const field = shown?.field ?? null;
-    const kind = field ? String(field.signed) : "";
+    const kind = field ? `${field.signed} ${contrast}` : "";
     if (kind !== painted) painted = field && paint(field.signed) ? kind : "";
     bar.hidden = !field || painted === "";
     if (!field) return;
-    const name = choices.colour.find(({ id }) => id === field.name)?.label ?? field.label;
+    const { label: english } = choices.colour.find(({ id }) => id === field.name) ?? field;
+    const name = translated(english);
     const from = formatShort(field.low);
     const to = formatShort(field.high);
     setText(low, from);
     setText(label, name);
     setText(high, to);
-    scale.ariaLabel = `Colours: ${name} from ${from} to ${to}`;
+    scale.ariaLabel = t("Colours: {name} from {from} to {to}", { name, from, to });
   }
 
   // A scene from a link may stand still, coloured, before the viewer is there.
   pictured.then(update);
   return {
     /** @param {Readonly<PageState>} state */
-    update({ frame }) {
-      shown = frame;
+    update(state) {
+      shown = state.frame;
+      contrast = hasContrast(state);
       update();
     },
   };

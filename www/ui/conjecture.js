@@ -6,8 +6,8 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
+import { t } from "../language.js";
 import { byId, setText } from "./element.js";
-import { formatCount } from "./number.js";
 import { ownPane } from "./picture.js";
 import { showQuadrilateral, signed } from "./quadrilateral.js";
 import { createScatter } from "./scatter.js";
@@ -106,18 +106,36 @@ export function createConjecture(controller, nearestEdge) {
       setText(cell, String(now[/** @type {keyof typeof cells} */ (name)]));
     }
     const share = total > 0 ? (100 * (total - against)) / total : 100;
-    const agrees = `On this mesh it holds for ${against === 0 ? "all" : `${share.toFixed(against / total < 1e-4 ? 3 : 2)} % of`} ${total} edges`;
+    const percent = share.toFixed(against / total < 1e-4 ? 3 : 2);
     setText(
       verdict,
       against === 0
-        ? `${agrees}.`
-        : `${agrees} and fails for ${formatCount(against, { one: "#", other: "#" })}.`,
+        ? t("On this mesh it holds for all {total} edges.", { total })
+        : t("On this mesh it holds for {percent} % of {total} edges and fails for {against}.", {
+            percent,
+            total,
+            against,
+          }),
     );
-    canvas.ariaLabel = `Reductions of ${total} edges: ${now.both} lower both, ${now.neither} neither, ${now.areaOnly} only the area, ${now.localisedOnly} only the localised energy`;
+    canvas.ariaLabel = t(
+      "Reductions of {total} edges: {both} lower both, {neither} neither, {areaOnly} only the area, {localisedOnly} only the localised energy",
+      {
+        total,
+        both: now.both,
+        neither: now.neither,
+        areaOnly: now.areaOnly,
+        localisedOnly: now.localisedOnly,
+      },
+    );
     const names = Array.from({ length: Math.min(now.counterexamples, LISTED) }, (_, n) => {
       const [i, j] = cornersOf(now, n);
       return new Option(
-        `Edge ${i}–${j}: f_a ${signed(now.area[n])}, f_l ${signed(now.localised[n])}`,
+        t("Edge {i}–{j}: f_a {area}, f_l {localised}", {
+          i,
+          j,
+          area: signed(now.area[n]),
+          localised: signed(now.localised[n]),
+        }),
         String(n),
       );
     });

@@ -6,13 +6,15 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
+import { t, translated } from "../language.js";
 import { byCurvature, choices, defaults } from "../options.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { chosen, show } from "./option-form.js";
 
 /** @param {string} flow */
-export const flowLabel = (flow) => choices.flow.find(({ id }) => id === flow)?.label ?? flow;
+export const flowLabel = (flow) =>
+  translated(choices.flow.find(({ id }) => id === flow)?.label ?? flow);
 
 /** @param {import("../protocol.js").CurvatureJump | null | undefined} jump */
 export const jumpText = (jump) => (jump ? formatNumber(jump.relative, 3) : "–");
@@ -48,9 +50,11 @@ export function createCurvatureForm(controller) {
     setText(
       jump,
       measured
-        ? `Jump of H where the patch ends: ${formatNumber(measured.relative, 3)} of H outside, ` +
-            `root mean square over ${measured.vertices} vertices.`
-        : "No jump of H to measure: no patch ends next to what is held, or it is too small.",
+        ? t(
+            "Jump of H where the patch ends: {jump} of H outside, root mean square over {vertices} vertices.",
+            { jump: formatNumber(measured.relative, 3), vertices: measured.vertices },
+          )
+        : t("No jump of H to measure: no patch ends next to what is held, or it is too small."),
     );
     const standing = (frame?.panes ?? []).filter(({ standing: s }) => s !== null);
     table.hidden = standing.length === 0 || !reading;
@@ -61,7 +65,8 @@ export function createCurvatureForm(controller) {
         head.scope = "row";
         head.textContent = flowLabel(name);
         row.append(head);
-        for (const text of [String(s?.step), jumpText(s?.jump), standings[s?.status ?? "ready"]]) {
+        const standing = translated(standings[s?.status ?? "ready"]);
+        for (const text of [String(s?.step), jumpText(s?.jump), standing]) {
           row.insertCell().textContent = text;
         }
         return row;

@@ -4,6 +4,7 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
+import { t } from "../language.js";
 import { choices } from "../options.js";
 import { byId, fillSelect } from "./element.js";
 
@@ -46,7 +47,11 @@ export function createDownload(controller, state, snapshot) {
     }
     const picture = await snapshot();
     if (picture) return picture;
-    throw { kind: "NoPicture", message: "There is no picture to save.", hint: "Save the mesh." };
+    throw {
+      kind: "NoPicture",
+      message: t("There is no picture to save."),
+      hint: t("Save the mesh."),
+    };
   }
 
   button.addEventListener("click", async () => {

@@ -1,6 +1,8 @@
 // @ts-check
 // Elements of the page by id, with their types.
 
+import { translated } from "../language.js";
+
 /**
  * @template {Element} T
  * @param {string} id
@@ -26,5 +28,5 @@ export function setText(element, text) {
  * @param {readonly { id: string, label: string }[]} choices
  */
 export function fillSelect(select, choices) {
-  select.replaceChildren(...choices.map(({ id, label }) => new Option(label, id)));
+  select.replaceChildren(...choices.map(({ id, label }) => new Option(translated(label), id)));
 }

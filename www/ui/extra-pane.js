@@ -7,8 +7,9 @@
 /** @import { Drawable } from "../viewer.js" */
 /** @import { Viewer } from "./picture.js" */
 
-import { isDark } from "../state.js";
+import { t } from "../language.js";
 import { setText } from "./element.js";
+import { styleOf } from "./picture.js";
 
 /**
  * What a pane shows.
@@ -79,14 +80,14 @@ export class ExtraPane {
     this.#last = [state, shown];
     this.figure.style.order = String(shown.order);
     setText(this.caption, shown.caption);
-    const label = `Surface: ${state.mesh?.name ?? "none"}, ${shown.caption}`;
+    const name = state.mesh?.name ?? "–";
+    const label = t("Surface: {name}, {caption}", { name, caption: shown.caption });
     if (this.canvas.ariaLabel !== label) this.canvas.ariaLabel = label;
     const viewer = this.#viewer;
     if (!viewer) return;
     if (state.view !== this.#view) {
       this.#view = state.view;
-      const { shading, wireframe, boundary } = state.view;
-      viewer.setStyle({ shading, wireframe, boundary, theme: isDark(state) ? "dark" : "light" });
+      viewer.setStyle(styleOf(state));
     }
     this.#draw(viewer, state.mesh, shown);
     if (state.camera !== this.#camera && state.camera) {

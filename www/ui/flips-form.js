@@ -7,6 +7,7 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
+import { t, translated } from "../language.js";
 import { choices, defaults, plainArrangement } from "../options.js";
 import { byId, fillSelect } from "./element.js";
 import { formatNumber } from "./number.js";
@@ -14,7 +15,7 @@ import { chosen, show } from "./option-form.js";
 
 /** @param {string} criterion */
 export const criterionLabel = (criterion) =>
-  choices.criterion.find(({ id }) => id === criterion)?.label ?? criterion;
+  translated(choices.criterion.find(({ id }) => id === criterion)?.label ?? criterion);
 
 /** @param {string} text */
 function cell(text) {
@@ -70,7 +71,7 @@ export function createFlipsForm(controller) {
     const first = frame?.curves?.runs[0];
     const start =
       first &&
-      row("start", "Start", [
+      row("start", t("Start"), [
         "0",
         "",
         formatNumber(first.area[0], 6),

@@ -6,15 +6,19 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
+import { t, translated } from "../language.js";
 import { byId, setText } from "./element.js";
 
 /** @type {Readonly<Record<Figure["paper"], string>>} */
-const papers = {
+export const papers = {
   circle: "Bobenko and Schröder: discrete Willmore flow",
   "p-willmore": "Gruber and Aulisa: p-Willmore flow",
   flips: "Brink and Alboul: edge flips",
   curvature: "Xu and Zhang: mean-curvature variation",
 };
+
+/** @param {Figure} figure */
+export const figureTitle = ({ figure, title }) => `${translated(figure)}: ${translated(title)}`;
 
 /** What a figure's measure is given. @param {Readonly<PageState>} state @param {PageState["reading"]} first @returns {Run | null} */
 function runOf({ reading, mesh, frame }, first) {
@@ -45,7 +49,7 @@ const isCompound = ({ refine, reference, regularise }) =>
   Boolean(refine || reference || regularise);
 
 /** Whether a run has come as far as the figure wants. @param {Figure} figure @param {Readonly<PageState>} state */
-function isThere({ steps }, { reading, phase }) {
+export function isThere({ steps }, { reading, phase }) {
   if (!reading || phase === "running" || phase === "loading") return false;
   if (reading.status !== "ready" && reading.status !== "running") return true;
   return steps !== "rest" && reading.step >= steps;
@@ -54,10 +58,14 @@ function isThere({ steps }, { reading, phase }) {
 /** @param {Figure} figure */
 function waitingText(figure) {
   if (isCompound(figure)) {
-    return `It takes more than one run to measure: umbilic bench --table figures --figures ${figure.id}`;
+    return t("It takes more than one run to measure: {command}", {
+      command: `umbilic bench --table figures --figures ${figure.id}`,
+    });
   }
-  if (figure.steps === "rest") return "Play, until it comes to rest.";
-  return figure.steps === 0 ? "As it stands." : `Play, at least to step ${figure.steps}.`;
+  if (figure.steps === "rest") return t("Play, until it comes to rest.");
+  return figure.steps === 0
+    ? t("As it stands.")
+    : t("Play, at least to step {steps}.", { steps: figure.steps });
 }
 
 /** @param {Controller} controller */
@@ -83,9 +91,9 @@ export function createGallery(controller) {
     picture.width = 240;
     picture.height = 150;
     const title = document.createElement("strong");
-    title.textContent = `${figure.figure}: ${figure.title}`;
+    title.textContent = figureTitle(figure);
     const text = document.createElement("span");
-    text.textContent = figure.reports;
+    text.textContent = translated(figure.reports);
     button.append(picture, title, text);
     button.addEventListener("click", () => {
       dialog.close();
@@ -103,7 +111,7 @@ export function createGallery(controller) {
       filled = true;
       for (const [paper, name] of Object.entries(papers)) {
         const title = document.createElement("h3");
-        title.textContent = name;
+        title.textContent = translated(name);
         const group = document.createElement("div");
         group.className = "cards";
         group.append(...figures.filter((figure) => figure.paper === paper).map(card));
@@ -122,6 +130,7 @@ export function createGallery(controller) {
   /** @type {PageState["reading"]} */
   let first = null;
   return {
+    open,
     /** @param {Readonly<PageState>} state */
     update(state) {
       if (state.figure !== figure) {
@@ -129,16 +138,19 @@ export function createGallery(controller) {
         first = null;
         section.hidden = !figure;
         if (!figure) return;
-        setText(heading, `${figure.figure}: ${figure.title}`);
-        setText(said, figure.reports);
-        setText(expected, figure.expected);
+        setText(heading, figureTitle(figure));
+        setText(said, translated(figure.reports));
+        setText(expected, translated(figure.expected));
       }
       if (!figure) return;
       if (state.reading?.step === 0 && state.reading.status === "ready") first = state.reading;
       const run = isCompound(figure) || !isThere(figure, state) ? null : runOf(state, first);
       const result = run && figure.measure(run);
-      setText(measured, result ? `${result.ok ? "✓" : "✗"} ${result.value}` : waitingText(figure));
-      setText(why, result && !result.ok && figure.shortfall ? figure.shortfall : "");
+      setText(
+        measured,
+        result ? `${result.ok ? "✓" : "✗"} ${translated(result.value)}` : waitingText(figure),
+      );
+      setText(why, result && !result.ok && figure.shortfall ? translated(figure.shortfall) : "");
       measured.dataset.verdict = result ? (result.ok ? "yes" : "no") : "open";
     },
   };

@@ -5,6 +5,7 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
+import { t } from "../language.js";
 import { byId, setText } from "./element.js";
 import { formatCount, formatNumber } from "./number.js";
 
@@ -68,7 +69,12 @@ export function createHoles(controller, nearestEdge) {
     const box = document.createElement("input");
     box.type = "checkbox";
     box.value = String(n);
-    label.append(box, ` ${n + 1}: ${edges} edges, length ${formatNumber(length, 4)}`);
+    const said = t("{n}: {edges} edges, length {length}", {
+      n: n + 1,
+      edges,
+      length: formatNumber(length, 4),
+    });
+    label.append(box, ` ${said}`);
     const approach = (/** @type {number | null} */ value) => () => {
       near = value;
       mark();
@@ -96,8 +102,12 @@ export function createHoles(controller, nearestEdge) {
     }
     setText(
       summary,
-      `${formatCount(loops.length, { one: "# boundary loop", other: "# boundary loops" })}` +
-        `${loops.length > LISTED ? `, the first ${LISTED} of them listed` : ""}.`,
+      loops.length > LISTED
+        ? t("{count} boundary loops, the first {listed} of them listed.", {
+            count: loops.length,
+            listed: LISTED,
+          })
+        : formatCount(loops.length, { one: "# boundary loop.", other: "# boundary loops." }),
     );
     list.append(...loops.slice(0, LISTED).map(entry));
     showChosen();

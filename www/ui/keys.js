@@ -9,7 +9,7 @@ import { byId } from "./element.js";
 const KEY = "umbilic-keys";
 
 /** @param {EventTarget | null} target whether the key belongs to a control that takes text or choices */
-function takesKeys(target) {
+export function takesKeys(target) {
   if (!(target instanceof HTMLElement)) return false;
   if (target.isContentEditable || target.matches("select, textarea")) return true;
   return target instanceof HTMLInputElement && !["checkbox", "radio"].includes(target.type);
@@ -52,7 +52,9 @@ export function createKeys(controller, state, help) {
   const repeating = [".", ","];
 
   window.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") {
+    // Escape closes what lies on top first.
+    const dialog = document.querySelector("dialog[open]");
+    if (event.key === "Escape" && !dialog) {
       if (state().comparison.shown === "side") controller.present(false);
       else controller.sideBySide();
     }
@@ -60,7 +62,7 @@ export function createKeys(controller, state, help) {
     const action = Object.hasOwn(actions, key) ? actions[key] : null;
     if (!action || !on.checked || event.defaultPrevented) return;
     if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
-    if (document.querySelector("dialog[open]") || takesKeys(event.target)) return;
+    if (dialog || takesKeys(event.target)) return;
     if (key === " " && takesSpace(event.target)) return;
     event.preventDefault();
     if (!event.repeat || repeating.includes(key)) action();

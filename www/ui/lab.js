@@ -5,13 +5,20 @@
 /** @import { Lab } from "../protocol.js" */
 /** @import { Controller } from "../controller.js" */
 
+import { currentLanguage, t } from "../language.js";
 import { byId, setText } from "./element.js";
 import { showQuadrilateral } from "./quadrilateral.js";
 
 /** Tetrahedra, and as many flattened ones, between two pictures. */
 const BATCH = 10_000;
 
-const whole = new Intl.NumberFormat("en");
+// A point between thousands would be read as a decimal point: German takes a thin space.
+const whole = {
+  format: (/** @type {number} */ count) => {
+    const text = count.toLocaleString("en");
+    return currentLanguage() === "en" ? text : text.replaceAll(",", "\u202f");
+  },
+};
 
 /** @param {number} part @param {number} of */
 const percent = (part, of) => (of === 0 ? "–" : `${((100 * part) / of).toPrecision(3)} %`);
@@ -31,9 +38,16 @@ export function createLab(controller) {
     const against = areaOnly + localisedOnly;
     setText(
       summary,
-      `${whole.format(lab.tetrahedra)} random tetrahedra, ${whole.format(against)} against: ` +
-        `${percent(against, lab.tetrahedra)} (${whole.format(areaOnly)} lower only the area, ` +
-        `${whole.format(localisedOnly)} only the localised energy).`,
+      t(
+        "{total} random tetrahedra, {against} against: {share} ({areaOnly} lower only the area, {localisedOnly} only the localised energy).",
+        {
+          total: whole.format(lab.tetrahedra),
+          against: whole.format(against),
+          share: percent(against, lab.tetrahedra),
+          areaOnly: whole.format(areaOnly),
+          localisedOnly: whole.format(localisedOnly),
+        },
+      ),
     );
     const most = Math.max(
       ...lab.classes.map((c) => c.counterexamples / Math.max(c.total, 1)),
@@ -75,13 +89,13 @@ export function createLab(controller) {
 
   function stop() {
     running = false;
-    setText(button, "Draw quadrilaterals");
+    setText(button, t("Draw quadrilaterals"));
   }
 
   button.addEventListener("click", () => {
     if (running) return stop();
     running = true;
-    setText(button, "Stop");
+    setText(button, t("Stop"));
     run();
   });
 }

@@ -1,6 +1,7 @@
 // @ts-check
 // Warnings and errors, each shown once. Errors stay until they are dismissed.
 
+import { translated } from "../language.js";
 import { byId } from "./element.js";
 
 /** Milliseconds a warning stays. */
@@ -18,8 +19,8 @@ export function createMessages() {
     const copy = /** @type {DocumentFragment} */ (template.content.cloneNode(true));
     const message = /** @type {HTMLElement} */ (copy.querySelector(".message"));
     const lines = message.querySelectorAll("p");
-    lines[0].textContent = what;
-    lines[1].textContent = hint;
+    lines[0].textContent = translated(what);
+    lines[1].textContent = translated(hint);
     lines[1].hidden = hint === "";
     message.querySelector("button")?.addEventListener("click", () => message.remove());
     list.append(message);
@@ -44,7 +45,7 @@ export function createMessages() {
     /** @param {{ message: string, hint: string }} fault */
     error({ message, hint }) {
       const shown = [...errors.querySelectorAll(".what")].some(
-        (what) => what.textContent === message,
+        (what) => what.textContent === translated(message),
       );
       if (!shown) add(errors, message, hint);
     },

@@ -5,6 +5,7 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
+import { t } from "../language.js";
 import { defaults, smoothingTau } from "../options.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
@@ -41,13 +42,14 @@ export function createMethodForm(controller) {
         ? smoothingTau(detail.valueAsNumber, count.valueAsNumber || 1)
         : 10 ** tau.valueAsNumber;
     const length = formatNumber(detail.valueAsNumber * h, 3);
-    setText(detailValue, `L = ${detail.valueAsNumber.toFixed(1)} mean edge lengths = ${length}`);
+    const edges = detail.valueAsNumber.toFixed(1);
+    setText(detailValue, t("L = {edges} mean edge lengths = {length}", { edges, length }));
     setText(tauValue, `τ = ${formatNumber(wanted, 3)}`);
     const value = used ?? wanted;
     const ratio = ratios[flow] ?? "dt/L^(p+2)";
     const numbers = `τ = ${ratio} = ${formatNumber(value, 3)}, dt = ${formatNumber(value * unit, 3)}`;
     const first = goal === "relax" && tauAuto.checked;
-    setText(note, first ? `First time step: ${numbers}` : numbers);
+    setText(note, first ? t("First time step: {numbers}", { numbers }) : numbers);
   }
 
   form.addEventListener("input", () => describe(shown));

@@ -1,6 +1,9 @@
 // @ts-check
 // Numbers for people: a fixed count of significant digits, so that they do not jump
-// about while they run, and no grouping, so that they can be copied.
+// about while they run, and no grouping, so that they can be copied: with a decimal point in
+// every language.
+
+import { plural } from "../language.js";
 
 /** @param {number | null | undefined} value @param {number} [digits] significant */
 export function formatNumber(value, digits = 5) {
@@ -19,11 +22,9 @@ export function formatShort(value) {
   return String(Number(value.toPrecision(3)));
 }
 
-const plurals = new Intl.PluralRules("en");
-
 /**
  * @param {number} count
  * @param {{ one: string, other: string }} sentences  whole sentences, `#` stands for the count
  */
 export const formatCount = (count, sentences) =>
-  sentences[plurals.select(count) === "one" ? "one" : "other"].replace("#", String(count));
+  plural(count, sentences).replace("#", String(count));

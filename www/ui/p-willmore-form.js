@@ -5,6 +5,7 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
+import { t } from "../language.js";
 import { defaults } from "../options.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
@@ -52,10 +53,13 @@ export function createPWillmoreForm(controller) {
   function describe(reading) {
     const { tension = null, pressure = null } = reading?.multipliers ?? {};
     const said = [
-      tension !== null && `tension ${formatNumber(tension, 4)}`,
-      pressure !== null && `pressure ${formatNumber(pressure, 4)}`,
+      tension !== null && t("tension {value}", { value: formatNumber(tension, 4) }),
+      pressure !== null && t("pressure {value}", { value: formatNumber(pressure, 4) }),
     ].filter(Boolean);
-    setText(forces, said.length > 0 ? `Lagrange multipliers: ${said.join(", ")}` : "");
+    setText(
+      forces,
+      said.length > 0 ? t("Lagrange multipliers: {values}", { values: said.join(", ") }) : "",
+    );
     forces.hidden = said.length === 0;
   }
 

@@ -7,6 +7,7 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Shown } from "./extra-pane.js" */
 
+import { t } from "../language.js";
 import { byCurvature } from "../options.js";
 import { captions, rivalPictures } from "./comparison-words.js";
 import { flowLabel, jumpText } from "./curvature-form.js";
@@ -22,16 +23,24 @@ const order = ["start", "area", ...byCurvature, "localised"];
 function captionOf(name, { reading, frame }) {
   const standing = frame?.panes.find((pane) => pane.name === name)?.standing;
   if (standing) {
-    const jump = standing.jump ? `, jump of H ${jumpText(standing.jump)}` : "";
-    return `${flowLabel(name)}: step ${standing.step}${jump}`;
+    const { step } = standing;
+    const values = { flow: flowLabel(name), step, jump: jumpText(standing.jump) };
+    return standing.jump
+      ? t("{flow}: step {step}, jump of H {jump}", values)
+      : t("{flow}: step {step}", values);
   }
-  const label = name === "start" ? "Start" : criterionLabel(name);
+  const named = name === "localised" ? t("Localised") : criterionLabel(name);
+  const label = name === "start" ? t("Start") : named;
   const run = reading?.flips?.find(({ criterion }) => criterion === name);
   const first = frame?.curves?.runs[0];
-  const area = run ? run.area : first?.area[0];
-  const circle = run ? run.circle : first?.circle[0];
-  const flips = run ? `${formatCount(run.flips, { one: "# flip", other: "# flips" })}, ` : "";
-  return `${label.replace(" Willmore energy", "")}: ${flips}area ${formatNumber(area, 6)}, W ${formatNumber(circle, 5)}`;
+  const values = {
+    label,
+    area: formatNumber(run ? run.area : first?.area[0], 6),
+    circle: formatNumber(run ? run.circle : first?.circle[0], 5),
+  };
+  if (!run) return t("{label}: area {area}, W {circle}", values);
+  const flips = formatCount(run.flips, { one: "# flip", other: "# flips" });
+  return t("{label}: {flips}, area {area}, W {circle}", { ...values, flips });
 }
 
 /** @param {Readonly<PageState>} state @returns {{ own: string, ownOrder: number, others: Shown[] }} */

@@ -6,8 +6,9 @@
 /** @import { PageState, View } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
+import { t, translated } from "../language.js";
 import { samples as shapes } from "../samples.js";
-import { isDark } from "../state.js";
+import { hasContrast, isDark } from "../state.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { overlayOf } from "./overlay.js";
@@ -16,11 +17,18 @@ import { overlayOf } from "./overlay.js";
 
 /** @param {Readonly<PageState>} state */
 export function surfaceLabel({ mesh, reading }) {
-  if (!mesh) return "Surface: none yet";
-  if (!reading) return `Surface: ${mesh.name}`;
+  if (!mesh) return t("Surface: none yet");
+  const { name } = mesh;
+  if (!reading) return t("Surface: {name}", { name });
   const energy = formatNumber(reading.energy, 4);
   const area = formatNumber(reading.area, 4);
-  return `Surface: ${mesh.name}, step ${reading.step}, energy ${energy}, area ${area}`;
+  const { step } = reading;
+  return t("Surface: {name}, step {step}, energy {energy}, area {area}", {
+    name,
+    step,
+    energy,
+    area,
+  });
 }
 
 /** The pane that stands in the place of the surface. @param {Readonly<PageState>} state */
@@ -29,10 +37,26 @@ export function ownPane({ frame, reading, options }) {
   return frame?.panes.find(({ name }) => name === chosen) ?? null;
 }
 
+/** Width of an edge in CSS pixels, on a desk and from the last row. */
+const LINE = { near: 1.25, far: 2.5 };
+
+/** How the surface is drawn. @param {Readonly<PageState>} state @returns {import("../viewer.js").Style} */
+export function styleOf(state) {
+  const { shading, wireframe, boundary } = state.view;
+  return {
+    shading,
+    wireframe,
+    boundary,
+    theme: isDark(state) ? "dark" : "light",
+    contrast: hasContrast(state),
+    lineWidth: state.presenting ? LINE.far : LINE.near,
+  };
+}
+
 /** @param {PageState["source"]} source */
-function titleOf(source) {
+export function sceneTitle(source) {
   if (source?.kind !== "sample") return source?.name ?? "";
-  return shapes.find(({ id }) => id === source.id)?.label ?? "";
+  return translated(shapes.find(({ id }) => id === source.id)?.label ?? "");
 }
 
 /**
@@ -73,8 +97,8 @@ export function createPicture(controller, state, samples) {
     viewer = null;
     canvas.hidden = true;
     absence.hidden = false;
-    setText(byId("absence-reason", HTMLElement), fault.message);
-    setText(byId("absence-hint", HTMLElement), fault.hint);
+    setText(byId("absence-reason", HTMLElement), translated(fault.message));
+    setText(byId("absence-hint", HTMLElement), translated(fault.hint));
   }
 
   /** @param {Float32Array} now */
@@ -88,8 +112,7 @@ export function createPicture(controller, state, samples) {
     if (!viewer) return;
     if (s.view !== view) {
       view = s.view;
-      const { shading, wireframe, boundary } = view;
-      viewer.setStyle({ shading, wireframe, boundary, theme: isDark(s) ? "dark" : "light" });
+      viewer.setStyle(styleOf(s));
     }
     if (s.mesh !== mesh && s.mesh) {
       mesh = s.mesh;
@@ -159,7 +182,10 @@ export function createPicture(controller, state, samples) {
         viewer = opened;
         const { name, reason } = viewer.renderer;
         for (const id of ["renderer", "help-renderer"]) {
-          setText(byId(id, HTMLElement), `Drawn with ${name}: ${reason}.`);
+          setText(
+            byId(id, HTMLElement),
+            t("Drawn with {name}: {reason}.", { name, reason: translated(reason) }),
+          );
         }
         if (shape) viewer.setMesh(shape);
         draw(state());
@@ -180,7 +206,7 @@ export function createPicture(controller, state, samples) {
       draw(s);
       const label = surfaceLabel(s);
       if (canvas.ariaLabel !== label) canvas.ariaLabel = label;
-      setText(title, titleOf(s.source));
+      setText(title, sceneTitle(s.source));
     },
     fit: () => viewer?.fit(),
     /** @param {MouseEvent} event */

@@ -3,6 +3,7 @@
 
 /** @import { Quadrilateral } from "../protocol.js" */
 
+import { t } from "../language.js";
 import { formatNumber } from "./number.js";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -84,10 +85,13 @@ function numbers(quad) {
   const both = (/** @type {number[]} */ [before, after]) =>
     `${formatNumber(before, 4)}° → ${formatNumber(after, 4)}°`;
   const rows = [
-    ["f_a, area gained", `${signed(area)} of ${formatNumber(totalArea, 5)}`],
-    ["f_l, localised energy gained", signed(localised)],
-    ["Angle between the faces", both(foldDegrees)],
-    ["Smallest angle", both(minAngleDegrees)],
+    [
+      t("f_a, area gained"),
+      t("{gained} of {area}", { gained: signed(area), area: formatNumber(totalArea, 5) }),
+    ],
+    [t("f_l, localised energy gained"), signed(localised)],
+    [t("Angle between the faces"), both(foldDegrees)],
+    [t("Smallest angle"), both(minAngleDegrees)],
     ["i, j, k, l", points.map(coordinates).join("\n")],
   ];
   for (const [term, value] of rows) {

@@ -3,6 +3,7 @@
 
 /** @import { PageState } from "../state.js" */
 
+import { t } from "../language.js";
 import { byId, setText } from "./element.js";
 import { formatCount, formatNumber } from "./number.js";
 import { showParts } from "./option-form.js";
@@ -12,7 +13,7 @@ function readingsOf({ reading, mesh }) {
   if (!mesh) return {};
   const { info } = mesh;
   const counts = {
-    genus: info.genus === null ? "not orientable" : String(info.genus),
+    genus: info.genus === null ? t("not orientable") : String(info.genus),
     vertices: String(info.vertices),
     faces: String(info.faces),
   };
@@ -34,20 +35,26 @@ function readingsOf({ reading, mesh }) {
 
 /** @param {number} perStep  above what a mesh can hold: all there are */
 const flipsText = (perStep) =>
-  perStep > 2 ** 31 - 1 ? "All flips" : formatCount(perStep, { one: "# flip", other: "# flips" });
+  perStep > 2 ** 31 - 1
+    ? t("All flips")
+    : formatCount(perStep, { one: "# flip", other: "# flips" });
 
 /** @param {NonNullable<PageState["reading"]>} reading */
 function volumeText({ volume, reducedVolume }) {
-  if (volume === null) return "none enclosed";
-  const share = reducedVolume === null ? "" : ` (reduced ${formatNumber(reducedVolume, 4)})`;
-  return formatNumber(volume, 6) + share;
+  if (volume === null) return t("none enclosed");
+  const text = formatNumber(volume, 6);
+  if (reducedVolume === null) return text;
+  return t("{volume} (reduced {reduced})", {
+    volume: text,
+    reduced: formatNumber(reducedVolume, 4),
+  });
 }
 
 /** What the p-Willmore flow decreases. @param {PageState["options"]} options */
 function energyLabel({ p, spontaneousCurvature, tension, pressure }) {
   if (spontaneousCurvature || tension || pressure) return "∫(H − H₀)² dA + ¼(σA − PV)";
   const powers = new Map([
-    [0, "Area"],
+    [0, t("Area")],
     [1, "∫|H| dA"],
     [2, "∫H² dA"],
     [3, "∫|H|³ dA"],

@@ -4,6 +4,7 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
+import { t } from "../language.js";
 import { byId, setText } from "./element.js";
 import { grown, painted } from "./selection.js";
 
@@ -45,7 +46,7 @@ export function createRegion(controller, canvas) {
 
   function show() {
     const free = held.reduce((sum, one) => sum + (one === 0 ? 1 : 0), 0);
-    setText(count, `${free} of ${held.length} vertices move.`);
+    setText(count, t("{free} of {all} vertices move.", { free, all: held.length }));
     canvas.showHeld(held);
   }
 
@@ -115,7 +116,7 @@ export function createRegion(controller, canvas) {
       held = Uint8Array.from(configured?.heldVertices ?? []);
       untouched = !now.options.free && !now.options.fixed;
       const free = held.reduce((sum, one) => sum + (one === 0 ? 1 : 0), 0);
-      setText(count, `${free} of ${held.length} vertices move.`);
+      setText(count, t("{free} of {all} vertices move.", { free, all: held.length }));
     },
   };
 }

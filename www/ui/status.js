@@ -3,6 +3,7 @@
 
 /** @import { PageState } from "../state.js" */
 
+import { t, translated } from "../language.js";
 import { byId, setText } from "./element.js";
 import { formatCount, formatNumber } from "./number.js";
 
@@ -32,35 +33,37 @@ const stages = {
 
 /** @param {Readonly<PageState>} state */
 export function statusText({ phase, loadingName, mesh, reading, pausing, version, goal }) {
-  if (phase === "failed") return "The solver is not running";
+  if (phase === "failed") return t("The solver is not running");
   if (phase === "loading") {
-    if (version === "") return "Starting the solver…";
-    return loadingName ? `Loading ${loadingName}…` : "Restoring the surface…";
+    if (version === "") return t("Starting the solver…");
+    return loadingName ? t("Loading {name}…", { name: loadingName }) : t("Restoring the surface…");
   }
-  if (!reading && version === "") return "Starting the solver…";
+  if (!reading && version === "") return t("Starting the solver…");
   // A mesh may be fine and its options not: with both borders clamped, nothing is free.
-  if (!reading) return mesh ? "The flow cannot start" : "Open a mesh to begin";
+  if (!reading) return mesh ? t("The flow cannot start") : t("Open a mesh to begin");
   if (phase === "running") {
-    if (pausing) return "Pausing after this step…";
-    return goal ? `Running to step ${goal}` : "Running";
+    if (pausing) return t("Pausing after this step…");
+    return goal ? t("Running to step {goal}", { goal }) : t("Running");
   }
   const end = reading.status;
   if (end !== "ready" && end !== "running") return formatCount(reading.step, ends[end]);
-  return phase === "ready" ? "Ready" : `Paused at step ${reading.step}`;
+  return phase === "ready" ? t("Ready") : t("Paused at step {step}", { step: reading.step });
 }
 
 /** @param {import("../protocol.js").State} reading @param {string} said  the status line */
 function reasonText({ status, message }, said) {
-  if (status === "stepLimit") return "Play goes on for as many steps again.";
-  return message.startsWith(said) ? message.slice(said.length).replace(/^[:.,\s]+/, "") : message;
+  if (status === "stepLimit") return t("Play goes on for as many steps again.");
+  const text = translated(message);
+  return text.startsWith(said) ? text.slice(said.length).replace(/^[:.,\s]+/, "") : text;
 }
 
 /** @param {Readonly<PageState>} state how much of the way is done, or null where nothing is to be waited for */
 function progressOf({ progress, goal, reading, phase }) {
   if (phase === "running" && goal && reading) {
-    return { stage: `Step ${reading.step} of ${goal}`, fraction: reading.step / goal };
+    const { step } = reading;
+    return { stage: t("Step {step} of {goal}", { step, goal }), fraction: step / goal };
   }
-  return progress && { ...progress, stage: stages[progress.stage] ?? progress.stage };
+  return progress && { ...progress, stage: translated(stages[progress.stage] ?? progress.stage) };
 }
 
 /** @type {Readonly<Record<string, string>>} */
@@ -76,9 +79,9 @@ const symbols = {
 /** The energy's symbol. @param {Pick<PageState, "options">} state */
 export const symbol = ({ options }) => {
   const known = symbols[options.flow];
-  if (known) return known;
-  if (options.spontaneousCurvature || options.tension || options.pressure) return "Energy";
-  return options.p === 0 ? "Area" : options.p === 2 ? "∫H²" : `∫|H|^${options.p}`;
+  if (known) return translated(known);
+  if (options.spontaneousCurvature || options.tension || options.pressure) return t("Energy");
+  return options.p === 0 ? t("Area") : options.p === 2 ? "∫H²" : `∫|H|^${options.p}`;
 };
 
 export function createStatus() {

@@ -5,6 +5,7 @@
 /** @import { Controller } from "../controller.js" */
 
 import { canStepBack, hasMoved } from "../comparison-state.js";
+import { t } from "../language.js";
 import { byId, setText } from "./element.js";
 
 /** @param {Controller} controller */
@@ -45,7 +46,7 @@ export function createTransport(controller) {
       const { phase, reading } = state;
       const running = phase === "running";
       const usable = reading !== null && phase !== "loading" && phase !== "failed";
-      setText(label, running ? "Pause" : "Play");
+      setText(label, running ? t("Pause") : t("Play"));
       play.dataset.running = String(running);
       allow(play, usable);
       allow(buttons.step, usable);

@@ -7,20 +7,21 @@
 import { byId } from "./element.js";
 
 const KEY = "umbilic-theme";
+const CONTRAST = "umbilic-contrast";
 
-/** Storage may be forbidden; the theme then lasts as long as the page. @returns {string | null} */
-function remembered() {
+/** Storage may be forbidden; a choice then lasts as long as the page. @param {string} key @returns {string | null} */
+function remembered(key) {
   try {
-    return localStorage.getItem(KEY);
+    return localStorage.getItem(key);
   } catch {
     return null;
   }
 }
 
-/** @param {string} theme */
-function remember(theme) {
+/** @param {string} key @param {string} value */
+function remember(key, value) {
   try {
-    localStorage.setItem(KEY, theme);
+    localStorage.setItem(key, value);
   } catch {
     // As above.
   }
@@ -36,15 +37,19 @@ export function createViewForm(controller, fit) {
   form.addEventListener("change", ({ target }) => {
     const control = /** @type {HTMLInputElement | HTMLSelectElement} */ (target);
     const value = control instanceof HTMLInputElement ? control.checked : control.value;
+    // The select of languages is none of the view's.
+    if (!control.name) return;
     controller.view({ [control.name]: value });
-    if (control === theme) remember(theme.value);
+    if (control === theme) remember(KEY, theme.value);
+    if (control.name === "contrast") remember(CONTRAST, value ? "high" : "normal");
   });
   byId("fit", HTMLButtonElement).addEventListener("click", fit);
 
   const system = matchMedia("(prefers-color-scheme: dark)");
-  const known = remembered();
+  const known = remembered(KEY);
   controller.view({
     systemDark: system.matches,
+    contrast: remembered(CONTRAST) === "high",
     ...(known === "light" || known === "dark" ? { theme: known } : {}),
   });
   system.addEventListener("change", () => controller.view({ systemDark: system.matches }));
@@ -59,7 +64,7 @@ export function createViewForm(controller, fit) {
       document.documentElement.dataset.theme = view.theme;
       shading.value = view.shading;
       theme.value = view.theme;
-      for (const name of /** @type {const} */ (["wireframe", "boundary"])) {
+      for (const name of /** @type {const} */ (["wireframe", "boundary", "contrast"])) {
         const box = /** @type {HTMLInputElement} */ (form.elements.namedItem(name));
         box.checked = view[name];
       }

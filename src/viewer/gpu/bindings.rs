@@ -3,7 +3,7 @@
 use bytemuck::bytes_of;
 
 use super::device::Gpu;
-use crate::viewer::colour::{MAP_LENGTH, map_texels};
+use crate::viewer::colour::{ColourMap, MAP_LENGTH, map_texels};
 use crate::viewer::drawing::ROW;
 use crate::viewer::frame::Frame;
 
@@ -14,7 +14,7 @@ pub(super) struct Bindings {
     uniforms: wgpu::Buffer,
     vertices: wgpu::Texture,
     map: wgpu::Texture,
-    map_is_signed: Option<bool>,
+    sent_map: Option<ColourMap>,
 }
 
 impl Bindings {
@@ -41,7 +41,7 @@ impl Bindings {
             uniforms,
             vertices,
             map,
-            map_is_signed: None,
+            sent_map: None,
         }
     }
 
@@ -68,11 +68,11 @@ impl Bindings {
         write(gpu, &self.vertices, bytemuck::cast_slice(vertices));
     }
 
-    /// Sends the sequential or the signed colour map.
-    pub(super) fn set_map(&mut self, gpu: &Gpu, signed: bool) {
-        if self.map_is_signed != Some(signed) {
-            self.map_is_signed = Some(signed);
-            write(gpu, &self.map, &map_texels(signed));
+    /// Sends a colour map.
+    pub(super) fn set_map(&mut self, gpu: &Gpu, map: ColourMap) {
+        if self.sent_map != Some(map) {
+            self.sent_map = Some(map);
+            write(gpu, &self.map, &map_texels(map));
         }
     }
 }

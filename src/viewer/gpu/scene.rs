@@ -11,7 +11,7 @@ use super::readback::{Picture, Readback};
 use super::signal::Signal;
 use super::surface_pass::SurfacePass;
 use crate::viewer::camera::Camera;
-use crate::viewer::colour::{Theme, linear};
+use crate::viewer::colour::{ColourMap, Theme, linear};
 use crate::viewer::drawing::{Drawing, expect_range};
 use crate::viewer::edges::edges;
 use crate::viewer::error::ViewerError;
@@ -30,6 +30,8 @@ pub struct Style {
     pub boundary: bool,
     /// Light or dark surroundings.
     pub theme: Theme,
+    /// Colours a field by the maps of high contrast.
+    pub contrast: bool,
     /// Width of an edge in device pixels; the boundary is drawn [`BOUNDARY_WIDTH`] times
     /// as wide.
     pub line_width: f32,
@@ -42,6 +44,7 @@ impl Default for Style {
             wireframe: false,
             boundary: true,
             theme: Theme::Dark,
+            contrast: false,
             line_width: 1.2,
         }
     }
@@ -67,6 +70,7 @@ const GRAZING_OPEN: f32 = 0.02;
 struct FieldRange {
     low: f32,
     high: f32,
+    signed: bool,
 }
 
 /// What has changed since the last picture.
@@ -106,7 +110,7 @@ impl Viewer {
     pub async fn open(canvas: HtmlCanvasElement, samples: u32) -> Result<Self, ViewerError> {
         let gpu = Gpu::open(canvas, samples).await?;
         let mut bindings = Bindings::new(&gpu);
-        bindings.set_map(&gpu, false);
+        bindings.set_map(&gpu, ColourMap::default());
         let lines = LinePass::new(&gpu, &bindings);
         let mut camera = Camera::default();
         let (width, height) = gpu.size();
@@ -208,12 +212,20 @@ impl Viewer {
         signed: bool,
     ) -> Result<(), ViewerError> {
         self.drawing.set_field(values)?;
-        self.bindings.set_map(&self.gpu, signed);
-        self.field = Some(FieldRange { low, high });
+        self.field = Some(FieldRange { low, high, signed });
+        self.send_map();
         self.stale.vertices = true;
         self.stale.flags = true;
         self.stale.picture = true;
         Ok(())
+    }
+
+    fn send_map(&mut self) {
+        let map = ColourMap {
+            signed: self.field.is_some_and(|field| field.signed),
+            contrast: self.style.contrast,
+        };
+        self.bindings.set_map(&self.gpu, map);
     }
 
     /// Shows the surface in its plain colour.
@@ -309,6 +321,7 @@ impl Viewer {
     pub fn set_style(&mut self, style: Style) {
         self.stale.picture |= self.style != style;
         self.style = style;
+        self.send_map();
     }
 
     /// Resizes the picture, in device pixels. Clears the canvas: draw in the same turn.
@@ -419,10 +432,9 @@ impl Viewer {
         let colour = |srgb| Vec4::from(linear(srgb));
         let palette = self.style.theme.palette();
         let (width, height) = self.gpu.size();
-        let FieldRange { low, high } = self.field.unwrap_or(FieldRange {
-            low: 0.0,
-            high: 1.0,
-        });
+        let (low, high) = self
+            .field
+            .map_or((0.0, 1.0), |field| (field.low, field.high));
         let back = if self.drawing.has_two_sides() {
             palette.back
         } else {

@@ -1,0 +1,1261 @@
+// @ts-check
+// The words of the application: English, as they stand in the sources, and their German. `{name}`
+// and `{}` are values; where German wants the values of a solver's sentence in another order, they
+// are `{1}`, `{2}`, …. `tests/web/language.test.js` says what is missing and what is left over.
+//
+// Words: mesh Netz, vertex Ecke, edge Kante, face Facette, surface Fläche, boundary loop
+// Randkurve, flow Fluss, clamped eingespannt, sample Beispiel, readings Messwerte.
+
+/** @type {Readonly<Record<string, string>>} */
+export const german = {
+  // Header, panel, dialogs
+  Umbilic: "Umbilic",
+  "Figures of the papers": "Abbildungen der Arbeiten",
+  Figures: "Abbildungen",
+  "Present (F)": "Vortrag (F)",
+  Present: "Vortrag",
+  "Help (?)": "Hilfe (?)",
+  Help: "Hilfe",
+  Panel: "Bedienfeld",
+  "Controls and readings": "Bedienung und Messwerte",
+  Close: "Schließen",
+  Messages: "Meldungen",
+  Dismiss: "Ausblenden",
+  "Drop a mesh to open it": "Zum Öffnen ein Netz hier ablegen",
+  "Solver version {version}": "Löser, Version {version}",
+
+  // Transport and status
+  Transport: "Ablauf",
+  "One step back ( , )": "Ein Schritt zurück ( , )",
+  Back: "Zurück",
+  Space: "Leertaste",
+  Play: "Abspielen",
+  Pause: "Pause",
+  "One step ( . )": "Ein Schritt ( . )",
+  Step: "Schritt",
+  "Back to the start ( R )": "Zurück zum Anfang ( R )",
+  Reset: "Anfang",
+  "End the long computation and go on from the last picture":
+    "Die lange Rechnung beenden und beim letzten Bild weitermachen",
+  "Stop now": "Jetzt abbrechen",
+  "Starting the solver…": "Der Löser startet …",
+  "The solver is not running": "Der Löser läuft nicht",
+  "Loading {name}…": "{name} wird geladen …",
+  "Restoring the surface…": "Die Fläche wird wiederhergestellt …",
+  "The flow cannot start": "Der Fluss kann nicht beginnen",
+  "Open a mesh to begin": "Zum Beginnen ein Netz öffnen",
+  "Pausing after this step…": "Hält nach diesem Schritt an …",
+  "Running to step {goal}": "Läuft bis Schritt {goal}",
+  Running: "Läuft",
+  Ready: "Bereit",
+  "Paused at step {step}": "Angehalten bei Schritt {step}",
+  "Play goes on for as many steps again.": "Abspielen macht noch einmal so viele Schritte.",
+  "Step {step} of {goal}": "Schritt {step} von {goal}",
+  "Converged after # step": "Konvergiert nach # Schritt",
+  "Converged after # steps": "Konvergiert nach # Schritten",
+  "Stalled after # step": "Stecken geblieben nach # Schritt",
+  "Stalled after # steps": "Stecken geblieben nach # Schritten",
+  "Stopped at the step limit after # step": "Schrittgrenze erreicht nach # Schritt",
+  "Stopped at the step limit after # steps": "Schrittgrenze erreicht nach # Schritten",
+  "Failed after # step": "Gescheitert nach # Schritt",
+  "Failed after # steps": "Gescheitert nach # Schritten",
+  Assembling: "Matrix aufstellen",
+  Factorising: "Matrix zerlegen",
+  "Newton iterations": "Newton-Iterationen",
+  "Keeping area and volume": "Flächeninhalt und Volumen einhalten",
+  "Regularising the mesh": "Netz regularisieren",
+  Filling: "Füllen",
+  "Triangulating the holes": "Löcher triangulieren",
+  "Remeshing the patches": "Flicken neu vernetzen",
+  "Flipping edges": "Kanten flippen",
+  "Measuring the surface": "Fläche vermessen",
+
+  // Figure that is shown, and the gallery
+  Figure: "Abbildung",
+  "The paper reports": "Die Arbeit berichtet",
+  "Expected here": "Hier zu erwarten",
+  "Measured just now": "Soeben gemessen",
+  "It takes more than one run to measure: {command}":
+    "Zum Messen braucht es mehr als einen Lauf: {command}",
+  "Play, until it comes to rest.": "Abspielen, bis die Fläche zur Ruhe kommt.",
+  "As it stands.": "So, wie sie dasteht.",
+  "Play, at least to step {steps}.": "Abspielen, mindestens bis Schritt {steps}.",
+  "Bobenko and Schröder: discrete Willmore flow": "Bobenko und Schröder: diskreter Willmore-Fluss",
+  "Gruber and Aulisa: p-Willmore flow": "Gruber und Aulisa: p-Willmore-Fluss",
+  "Brink and Alboul: edge flips": "Brink und Alboul: Kantenflips",
+  "Xu and Zhang: mean-curvature variation": "Xu und Zhang: Variation der mittleren Krümmung",
+
+  // What is shown and how it flows
+  Sample: "Beispiel",
+  "Open mesh…": "Netz öffnen …",
+  "Open mesh": "Netz öffnen",
+  "OBJ, OFF, PLY, STL<span>, or drop it</span>":
+    "OBJ, OFF, PLY, STL<span>, oder hier ablegen</span>",
+  Flow: "Fluss",
+  Boundary: "Rand",
+  "Colour by": "Färben nach",
+  "Willmore, circle angles": "Willmore, Kreiswinkel",
+  "p-Willmore": "p-Willmore",
+  "Mean curvature": "Mittlere Krümmung",
+  "Surface diffusion": "Oberflächendiffusion",
+  "Willmore, fitted operators": "Willmore, angepasste Operatoren",
+  "Mean-curvature variation": "Variation der mittleren Krümmung",
+  "Edge flips": "Kantenflips",
+  "Clamped (with tangent)": "Eingespannt (mit Tangente)",
+  "Fixed (position only)": "Fest (nur die Lage)",
+  Free: "Frei",
+  Nothing: "Nichts",
+  "Mean curvature H": "Mittlere Krümmung H",
+  "Gaussian curvature K": "Gaußsche Krümmung K",
+  "Willmore energy Wᵢ": "Willmore-Energie Wᵢ",
+  "Willmore energy W_i": "Willmore-Energie W_i",
+  "Gradient size": "Betrag des Gradienten",
+  Displacement: "Verschiebung",
+  "Displacement from the start": "Verschiebung gegen den Anfang",
+  "Colours: {name} from {from} to {to}": "Farben: {name} von {from} bis {to}",
+  "A change takes the surface back to the start.":
+    "Eine Änderung bringt die Fläche zurück zum Anfang.",
+
+  // p-Willmore flow
+  "p-Willmore flow": "p-Willmore-Fluss",
+  "Exponent p": "Exponent p",
+  "0: mean-curvature flow; 2: Willmore flow; above 2 free surfaces grow.":
+    "0: Fluss nach der mittleren Krümmung; 2: Willmore-Fluss; über 2 wachsen freie Flächen.",
+  Keep: "Erhalten",
+  Area: "Flächeninhalt",
+  Volume: "Volumen",
+  "Lead the reduced volume to": "Reduziertes Volumen führen auf",
+  "Reduced volume": "Reduziertes Volumen",
+  Regularise: "Regularisieren",
+  "After each step": "Nach jedem Schritt",
+  "After each step, linear": "Nach jedem Schritt, linear",
+  Never: "Nie",
+  "Regularise the mesh now": "Netz jetzt regularisieren",
+  "The mesh is as regular as it gets.": "Regelmäßiger wird das Netz nicht.",
+  "Regularised in {count} pass: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.":
+    "In {count} Durchgang regularisiert: kleinster Winkel {angle}° → {angleNow}°, Verzerrung {distortion} → {distortionNow}; keine Ecke ist weiter als {distance} % der Größe von der vorigen Fläche entfernt. „Zurück“ nimmt es zurück.",
+  "Regularised in {count} passes: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.":
+    "In {count} Durchgängen regularisiert: kleinster Winkel {angle}° → {angleNow}°, Verzerrung {distortion} → {distortionNow}; keine Ecke ist weiter als {distance} % der Größe von der vorigen Fläche entfernt. „Zurück“ nimmt es zurück.",
+  "Lagrange multipliers: {values}": "Lagrange-Multiplikatoren: {values}",
+  "tension {value}": "Spannung {value}",
+  "pressure {value}": "Druck {value}",
+
+  // Flows by mean curvature and its derivatives
+  "Flow by mean curvature or its derivatives":
+    "Fluss nach der mittleren Krümmung oder ihren Ableitungen",
+  "Smooth first guess where the start is rough": "Glatter erster Ansatz, wo der Anfang rau ist",
+  "All four flows side by side": "Alle vier Flüsse nebeneinander",
+  "Flows side by side": "Flüsse nebeneinander",
+  "Jump of H": "Sprung von H",
+  Status: "Stand",
+  moving: "in Bewegung",
+  "at rest": "in Ruhe",
+  stalled: "stecken geblieben",
+  "at its limit": "an der Schrittgrenze",
+  failed: "gescheitert",
+  "Jump of H where the patch ends: {jump} of H outside, root mean square over {vertices} vertices.":
+    "Sprung von H am Ende des Flickens: das {jump}-Fache von H außerhalb, quadratisches Mittel über {vertices} Ecken.",
+  "No jump of H to measure: no patch ends next to what is held, or it is too small.":
+    "Kein Sprung von H zu messen: Kein Flicken endet neben Festgehaltenem, oder er ist zu klein.",
+  "{flow}: step {step}, jump of H {jump}": "{flow}: Schritt {step}, Sprung von H {jump}",
+  "{flow}: step {step}": "{flow}: Schritt {step}",
+
+  // Edge flips
+  Criterion: "Kriterium",
+  "Willmore energy": "Willmore-Energie",
+  "Localised Willmore energy": "Lokalisierte Willmore-Energie",
+  Localised: "Lokalisiert",
+  "The flip that lowers this most comes first. A change takes the mesh back to the start.":
+    "Zuerst kommt der Flip, der dies am stärksten senkt. Eine Änderung bringt das Netz zurück zum Anfang.",
+  "A step is": "Ein Schritt ist",
+  "1 flip": "1 Flip",
+  "10 flips": "10 Flips",
+  "100 flips": "100 Flips",
+  "1000 flips": "1000 Flips",
+  "All flips": "Alle Flips",
+  "# flip": "# Flip",
+  "# flips": "# Flips",
+  "Beside it": "Daneben",
+  "The start": "Der Anfang",
+  Start: "Anfang",
+  "All three criteria": "Alle drei Kriterien",
+  Subdivide: "Unterteilen",
+  Not: "Nicht",
+  "Once, by Loop’s scheme": "Einmal, nach Loop",
+  Twice: "Zweimal",
+  "No flip may turn a face over": "Kein Flip darf eine Facette umklappen",
+  "Flip to the end": "Bis zum Ende flippen",
+  Curves: "Kurven",
+  "Plot of area against the number of flips; where each criterion stands is in the table below":
+    "Flächeninhalt über der Zahl der Flips; den Stand jedes Kriteriums zeigt die Tabelle darunter",
+  "Willmore energy W": "Willmore-Energie W",
+  "Plot of Willmore energy against the number of flips; where each criterion stands is in the table below":
+    "Willmore-Energie über der Zahl der Flips; den Stand jedes Kriteriums zeigt die Tabelle darunter",
+  "Where each criterion stands": "Stand jedes Kriteriums",
+  By: "Nach",
+  Flips: "Flips",
+  Refused: "Abgelehnt",
+  "{label}: area {area}, W {circle}": "{label}: Inhalt {area}, W {circle}",
+  "{label}: {flips}, area {area}, W {circle}": "{label}: {flips}, Inhalt {area}, W {circle}",
+  "The flow starts from the mesh with its edges flipped; Undo brings the one before back.":
+    "Der Fluss beginnt beim Netz mit geflippten Kanten; „Rückgängig“ bringt das vorige zurück.",
+
+  // The conjecture about edge flips
+  "The conjecture: area against localised energy":
+    "Die Vermutung: Flächeninhalt gegen lokalisierte Energie",
+  "Brink and Alboul conjectured that a flip lowers the area if and only if it lowers the localised Willmore energy. <strong>That is refuted.</strong> Where four points are nearly coplanar both signs are those of the Delaunay test, as far as numbers show; with the angle between the faces, counterexamples come. The sample “Counterexample” is one to check by hand: f<sub>a</sub> = 15/2 − 2√2 − √89/2.":
+    "Brink und Alboul vermuteten, dass ein Flip genau dann den Flächeninhalt senkt, wenn er die lokalisierte Willmore-Energie senkt. <strong>Das ist widerlegt.</strong> Liegen vier Punkte beinahe in einer Ebene, so sind beide Vorzeichen die des Delaunay-Tests, soweit Zahlen das zeigen; mit dem Winkel zwischen den Facetten kommen Gegenbeispiele. Das Beispiel „Gegenbeispiel“ lässt sich von Hand nachrechnen: f<sub>a</sub> = 15/2 − 2√2 − √89/2.",
+  "On this mesh it holds for all {total} edges.":
+    "Auf diesem Netz gilt sie für alle {total} Kanten.",
+  "On this mesh it holds for {percent} % of {total} edges and fails for {against}.":
+    "Auf diesem Netz gilt sie für {percent} % von {total} Kanten und ist falsch für {against}.",
+  "Reductions of {total} edges: {both} lower both, {neither} neither, {areaOnly} only the area, {localisedOnly} only the localised energy":
+    "Gewinn bei {total} Kanten: {both} senken beides, {neither} keines, {areaOnly} nur den Flächeninhalt, {localisedOnly} nur die lokalisierte Energie",
+  "Reductions of the edges": "Gewinn bei jeder Kante",
+  "f<sub>a</sub> → lowers area": "f<sub>a</sub> → senkt den Inhalt",
+  "f<sub>l</sub> → lowers localised energy": "f<sub>l</sub> → senkt die lokalisierte Energie",
+  "Edges by what their flip lowers": "Kanten danach, was ihr Flip senkt",
+  "Area not": "Inhalt nicht kleiner",
+  "Area lower": "Inhalt kleiner",
+  "Localised energy lower": "Lokalisierte Energie kleiner",
+  "Localised energy not": "Lokalisierte Energie nicht kleiner",
+  "Counterexamples, marked on the surface; click one":
+    "Gegenbeispiele, auf der Fläche markiert; klicken Sie eines an",
+  "Edge {i}–{j}: f_a {area}, f_l {localised}": "Kante {i}–{j}: f_a {area}, f_l {localised}",
+  "f_a, area gained": "f_a, gewonnener Inhalt",
+  "{gained} of {area}": "{gained} von {area}",
+  "f_l, localised energy gained": "f_l, gewonnene lokalisierte Energie",
+  "Angle between the faces": "Winkel zwischen den Facetten",
+  "Smallest angle": "Kleinster Winkel",
+  "Random quadrilaterals": "Zufällige Vierecke",
+  "Half of them random tetrahedra, half flattened by a random factor; by the larger of the angles between the faces before and after the flip.":
+    "Zur Hälfte zufällige Tetraeder, zur Hälfte um einen zufälligen Faktor abgeflachte; nach dem größeren der Winkel zwischen den Facetten vor und nach dem Flip.",
+  "Draw quadrilaterals": "Vierecke ziehen",
+  Stop: "Halt",
+  "Counterexamples by angle": "Gegenbeispiele nach dem Winkel",
+  Angle: "Winkel",
+  Drawn: "Gezogen",
+  Against: "Dagegen",
+  Share: "Anteil",
+  "{total} random tetrahedra, {against} against: {share} ({areaOnly} lower only the area, {localisedOnly} only the localised energy).":
+    "{total} zufällige Tetraeder, {against} dagegen: {share} ({areaOnly} senken nur den Flächeninhalt, {localisedOnly} nur die lokalisierte Energie).",
+
+  // Holes and the region that moves
+  "Holes: fill or connect": "Löcher füllen oder verbinden",
+  "Choose boundary loops here or by a click on the surface. What is filled becomes a new start; only the new vertices move.":
+    "Wählen Sie Randkurven hier oder durch einen Klick auf die Fläche. Gefülltes wird zum neuen Anfang; nur die neuen Ecken bewegen sich.",
+  "Boundary loops": "Randkurven",
+  "# boundary loop.": "# Randkurve.",
+  "# boundary loops.": "# Randkurven.",
+  "{count} boundary loops, the first {listed} of them listed.":
+    "{count} Randkurven, die ersten {listed} davon in der Liste.",
+  "{n}: {edges} edges, length {length}": "{n}: {edges} Kanten, Länge {length}",
+  "Fill all": "Alle füllen",
+  "Fill chosen": "Gewählte füllen",
+  "One patch that joins all the chosen loops":
+    "Ein Flicken, der alle gewählten Randkurven verbindet",
+  "Connect chosen": "Gewählte verbinden",
+  "New vertices": "Neue Ecken",
+  "at most": "höchstens",
+  "the fill of {count} loop": "das Füllen von {count} Randkurve",
+  "the fill of {count} loops": "das Füllen von {count} Randkurven",
+  "Filled {count} loop with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.":
+    "{count} Randkurve mit {vertices} neuen Ecken gefüllt. „Abspielen“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.",
+  "Filled {count} loops with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.":
+    "{count} Randkurven mit {vertices} neuen Ecken gefüllt. „Abspielen“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.",
+  "Region that moves": "Bereich, der sich bewegt",
+  "Paint what the flow may change; the rest keeps its place.":
+    "Malen Sie an, was der Fluss verändern darf; der Rest bleibt, wo er ist.",
+  Paint: "Malen",
+  "The brush": "Der Pinsel",
+  frees: "gibt frei",
+  holds: "hält fest",
+  "Brush size": "Pinselgröße",
+  "Grow by a ring": "Um einen Ring wachsen",
+  Shrink: "Schrumpfen",
+  "As the flow has it": "Wie beim Fluss üblich",
+  "{free} of {all} vertices move.": "{free} von {all} Ecken bewegen sich.",
+  "Flows and flips then begin here": "Flüsse und Flips beginnen dann hier",
+  "Keep as new start": "Als neuen Anfang behalten",
+  Undo: "Rückgängig",
+  "takes back {what}": "nimmt zurück: {what}",
+  "{count} step": "{count} Schritt",
+  "{count} steps": "{count} Schritte",
+
+  // Energy and readings
+  Energy: "Energie",
+  "W = Σ W<sub>i</sub> <span>(as printed)</span>":
+    "W = Σ W<sub>i</sub> <span>(wie in der Arbeit)</span>",
+  "∫|H|^p dA": "∫|H|^p dA",
+  "∫H² dA <span>(about what moves)</span>": "∫H² dA <span>(um das, was sich bewegt)</span>",
+  "∫|∇H|² dA <span>(about what moves)</span>": "∫|∇H|² dA <span>(um das, was sich bewegt)</span>",
+  "W/2 <span>(→ ∫(H²−K) dA on curvature-aligned meshes only)</span>":
+    "W/2 <span>(→ ∫(H²−K) dA nur auf Netzen entlang der Krümmungslinien)</span>",
+  "Area over L² <span>(L: size of the patch)</span>":
+    "Flächeninhalt durch L² <span>(L: Größe des Flickens)</span>",
+  "The same <span>(it has no unit)</span>": "Dasselbe <span>(ohne Einheit)</span>",
+  "∫|∇H|² dA · L² <span>(L: size of the patch)</span>":
+    "∫|∇H|² dA · L² <span>(L: Größe des Flickens)</span>",
+  "∫|H|<sup>p</sup> over the round sphere’s <span>(of the same area)</span>":
+    "∫|H|<sup>p</sup> durch das der runden Sphäre <span>(gleichen Inhalts)</span>",
+  "What these two numbers say": "Was diese beiden Zahlen sagen",
+  "H is half the sum of the principal curvatures. The paper’s W<sup>p</sup> has twice that, Y = 2H: it is 2<sup>p</sup> times the first number. For p = 2 that is the Willmore energy, 4π for a round sphere and 2π² for the Clifford torus, whatever their size.":
+    "H ist die halbe Summe der Hauptkrümmungen. Das W<sup>p</sup> der Arbeit nimmt das Doppelte, Y = 2H: Es ist das 2<sup>p</sup>-Fache der ersten Zahl. Für p = 2 ist diese die Willmore-Energie, 4π für eine runde Sphäre und 2π² für den Clifford-Torus, gleich welcher Größe.",
+  "With spontaneous curvature, tension or pressure the first number is Canham and Helfrich’s, ∫(H − H₀)² dA + ¼(σA − PV). The second number is ∫|H|<sup>p</sup> compared with that of a round sphere of the same area, for which it is 1. The reduced volume compares the volume with that sphere’s.":
+    "Mit spontaner Krümmung, Spannung oder Druck ist die erste Zahl die von Canham und Helfrich, ∫(H − H₀)² dA + ¼(σA − PV). Die zweite Zahl vergleicht ∫|H|<sup>p</sup> mit dem einer runden Sphäre gleichen Flächeninhalts, für die sie 1 ist. Das reduzierte Volumen vergleicht das Volumen mit dem dieser Sphäre.",
+  "W adds, over every vertex, the angles between the circumcircles of neighbouring triangles, less 2π. It has no unit, is never negative, does not change under Möbius transformations, and is zero exactly when the vertices lie on a sphere as a convex, Delaunay mesh.":
+    "W summiert über jede Ecke die Winkel zwischen den Umkreisen benachbarter Dreiecke, weniger 2π. Es hat keine Einheit, ist nie negativ, ändert sich nicht unter Möbiustransformationen und ist genau dann null, wenn die Ecken als konvexes Delaunay-Netz auf einer Sphäre liegen.",
+  "On meshes whose edges follow the lines of curvature, half of it tends to the Willmore energy ∫(H²−K) dA as the mesh is refined. On other meshes W/2 is larger, by a factor that depends on the triangles; compare it only with other states of the same mesh.":
+    "Auf Netzen, deren Kanten den Krümmungslinien folgen, strebt die Hälfte davon bei Verfeinerung gegen die Willmore-Energie ∫(H²−K) dA. Auf anderen Netzen ist W/2 größer, um einen Faktor, der von den Dreiecken abhängt; vergleichbar ist es nur mit anderen Zuständen desselben Netzes.",
+  "Plot of energy against step number; the same numbers are in the table below it":
+    "Energie über der Schrittzahl; dieselben Zahlen stehen in der Tabelle darunter",
+  Axis: "Achse",
+  Automatic: "Automatisch",
+  Logarithmic: "Logarithmisch",
+  Linear: "Linear",
+  "Plotted numbers": "Zahlen der Kurve",
+  "Energy after each step": "Energie nach jedem Schritt",
+  Time: "Zeit",
+  "Step size": "Schrittweite",
+  Readings: "Messwerte",
+  Genus: "Geschlecht",
+  Vertices: "Ecken",
+  Faces: "Facetten",
+  "Milliseconds per step": "Millisekunden je Schritt",
+  "not orientable": "nicht orientierbar",
+  "none enclosed": "keines umschlossen",
+  "{volume} (reduced {reduced})": "{volume} (reduziert {reduced})",
+
+  // Goal and method
+  "Goal and method": "Ziel und Verfahren",
+  Goal: "Ziel",
+  "Relax towards a minimum": "Auf ein Minimum zu entspannen",
+  "Smooth by a set amount": "Um ein festes Maß glätten",
+  "Smooth away detail below L": "Einzelheiten unter L glätten",
+  "L = {edges} mean edge lengths = {length}": "L = {edges} mittlere Kantenlängen = {length}",
+  "Spread over": "Verteilt auf",
+  steps: "Schritte",
+  "Choose the time step automatically": "Zeitschritt automatisch wählen",
+  "Time step τ": "Zeitschritt τ",
+  "First time step: {numbers}": "Erster Zeitschritt: {numbers}",
+  Scheme: "Schema",
+  Recommended: "Empfohlen",
+  "As in the paper": "Wie in der Arbeit",
+  Integrator: "Integrator",
+  "Semi-implicit": "Semi-implizit",
+  "Forward Euler": "Explizites Euler-Verfahren",
+  "Backward Euler (Newton)": "Implizites Euler-Verfahren (Newton)",
+  "L-BFGS": "L-BFGS",
+  Mass: "Masse",
+  Uniform: "Gleichmäßig",
+  "Vertex area": "Fläche je Ecke",
+  "Angle smoothing ε": "Winkelglättung ε",
+  "Circle angles β are rounded to √(β²+ε²) − ε. 0.1 never sticks; 0.01 or less lets edges align with curvature.":
+    "Kreiswinkel β werden zu √(β²+ε²) − ε gerundet. 0.1 bleibt nie stecken; mit 0.01 oder weniger richten sich Kanten nach der Krümmung aus.",
+  "Sharpen at the end (ε → 0)": "Am Ende schärfen (ε → 0)",
+  "Harmonic pre-fill of the free region": "Harmonische Vorfüllung des freien Bereichs",
+  "Regularisation ε": "Regularisierung ε",
+  "A pure number: 0.001 is faithful to the surface, 0.1 aggressive.":
+    "Eine reine Zahl: 0.001 ist der Fläche treu, 0.1 greift stark ein.",
+  "Spontaneous H₀ · L": "Spontane H₀ · L",
+  "Tension σ · L²": "Spannung σ · L²",
+  "Pressure P · L³": "Druck P · L³",
+  "Canham–Helfrich, with p = 2 only: ∫(2H − 2H₀)² dA + σA − PV. L is the radius of the sphere with the area at the start.":
+    "Canham–Helfrich, nur mit p = 2: ∫(2H − 2H₀)² dA + σA − PV. L ist der Radius der Sphäre, die den Flächeninhalt des Anfangs hat.",
+  "Step limit": "Schrittgrenze",
+  "Use recommended values": "Empfohlene Werte nehmen",
+
+  // View, saving
+  View: "Ansicht",
+  Shading: "Schattierung",
+  Smooth: "Weich",
+  Flat: "Je Facette",
+  Theme: "Farbschema",
+  "As the system": "Wie das System",
+  Light: "Hell",
+  Dark: "Dunkel",
+  Wireframe: "Netzlinien",
+  "Border lines": "Randlinien",
+  "High contrast": "Hoher Kontrast",
+  "Fit to window": "Ins Fenster einpassen",
+  "Save as": "Sichern als",
+  Download: "Herunterladen",
+  "Nothing leaves this computer. The address of this page holds the scene; copy it to come back.":
+    "Nichts verlässt diesen Rechner. Die Adresse dieser Seite enthält die Szene; kopieren Sie sie, um zurückzukommen.",
+  PLY: "PLY",
+  "PLY, text": "PLY, Text",
+  OBJ: "OBJ",
+  OFF: "OFF",
+  STL: "STL",
+  "STL, text": "STL, Text",
+  "glTF (GLB)": "glTF (GLB)",
+  "History, CSV": "Verlauf, CSV",
+  "Picture, PNG": "Bild, PNG",
+  "There is no picture to save.": "Es gibt kein Bild zu sichern.",
+  "Save the mesh.": "Sichern Sie das Netz.",
+
+  // Help
+  "An <em>umbilic</em> is a point of a surface where both principal curvatures agree. The Willmore energy measures how far a surface is from being umbilic everywhere; the flow moves the mesh so that it falls.":
+    "Ein <em>umbilischer Punkt</em> oder Nabelpunkt ist ein Punkt einer Fläche, in dem beide Hauptkrümmungen übereinstimmen. Die Willmore-Energie misst, wie weit eine Fläche davon entfernt ist, überall umbilisch zu sein; der Fluss bewegt das Netz so, dass sie fällt.",
+  Keys: "Tasten",
+  "Play or pause": "Abspielen oder anhalten",
+  "One step": "Ein Schritt",
+  "One step back": "Ein Schritt zurück",
+  "Reset to the start": "Zurück zum Anfang",
+  "Present: the surface alone, its words large": "Vortrag: nur die Fläche, große Schrift",
+  "This help": "Diese Hilfe",
+  "While presenting, also by a clicker": "Im Vortrag, auch mit dem Presenter",
+  "Page ↓": "Bild ↓",
+  "Page ↑": "Bild ↑",
+  Esc: "Esc",
+  "Play or pause; at the end of a figure, the next one":
+    "Abspielen oder anhalten; am Ende einer Abbildung die nächste",
+  "Back to the start; at the start, the figure before":
+    "Zurück zum Anfang; am Anfang die Abbildung davor",
+  "Hide or show the line of readings": "Zeile der Messwerte aus- oder einblenden",
+  "End the presentation": "Den Vortrag beenden",
+  "{energy} · step {step} · {title}": "{energy} · Schritt {step} · {title}",
+  "Language / Sprache": "Language / Sprache",
+  "The page changes its language when it is loaded again. Its address keeps the scene; a mesh from a file has to be opened again.":
+    "Die Seite wechselt ihre Sprache, wenn sie neu geladen wird. Ihre Adresse behält die Szene; ein Netz aus einer Datei muss neu geöffnet werden.",
+  "Load again": "Neu laden",
+  "Close the panel": "Bedienfeld schließen",
+  "Swipe down to close": "Zum Schließen nach unten wischen",
+  "Single-key shortcuts": "Bedienung mit einzelnen Tasten",
+  "Drag turns the surface; with <kbd>Shift</kbd>, the right button or two fingers it moves; wheel or pinch zooms; a double click fits it. With the picture focused, arrow keys turn, <kbd>+</kbd> and <kbd>−</kbd> zoom, <kbd>[</kbd> and <kbd>]</kbd> roll, <kbd>0</kbd> fits, <kbd>Home</kbd> returns to the first view.":
+    "Ziehen dreht die Fläche; mit <kbd>Umschalt</kbd>, der rechten Taste oder zwei Fingern wird sie verschoben; Rad oder Spreizen zoomt; ein Doppelklick passt sie ein. Hat das Bild den Fokus, drehen die Pfeiltasten, <kbd>+</kbd> und <kbd>−</kbd> zoomen, <kbd>[</kbd> und <kbd>]</kbd> rollen, <kbd>0</kbd> passt ein, <kbd>Pos1</kbd> kehrt zur ersten Ansicht zurück.",
+
+  // The picture
+  "Surface: none yet": "Fläche: noch keine",
+  "Surface: {name}": "Fläche: {name}",
+  "Surface: {name}, {caption}": "Fläche: {name}, {caption}",
+  "Surface: {name}, step {step}, energy {energy}, area {area}":
+    "Fläche: {name}, Schritt {step}, Energie {energy}, Inhalt {area}",
+  "Drawn with {name}: {reason}.": "Gezeichnet mit {name}: {reason}.",
+  "the address asks for it": "so verlangt es die Adresse",
+  "this browser offers it": "dieser Browser bietet es an",
+  "this browser has no WebGPU, or the page is not served securely":
+    "dieser Browser hat kein WebGPU, oder die Seite kommt nicht über eine sichere Verbindung",
+  "this browser has no WebGL2": "dieser Browser hat kein WebGL2",
+  "{reason}; there is no WebGL2 either": "{reason}; WebGL2 gibt es auch nicht",
+  "Use a current Chrome, Edge, Firefox or Safari, over https or on localhost, and switch on hardware acceleration in its settings.":
+    "Nehmen Sie ein aktuelles Chrome, Edge, Firefox oder Safari, über https oder auf localhost, und schalten Sie in den Einstellungen die Hardwarebeschleunigung ein.",
+  "the viewer could not be loaded: {reason}": "die Anzeige konnte nicht geladen werden: {reason}",
+  "Check the connection and reload the page.":
+    "Prüfen Sie die Verbindung und laden Sie die Seite neu.",
+  "the graphics device was lost: {reason}": "die Grafikeinheit ist verloren gegangen: {reason}",
+  "the browser took the WebGL context away": "der Browser hat den WebGL-Kontext weggenommen",
+  "no picture": "kein Bild",
+  rebuilding: "wird neu aufgebaut",
+  "Reload the page. Your surface is safe: download it first if you changed it.":
+    "Laden Sie die Seite neu. Ihre Fläche ist sicher: Laden Sie sie vorher herunter, wenn Sie sie verändert haben.",
+  "No picture here": "Hier kein Bild",
+  "WebGPU is part of current Chrome and Edge (113 or later), Safari 26 and Firefox 141 or later; the page must come from <code>https://</code> or <code>localhost</code>. WebGL2, which will do as well, is part of every browser of the last years. Everything else on this page works without the picture: the flow runs, the readings and the plot follow it, and the mesh can be saved.":
+    "WebGPU gehört zu heutigem Chrome und Edge (ab 113), Safari 26 und Firefox ab 141; die Seite muss von <code>https://</code> oder <code>localhost</code> kommen. WebGL2, das ebenso genügt, ist in jedem Browser der letzten Jahre. Alles andere auf dieser Seite geht auch ohne Bild: Der Fluss läuft, Messwerte und Kurve folgen ihm, und das Netz lässt sich sichern.",
+
+  // Links, the solver's comings and goings
+  "This link shows the mesh “{mesh}”, a file on its author’s computer.":
+    "Dieser Link zeigt das Netz „{mesh}“, eine Datei auf dem Rechner seines Verfassers.",
+  "Open that file here; the scene then follows.":
+    "Öffnen Sie diese Datei hier; die Szene folgt dann.",
+  "The solver stopped unexpectedly ({reason}); a new one goes on from step {step}.":
+    "Der Löser ist unerwartet stehen geblieben ({reason}); ein neuer macht ab Schritt {step} weiter.",
+  "If it was short of memory, close other tabs or use a mesh with fewer faces.":
+    "Falls der Speicher knapp war, schließen Sie andere Tabs oder nehmen Sie ein Netz mit weniger Facetten.",
+  "it could not be loaded": "er konnte nicht geladen werden",
+  "The solver could not be started.": "Der Löser konnte nicht gestartet werden.",
+  "Reload the page; its address keeps the scene.":
+    "Laden Sie die Seite neu; ihre Adresse behält die Szene.",
+  "The computation was ended; the surface is as after step {step}.":
+    "Die Rechnung wurde beendet; die Fläche ist wie nach Schritt {step}.",
+  "The solver met an error of its own: {}": "Im Löser ist ein Fehler aufgetreten: {}",
+  "Please report this, with the mesh if you can.":
+    "Bitte melden Sie das, wenn möglich mit dem Netz.",
+
+  // Samples
+  "Subdivided icosahedron": "Unterteiltes Ikosaeder",
+  "Becomes a round sphere; W starts at exactly 60π and falls to zero (figure 6).":
+    "Wird zur runden Sphäre; W beginnt bei genau 60π und fällt auf null (Abbildung 6).",
+  "Bumpy sphere": "Beulige Sphäre",
+  "Bumps melt, short ones first, until the sphere is round and W is zero.":
+    "Beulen schmelzen, kurze zuerst, bis die Sphäre rund und W null ist.",
+  "Subdivided coarse torus": "Unterteilter grober Torus",
+  "Rounds off, then its proportions creep towards R/r = √2 (figure 8).":
+    "Rundet sich, dann nähert sich sein Verhältnis langsam R/r = √2 (Abbildung 8).",
+  "Clifford torus": "Clifford-Torus",
+  "The minimum among tori: W/2 is near 2π², and the flow hardly moves it.":
+    "Das Minimum unter den Tori: W/2 liegt bei 2π², und der Fluss bewegt ihn kaum.",
+  "Pipe with clamped ends": "Rohr mit eingespannten Enden",
+  "Both ends keep their position and tangent; the bend between them relaxes (figure 9).":
+    "Beide Enden behalten Lage und Tangente; der Bogen dazwischen entspannt sich (Abbildung 9).",
+  "Six-sided hole": "Sechsseitiges Loch",
+  "Fills a hexagonal hole smoothly, from a harmonic first guess (figure 10).":
+    "Füllt ein sechseckiges Loch glatt, von einem harmonischen ersten Ansatz aus (Abbildung 10).",
+  "Scar on a stone": "Narbe auf einem Stein",
+  "Only the damaged patch moves, and closes without a seam (figure 11).":
+    "Nur der beschädigte Flicken bewegt sich und schließt sich ohne Naht (Abbildung 11).",
+  "Noisy scan": "Verrauschter Scan",
+  "Ten steps take away the noise and leave the shape (figure 12).":
+    "Zehn Schritte nehmen das Rauschen weg und lassen die Form (Abbildung 12).",
+  "Trefoil knot": "Kleeblattknoten",
+  "A knotted tube fattens; it cannot untie itself.":
+    "Ein verknoteter Schlauch wird dicker; lösen kann er sich nicht.",
+  "Vesicle, deflated": "Vesikel mit weniger Volumen",
+  "Area kept, the volume is led down to 0.6 of the ball’s: a biconcave disc, as a red blood cell (p-Willmore, figure 6).":
+    "Bei festem Flächeninhalt wird das Volumen auf 0.6 der Kugel gesenkt: eine bikonkave Scheibe, wie ein rotes Blutkörperchen (p-Willmore, Abbildung 6).",
+  "Blob, deflated": "Klecks mit weniger Volumen",
+  "Without any symmetry at the start it ends as a biconcave disc too, an elliptical one (p-Willmore, figure 6).":
+    "Ohne jede Symmetrie am Anfang endet auch er als bikonkave Scheibe, als elliptische (p-Willmore, Abbildung 6).",
+  "Letter C": "Buchstabe C",
+  "Rounds off to a sphere with p = 2; shrinks with p = 0, grows with p = 4 (p-Willmore, figure 2).":
+    "Rundet sich mit p = 2 zur Sphäre; schrumpft mit p = 0, wächst mit p = 4 (p-Willmore, Abbildung 2).",
+  "Thin torus": "Dünner Torus",
+  "Thickens into the Clifford torus: ∫H² falls to 2π² (p-Willmore, figure 4).":
+    "Verdickt sich zum Clifford-Torus: ∫H² fällt auf 2π² (p-Willmore, Abbildung 4).",
+  "Torus knot": "Torusknoten",
+  "Area and volume kept; without regularisation the mesh degenerates (p-Willmore, figure 5).":
+    "Bei festem Inhalt und Volumen; ohne Regularisierung entartet das Netz (p-Willmore, Abbildung 5).",
+  "Ellipsoid, badly meshed": "Ellipsoid, schlecht vernetzt",
+  "Triangles have turned over; “Regularise the mesh now” mends them without changing the shape (p-Willmore, figures 3, 7 and 11).":
+    "Dreiecke sind umgeklappt; „Netz jetzt regularisieren“ heilt sie, ohne die Form zu ändern (p-Willmore, Abbildungen 3, 7 und 11).",
+  "Trefoil, area and volume kept": "Kleeblattknoten, Inhalt und Volumen fest",
+  "A thick knotted tube comes to rest on a plateau of ∫H² (p-Willmore, figure 9).":
+    "Ein dicker verknoteter Schlauch kommt auf einem Plateau von ∫H² zur Ruhe (p-Willmore, Abbildung 9).",
+  "Bumpy sphere, area kept": "Beulige Sphäre, Inhalt fest",
+  "Rounds off without growing or shrinking (p-Willmore, figure 1).":
+    "Rundet sich, ohne zu wachsen oder zu schrumpfen (p-Willmore, Abbildung 1).",
+  "Ellipsoid, volume kept, p = 4": "Ellipsoid, Volumen fest, p = 4",
+  "A sphere in the end, on another way for every exponent p (p-Willmore, figure 12).":
+    "Am Ende eine Sphäre, für jeden Exponenten p auf anderem Weg (p-Willmore, Abbildung 12).",
+  "Cylinder with four gaps": "Zylinder mit vier Lücken",
+  "Sunken patches rise back to the cylinder: its mean curvature is constant (variation of curvature, figure 5.1).":
+    "Eingesunkene Flicken heben sich zurück zum Zylinder: Seine mittlere Krümmung ist konstant (Variation der Krümmung, Abbildung 5.1).",
+  "Sphere with eight openings": "Sphäre mit acht Öffnungen",
+  "Eight flat lids become the sphere they were cut from (variation of curvature, figure 5.1).":
+    "Acht ebene Deckel werden zur Sphäre, aus der sie geschnitten sind (Variation der Krümmung, Abbildung 5.1).",
+  "Two tubes blended": "Zwei Rohre verbunden",
+  "A patch that connects both becomes the cylinder between them (variation of curvature, figure 5.2).":
+    "Ein Flicken, der beide verbindet, wird zum Zylinder dazwischen (Variation der Krümmung, Abbildung 5.2).",
+  "Three tubes blended": "Drei Rohre verbunden",
+  "The blend joins its tubes with continuous curvature; compare all four flows (variation of curvature, figure 5.2).":
+    "Der Übergang schließt mit stetiger Krümmung an die Rohre an; vergleichen Sie alle vier Flüsse (Variation der Krümmung, Abbildung 5.2).",
+  "Six tubes blended": "Sechs Rohre verbunden",
+  "Along all three axes (variation of curvature, figure 5.2).":
+    "Entlang aller drei Achsen (Variation der Krümmung, Abbildung 5.2).",
+  "Scan with holes filled": "Scan mit gefüllten Löchern",
+  "What the scanner did not see is filled and faired (variation of curvature, figure 5.3).":
+    "Was der Scanner nicht sah, wird gefüllt und geglättet (Variation der Krümmung, Abbildung 5.3).",
+  "Sphere with holes filled": "Sphäre mit gefüllten Löchern",
+  "Holes are triangulated, remeshed, pre-filled and faired: the sphere again (variation of curvature, figure 5.3).":
+    "Löcher werden trianguliert, neu vernetzt, vorgefüllt und geglättet: wieder die Sphäre (Variation der Krümmung, Abbildung 5.3).",
+  "Dodecahedron, corners kept": "Dodekaeder, Ecken fest",
+  "Twenty points are interpolated: the sphere through them (variation of curvature, figure 5.4).":
+    "Zwanzig Punkte werden interpoliert: die Sphäre durch sie (Variation der Krümmung, Abbildung 5.4).",
+  "Four bumps, flows compared": "Vier Hügel, Flüsse im Vergleich",
+  "Only the sixth-order flow joins with continuous mean curvature: look at the jump (variation of curvature, figures 5.5 and 5.6; its function as repaired, exp(−27/16 …)).":
+    "Nur der Fluss sechster Ordnung schließt mit stetiger mittlerer Krümmung an: Achten Sie auf den Sprung (Variation der Krümmung, Abbildungen 5.5 und 5.6; die Funktion berichtigt, exp(−27/16 …)).",
+  "Sampled torus": "Abgetasteter Torus",
+  "Each cell is cut along either diagonal; flips tidy that up. Here the three criteria end at the same mesh (edge flips, figure 6).":
+    "Jede Zelle ist längs einer der Diagonalen zerschnitten; Flips räumen das auf. Hier enden die drei Kriterien beim selben Netz (Kantenflips, Abbildung 6).",
+  "Sampled torus, uneven": "Abgetasteter Torus, ungleichmäßig",
+  "Here area and localised energy lead to one mesh, the Willmore energy to another.":
+    "Hier führen Flächeninhalt und lokalisierte Energie zum selben Netz, die Willmore-Energie zu einem anderen.",
+  "Face with creases": "Gesicht mit Falten",
+  "Long vertical edges make creases; flips smooth most of them out (edge flips, figure 7).":
+    "Lange senkrechte Kanten machen Falten; Flips glätten die meisten (Kantenflips, Abbildung 7).",
+  "Head with ears": "Kopf mit Ohren",
+  "By area or localised energy W ends lower than by itself, and the ears lose volume (edge flips, figure 8).":
+    "Nach Flächeninhalt oder lokalisierter Energie endet W tiefer als nach sich selbst, und die Ohren verlieren Volumen (Kantenflips, Abbildung 8).",
+  Counterexample: "Gegenbeispiel",
+  "Flipping this edge raises the area and lowers the localised energy: f_a = 15/2 − 2√2 − √89/2 = −0.0454, f_l = +0.0068.":
+    "Der Flip dieser Kante hebt den Flächeninhalt und senkt die lokalisierte Energie: f_a = 15/2 − 2√2 − √89/2 = −0.0454, f_l = +0.0068.",
+  "Möbius strip": "Möbiusband",
+  "One side and one edge; the energy needs no orientation.":
+    "Eine Seite und ein Rand; die Energie braucht keine Orientierung.",
+  "Klein bottle": "Kleinsche Flasche",
+  "Closed and one-sided: it has no volume, but it has an energy.":
+    "Geschlossen und einseitig: Sie hat kein Volumen, aber eine Energie.",
+  "Saddle, boundary free": "Sattel, Rand frei",
+  "Set free it becomes a flat, convex piece of the plane; with its boundary fixed it stays a saddle (figure 7).":
+    "Freigelassen wird er zu einem konvexen Stück der Ebene; mit festem Rand bleibt er ein Sattel (Abbildung 7).",
+  "Surface with four handles": "Fläche mit vier Henkeln",
+  "Its handles round off; ∫H² tends below 8π (p-Willmore, figure 8).":
+    "Ihre Henkel runden sich; ∫H² strebt unter 8π (p-Willmore, Abbildung 8).",
+  "Ellipsoid, skewed triangles": "Ellipsoid, verzerrte Dreiecke",
+  "One pass of “Regularise the mesh now” is enough here (p-Willmore, figure 7).":
+    "Ein Durchgang von „Netz jetzt regularisieren“ genügt hier (p-Willmore, Abbildung 7).",
+  "Noisy scan, 38,000 vertices": "Verrauschter Scan, 38\u202f000 Ecken",
+  "As large as the paper’s, with as many holes; a hundred steps begin to take the features too (figure 12).":
+    "So groß wie der der Arbeit, mit ebenso vielen Löchern; hundert Schritte beginnen auch Merkmale wegzunehmen (Abbildung 12).",
+
+  // Figures of the papers: what each shows
+  "Fig. {}": "Abb. {}",
+  "{}, left": "{}, links",
+  "{}, right": "{}, rechts",
+  "{}, top": "{}, oben",
+  "{}, bottom": "{}, unten",
+  "{}, long": "{}, lang",
+  "{}, ears": "{}, Ohren",
+  "{}, linear": "{}, linear",
+  "{}, nonlinear": "{}, nichtlinear",
+  "{}, {} steps": "{}, {} Schritte",
+  "Subdivided icosahedron to a sphere": "Unterteiltes Ikosaeder zur Sphäre",
+  "After 24 steps the energy is 1e-7; a perfect sphere would have zero.":
+    "Nach 24 Schritten ist die Energie 1e-7; eine vollkommene Sphäre hätte null.",
+  "W starts at 60π and is at most 1e-7 after 24 steps of dt = 0.0345; a round sphere":
+    "W beginnt bei 60π und ist nach 24 Schritten mit dt = 0.0345 höchstens 1e-7; eine runde Sphäre",
+  "Subdivided icosahedron, adaptive steps": "Unterteiltes Ikosaeder, angepasste Schritte",
+  "The sphere is reached within a few minimisation steps.":
+    "Die Sphäre ist nach wenigen Minimierungsschritten erreicht.",
+  "W ≤ 1e-7 after at most 12 steps, then converged":
+    "W ≤ 1e-7 nach höchstens 12 Schritten, dann konvergiert",
+  "Boundary fixed": "Rand fest",
+  "A cat's head with its boundary fixed relaxes between its boundary curves.":
+    "Ein Katzenkopf mit festem Rand entspannt sich zwischen seinen Randkurven.",
+  "Another shape, a saddle: W falls by at least nine tenths, the surface stays curved":
+    "Eine andere Form, ein Sattel: W fällt um mindestens neun Zehntel, die Fläche bleibt gekrümmt",
+  "Boundary free": "Rand frei",
+  "A cat's head with its boundary free evolves to a planar polygon, its boundary convex.":
+    "Ein Katzenkopf mit freiem Rand wird zu einem ebenen Polygon mit konvexem Rand.",
+  "Another shape, a saddle: W < 1e-6, that is planar with a convex boundary":
+    "Eine andere Form, ein Sattel: W < 1e-6, also eben mit konvexem Rand",
+  "Coarse torus becomes geometric": "Grober Torus wird geometrisch",
+  "Almost immediately the vertices flow to the surface of a geometric torus.":
+    "Fast sofort fließen die Ecken auf einen geometrischen Torus.",
+  "τ = 0.01: W within 5 % of 57 after 100 steps, less than 2.5 % off a torus":
+    "τ = 0.01: W nach 100 Schritten auf 5 % bei 57, weniger als 2.5 % neben einem Torus",
+  "Coarse torus fattens": "Grober Torus wird dicker",
+  "Subsequent evolution aligns edges with the curvature directions and fattens the torus.":
+    "Im weiteren Verlauf richten sich Kanten nach den Krümmungsrichtungen aus, und der Torus wird dicker.",
+  "τ = 0.003, 1000 steps: R/r from 2.13 to 2.04 (±0.02), less than 1.5 % off a torus":
+    "τ = 0.003, 1000 Schritte: R/r von 2.13 auf 2.04 (±0.02), weniger als 1.5 % neben einem Torus",
+  "Pipe between two circles": "Rohr zwischen zwei Kreisen",
+  "A pipe with circular boundary loops evolves as the torus does, to a fat pipe.":
+    "Ein Rohr mit kreisförmigen Randkurven entwickelt sich wie der Torus, zu einem dicken Rohr.",
+  "W from 398.65 to below 80 in 50 steps": "W von 398.65 auf unter 80 in 50 Schritten",
+  "Six-sided hole filled": "Sechsseitiges Loch gefüllt",
+  "A six-sided hole is filled smoothly though many edges begin with β = 0.":
+    "Ein sechsseitiges Loch wird glatt gefüllt, obwohl viele Kanten mit β = 0 beginnen.",
+  "Not frozen: after 100 steps W is at least 60 lower":
+    "Nicht eingefroren: Nach 100 Schritten ist W um mindestens 60 kleiner",
+  "Scar restored": "Narbe geheilt",
+  "A marked region of the Egea model is restored, its surroundings held.":
+    "Ein markierter Bereich des Egea-Modells wird wiederhergestellt, seine Umgebung festgehalten.",
+  "Another shape, a scarred stone: W within 2 % of 6.408, where the undamaged stone comes to rest, in 20 steps":
+    "Eine andere Form, ein Stein mit Narbe: W in 20 Schritten auf 2 % bei 6.408, wo der unbeschädigte Stein zur Ruhe kommt",
+  "Scan smoothed by {} steps": "Scan in {} Schritten geglättet",
+  "A scan of 37,000 vertices with 88 boundary loops loses its noise; shown after {} steps.":
+    "Ein Scan mit 37\u202f000 Ecken und 88 Randkurven verliert sein Rauschen; gezeigt nach {} Schritten.",
+  "A made scan with 88 loops and 38,000 vertices: distance to the clean surface below {} of the noise":
+    "Ein erzeugter Scan mit 88 Randkurven und 38\u202f000 Ecken: Abstand zur sauberen Fläche unter dem {}-Fachen des Rauschens",
+  "A made scan with 88 loops and 38,000 vertices, whose features begin to go: distance to the clean surface below {} of the noise":
+    "Ein erzeugter Scan mit 88 Randkurven und 38\u202f000 Ecken, dessen Merkmale zu schwinden beginnen: Abstand zur sauberen Fläche unter dem {}-Fachen des Rauschens",
+  "Area kept, p = 2": "Flächeninhalt fest, p = 2",
+  "A cow of 23,400 triangles rounds off, its area all but unchanged.":
+    "Eine Kuh aus 23\u202f400 Dreiecken rundet sich, ihr Flächeninhalt fast unverändert.",
+  "Another shape, a bumpy sphere: ∫H² within 0.6 % of 4π, a sphere to 1e-3, area to 1e-8":
+    "Eine andere Form, eine beulige Sphäre: ∫H² auf 0.6 % bei 4π, eine Sphäre auf 1e-3, Inhalt auf 1e-8",
+  "Letter C, p = {}": "Buchstabe C, p = {}",
+  "Under p = 0, mean-curvature flow, the letter C shrinks.":
+    "Mit p = 0, dem Fluss nach der mittleren Krümmung, schrumpft der Buchstabe C.",
+  "Area below a fifth after at most {} steps":
+    "Flächeninhalt unter einem Fünftel nach höchstens {} Schritten",
+  "Under p = 2 the letter C becomes a round sphere.":
+    "Mit p = 2 wird der Buchstabe C zur runden Sphäre.",
+  "∫H² within 1 % of a sphere's after at most {} steps":
+    "∫H² auf 1 % bei dem einer Sphäre nach höchstens {} Schritten",
+  "Under p = 4 the letter C grows without end.": "Mit p = 4 wächst der Buchstabe C ohne Ende.",
+  "Area above 1.8 times after at most {} steps":
+    "Flächeninhalt mehr als das 1.8-Fache nach höchstens {} Schritten",
+  "Regularisation, linear": "Regularisierung, linear",
+  "Linear regularisation improves a cow's mesh, more roughly than the nonlinear one with slight changes to its shape.":
+    "Lineare Regularisierung verbessert das Netz einer Kuh, gröber als die nichtlineare, mit leichten Änderungen ihrer Form.",
+  "Another shape, an ellipsoid with folded triangles: none left, distortion below a third, moved less than 1 % of its size":
+    "Eine andere Form, ein Ellipsoid mit umgeklappten Dreiecken: keines mehr, Verzerrung unter einem Drittel, um weniger als 1 % seiner Größe bewegt",
+  "Regularisation, nonlinear": "Regularisierung, nichtlinear",
+  "Nonlinear regularisation improves a cow's mesh with slight changes to its shape.":
+    "Nichtlineare Regularisierung verbessert das Netz einer Kuh, mit leichten Änderungen ihrer Form.",
+  "Torus to the Clifford torus": "Torus zum Clifford-Torus",
+  "A deformed torus flows to the Clifford torus, the global minimum.":
+    "Ein verformter Torus fließt zum Clifford-Torus, dem globalen Minimum.",
+  "A thin torus: ∫H² within 1.6 % of 2π², reduced volume within 1.2 % of 0.7116":
+    "Ein dünner Torus: ∫H² auf 1.6 % bei 2π², reduziertes Volumen auf 1.2 % bei 0.7116",
+  "Torus knot, area and volume kept": "Torusknoten, Inhalt und Volumen fest",
+  "A (3,4)-torus knot relaxes, area and volume kept, and stays nearly isometric.":
+    "Ein (3,4)-Torusknoten entspannt sich bei festem Inhalt und Volumen und bleibt beinahe isometrisch.",
+  "∫H² falls, area and volume to 1e-8, smallest angle above half of the first":
+    "∫H² fällt, Inhalt und Volumen auf 1e-8, kleinster Winkel über der Hälfte des ersten",
+  "Biconcave disc from a vesicle": "Bikonkave Scheibe aus einem Vesikel",
+  "A rabbit, area and volume kept, becomes a biconcave disc as a red blood cell.":
+    "Ein Hase mit festem Inhalt und Volumen wird zur bikonkaven Scheibe wie ein rotes Blutkörperchen.",
+  "Another shape, a spheroid, led to v = 0.6: ∫H² within 1.2 % of 1.95568·4π, the axisymmetric minimiser":
+    "Eine andere Form, ein Rotationsellipsoid, auf v = 0.6 geführt: ∫H² auf 1.2 % bei 1.95568·4π, dem rotationssymmetrischen Minimum",
+  "Biconcave disc from a blob": "Bikonkave Scheibe aus einem Klecks",
+  "Another shape, a blob without symmetry, led to v = 0.6: ∫H² within 1.2 % of 1.95568·4π, the axisymmetric minimiser":
+    "Eine andere Form, ein Klecks ohne Symmetrie, auf v = 0.6 geführt: ∫H² auf 1.2 % bei 1.95568·4π, dem rotationssymmetrischen Minimum",
+  "One pass of linear regularisation": "Ein Durchgang linearer Regularisierung",
+  "One linear pass improves a statue of 483,000 triangles.":
+    "Ein linearer Durchgang verbessert eine Statue aus 483\u202f000 Dreiecken.",
+  "Another shape, an ellipsoid with skewed triangles: none folded, distortion below a third, moved less than 1 %":
+    "Eine andere Form, ein Ellipsoid mit verzerrten Dreiecken: keines umgeklappt, Verzerrung unter einem Drittel, um weniger als 1 % bewegt",
+  "Genus 4, free": "Geschlecht 4, frei",
+  "A statue of genus 4 flows to a round surface with four handles.":
+    "Eine Statue vom Geschlecht 4 fließt zu einer runden Fläche mit vier Henkeln.",
+  "Another surface of genus 4: ∫H² from above to between 2π² and 8π":
+    "Eine andere Fläche vom Geschlecht 4: ∫H² von oben zwischen 2π² und 8π",
+  "Trefoil, regularised": "Kleeblattknoten, regularisiert",
+  "Regularised, a trefoil keeps nearly perfect triangles all the way to the minimum.":
+    "Regularisiert behält ein Kleeblattknoten bis zum Minimum fast vollkommene Dreiecke.",
+  "∫H² falls to a plateau, area and volume to 1e-8, smallest angle not below the first (no final minimum is known)":
+    "∫H² fällt auf ein Plateau, Inhalt und Volumen auf 1e-8, kleinster Winkel nicht unter dem ersten (ein endgültiges Minimum ist nicht bekannt)",
+  "Trefoil, not regularised": "Kleeblattknoten, nicht regularisiert",
+  "Without regularisation the mesh degenerates and the flow gets stuck.":
+    "Ohne Regularisierung entartet das Netz, und der Fluss bleibt stecken.",
+  "Area and volume to 1e-8, smallest angle below half of the first":
+    "Inhalt und Volumen auf 1e-8, kleinster Winkel unter der Hälfte des ersten",
+  "Energy under refinement, p = {}": "Energie bei Verfeinerung, p = {}",
+  "The energy decreases in every case and appears to converge with refinement.":
+    "Die Energie fällt in jedem Fall und scheint bei Verfeinerung zu konvergieren.",
+  "Another shape, an ellipsoid on three meshes: at one time the energies come closer by a factor of 3 to 5":
+    "Eine andere Form, ein Ellipsoid auf drei Netzen: Zur selben Zeit rücken die Energien um einen Faktor 3 bis 5 zusammen",
+  "One step, then regularisation": "Ein Schritt, dann Regularisierung",
+  "One step of the flow and two nonlinear passes remesh an armadillo all but unseen.":
+    "Ein Schritt des Flusses und zwei nichtlineare Durchgänge vernetzen ein Gürteltier fast unmerklich neu.",
+  "Another shape, an ellipsoid with folded triangles: none left, distortion below a third, moved less than 1 %":
+    "Eine andere Form, ein Ellipsoid mit umgeklappten Dreiecken: keines mehr, Verzerrung unter einem Drittel, um weniger als 1 % bewegt",
+  "Volume kept, p = {}": "Volumen fest, p = {}",
+  "A rabbit, its volume kept, becomes a sphere for every p, on different ways.":
+    "Ein Hase mit festem Volumen wird für jedes p zur Sphäre, auf verschiedenen Wegen.",
+  "Another shape, an ellipsoid: a sphere to 2e-3, volume to 1e-8":
+    "Eine andere Form, ein Ellipsoid: eine Sphäre auf 2e-3, Volumen auf 1e-8",
+  "Torus, one mesh by all criteria": "Torus, ein Netz nach allen Kriterien",
+  "On points of a torus all three criteria lead to exactly the same mesh.":
+    "Auf Punkten eines Torus führen alle drei Kriterien zu genau demselben Netz.",
+  "Other points, chosen so: 203 flips each, one area and one W (not so on all points)":
+    "Andere, so gewählte Punkte: je 203 Flips, ein Inhalt und ein W (nicht auf allen Punkten so)",
+  "Torus, Gaussian curvature after Loop subdivision":
+    "Torus, Gaußsche Krümmung nach Unterteilung nach Loop",
+  "Plots of Gaussian curvature of the subdivided meshes show it is visibly smoother.":
+    "Bilder der Gaußschen Krümmung der unterteilten Netze zeigen sie sichtbar glatter.",
+  "Variation of K along the edges below 0.7 of the start":
+    "Variation von K längs der Kanten unter dem 0.7-Fachen des Anfangs",
+  "By area or localised energy a face reaches a lower W than by the Willmore energy.":
+    "Nach Flächeninhalt oder lokalisierter Energie erreicht ein Gesicht ein kleineres W als nach der Willmore-Energie.",
+  "A made face: W by area and by localised energy below W by itself":
+    "Ein erzeugtes Gesicht: W nach Inhalt und nach lokalisierter Energie unter W nach sich selbst",
+  "On this face flips by the Willmore energy end lower. Which end is lower depends on the mesh: each is only a local minimum.":
+    "Auf diesem Gesicht enden Flips nach der Willmore-Energie tiefer. Welches Ende tiefer liegt, hängt vom Netz ab: Jedes ist nur ein lokales Minimum.",
+  "Area and localised energy fall together and so does W.":
+    "Flächeninhalt und lokalisierte Energie fallen miteinander, und auch W.",
+  "Another shape than the bunny: area ≤ localised < Willmore in area, both below it in W":
+    "Eine andere Form als der Hase: im Inhalt Flächeninhalt ≤ lokalisiert < Willmore, in W beide darunter",
+  "Ears lose volume": "Ohren verlieren Volumen",
+  "By area, narrow parts such as the bunny's ears lose volume.":
+    "Nach dem Flächeninhalt verlieren schmale Teile wie die Ohren des Hasen Volumen.",
+  "A head with ears loses 0.2 to 2 % of its volume":
+    "Ein Kopf mit Ohren verliert 0.2 bis 2 % seines Volumens",
+  "Cylinder recovered": "Zylinder wiederhergestellt",
+  "A cylinder with missing parts is correctly recovered, in 100 steps.":
+    "Ein Zylinder mit fehlenden Teilen wird in 100 Schritten richtig wiederhergestellt.",
+  "The cylinder of radius 1 to {}, at rest": "Der Zylinder vom Radius 1 auf {}, in Ruhe",
+  "Sphere recovered": "Sphäre wiederhergestellt",
+  "A sphere with eight openings is perfectly recovered, in 350 steps.":
+    "Eine Sphäre mit acht Öffnungen wird in 350 Schritten vollkommen wiederhergestellt.",
+  "The sphere of radius 1 to {}, at rest": "Die Sphäre vom Radius 1 auf {}, in Ruhe",
+  "Corners of a dodecahedron interpolated": "Ecken eines Dodekaeders interpoliert",
+  "A smooth surface interpolates the corners of a dodecahedron.":
+    "Eine glatte Fläche interpoliert die Ecken eines Dodekaeders.",
+  "Tubes are blended smoothly by the sixth-order flow, in {} steps.":
+    "Rohre werden vom Fluss sechster Ordnung in {} Schritten glatt verbunden.",
+  "Coaxial tubes of radius 0.5: the cylinder between them to 1e-3 of it, at rest":
+    "Koaxiale Rohre vom Radius 0.5: der Zylinder dazwischen auf 1e-3 davon, in Ruhe",
+  "At rest, its jump of curvature at most 0.45 of that of surface diffusion":
+    "In Ruhe, der Sprung der Krümmung höchstens das 0.45-Fache dessen bei Oberflächendiffusion",
+  "Holes filled": "Löcher gefüllt",
+  "Holes of a head are filled smoothly, with continuous curvature at their rims.":
+    "Löcher eines Kopfes werden glatt gefüllt, mit stetiger Krümmung an ihren Rändern.",
+  "A sphere with holes instead of a head: closed, at rest, and the jump of curvature at the rims below 0.1":
+    "Eine Sphäre mit Löchern statt eines Kopfes: geschlossen, in Ruhe, und der Sprung der Krümmung an den Rändern unter 0.1",
+  "Flows compared on a blend": "Flüsse im Vergleich an einem Übergang",
+  "The sixth-order flow joins with continuous mean curvature, the fourth-order ones do not.":
+    "Der Fluss sechster Ordnung schließt mit stetiger mittlerer Krümmung an, die vierter Ordnung nicht.",
+  "Jump at most 0.45 of that of surface diffusion and of the Willmore flow":
+    "Sprung höchstens das 0.45-Fache dessen bei Oberflächendiffusion und beim Willmore-Fluss",
+  "Flows compared on a graph": "Flüsse im Vergleich an einem Graphen",
+  "Mean-curvature and Willmore flow are not curvature continuous, the sixth-order one is.":
+    "Fluss nach der mittleren Krümmung und Willmore-Fluss sind nicht krümmungsstetig, der sechster Ordnung ist es.",
+  "The function as repaired: jump at most 0.06 and half of the fourth-order flows', 0.9 and more under mean-curvature flow":
+    "Die Funktion berichtigt: Sprung höchstens 0.06 und halb so groß wie bei den Flüssen vierter Ordnung, 0.9 und mehr beim Fluss nach der mittleren Krümmung",
+
+  // Figures: what was measured
+  converged: "konvergiert",
+  stepLimit: "an der Schrittgrenze",
+  running: "läuft",
+  ready: "bereit",
+  "W {}π → {} in {} steps, off the sphere {}": "W {}π → {} in {} Schritten, neben der Sphäre {}",
+  "W {} after {} steps, {}": "W {} nach {} Schritten, {}",
+  "W {} → {}, out of plane {}": "W {} → {}, aus der Ebene {}",
+  "W {} → {}, off a torus {} %": "W {} → {}, neben einem Torus {} %",
+  "R/r {} → {}, off a torus {} %": "R/r {} → {}, neben einem Torus {} %",
+  "W {} → {}": "W {} → {}",
+  "no clean surface to compare": "keine saubere Fläche zum Vergleich",
+  "W {} → {}, distance × {}": "W {} → {}, Abstand × {}",
+  "off {} → {} in {} steps, {}": "daneben {} → {} in {} Schritten, {}",
+  "off {}, jump {} in {} steps, {}": "daneben {}, Sprung {} in {} Schritten, {}",
+  "{} loops left, {} in {} steps, jump {}": "{} Randkurven übrig, {} in {} Schritten, Sprung {}",
+  "not measurable": "nicht messbar",
+  "mean-curvature {}, surface-diffusion {}, willmore {}, mmcv {}":
+    "mittlere Krümmung {}, Oberflächendiffusion {}, Willmore {}, Variation der mittleren Krümmung {}",
+  "area/Willmore/localised: {} flips, area {}, W {}":
+    "Inhalt/Willmore/lokalisiert: {} Flips, Inhalt {}, W {}",
+  "Σ|ΔK| {} → {}": "Σ|ΔK| {} → {}",
+  "{} % lost": "{} % verloren",
+  "∫H² {} → {}, angle {}° → {}°, drift {}, {}": "∫H² {} → {}, Winkel {}° → {}°, Drift {}, {}",
+  "not regularised": "nicht regularisiert",
+  "inverted {} → {}, angle {}° → {}°, distortion {} → {}, moved {} %, volume {} %":
+    "umgeklappt {} → {}, Winkel {}° → {}°, Verzerrung {} → {}, bewegt {} %, Volumen {} %",
+  "∫H² = {}·4π, off {}, drift {}": "∫H² = {}·4π, daneben {}, Drift {}",
+  "area × {}, ∫|H|^p = {} of the sphere's, {}": "Inhalt × {}, ∫|H|^p = {} von dem der Sphäre, {}",
+  "∫H² = {}·2π², v = {}": "∫H² = {}·2π², v = {}",
+  "∫H² = {}·4π at v = {}, {}": "∫H² = {}·4π bei v = {}, {}",
+  "genus {}, ∫H² {} → {} = {}·8π, {}": "Geschlecht {}, ∫H² {} → {} = {}·8π, {}",
+  "one mesh only": "nur ein Netz",
+  "{}: ratio {}": "{}: Verhältnis {}",
+  "{}: ratio {}, not at one time": "{}: Verhältnis {}, nicht zur selben Zeit",
+  "off {}, drift {}, {} steps, {}": "daneben {}, Drift {}, {} Schritte, {}",
+
+  // The solver: why a flow stopped
+  "Newton's method did not converge in this step.":
+    "Das Newton-Verfahren ist in diesem Schritt nicht konvergiert.",
+  "I/dt + K was not positive definite: this step was halved {} times.":
+    "I/dt + K war nicht positiv definit: Dieser Schritt wurde {}-mal halbiert.",
+  "Stopped at the step limit of {} steps": "Schrittgrenze von {} Schritten erreicht",
+  "Stopped at the step limit of {} steps{}": "Schrittgrenze von {} Schritten erreicht{}",
+  "; from a rough start a smooth pre-fill or steps of surface diffusion help":
+    "; bei rauem Anfang helfen eine glatte Vorfüllung oder Schritte der Oberflächendiffusion",
+  "Smoothed in {} steps": "Geglättet in {} Schritten",
+  "Stalled at the start: no step decreases the energy (many angles are exactly 0); a larger angle smoothing or the harmonic pre-fill helps":
+    "Schon am Anfang stecken geblieben: Kein Schritt senkt die Energie (viele Winkel sind genau 0); eine größere Winkelglättung oder die harmonische Vorfüllung hilft",
+  "Converged after {} steps: no smaller energy along any step":
+    "Konvergiert nach {} Schritten: In keinem Schritt wird die Energie kleiner",
+  "Converged after {} steps: the energy is zero up to roundoff":
+    "Konvergiert nach {} Schritten: Die Energie ist bis auf Rundung null",
+  "Converged after {} steps: the energy no longer falls":
+    "Konvergiert nach {} Schritten: Die Energie fällt nicht mehr",
+  "Converged after {} steps: no vertex moves any more":
+    "Konvergiert nach {} Schritten: Keine Ecke bewegt sich mehr",
+  "Stopped after {} steps: triangle {} has degenerated; a neck may be pinching off or a bubble forming. Go back a few steps.":
+    "Angehalten nach {} Schritten: Dreieck {} ist entartet; vielleicht schnürt sich ein Hals ab, oder es bildet sich eine Blase. Gehen Sie einige Schritte zurück.",
+  "Stopped after {} steps: the largest face is {} times the mean, and the mesh no longer resolves the surface. Go back a few steps; a finer mesh helps":
+    "Angehalten nach {} Schritten: Die größte Facette ist {}-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf. Gehen Sie einige Schritte zurück; ein feineres Netz hilft",
+  "Stalled after {} steps: every step tried was refused, the last because {}; {}":
+    "Stecken geblieben nach {} Schritten: Jeder versuchte Schritt wurde abgelehnt, der letzte, weil {}; {}",
+  "Stalled after {} steps: only ever smaller steps lower the energy, which is not at rest; {}":
+    "Stecken geblieben nach {} Schritten: Nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; {}",
+  "Newton’s method does not converge, or a face would turn over":
+    "das Newton-Verfahren nicht konvergiert oder eine Facette umklappen würde",
+  "a vertex would move by more than half an edge":
+    "eine Ecke sich um mehr als eine halbe Kante bewegen würde",
+  "the constraints cannot be met together":
+    "sich die Nebenbedingungen nicht zugleich erfüllen lassen",
+  "the energy is not finite": "die Energie nicht endlich ist",
+  "the energy would rise": "die Energie steigen würde",
+  "a face would turn by more than 60°": "eine Facette sich um mehr als 60° drehen würde",
+  "a face would become a sliver": "eine Facette zum Splitter würde",
+  "conformal regularisation or a finer mesh helps":
+    "konforme Regularisierung oder ein feineres Netz hilft",
+  "where it thins out the surface becomes singular; keeping the volume prevents that":
+    "wo sie dünn wird, wird die Fläche singulär; festes Volumen verhindert das",
+  "smooth with p = 2 first, or use a finer mesh":
+    "glätten Sie zuerst mit p = 2, oder nehmen Sie ein feineres Netz",
+  "a finer mesh helps": "ein feineres Netz hilft",
+  "no flip lowers any of the three costs any more": "kein Flip senkt noch eines der drei Kriterien",
+  "no flip lowers {} any more": "kein Flip senkt noch {}",
+  "the area": "den Flächeninhalt",
+  "the Willmore energy": "die Willmore-Energie",
+  "the localised Willmore energy": "die lokalisierte Willmore-Energie",
+
+  // The solver: warnings of a step
+  "1 face": "1 Facette",
+  "{} faces": "{} Facetten",
+  "{} folded over in this step.": "In diesem Schritt umgeklappt: {}.",
+  "{} folded over in this step.{}": "In diesem Schritt umgeklappt: {}.{}",
+  "The recommended scheme limits how far vertices move.":
+    "Das empfohlene Schema begrenzt, wie weit sich Ecken bewegen.",
+  "The energy is below that of every smooth surface with these handles: a handle is pinching off between coarse triangles.":
+    "Die Energie liegt unter der jeder glatten Fläche mit diesen Henkeln: Ein Henkel schnürt sich zwischen groben Dreiecken ab.",
+  "The area has grown several times over: a bubble, round and thus cheap, may be forming. From a rough start, smooth a little first.":
+    "Der Flächeninhalt ist auf ein Mehrfaches gewachsen: Vielleicht bildet sich eine Blase, rund und deshalb billig. Glätten Sie einen rauen Anfang zuerst ein wenig.",
+  "up to {} steps of surface diffusion go before":
+    "bis zu {} Schritte der Oberflächendiffusion gehen voraus",
+  "The start is too rough for the sixth-order flow, which would move it by {} edge lengths: {}.":
+    "Der Anfang ist zu rau für den Fluss sechster Ordnung, der ihn um {} Kantenlängen bewegen würde: {}.",
+  "No rest in sight after {} steps: back to the start, {}.":
+    "Nach {} Schritten ist keine Ruhe in Sicht: zurück zum Anfang, {}.",
+  "Fewer than {} of held vertices lie between the free patch's boundary and the mesh's: there the surface is fitted from one side, and only positions are given, not the {}.":
+    "Weniger als {} festgehaltener Ecken liegen zwischen dem Rand des freien Flickens und dem des Netzes: Dort wird die Fläche von einer Seite angepasst, und nur die Lage ist vorgegeben, nicht die {}.",
+  "two rings": "zwei Ringe",
+  "one ring": "ein Ring",
+  "tangent plane": "Tangentialebene",
+  curvature: "Krümmung",
+  "The patch is too large to factor its matrix in memory: it is solved iteratively, and steps take longer.":
+    "Der Flicken ist zu groß, um seine Matrix im Speicher zu zerlegen: Sie wird iterativ gelöst, und Schritte dauern länger.",
+  "The mesh is too large to factor its matrices in memory: they are solved iteratively, and steps take longer.":
+    "Das Netz ist zu groß, um seine Matrizen im Speicher zu zerlegen: Sie werden iterativ gelöst, und Schritte dauern länger.",
+  "The linear system was solved to a residual of {} only.":
+    "Das lineare Gleichungssystem wurde nur auf ein Residuum von {} gelöst.",
+  "Newton’s method did not converge: this step was cut to a tenth {} times.":
+    "Das Newton-Verfahren ist nicht konvergiert: Dieser Schritt wurde {}-mal auf ein Zehntel gekürzt.",
+  "The largest face has grown to {} times the mean: one part of the surface inflates, and the energy shown is too low. A finer mesh helps.":
+    "Die größte Facette ist auf das {}-Fache des Mittels gewachsen: Ein Teil der Fläche bläht sich auf, und die gezeigte Energie ist zu klein. Ein feineres Netz hilft.",
+  "The mesh degenerates: its smallest angle is {}°, {}° at the start; {}.":
+    "Das Netz entartet: Sein kleinster Winkel ist {}°, am Anfang {}°; {}.",
+  "∫H² is below that of every smooth surface with these handles: the mesh no longer resolves the surface.":
+    "∫H² liegt unter dem jeder glatten Fläche mit diesen Henkeln: Das Netz löst die Fläche nicht mehr auf.",
+  "At vertex {} {}: use a finer mesh.": "Bei Ecke {} {}: Nehmen Sie ein feineres Netz.",
+  "the surface is about to become singular, as a neck that pinches off":
+    "wird die Fläche gleich singulär, wie ein Hals, der sich abschnürt",
+  "edges are too long for the curvature": "sind die Kanten zu lang für die Krümmung",
+
+  // The solver: flows that cannot be
+  "face {} has {} corners; this flow works on triangles":
+    "Facette {} hat {} Ecken; dieser Fluss arbeitet auf Dreiecken",
+  "the edge between vertices {} and {} has no length{}":
+    "die Kante zwischen den Ecken {} und {} hat keine Länge{}",
+  "; one other edge is like it": "; eine weitere Kante ist ebenso",
+  "; {} other edges are like it": "; {} weitere Kanten sind ebenso",
+  "no vertex is free to move": "keine Ecke kann sich bewegen",
+  "the selection names vertex {}, but there are only {} vertices":
+    "die Auswahl nennt Ecke {}, es gibt aber nur {} Ecken",
+  "{} cannot be {}": "{} kann nicht {} sein",
+  "the surface has {} boundary loop; this flow is for closed surfaces":
+    "die Fläche hat {} Randkurve; dieser Fluss ist für geschlossene Flächen",
+  "the surface has {} boundary loops; this flow is for closed surfaces":
+    "die Fläche hat {} Randkurven; dieser Fluss ist für geschlossene Flächen",
+  "the surface is one-sided; this flow is for orientable surfaces":
+    "die Fläche ist einseitig; dieser Fluss ist für orientierbare Flächen",
+  "the mesh mixes faces of different degree": "das Netz mischt Facetten verschiedener Eckenzahl",
+  "the mesh has {} vertices; the paper's scheme takes {}":
+    "das Netz hat {} Ecken; das Schema der Arbeit nimmt {}",
+  "the surface cannot be fitted at vertex {}": "bei Ecke {} lässt sich die Fläche nicht anpassen",
+  "the linear system was solved to a residual of {} only":
+    "das lineare Gleichungssystem wurde nur auf ein Residuum von {} gelöst",
+  "the energy is not a finite number at step {}":
+    "die Energie ist bei Schritt {} keine endliche Zahl",
+  "the linear system could not be solved: {}":
+    "das lineare Gleichungssystem ließ sich nicht lösen: {}",
+  "Triangulate the mesh first.": "Triangulieren Sie das Netz zuerst.",
+  "Merge the two vertices in a mesh editor (merge by distance), then load again.":
+    "Verschmelzen Sie die beiden Ecken in einem Netzeditor (nach Abstand), und laden Sie neu.",
+  "With a clamped boundary the vertices within one edge of it are held too: choose a fixed or free boundary, a finer mesh, or a larger selection.":
+    "Bei eingespanntem Rand werden auch die Ecken gehalten, die eine Kante von ihm entfernt sind: Wählen Sie festen oder freien Rand, ein feineres Netz oder eine größere Auswahl.",
+  "Vertex indices count from 0 in the order of the file.":
+    "Ecken werden ab 0 gezählt, in der Reihenfolge der Datei.",
+  "It may be {}.": "Erlaubt ist: {}.",
+  "It may be none, {}.": "Erlaubt ist: none, {}.",
+  "Close its holes in a mesh editor and open it again, or choose the circle-angle Willmore flow, which takes boundaries.":
+    "Schließen Sie die Löcher in einem Netzeditor und öffnen Sie es neu, oder wählen Sie den Willmore-Fluss der Kreiswinkel, der Ränder zulässt.",
+  "Choose the circle-angle Willmore flow, which needs no orientation.":
+    "Wählen Sie den Willmore-Fluss der Kreiswinkel, der keine Orientierung braucht.",
+  "Choose the recommended scheme, which tends to the same flow, or a coarser mesh.":
+    "Wählen Sie das empfohlene Schema, das gegen denselben Fluss strebt, oder ein gröberes Netz.",
+  "It has too few neighbours, some of them coincide, or faces around it have collapsed or are folded: repair the mesh there, or hold the vertices around it.":
+    "Sie hat zu wenige Nachbarn, einige fallen zusammen, oder Facetten um sie sind zusammengefallen oder umgeklappt: Reparieren Sie das Netz dort, oder halten Sie die Ecken darum fest.",
+  "Choose a smaller step size, a coarser mesh or a flow of lower order.":
+    "Wählen Sie eine kleinere Schrittweite, ein gröberes Netz oder einen Fluss niedrigerer Ordnung.",
+  "Go back a step, choose a smaller step size or the recommended scheme, and look for a folded or collapsed triangle.":
+    "Gehen Sie einen Schritt zurück, wählen Sie eine kleinere Schrittweite oder das empfohlene Schema, und suchen Sie nach einem umgeklappten oder zusammengefallenen Dreieck.",
+  "one by mean curvature or its derivatives":
+    "einer nach der mittleren Krümmung oder ihren Ableitungen",
+  "the largest τ": "das größte τ",
+  "the growth of τ": "das Wachstum von τ",
+  "the ε of the regularisation": "das ε der Regularisierung",
+  "any positive number": "jede positive Zahl",
+  "a number from 0 to 1": "eine Zahl von 0 bis 1",
+  "1 or more": "1 oder mehr",
+  "the exponent p": "der Exponent p",
+  "0, or a number from 1 to 16": "0 oder eine Zahl von 1 bis 16",
+  "the reduced volume": "das reduzierte Volumen",
+  "above 0 and at most 1": "über 0 und höchstens 1",
+  "the spontaneous curvature": "die spontane Krümmung",
+  "the tension": "die Spannung",
+  "the pressure": "der Druck",
+  "any finite number": "jede endliche Zahl",
+  "given only where both area and volume are kept":
+    "nur dort, wo Flächeninhalt und Volumen fest sind",
+  "only 2 with spontaneous curvature, tension or pressure":
+    "nur 2 mit spontaner Krümmung, Spannung oder Druck",
+  "0 on quadrilaterals; triangulate the mesh for others":
+    "0 auf Vierecken; triangulieren Sie das Netz für andere Werte",
+  "only 0 in the paper's scheme": "nur 0 im Schema der Arbeit",
+  "there is no mesh": "es gibt kein Netz",
+  "Open a mesh or choose a sample first.":
+    "Öffnen Sie zuerst ein Netz oder wählen Sie ein Beispiel.",
+  "there is no field `{}`": "es gibt kein Feld `{}`",
+  "no flow has been chosen yet": "es ist noch kein Fluss gewählt",
+  "Configure one before asking for a field.": "Wählen Sie einen, bevor Sie nach einem Feld fragen.",
+  "{} coordinates do not fit {} vertices": "{} Koordinaten passen nicht zu {} Ecken",
+  "Load the mesh again.": "Laden Sie das Netz neu.",
+  "there is no edit to undo": "es gibt nichts rückgängig zu machen",
+  "A fill or edge flips can be undone once they are done.":
+    "Ein Füllen oder Kantenflips lassen sich rückgängig machen, sobald sie geschehen sind.",
+  "It is 1 or more, or absent for all that gain anything.":
+    "Erlaubt ist 1 oder mehr; ohne Angabe sind es alle, die etwas bringen.",
+  "flipsPerStep cannot be 0": "flipsPerStep kann nicht 0 sein",
+  "there are no vertices {}": "es gibt keine Ecken {}",
+  "Choose an edge anew.": "Wählen Sie eine andere Kante.",
+  "{} corners are given": "{} Ecken sind angegeben",
+  "A quadrilateral has four.": "Ein Viereck hat vier.",
+  "See the list of options and their values.": "Siehe die Liste der Optionen und ihrer Werte.",
+  "there is no format `{}`": "es gibt kein Format `{}`",
+  "obj, off, ply, ply-ascii, stl, stl-ascii or glb.":
+    "obj, off, ply, ply-ascii, stl, stl-ascii oder glb.",
+  "the matrix is singular: the pivot of row {} is zero":
+    "die Matrix ist singulär: Das Pivotelement von Zeile {} ist null",
+  "the matrix has an entry that is not finite in column {}":
+    "die Matrix hat in Spalte {} einen nicht endlichen Eintrag",
+  "the right-hand side is not finite at vertex {}":
+    "die rechte Seite ist bei Ecke {} nicht endlich",
+  "the factor of a matrix of {} rows does not fit into memory":
+    "die Zerlegung einer Matrix mit {} Zeilen passt nicht in den Speicher",
+  "the factor of a matrix of {} rows has too many entries to be indexed":
+    "die Zerlegung einer Matrix mit {} Zeilen hat mehr Einträge, als sich zählen lassen",
+  "Take a smaller step.": "Nehmen Sie einen kleineren Schritt.",
+  "A triangle may have collapsed: take a smaller step or repair the mesh.":
+    "Vielleicht ist ein Dreieck zusammengefallen: Nehmen Sie einen kleineren Schritt oder reparieren Sie das Netz.",
+  "Use a coarser mesh.": "Nehmen Sie ein gröberes Netz.",
+
+  // The solver: files
+  "Faces of fewer than three corners were dropped":
+    "Facetten mit weniger als drei Ecken wurden weggelassen",
+  "Lines that are no part of a polygon mesh were skipped":
+    "Zeilen, die nicht zu einem Polygonnetz gehören, wurden übergangen",
+  "{}: {}, the first at {}.": "{}: {}, zuerst bei {}.",
+  "line {}": "Zeile {}",
+  "byte {}": "Byte {}",
+  "the file is empty": "die Datei ist leer",
+  "`{}` is not recognised as OBJ, OFF, PLY or STL":
+    "`{}` ist nicht als OBJ, OFF, PLY oder STL zu erkennen",
+  "{} files cannot be read": "Dateien der Art {} lassen sich nicht lesen",
+  "{}: byte {} is not text": "{}: Byte {} ist kein Text",
+  "{}, {}: found {}, expected {}": "{}, {}: {} gefunden, erwartet wurde {}",
+  "{}, {}: a face names vertex {}, the file has {}":
+    "{}, {}: Eine Facette nennt Ecke {}, die Datei hat {}",
+  "{}: vertex number {} (counted from 1) is not finite":
+    "{}: Ecke Nummer {} (ab 1 gezählt) ist nicht endlich",
+  "the file is cut short: {} bytes needed at byte {}, {} there":
+    "die Datei bricht ab: {} Bytes werden ab Byte {} gebraucht, {} sind da",
+  "{} announces {} {}, at most {} are possible": "{} kündigt {} {} an, höchstens {} sind möglich",
+  "the file has {} vertices and no faces": "die Datei hat {} Ecken und keine Facetten",
+  "Check that the export or download finished.":
+    "Prüfen Sie, ob der Export oder das Herunterladen zu Ende kam.",
+  "Open an OBJ, OFF, PLY or STL file.": "Öffnen Sie eine OBJ-, OFF-, PLY- oder STL-Datei.",
+  "Export the surface as OBJ, PLY or STL.": "Exportieren Sie die Fläche als OBJ, PLY oder STL.",
+  "The file is binary or UTF-16 text; save it as UTF-8 or give it the right ending.":
+    "Die Datei ist binär oder UTF-16-Text; sichern Sie sie als UTF-8, oder geben Sie ihr die richtige Endung.",
+  "Export with a decimal point instead of a decimal comma.":
+    "Exportieren Sie mit Dezimalpunkt statt Dezimalkomma.",
+  "Look at that place in the file, or export it again.":
+    "Sehen Sie an dieser Stelle der Datei nach, oder exportieren Sie sie neu.",
+  "OBJ counts vertices from 1, or from -1 backwards. Export the file again.":
+    "OBJ zählt Ecken ab 1 oder ab -1 rückwärts. Exportieren Sie die Datei neu.",
+  "This format counts vertices from 0. Export the file again.":
+    "Dieses Format zählt Ecken ab 0. Exportieren Sie die Datei neu.",
+  "Remove the vertex or give it a position, then export again.":
+    "Entfernen Sie die Ecke oder geben Sie ihr eine Lage, und exportieren Sie neu.",
+  "The download or copy may have stopped early; fetch it again.":
+    "Das Herunterladen oder Kopieren endete wohl zu früh; holen Sie die Datei noch einmal.",
+  "The count is wrong or the file is cut short.":
+    "Die Anzahl ist falsch, oder die Datei bricht ab.",
+  "Check that the file is what its name says.": "Prüfen Sie, ob die Datei ist, was ihr Name sagt.",
+  "Point clouds and curves have no surface; open a mesh.":
+    "Punktwolken und Kurven haben keine Fläche; öffnen Sie ein Netz.",
+  "there are no faces to write": "es gibt keine Facetten zu schreiben",
+  "face {} names vertex {} of {}": "Facette {} nennt Ecke {} von {}",
+  "vertex {} cannot be written as a {}": "Ecke {} lässt sich nicht schreiben als {}",
+  "32-bit float": "32-Bit-Gleitkommazahl",
+  "{} normals given for {} vertices": "{} Normalen für {} Ecken angegeben",
+  "the mesh is too large for {}": "das Netz ist zu groß für {}",
+  "Load a mesh first.": "Laden Sie zuerst ein Netz.",
+  "Scale the mesh down, or use OBJ, OFF or PLY: they keep double precision.":
+    "Verkleinern Sie das Netz, oder nehmen Sie OBJ, OFF oder PLY: Sie behalten doppelte Genauigkeit.",
+  "Step back to a state with finite positions.":
+    "Gehen Sie zurück zu einem Zustand mit endlichen Lagen.",
+  "Use OBJ, OFF or PLY.": "Nehmen Sie OBJ, OFF oder PLY.",
+  "This is a fault of the program; please report it.":
+    "Das ist ein Fehler des Programms; bitte melden Sie ihn.",
+  "big-endian PLY": "PLY (big-endian)",
+  "binary STL": "binäres STL",
+  "binary OFF": "binäres OFF",
+  "higher-dimensional OFF": "höherdimensionales OFF",
+  "The text is UTF-16; it was read as such.": "Der Text ist UTF-16; so wurde er gelesen.",
+  "The name ends in .{}, the contents are {}.": "Der Name endet auf .{}, der Inhalt ist {}.",
+  "a vertex index such as 7, 7/1 or 7//2": "ein Eckenindex wie 7, 7/1 oder 7//2",
+  "a vertex index": "ein Eckenindex",
+  "a vertex": "eine Ecke",
+  "a face": "eine Facette",
+  "a coordinate": "eine Koordinate",
+  "a number": "eine Zahl",
+  "the number of vertices": "die Zahl der Ecken",
+  "OFF or the number of vertices": "OFF oder die Zahl der Ecken",
+  "the number of faces": "die Zahl der Facetten",
+  "the number of corners": "die Zahl der Ecken der Facette",
+  "an integer type for the length of a list": "ein ganzzahliger Typ für die Länge einer Liste",
+  "the property's name": "der Name der Eigenschaft",
+  "a type such as float or uchar": "ein Typ wie float oder uchar",
+  "the element's name": "der Name des Elements",
+  "the number of elements": "die Zahl der Elemente",
+  "vertices and faces in one element each": "Ecken und Facetten in je einem Element",
+  "element, property or end_header": "element, property oder end_header",
+  "format ascii, binary_little_endian or binary_big_endian":
+    "format ascii, binary_little_endian oder binary_big_endian",
+  "one list `vertex_indices` of integers in element face":
+    "eine Liste `vertex_indices` ganzer Zahlen im Element face",
+  "one property each `x`, `y` and `z` in element vertex":
+    "je eine Eigenschaft `x`, `y` und `z` im Element vertex",
+  "element vertex": "das Element vertex",
+  "a line of another element": "eine Zeile eines anderen Elements",
+  "the length of a list": "die Länge einer Liste",
+  "{} bytes after the last triangle were left aside.":
+    "{} Bytes nach dem letzten Dreieck blieben unbeachtet.",
+  "facet, outer loop, vertex, endloop, endfacet, solid or endsolid":
+    "facet, outer loop, vertex, endloop, endfacet, solid oder endsolid",
+  "vertex or endloop": "vertex oder endloop",
+  "The last solid has no end; the file may be cut short.":
+    "Der letzte Körper hat kein Ende; vielleicht bricht die Datei ab.",
+  "end of file": "das Ende der Datei",
+  "end of line": "das Ende der Zeile",
+  "the coordinate x": "die Koordinate x",
+  "the coordinate y": "die Koordinate y",
+  "the coordinate z": "die Koordinate z",
+
+  // The solver: meshes
+  "face {} uses vertex {}, but there are only {} vertices":
+    "Facette {} benutzt Ecke {}, es gibt aber nur {} Ecken",
+  "vertex {} has a coordinate that is not a finite number":
+    "Ecke {} hat eine Koordinate, die keine endliche Zahl ist",
+  "the edge between vertices {} and {} has {} faces ({}){}":
+    "die Kante zwischen den Ecken {} und {} hat {} Facetten ({}){}",
+  "there is no face with three different corners and an area":
+    "es gibt keine Facette mit drei verschiedenen Ecken und einem Flächeninhalt",
+  "{} face corners are more than 32-bit indices can name":
+    "{} Ecken von Facetten sind mehr, als 32-Bit-Indizes benennen können",
+  "The file is damaged or was cut off: export it again from the program it came from.":
+    "Die Datei ist beschädigt oder abgeschnitten: Exportieren Sie sie neu aus dem Programm, aus dem sie stammt.",
+  "Remove the vertex, or give it a position, in a mesh editor.":
+    "Entfernen Sie die Ecke in einem Netzeditor, oder geben Sie ihr eine Lage.",
+  "A surface has at most two faces at an edge. In a mesh editor, select non-manifold edges and delete the inner faces, or split the surface there.":
+    "Eine Fläche hat an einer Kante höchstens zwei Facetten. Wählen Sie in einem Netzeditor die nicht-mannigfaltigen Kanten aus und löschen Sie die inneren Facetten, oder trennen Sie die Fläche dort.",
+  "Check that the file holds a surface and not only points or lines.":
+    "Prüfen Sie, ob die Datei eine Fläche enthält und nicht nur Punkte oder Linien.",
+  "Simplify the mesh first; about a million faces are practical.":
+    "Vereinfachen Sie das Netz zuerst; etwa eine Million Facetten sind praktikabel.",
+  "Simplify the mesh first.": "Vereinfachen Sie das Netz zuerst.",
+  "{} without a consistent orientation (like a Möbius strip); flows that need no normal still work.":
+    "{} ohne einheitliche Orientierung (wie ein Möbiusband); Flüsse, die keine Normale brauchen, gehen trotzdem.",
+  "1 component": "1 Komponente",
+  "{} components": "{} Komponenten",
+  "Turned {} to agree with the neighbours.": "Den Nachbarn entsprechend umgedreht: {}.",
+  "The surface was inside out (negative volume): all faces were turned.":
+    "Die Fläche war umgestülpt (negatives Volumen): Alle Facetten wurden umgedreht.",
+  "Dropped {}, the first being face {}.": "Weggelassen: {}, zuerst Facette {}.",
+  "1 degenerate face (a corner repeated)": "1 entartete Facette (mit wiederholter Ecke)",
+  "{} degenerate faces (a corner repeated)": "{} entartete Facetten (mit wiederholter Ecke)",
+  "Dropped {} on the same vertices as an earlier face.":
+    "Weggelassen: {} auf denselben Ecken wie eine frühere Facette.",
+  "Split {}, where several sheets touch in a point, into one vertex a sheet ({}).":
+    "Aufgeteilt: {}, wo sich mehrere Blätter in einem Punkt berühren, in eine Ecke je Blatt ({}).",
+  "1 non-manifold vertex": "1 nicht-mannigfaltige Ecke",
+  "{} non-manifold vertices": "{} nicht-mannigfaltige Ecken",
+  "Dropped {} in pieces without any area.": "Weggelassen: {} in Stücken ohne Flächeninhalt.",
+  "Dropped {} that no face uses.": "Weggelassen, da von keiner Facette benutzt: {}.",
+  "1 vertex": "1 Ecke",
+  "{} vertices": "{} Ecken",
+  "The mesh has {} of more than three corners: {}; files are written with the original faces.":
+    "Das Netz hat {} mit mehr als drei Ecken: {}; Dateien werden mit den ursprünglichen Facetten geschrieben.",
+  "the p-Willmore flow keeps them, other flows work on a triangulated copy":
+    "der p-Willmore-Fluss behält sie, andere Flüsse arbeiten auf einer triangulierten Kopie",
+  "flows work on a triangulated copy": "Flüsse arbeiten auf einer triangulierten Kopie",
+  "The mesh has {} without area (collinear corners).":
+    "Das Netz hat {} ohne Flächeninhalt (Ecken auf einer Geraden).",
+  "1 triangle": "1 Dreieck",
+  "{} triangles": "{} Dreiecke",
+  "The mesh has {} shorter than a millionth of the mean, the first between vertices {} and {}: merge such vertices (merge by distance) for a better flow.":
+    "Das Netz hat {}, kürzer als ein Millionstel des Mittels, zuerst zwischen den Ecken {} und {}: Verschmelzen Sie solche Ecken (nach Abstand) für einen besseren Fluss.",
+  "1 edge": "1 Kante",
+  "{} edges": "{} Kanten",
+  "face {} has {} corners; subdivision needs triangles":
+    "Facette {} hat {} Ecken; Unterteilung braucht Dreiecke",
+  "edge {}-{} has more than two faces": "Kante {}-{} hat mehr als zwei Facetten",
+  "Split the surface along this edge first.": "Trennen Sie die Fläche zuerst längs dieser Kante.",
+
+  // The solver: holes
+  "The hole at {} is larger than a hemisphere: closing it smoothly takes {} times as much curvature, and its shape is a guess.":
+    "Das Loch an {} ist größer als eine Halbkugel: Es glatt zu schließen kostet {}-mal so viel Krümmung, und seine Form ist geraten.",
+  "The patch at {} meets the surface around it with its tangent planes but not its curvature, as {}.":
+    "Der Flicken an {} trifft die Fläche um ihn mit ihren Tangentialebenen, aber nicht mit ihrer Krümmung: {}.",
+  "The patch at {} meets the surface around it with a kink, as {}.":
+    "Der Flicken an {} trifft die Fläche um ihn mit einem Knick: {}.",
+  "The patch at {} stays a membrane, as {}.": "Der Flicken an {} bleibt eine Membran: {}.",
+  "loop {}": "Randkurve {}",
+  "loops {}": "den Randkurven {}",
+  "there are fewer than three rings of surface around it":
+    "um ihn liegen weniger als drei Ringe der Fläche",
+  "it has {}": "er hat {}",
+  "1 new vertex": "1 neue Ecke",
+  "{} new vertices": "{} neue Ecken",
+  "a smoother one would fold over": "ein glatterer würde umklappen",
+  "the surface around it is too rough to be continued":
+    "die Fläche um ihn ist zu rau, um fortgesetzt zu werden",
+  "the mesh has no boundary loop": "das Netz hat keine Randkurve",
+  "there is no boundary loop {}; the mesh has {}, counted from 0":
+    "es gibt keine Randkurve {}; das Netz hat {}, ab 0 gezählt",
+  "boundary loop {} touches itself: vertices {} and {} lie in the same place":
+    "Randkurve {} berührt sich selbst: Die Ecken {} und {} liegen am selben Ort",
+  "the surface has no consistent orientation": "die Fläche hat keine einheitliche Orientierung",
+  "{} boundary loops cannot be connected": "{} Randkurven lassen sich nicht verbinden",
+  "boundary loop {} does not lie on the convex hull of the loops to be connected, at vertex {}":
+    "Randkurve {} liegt bei Ecke {} nicht auf der konvexen Hülle der zu verbindenden Randkurven",
+  "vertices {} and {} of two loops are joined by an edge already":
+    "die Ecken {} und {} zweier Randkurven sind schon durch eine Kante verbunden",
+  "filling was cancelled": "das Füllen wurde abgebrochen",
+  "the filled mesh is not a surface: {}": "das gefüllte Netz ist keine Fläche: {}",
+  "There is nothing to fill.": "Es gibt nichts zu füllen.",
+  "Ask for all loops, or for one of those there are.":
+    "Nehmen Sie alle Randkurven oder eine von denen, die es gibt.",
+  "Merge such vertices in a mesh editor (merge by distance), or delete the faces around them.":
+    "Verschmelzen Sie solche Ecken in einem Netzeditor (nach Abstand), oder löschen Sie die Facetten um sie.",
+  "A one-sided surface cannot be filled.": "Eine einseitige Fläche lässt sich nicht füllen.",
+  "Name two loops or more, or fill them one by one.":
+    "Nennen Sie zwei oder mehr Randkurven, oder füllen Sie sie einzeln.",
+  "Move the parts apart or leave the loop out; loops that are round and face each other can be connected.":
+    "Rücken Sie die Teile auseinander, oder lassen Sie diese Randkurve weg; runde Randkurven, die einander gegenüberliegen, lassen sich verbinden.",
+  "Fill the loops one by one.": "Füllen Sie die Randkurven einzeln.",
+  "Start again whenever you like.": "Beginnen Sie neu, wann Sie möchten.",
+  "Left open: {}.": "Offen gelassen: {}.",
+  "The loops' edge lengths ask for about {} new vertices, more than the limit of {}: the patches' edges are {} times as long.":
+    "Die Kantenlängen der Randkurven verlangen etwa {} neue Ecken, mehr als die Grenze von {}: Die Kanten der Flicken sind {}-mal so lang.",
+  "`{}` names no boundary loops": "`{}` nennt keine Randkurven",
+  "Use all, or a list of numbers.": "Nehmen Sie all oder eine Liste von Zahlen.",
+  "Filled {} with {}.": "Gefüllt: {}, {}.",
+  "1 boundary loop": "1 Randkurve",
+  "{} boundary loops": "{} Randkurven",
+
+  // The viewer
+  "{} offers no graphics adapter": "{} bietet keine Grafikkarte an",
+  "WebGPU offers no graphics adapter": "WebGPU bietet keine Grafikkarte an",
+  "the graphics adapter gives no device: {}": "die Grafikkarte gibt kein Gerät her: {}",
+  "the canvas gives no {} context: {}": "die Zeichenfläche gibt keinen {}-Kontext her: {}",
+  "the graphics device was lost: {}": "die Grafikeinheit ist verloren gegangen: {}",
+  "{} has {} entries; the mesh wants {}": "{}: {} Einträge, das Netz verlangt {}",
+  "{} names element {} of {}": "{} nennt Element {} von {}",
+  "held vertices": "festgehaltene Ecken",
+  "marked triangles": "markierte Dreiecke",
+  "{} vertices are more than the {} this graphics device can draw":
+    "{} Ecken sind mehr als die {}, die diese Grafikeinheit zeichnen kann",
+  "Use a current Chrome, Edge, Firefox or Safari, over https or on localhost.":
+    "Nehmen Sie ein aktuelles Chrome, Edge, Firefox oder Safari, über https oder auf localhost.",
+  "Switch on hardware acceleration in the browser's settings, or update the graphics driver.":
+    "Schalten Sie in den Einstellungen des Browsers die Hardwarebeschleunigung ein, oder erneuern Sie den Grafiktreiber.",
+  "Reload the page.": "Laden Sie die Seite neu.",
+};
