@@ -9,6 +9,8 @@
 
 import { createEdits } from "./actions/edits.js";
 import { createQuestions } from "./actions/questions.js";
+import { createTime } from "./actions/time.js";
+import { sha256 } from "./digest.js";
 import { defaults, plainArrangement } from "./options.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
@@ -185,10 +187,18 @@ export function createController(store, voice) {
   /** @type {import("./actions/core.js").Core} */
   const core = { store, solver, voice, enqueue, rest, configure, colour, arrange };
   const edits = createEdits(core);
+  const time = createTime({ ...core, load });
+
+  /** A move of its own ends the playing of stored steps. @param {() => Promise<unknown>} job */
+  function alone(job) {
+    time.stop();
+    return enqueue(job);
+  }
 
   const controller = {
     ...edits.actions,
     ...createQuestions(solver),
+    ...time.actions,
     begin: solver.begin,
 
     /** @param {string} id @param {Partial<Scene>} [scene] */
@@ -207,6 +217,9 @@ export function createController(store, voice) {
     open: (file, scene = {}) =>
       enqueue(async () => {
         const bytes = await file.arrayBuffer();
+        // Where there is none the mesh opens all the same; no recipe can be made of it.
+        const own = { file: file.name, bytes: bytes.byteLength };
+        const hash = await sha256(bytes).catch(() => null);
         const name = file.name.replace(/\.[^.]+$/, "");
         // Of what an earlier mesh was shown with, the choice of flow is the user's; the rest
         // says nothing about this one.
@@ -214,20 +227,25 @@ export function createController(store, voice) {
         const plain = { ...defaults, boundary };
         const options = { ...plain, flow, p, keep, regularise, ...scene.options };
         const ask = () => solver.load(file.name, bytes);
-        return load(file.name, { kind: "file", name }, ask, options, plain, scene);
+        const source = { kind: /** @type {const} */ ("file"), name, ...own, sha256: hash };
+        return load(file.name, source, ask, options, plain, scene);
       }),
 
-    play: () => enqueue(() => run(null)),
+    play: () => alone(() => run(null)),
     /** Answered after the step in hand, so not queued behind anything. */
     pause: () => rest().catch(report),
-    toggle: () => (store.get().phase === "running" ? controller.pause() : controller.play()),
-    step: () => enqueue(() => rest().then(() => store.get().reading && solver.step())),
+    toggle() {
+      const { phase, playing } = store.get();
+      if (playing !== 0) return time.stop();
+      return phase === "running" ? controller.pause() : controller.play();
+    },
+    step: () => alone(() => rest().then(() => store.get().reading && solver.step())),
     back: () =>
-      enqueue(async () => {
+      alone(async () => {
         await rest();
         if (store.get().reading?.canStepBack) await solver.back();
       }),
-    reset: () => enqueue(() => rest().then(() => store.get().reading && solver.reset())),
+    reset: () => alone(() => rest().then(() => store.get().reading && solver.reset())),
 
     /** Ends a step that takes too long. */
     halt: () =>

@@ -25,7 +25,9 @@ import { createPWillmoreForm } from "./ui/p-willmore-form.js";
 import { createPanes } from "./ui/panes.js";
 import { createPicture } from "./ui/picture.js";
 import { createReadings } from "./ui/readings.js";
+import { createRecord } from "./ui/record.js";
 import { createRegion } from "./ui/region.js";
+import { createScrubber } from "./ui/scrubber.js";
 import { createStatus } from "./ui/status.js";
 import { createTransport } from "./ui/transport.js";
 import { createViewForm } from "./ui/view-form.js";
@@ -51,6 +53,7 @@ const pictured = picture.start(isFirst ? samples[0].parameters.level : null);
 
 const parts = [
   createTransport(controller),
+  createScrubber(controller),
   createStatus(),
   createChoices(controller),
   createReadings(),
@@ -58,6 +61,7 @@ const parts = [
   createFlipsForm(controller),
   createCurvatureForm(controller),
   createHoles(controller, picture.nearestEdge),
+  createRecord(controller, store.get, picture.snapshot),
   createRegion(controller, picture),
   createMethodForm(controller),
   createViewForm(controller, picture.fit),
@@ -85,7 +89,8 @@ function openLink(address) {
   }
 }
 
-createMeshInput((file) => {
+createMeshInput(async (file) => {
+  if (await controller.takes(file)) return;
   const isAwaited = awaited.mesh !== null && file.name.replace(/\.[^.]+$/, "") === awaited.mesh;
   controller.open(file, isAwaited ? awaited : {});
 });

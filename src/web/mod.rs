@@ -10,6 +10,8 @@ mod fault;
 mod panic;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]
 pub mod session;
+#[cfg(all(feature = "solver", target_arch = "wasm32"))]
+mod time;
 #[cfg(all(
     any(feature = "viewer", feature = "viewer-webgl"),
     target_arch = "wasm32"

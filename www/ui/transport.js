@@ -40,8 +40,8 @@ export function createTransport(controller) {
 
   return {
     /** @param {Readonly<PageState>} state */
-    update({ phase, reading }) {
-      const running = phase === "running";
+    update({ phase, reading, playing }) {
+      const running = phase === "running" || playing !== 0;
       const usable = reading !== null && phase !== "loading" && phase !== "failed";
       setText(label, running ? "Pause" : "Play");
       play.dataset.running = String(running);
