@@ -65,8 +65,10 @@ fn flows() -> Vec<(&'static str, Session)> {
     ]
 }
 
+type Shown = (Vec<u8>, State, Vec<(usize, u64)>, Vec<u32>);
+
 /// All that is shown, less what a clock told and whether there is a step before.
-fn shown(session: &Session) -> (Vec<u8>, State, Vec<(usize, u64)>, Vec<u32>) {
+fn shown(session: &Session) -> Shown {
     let reports = session.reports().expect("reports");
     let numbers = reports.iter().map(|r| (r.step, r.energy.to_bits()));
     (

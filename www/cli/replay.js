@@ -39,7 +39,7 @@ export const replay = {
     orRefuse(() => prepare(session, recipe, bytes, tell));
     orRefuse(() => session.configure(recipe.flow));
     orExit(4, () => follow(session, recipe, tell));
-    const positions = session.positions();
+    const positions = new Float32Array(session.positions());
     const got = { ...resultOf(session.state()), positions: await sha256(positions) };
     const verdict = compare(recipe, got, packageVersion());
     if (values.out) writeOutput(values.out, session.export(outFormat));
