@@ -64,7 +64,7 @@ impl Session {
     /// `NoRecipe` after positions came from outside.
     pub fn recipe(&self) -> Result<Recipe, Fault> {
         let work = self.work()?;
-        let Some(edits) = work.origin.clone() else {
+        let Some(edits) = work.origin.clone().filter(|_| !work.is_restored) else {
             return Err(Fault::new(
                 "NoRecipe",
                 "how this surface came about is not known: its positions were put in place after \
@@ -117,7 +117,7 @@ impl Work {
         {
             options.loops = Loops::Word("all".into());
         }
-        let mut chapters = self.origin.clone()?;
+        let mut chapters = self.origin.clone().filter(|_| !self.is_restored)?;
         chapters.push(Chapter {
             flow: self.told_options(),
             path: self.legs(),

@@ -52,6 +52,8 @@ pub(super) struct Work {
     /// Whether the flow was made anew since the last step.
     pub(super) anew: bool,
     pub(super) progress: Option<Progress>,
+    /// Whether positions came from outside since the start.
+    pub(super) is_restored: bool,
     /// How the document was made of what was loaded; `None` where that cannot be told.
     pub(super) origin: Option<Vec<Chapter>>,
     pub(super) arrangement: Arrangement,
@@ -72,6 +74,7 @@ impl Work {
             shown: None,
             anew: false,
             progress: None,
+            is_restored: false,
             origin: Some(Vec::new()),
             arrangement: Arrangement::default(),
             beside: Vec::new(),
@@ -186,6 +189,7 @@ impl Work {
         self.flow_at = self.history.here();
         self.shown = None;
         self.anew = false;
+        self.is_restored = false;
     }
 
     /// Takes note that `deed` led from `before` to what is there now.
@@ -253,7 +257,7 @@ impl Work {
             .map(|c| DVec3::new(f64::from(c[0]), f64::from(c[1]), f64::from(c[2])))
             .collect();
         self.begin_history();
-        self.origin = None;
+        self.is_restored = true;
         if let Some(flow) = &mut self.flow {
             flow.set_clock(step, time);
         }

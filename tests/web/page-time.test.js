@@ -111,11 +111,17 @@ test("steps are scrubbed, branched and played, on the keyboard too", async () =>
   await untilStep(page, 4);
   await button(page, "Step").click();
   await page.locator("#history-back[aria-pressed=false]").waitFor();
+  await untilStep(page, 5);
+
+  // The same steps again are a branch only until the path has come to its end.
+  const branches = choice(page, "Branches");
+  await branches.waitFor();
+  await take(page, 5, 1);
+  await branches.waitFor({ state: "hidden" });
 
   // Another way on from step 2.
   await scrub(page, 2);
   await button(page, "Regularise the mesh now").click();
-  const branches = choice(page, "Branches");
   await branches.waitFor();
   await take(page, 2, 1);
   const other = await energy(page);
@@ -231,7 +237,7 @@ test("a recipe is made, done again by the command line, and opened", async () =>
     await upload(page, "bad.json", wrong);
     await page
       .getByRole("alert")
-      .getByText(/“steps” must be/)
+      .getByText(/“edits\[0\]\.path\[0\]” must be/)
       .waitFor();
     assert.equal(await energy(page), shown);
   } finally {

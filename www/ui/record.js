@@ -23,7 +23,7 @@ const clock = (seconds) =>
 
 /** @param {number} bytes */
 const size = (bytes) => {
-  if (bytes < 1e6) return `${(bytes / 1e3).toPrecision(2)} kB`;
+  if (bytes < 1e6) return `${Math.ceil(bytes / 1e3)} kB`;
   return bytes < 1e9 ? `${(bytes / 1e6).toPrecision(3)} MB` : `${(bytes / 1e9).toPrecision(3)} GB`;
 };
 

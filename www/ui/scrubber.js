@@ -14,7 +14,7 @@ import { formatNumber } from "./number.js";
 export function createScrubber(controller) {
   const root = byId("scrubber", HTMLElement);
   const slider = byId("scrub", HTMLInputElement);
-  const value = byId("scrub-value", HTMLOutputElement);
+  const value = byId("scrub-value", HTMLElement);
   const rate = byId("history-rate", HTMLSelectElement);
   const branches = byId("branches", HTMLSelectElement);
   const players = [
