@@ -12,6 +12,7 @@ import { createContest } from "./actions/contest.js";
 import { createEdits } from "./actions/edits.js";
 import { createQuestions } from "./actions/questions.js";
 import { createSeeing } from "./actions/see.js";
+import { createTime } from "./actions/time.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { t, translated } from "./language.js";
@@ -215,12 +216,20 @@ export function createController(store, voice) {
   const core = { store, solver, voice, enqueue, rest, configure, colour, arrange };
   const edits = createEdits(core);
   const compare = createCompare(core, contest);
+  const time = createTime({ ...core, load });
+
+  /** A move of its own ends the playing of stored steps. @param {() => Promise<unknown>} job */
+  function alone(job) {
+    time.stop();
+    return enqueue(job);
+  }
 
   const controller = {
     ...edits.actions,
     ...compare.actions,
     ...createQuestions(solver),
     ...createSeeing(core, edits.edited),
+    ...time.actions,
     begin: solver.begin,
 
     /** @param {string} id @param {Partial<Scene>} [scene] */
@@ -247,23 +256,28 @@ export function createController(store, voice) {
         const plain = { ...defaults, boundary };
         const options = { ...plain, flow, p, keep, regularise, ...scene.options };
         const ask = () => solver.load(file.name, bytes);
-        const source = { name, sha256: await sha256(bytes), bytes: bytes.byteLength };
-        return load(file.name, { kind: "file", ...source }, ask, options, plain, scene);
+        const hash = await sha256(bytes);
+        const own = { name, file: file.name, sha256: hash, bytes: bytes.byteLength };
+        return load(file.name, { kind: "file", ...own }, ask, options, plain, scene);
       }),
 
-    play: () => enqueue(() => run(null)),
+    play: () => alone(() => run(null)),
     /** Starts, and pauses by itself there. @param {number} step */
-    runTo: (step) => enqueue(() => run(step)),
+    runTo: (step) => alone(() => run(step)),
     /** Answered after the step in hand, so not queued behind anything. */
     pause: () => rest().catch(report),
-    toggle: () => (store.get().phase === "running" ? controller.pause() : controller.play()),
-    step: () => enqueue(() => rest().then(() => store.get().reading && contest.step())),
+    toggle() {
+      const { phase, playing } = store.get();
+      if (playing !== 0) return time.stop();
+      return phase === "running" ? controller.pause() : controller.play();
+    },
+    step: () => alone(() => rest().then(() => store.get().reading && contest.step())),
     back: () =>
-      enqueue(async () => {
+      alone(async () => {
         await rest();
         if (canStepBack(store.get())) await contest.back();
       }),
-    reset: () => enqueue(() => rest().then(() => store.get().reading && contest.reset())),
+    reset: () => alone(() => rest().then(() => store.get().reading && contest.reset())),
 
     /** Ends a step that takes too long. */
     halt: () =>

@@ -2,7 +2,7 @@
 // What tells one file from another.
 
 /**
- * @param {ArrayBuffer | Uint8Array<ArrayBuffer>} bytes
+ * @param {BufferSource} bytes
  * @returns {Promise<string>} SHA-256, 64 hexadecimal digits; empty where the browser keeps it
  *   from pages that came over plain http
  */

@@ -34,7 +34,9 @@ import { createPanes } from "./ui/panes.js";
 import { createPicture } from "./ui/picture.js";
 import { createPresenter } from "./ui/presenter.js";
 import { createReadings } from "./ui/readings.js";
+import { createRecord } from "./ui/record.js";
 import { createRegion } from "./ui/region.js";
+import { createScrubber } from "./ui/scrubber.js";
 import { createShare } from "./ui/share.js";
 import { createStatus } from "./ui/status.js";
 import { createTransport } from "./ui/transport.js";
@@ -73,6 +75,7 @@ const embedding = isEmbedded(location)
 
 const parts = [
   createTransport(controller),
+  createScrubber(controller),
   createStatus(),
   createChoices(controller),
   createReadings(),
@@ -81,6 +84,7 @@ const parts = [
   createCurvatureForm(controller),
   createHoles(controller, picture.nearestEdge),
   createEditsForm(controller),
+  createRecord(controller, store.get, picture.snapshot),
   createRegion(controller, picture),
   createMethodForm(controller),
   createViewForm(controller, picture.fit),
@@ -122,7 +126,11 @@ function openLink(address) {
 }
 
 // Whoever embeds the page could take away what a visitor opens in it.
-if (!embedding) createMeshInput((file) => arrival.open(awaited, file));
+if (!embedding) {
+  createMeshInput(async (file) => {
+    if (!(await controller.takes(file))) arrival.open(awaited, file);
+  });
+}
 
 // The event's address and not `location`: by now the old scene may have been written there.
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));

@@ -85,6 +85,7 @@ export const choices = {
     { id: "stl-ascii", label: "STL, text" },
     { id: "glb", label: "glTF (GLB)" },
     { id: "csv", label: "History, CSV" },
+    { id: "recipe", label: "Recipe, JSON" },
     { id: "png", label: "Picture, PNG" },
   ],
 };

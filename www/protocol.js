@@ -405,6 +405,35 @@
  */
 
 /**
+ * The stored steps of the present path, and other ways on.
+ * @typedef {object} Timeline
+ * @property {number} start   always stored
+ * @property {number} first   from here to `last` every step is stored; between it and the start, none
+ * @property {number} last
+ * @property {number} at      the step that is shown
+ * @property {number | null} previous  the stored step before it
+ * @property {number | null} next      after it; the same where the mesh was regularised next
+ * @property {number} stored  moments of the path that are stored
+ * @property {{ id: number, from: number, last: number, energy: number }[]} branches  oldest first
+ */
+
+/** @typedef {{ steps: number } | { regularise: RegulariseOptions } | 'anew'} RecipeLeg */
+
+/**
+ * A run, and what made another mesh of its end.
+ * @typedef {object} RecipeChapter
+ * @property {FlowOptions | null} flow
+ * @property {RecipeLeg[]} path
+ * @property {'adopt' | { fill: FillOptions } | { flip: FlipOptions } |
+ *            { subdivide: { scheme: 'linear' | 'loop' } } | { invert: [number, number, number] }} edit
+ */
+
+/**
+ * How the present surface came about.
+ * @typedef {{ edits: RecipeChapter[], flow: FlowOptions | null, path: RecipeLeg[] }} Story
+ */
+
+/**
  * @typedef {'none' | 'mean-curvature' | 'gauss-curvature' | 'willmore' | 'gradient' | 'displacement' |
  *           'distance'} FieldName  `distance`, from one pane to another, is the page's own
  */
@@ -435,6 +464,7 @@
  * @property {Curves | null} curves  of edge flips
  * @property {CurvatureJump | null} jump  across the boundary of what moves
  * @property {Look | null} look      null where nothing is looked at more closely
+ * @property {Timeline | null} timeline  null in a frame that the page makes itself
  */
 
 /**
@@ -464,6 +494,13 @@
  * | `quadrilateral` | `corners: number[]`       | `Quadrilateral`             |
  * | `lab`       | `pairs`                       | `Lab`                       |
  * | `back`      | `run`                         | `State`                     |
+ * | `seek`      | `step`, `run`                 | `State`; of the steps that the page may not know the frame tells step, time, dt and energy |
+ * | `branch`    | `branch`, `run`               | `State`, likewise           |
+ * | `story`     |                               | `{ story: Story, state: State, positions: Float32Array }` |
+ * | `prepare`   | `recipe`, `bytes: ArrayBuffer \| null` | `Loaded`: the recipe's mesh and its edits |
+ * | `follow`    | `recipe`, `run`               | `State` after its steps     |
+ * | `sequence`  | `format`, `every`             | `Uint8Array`: a ZIP of the stored steps (transferred) |
+ * | `sequenceSize` | `format`, `every`          | `{ meshes: number, bytes: number }` before compression, estimated |
  * | `reset`     | `run`                         | `State`                     |
  * | `colour`    | `field: FieldName`            | `Field \| null`             |
  * | `export`    | `format`                      | `Uint8Array` (transferred)  |

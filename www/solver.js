@@ -2,7 +2,8 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, Frame, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped, Wanted } from "./protocol.js" */
+/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, Frame, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped, Story, Wanted } from "./protocol.js" */
+/** @import { Recipe } from "./recipe.js" */
 
 import { t } from "./language.js";
 
@@ -217,6 +218,20 @@ export function createSolver(listener) {
     back: () => move("back"),
     /** @returns {Promise<State>} */
     reset: () => move("reset"),
+    /** Shows a stored step. @param {number} step @returns {Promise<State>} */
+    seek: (step) => move("seek", { step }),
+    /** @param {number} branch @returns {Promise<State>} */
+    branch: (branch) => move("branch", { branch }),
+    /** @returns {Promise<{ story: Story, state: State, positions: Float32Array<ArrayBuffer> }>} */
+    story: () => ask("story"),
+    /** @param {Recipe} recipe @param {ArrayBuffer | null} bytes  of its mesh */
+    prepare: (recipe, bytes) => make("prepare", { recipe, bytes }),
+    /** @param {Recipe} recipe @returns {Promise<State>} */
+    follow: (recipe) => move("follow", { recipe }),
+    /** @param {string} format @param {number} every @returns {Promise<Uint8Array<ArrayBuffer>>} ZIP */
+    sequence: (format, every) => ask("sequence", { format, every }),
+    /** @param {string} format @param {number} every @returns {Promise<{ meshes: number, bytes: number }>} */
+    sequenceSize: (format, every) => ask("sequenceSize", { format, every }),
     /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
     export: (format) => ask("export", { format }),
     /** @returns {Promise<string>} CSV */

@@ -2,7 +2,7 @@
 // What the page shows, as one frozen object, and the only functions that change it.
 // Transitions are pure: (state, …) → state. Parts read; the controller writes.
 
-/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Wanted } from "./protocol.js" */
+/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Timeline, Wanted } from "./protocol.js" */
 
 import { alone, begunAnew } from "./comparison.js";
 import { defaults, plainArrangement } from "./options.js";
@@ -15,7 +15,10 @@ import { defaults, plainArrangement } from "./options.js";
  */
 
 /**
- * @typedef {{ kind: 'sample', id: string } | { kind: 'file', name: string, sha256?: string, bytes?: number }} Source
+ * @typedef {{ kind: 'sample', id: string } |
+ *           { kind: 'file', name: string, file?: string, sha256?: string, bytes?: number }} Source
+ *   a file's own name and fingerprint, where it was opened here; the fingerprint is empty where
+ *   the browser keeps it from pages
  */
 
 /**
@@ -44,10 +47,14 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {Phase} phase
  * @property {string | null} loadingName
  * @property {Source | null} source
+ * @property {import("./recipe.js").Recipe["mesh"] | Source | null} origin  what was loaded before
+ *   all edits; null where that is not known
  * @property {Loaded | null} mesh
  * @property {{ positions: Float32Array, field: Field | null, flippedTriangles: Uint32Array, panes: readonly Pane[], curves: Curves | null, jump: CurvatureJump | null, look: Look | null } | null} frame
  * @property {Reading | null} reading
  * @property {readonly Sample[]} history  from the start to the present step
+ * @property {Timeline | null} timeline
+ * @property {-1 | 0 | 1} playing         which way stored steps are played, 0 for not
  * @property {Readonly<Required<FlowOptions>>} options
  * @property {Configured | null} configured
  * @property {Readonly<Arrangement>} arrangement  of edge flips
@@ -72,10 +79,13 @@ export const initial = Object.freeze({
   phase: "empty",
   loadingName: null,
   source: null,
+  origin: null,
   mesh: null,
   frame: null,
   reading: null,
   history: [],
+  timeline: null,
+  playing: 0,
   options: defaults,
   configured: null,
   arrangement: plainArrangement,
@@ -123,7 +133,10 @@ const sample = ({ step, time, dt, energy, area, volume, minAngleDegrees }) => ({
 export function extended(history, reading, added) {
   const first = added.length > 0 ? added[0].step : reading.step;
   const kept = history.filter((point) => point.step < first);
-  return added.length > 0 ? [...kept, ...added.map(sample)] : [...kept, sample(reading)];
+  if (added.length > 0) return [...kept, ...added.map(sample)];
+  // The size of the step that led there, and not of the next.
+  const known = history.find(({ step }) => step === reading.step);
+  return [...kept, known?.energy === reading.energy ? known : sample(reading)];
 }
 
 /** @param {Loaded} mesh */
@@ -157,10 +170,12 @@ export const transitions = {
     ...s,
     loadingName: null,
     source,
+    origin: source,
     mesh,
     frame: firstFrame(mesh),
     reading: null,
     history: [],
+    timeline: null,
     configured: null,
     earlier: [],
     marks: null,
@@ -184,12 +199,19 @@ export const transitions = {
     frame: firstFrame(mesh),
     reading: null,
     history: [],
+    timeline: null,
     configured: null,
     earlier: earlier.slice(-MOST_EDITS),
     marks: null,
     comparison: begunAnew(s.comparison),
     preview: null,
   }),
+
+  /** @param {S} s @param {S["origin"]} origin @returns {S} */
+  originated: (s, origin) => ({ ...s, origin }),
+
+  /** @param {S} s @param {S["playing"]} playing @returns {S} */
+  playing: (s, playing) => ({ ...s, playing }),
 
   /** @param {S} s @param {Readonly<Arrangement>} arrangement @returns {S} */
   arranged: (s, arrangement) => ({ ...s, arrangement }),
@@ -225,9 +247,10 @@ export const transitions = {
   /** @param {S} s @param {Frame} frame @returns {S} */
   frame: (
     s,
-    { state, reports, positions, field, flippedTriangles, panes, curves, jump, look },
+    { state, reports, positions, field, flippedTriangles, panes, curves, jump, look, timeline },
   ) => ({
     ...s,
+    timeline,
     phase: s.phase === "running" || s.phase === "loading" ? s.phase : still(state),
     reading: state,
     history: extended(s.history, state, reports),
@@ -279,6 +302,8 @@ export const transitions = {
     pausing: false,
     progress: null,
     earlier: [],
+    // The new solver has a mesh edited before as a file of its own.
+    origin: s.source === s.origin ? s.origin : null,
   }),
 
   /** No solver any more. @param {S} s @returns {S} */

@@ -5,6 +5,8 @@
 /** @import { Fault, FieldName, Pane, Request, State, StepReport, Wanted } from "./protocol.js" */
 
 import init, { Session } from "./pkg/solver/solver.js";
+import { follow, prepare } from "./recipe.js";
+import { sequence, sequenceSize } from "./sequence.js";
 
 /** @type {{ onmessage: ((event: MessageEvent) => void) | null, postMessage: (message: unknown, transfer?: Transferable[]) => void }} */
 const page = /** @type {any} */ (self);
@@ -78,7 +80,8 @@ function frame(state) {
   transfer.push(...buffersOf(look));
   for (const pane of panes) transfer.push(...buffersOf(pane), ...buffersOf(pane.field));
   const message = { type: "frame", run, state, reports: untold, positions, field: colours };
-  page.postMessage({ ...message, flippedTriangles, panes, curves, jump, look }, transfer);
+  const timeline = session.timeline();
+  page.postMessage({ ...message, flippedTriangles, panes, curves, jump, look, timeline }, transfer);
   untold = [];
   taken = false;
 }
@@ -97,6 +100,24 @@ function moved(number, move) {
   frame(session.state());
   return answer;
 }
+
+/**
+ * Shows another stored moment; the page learns of the steps after `known` again.
+ * @param {number} known  up to here the page knows the path
+ * @param {() => unknown} move
+ */
+function shown(known, move) {
+  const answer = move();
+  const samples = session.samplesAfter(known);
+  for (let i = 0; i < samples.length; i += 4) {
+    const [step, time, dt, energy] = samples.subarray(i, i + 4);
+    untold.push(/** @type {any} */ ({ step, time, dt, energy, warnings: [] }));
+  }
+  return answer;
+}
+
+/** @param {number} share */
+const replayed = (share) => tell("replay", share);
 
 /** @type {Record<string, (request: any) => unknown>} */
 const actions = {
@@ -171,6 +192,29 @@ const actions = {
   lab: ({ pairs }) => session.lab(pairs),
   back: (request) => moved(request.run, () => session.back()),
   reset: (request) => moved(request.run, () => session.reset()),
+  seek: ({ run, step }) => moved(run, () => shown(session.state().step, () => session.seek(step))),
+  branch: ({ run, branch }) =>
+    moved(run, () => shown(session.timeline().start, () => session.branch(branch))),
+  story: () => ({
+    story: session.recipe(),
+    state: session.state(),
+    positions: session.positions(),
+  }),
+  prepare({ recipe, bytes }) {
+    running = false;
+    prepare(session, recipe, bytes && new Uint8Array(bytes), replayed);
+    return session.loaded();
+  },
+  follow: ({ run, recipe }) =>
+    moved(run, () => {
+      follow(session, recipe, replayed);
+      return shown(session.timeline().start, () => session.state());
+    }),
+  sequence({ format, every }) {
+    running = false;
+    return sequence(session, format, every, (share) => tell("sequence", share));
+  },
+  sequenceSize: ({ format, every }) => sequenceSize(session, format, every),
   colour(request) {
     const colours = session.field(request.field);
     field = request.field;
@@ -207,7 +251,10 @@ const isTrap = (error) => error instanceof WebAssembly.RuntimeError || error ins
 
 /** @param {any} error @returns {Fault} */
 function asFault(error) {
-  if (typeof error?.kind === "string") return error;
+  if (typeof error?.kind === "string") {
+    const { kind, message, hint, detail } = error;
+    return { kind, message, hint, detail };
+  }
   return {
     kind: "Internal",
     message: `The solver met an error of its own: ${error?.message ?? error}`,
@@ -239,12 +286,19 @@ function answer(request) {
     if (running && paced && until === null) turns.port2.postMessage(run);
     return;
   }
-  try {
-    const ok = actions[request.type](request);
-    page.postMessage({ id: request.id, ok }, buffersOf(ok));
-  } catch (error) {
+  /** @param {unknown} ok */
+  const reply = (ok) => page.postMessage({ id: request.id, ok }, buffersOf(ok));
+  /** @param {unknown} error */
+  const refuse = (error) => {
     if (isTrap(error)) throw error;
     page.postMessage({ id: request.id, error: asFault(error) });
+  };
+  try {
+    const ok = actions[request.type](request);
+    if (ok instanceof Promise) ok.then(reply, (error) => guarded(() => refuse(error)));
+    else reply(ok);
+  } catch (error) {
+    refuse(error);
   }
 }
 

@@ -5,10 +5,10 @@ use super::constraint::Kept;
 use crate::energy::circle::Boundary;
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Which flow runs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FlowName {
     /// Bobenko & Schröder's circle-angle Willmore flow.
@@ -29,7 +29,7 @@ pub enum FlowName {
 }
 
 /// Recommended treatment or the paper's own.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Scheme {
     /// Smoothed angles, semi-definite K, automatic step size: needs no tuning.
@@ -40,7 +40,7 @@ pub enum Scheme {
 }
 
 /// How time is discretised.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Integrator {
     /// (M/dt + K) Δx = −∇E, the paper's choice.
@@ -56,7 +56,7 @@ pub enum Integrator {
 }
 
 /// What the run is for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Goal {
     /// As far down as possible, with growing steps.
@@ -67,7 +67,7 @@ pub enum Goal {
 }
 
 /// The metric the gradient is taken in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum MassChoice {
     /// Uniform for relaxing, area for smoothing.
@@ -80,7 +80,7 @@ pub enum MassChoice {
 }
 
 /// Options of a flow. Unknown names are refused.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct FlowOptions {
     /// Which flow.

@@ -1,6 +1,6 @@
 //! The edge flip: the other diagonal of the two triangles at an edge.
 
-use super::{Edge, HalfedgeMesh, Vertex};
+use super::{Edge, Halfedge, HalfedgeMesh, Vertex};
 
 /// Whether an edge can be flipped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +15,14 @@ pub enum Flippable {
     /// A face on either side is no triangle, or the two run against each other, as somewhere
     /// on every one-sided surface.
     NotTriangles,
+}
+
+/// Where the walks about the elements at an edge begin: at its two ends, at the two vertices
+/// opposite, and around its two faces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Anchors {
+    vertices: [(Vertex, Halfedge); 4],
+    faces: [Halfedge; 2],
 }
 
 impl HalfedgeMesh {
@@ -33,6 +41,38 @@ impl HalfedgeMesh {
             return Flippable::PartnerExists(k, l);
         }
         Flippable::Yes
+    }
+
+    /// Where the walks about the elements at an edge between two triangles begin.
+    pub fn anchors(&self, e: Edge) -> Anchors {
+        let h = e.halfedge();
+        let ([i, j], [k, l]) = (self.ends(e), self.opposite_vertices(e));
+        let face = |h| self.halfedge_of_face[self.face(h).index()];
+        Anchors {
+            vertices: [i, j, k, l].map(|v| (v, self.halfedge_of_vertex[v.index()])),
+            faces: [face(h), face(h.twin())],
+        }
+    }
+
+    /// Takes a flip back: every element is as it was, in the order it was.
+    ///
+    /// # Panics
+    /// Unless the edge was just flipped, or all that was done since has been taken back.
+    pub fn unflip(&mut self, e: Edge, before: Anchors) {
+        // A flip turns the quadrilateral by a quarter: three more make it whole.
+        for _ in 0..3 {
+            self.flip(e);
+        }
+        for (v, h) in before.vertices {
+            self.halfedge_of_vertex[v.index()] = h;
+        }
+        for (h, first) in [e.halfedge(), e.halfedge().twin()]
+            .into_iter()
+            .zip(before.faces)
+        {
+            let face = self.face(h);
+            self.halfedge_of_face[face.index()] = first;
+        }
     }
 
     /// Flips an edge: of the triangles `ijk` and `jil` about edge `ij` become `ilk` and

@@ -15,7 +15,7 @@ const DAMPINGS: [f64; 4] = [0.0, 0.1, 1.0, 10.0];
 const SHARES: [f64; 3] = [1.0, 0.5, 0.25];
 
 /// How a mesh at rest is regularised. Unknown names are refused.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct Settings {
     /// Linear or nonlinear.

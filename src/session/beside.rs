@@ -76,24 +76,24 @@ impl Work {
         }
     }
 
-    /// Takes the others along after a step, to their rest when this flow has come to its own.
+    /// The step that the others are to come to: to their rest when this flow is at its own.
+    fn goal_beside(&self) -> usize {
+        let is_over = self.state.status.is_final();
+        self.state.step + if is_over { FURTHER } else { 0 }
+    }
+
+    /// Takes the others along after a step.
     pub(super) fn step_beside(&mut self) {
-        let further = if self.state.status.is_final() {
-            FURTHER
-        } else {
-            0
-        };
-        let goal = self.state.step + further;
+        let goal = self.goal_beside();
         self.beside.iter_mut().for_each(|other| other.step_to(goal));
     }
 
-    /// Takes the others back with a step back.
-    pub(super) fn back_beside(&mut self) {
-        let goal = self.state.step;
+    /// Takes the others to where this flow is now.
+    pub(super) fn seek_beside(&mut self) {
+        let goal = self.goal_beside();
         for other in &mut self.beside {
-            while other.state.step > goal && other.state.can_step_back {
-                other.back();
-            }
+            other.seek(goal);
+            other.step_to(goal);
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::document::Document;
 use super::fault::Fault;
+use super::recipe::Edit;
 use super::work::{Suspended, Work};
 use super::{Loaded, Session};
 use crate::flow::options::FlowOptions;
@@ -49,6 +50,7 @@ impl Session {
     /// options stay, less a selection of vertices that `edit` has one of its own for.
     pub(super) fn edit<T>(
         &mut self,
+        name: Edit,
         edit: impl FnOnce(&Work) -> Result<(Document, T), Fault>,
     ) -> Result<T, Fault> {
         let (document, outcome) = edit(self.work()?)?;
@@ -67,6 +69,7 @@ impl Session {
         let mut work = Work::new(document, x);
         work.options = options;
         work.arrangement = before.arrangement;
+        work.origin = before.origin_of(name);
         self.work = Some(work);
         self.edits.push(before.suspend());
         Ok(outcome)
@@ -78,7 +81,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn adopt(&mut self) -> Result<Loaded, Fault> {
-        self.edit(|work| Ok((work.present(), ())))?;
+        self.edit(Edit::Adopt, |work| Ok((work.present(), ())))?;
         self.loaded()
     }
 

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
 /// Which loops are filled: the word `all`, or their numbers, counted from 0.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(untagged)]
 pub enum Loops {
     /// All, by name.
@@ -23,7 +23,7 @@ pub enum Loops {
 }
 
 /// How holes are filled. Unknown names are refused.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct FillOptions {
     /// Which loops.

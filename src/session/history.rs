@@ -1,46 +1,519 @@
-//! Earlier states, bounded in number and memory.
+//! The moments of a run: the path to the present one, what comes after it, and the branches
+//! that leave it. Bounded in number and in memory.
 
 use super::readings::State;
-use crate::flow::Pace;
+use crate::flow::{Pace, StepReport};
+use crate::remesh::static_pass::Settings;
 use glam::DVec3;
+use serde::Serialize;
 use std::collections::VecDeque;
 
 /// Bytes at most: a wasm heap of 4 GiB also holds the factor.
 const MAX_BYTES: usize = 192 << 20;
+/// Branches at most.
+const MAX_BRANCHES: usize = 8;
 
-/// A state to go back to.
+/// Name of a moment. Moments that are equal to the last bit and have the same past share it.
+pub(super) type MomentId = u64;
+
+/// How a moment came about from the one before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Act {
+    pub(super) deed: Deed,
+    /// Whether the flow was made anew for it and knew nothing of earlier steps.
+    pub(super) anew: bool,
+}
+
+/// What leads from a moment to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Deed {
+    Step,
+    Regularise(Settings),
+}
+
+/// All of a run that changes from step to step.
 pub(super) struct Moment {
+    pub(super) id: MomentId,
     /// Positions, where the flow moves any.
     pub(super) x: Option<Vec<DVec3>>,
     pub(super) pace: Pace,
     pub(super) state: State,
-    /// How many reports there were.
-    pub(super) n_reports: usize,
+    /// Faces that folded over in the step that led here.
+    pub(super) flipped: Vec<u32>,
+    /// Kept by the path while the moment is on it.
+    came: Option<(Act, Option<StepReport>)>,
 }
 
-/// A stack that forgets its oldest entries.
-#[derive(Default)]
-pub(super) struct History {
-    moments: VecDeque<Moment>,
-}
-
-impl History {
-    pub(super) fn push(&mut self, moment: Moment) {
-        let positions = moment.x.as_deref().unwrap_or_default();
-        let bytes = size_of::<Moment>() + size_of_val(positions);
-        self.moments.push_back(moment);
-        // At least one step back is always kept.
-        let most = (MAX_BYTES / bytes).max(1);
-        while self.moments.len() > most {
-            self.moments.pop_front();
+impl Moment {
+    pub(super) fn new(
+        id: MomentId,
+        x: Option<Vec<DVec3>>,
+        pace: Pace,
+        state: State,
+        flipped: Vec<u32>,
+    ) -> Self {
+        Self {
+            id,
+            x,
+            pace,
+            state,
+            flipped,
+            came: None,
         }
     }
 
-    pub(super) fn pop(&mut self) -> Option<Moment> {
-        self.moments.pop_back()
+    fn bytes(&self) -> usize {
+        let positions = self.x.as_deref().unwrap_or_default();
+        size_of::<Self>() + size_of_val(positions) + size_of_val(&*self.flipped)
+    }
+}
+
+/// Another way on from a moment.
+struct Branch {
+    id: u32,
+    /// The moment it leaves.
+    fork: MomentId,
+    from: usize,
+    /// The next one last.
+    moments: Vec<Moment>,
+}
+
+impl Branch {
+    /// Its last moment.
+    fn tip(&self) -> Option<&Moment> {
+        self.moments.first()
     }
 
-    pub(super) fn is_empty(&self) -> bool {
-        self.moments.is_empty()
+    /// The moment that follows another.
+    fn after(&self, id: MomentId) -> Option<&Moment> {
+        if self.fork == id {
+            return self.moments.last();
+        }
+        let place = self.moments.iter().position(|m| m.id == id)?;
+        self.moments.get(place.checked_sub(1)?)
+    }
+}
+
+/// A branch, for people to choose from.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct BranchInfo {
+    /// Its number.
+    pub id: u32,
+    /// The step it leaves.
+    pub from: usize,
+    /// Its last step.
+    pub last: usize,
+    /// The flow's own energy there.
+    pub energy: f64,
+}
+
+/// The steps that can be shown.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Timeline {
+    /// The step of the start, which is always stored.
+    pub start: usize,
+    /// From here to `last` every step is stored; between it and the start, none.
+    pub first: usize,
+    /// The last step of the present path.
+    pub last: usize,
+    /// The step that is shown.
+    pub at: usize,
+    /// The stored step before it.
+    pub previous: Option<usize>,
+    /// The stored step after it; the same where the mesh was regularised next.
+    pub next: Option<usize>,
+    /// Moments of the present path that are stored.
+    pub stored: usize,
+    /// Other ways on, oldest first.
+    pub branches: Vec<BranchInfo>,
+}
+
+/// Every moment but the present one, which the session holds.
+pub(super) struct History {
+    /// From the start.
+    past: VecDeque<Moment>,
+    /// The next one last.
+    future: Vec<Moment>,
+    branches: VecDeque<Branch>,
+    /// How the present moment and each before it came about, forgotten ones too.
+    acts: Vec<Act>,
+    reports: Vec<StepReport>,
+    /// The present moment.
+    here: MomentId,
+    last_id: MomentId,
+    last_branch: u32,
+    has_forgotten: bool,
+    bytes: usize,
+    limit: usize,
+}
+
+impl Default for History {
+    fn default() -> Self {
+        Self {
+            past: VecDeque::new(),
+            future: Vec::new(),
+            branches: VecDeque::new(),
+            acts: Vec::new(),
+            reports: Vec::new(),
+            here: 0,
+            last_id: 0,
+            last_branch: 0,
+            has_forgotten: false,
+            bytes: 0,
+            limit: MAX_BYTES,
+        }
+    }
+}
+
+impl History {
+    pub(super) fn here(&self) -> MomentId {
+        self.here
+    }
+
+    pub(super) fn acts(&self) -> &[Act] {
+        &self.acts
+    }
+
+    /// Of the steps to the present moment, oldest first.
+    pub(super) fn reports(&self) -> &[StepReport] {
+        &self.reports
+    }
+
+    pub(super) fn can_go_back(&self) -> bool {
+        !self.past.is_empty()
+    }
+
+    /// The step after the present one that is stored.
+    pub(super) fn next_step(&self) -> Option<usize> {
+        self.future.last().map(|moment| moment.state.step)
+    }
+
+    pub(super) fn timeline(&self, at: usize) -> Timeline {
+        let start = self.past.front().map_or(at, |m| m.state.step);
+        let second = self.past.get(1).map_or(at, |m| m.state.step);
+        let info = |branch: &Branch| {
+            let tip = &branch.tip()?.state;
+            Some(BranchInfo {
+                id: branch.id,
+                from: branch.from,
+                last: tip.step,
+                energy: tip.energy,
+            })
+        };
+        Timeline {
+            start,
+            first: if self.has_forgotten { second } else { start },
+            last: self.future.first().map_or(at, |m| m.state.step),
+            at,
+            previous: (self.past.iter().rev())
+                .map(|m| m.state.step)
+                .find(|step| *step < at),
+            next: self.next_step(),
+            stored: self.past.len() + 1 + self.future.len(),
+            branches: self.branches.iter().filter_map(info).collect(),
+        }
+    }
+
+    /// The present moment has become a past one, and what `act` made of it the present.
+    ///
+    /// What was stored to come after it becomes a branch, unless it is the same to the last
+    /// bit; a branch that the path has come to the end of is no more.
+    pub(super) fn follow(
+        &mut self,
+        before: Moment,
+        act: Act,
+        report: Option<StepReport>,
+        x: Option<&[DVec3]>,
+        now: &State,
+    ) {
+        let (fork, from) = (before.id, before.state.step);
+        self.bytes += before.bytes();
+        self.past.push_back(before);
+        self.acts.push(act);
+        self.reports.extend(report);
+        if x.is_some() {
+            let future = std::mem::take(&mut self.future);
+            self.keep(fork, from, future);
+        } else {
+            // Edge flips have one way only: further on is what was stored.
+            while let Some(passed) = self.future.pop_if(|m| m.state.step <= now.step) {
+                self.bytes -= passed.bytes();
+            }
+        }
+        self.last_id += 1;
+        self.here = self.last_id;
+        self.recognise(fork, act.deed, x, now);
+        self.forget();
+    }
+
+    /// Gives the present moment the name of one that is the same.
+    fn recognise(&mut self, fork: MomentId, deed: Deed, x: Option<&[DVec3]>, now: &State) {
+        let is_same = |m: &Moment| {
+            m.came.as_ref().is_some_and(|(act, _)| act.deed == deed)
+                && (m.state.step, m.state.time) == (now.step, now.time)
+                && m.x.as_deref() == x
+        };
+        let same = |branch: &Branch| branch.after(fork).filter(|m| is_same(m)).map(|m| m.id);
+        let Some(id) = self.branches.iter().find_map(same) else {
+            return;
+        };
+        self.here = id;
+        let is_over = |branch: &Branch| branch.tip().is_some_and(|tip| tip.id == id);
+        if let Some(place) = self.branches.iter().position(is_over) {
+            self.drop_branch(place);
+        }
+    }
+
+    /// Keeps what comes after a moment as a branch.
+    fn keep(&mut self, fork: MomentId, from: usize, moments: Vec<Moment>) {
+        if moments.is_empty() {
+            return;
+        }
+        self.last_branch += 1;
+        self.branches.push_back(Branch {
+            id: self.last_branch,
+            fork,
+            from,
+            moments,
+        });
+        if self.branches.len() > MAX_BRANCHES {
+            self.drop_branch(0);
+        }
+    }
+
+    /// Drops a branch, and those that leave from it and cannot be reached without it.
+    fn drop_branch(&mut self, place: usize) {
+        let mut lost = vec![place];
+        while let Some(place) = lost.pop() {
+            for moment in self
+                .branches
+                .remove(place)
+                .map(|b| b.moments)
+                .into_iter()
+                .flatten()
+            {
+                self.bytes -= moment.bytes();
+            }
+            lost.extend(
+                self.branches
+                    .iter()
+                    .position(|b| !self.is_on_path(b.fork) && self.holder(b.fork).is_none()),
+            );
+        }
+    }
+
+    /// Keeps within the bounds: branches go first, the oldest foremost, then early steps. The
+    /// start and one step back always stay.
+    fn forget(&mut self) {
+        while self.bytes > self.limit {
+            if !self.branches.is_empty() {
+                self.drop_branch(0);
+            } else if self.past.len() > 2
+                && let Some(moment) = self.past.remove(1)
+            {
+                self.bytes -= moment.bytes();
+                self.has_forgotten = true;
+            } else {
+                break;
+            }
+        }
+    }
+
+    /// The moment before `live`, which becomes one to come.
+    pub(super) fn back(&mut self, mut live: Moment) -> Moment {
+        let Some(previous) = self.past.pop_back() else {
+            return live;
+        };
+        live.came = self.acts.pop().map(|act| match act.deed {
+            Deed::Step => (act, self.reports.pop()),
+            Deed::Regularise(_) => (act, None),
+        });
+        self.bytes = self.bytes + live.bytes() - previous.bytes();
+        self.future.push(live);
+        self.here = previous.id;
+        previous
+    }
+
+    /// The moment after `live`, which becomes a past one.
+    pub(super) fn forth(&mut self, live: Moment) -> Moment {
+        let Some(mut next) = self.future.pop() else {
+            return live;
+        };
+        if let Some((act, report)) = next.came.take() {
+            self.acts.push(act);
+            self.reports.extend(report);
+        }
+        self.bytes = self.bytes + live.bytes() - next.bytes();
+        self.past.push_back(live);
+        self.here = next.id;
+        next
+    }
+
+    fn is_on_path(&self, id: MomentId) -> bool {
+        let stored = self.past.iter().chain(&self.future);
+        self.here == id || stored.into_iter().any(|m| m.id == id)
+    }
+
+    /// The branch that a moment is on.
+    fn holder(&self, id: MomentId) -> Option<&Branch> {
+        let holds = |b: &&Branch| b.moments.iter().any(|m| m.id == id);
+        self.branches.iter().find(holds)
+    }
+
+    /// The moments at which to turn, each into a branch, to come to the end of a branch;
+    /// empty if there is none of that number.
+    pub(super) fn way_to(&self, id: u32) -> Vec<(MomentId, u32)> {
+        let mut way = Vec::new();
+        let mut branch = self.branches.iter().find(|b| b.id == id);
+        while let Some(b) = branch {
+            way.push((b.fork, b.id));
+            branch = if self.is_on_path(b.fork) {
+                None
+            } else {
+                self.holder(b.fork)
+            };
+        }
+        way.reverse();
+        way
+    }
+
+    /// Whether a moment of the path comes after the present one.
+    pub(super) fn is_ahead(&self, id: MomentId) -> bool {
+        self.future.iter().any(|m| m.id == id)
+    }
+
+    /// At the moment a branch leaves: what was to come and the branch change places.
+    pub(super) fn turn(&mut self, id: u32, at: usize) {
+        let Some(place) = self.branches.iter().position(|b| b.id == id) else {
+            return;
+        };
+        let Some(branch) = self.branches.remove(place) else {
+            return;
+        };
+        let before = std::mem::replace(&mut self.future, branch.moments);
+        // What the branch has too need not be kept.
+        if before.first().is_some_and(|tip| self.is_on_path(tip.id)) {
+            self.bytes -= before.iter().map(Moment::bytes).sum::<usize>();
+        } else {
+            self.keep(self.here, at, before);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn moment(history: &History, step: usize, size: usize) -> Moment {
+        let state = State {
+            step,
+            ..State::default()
+        };
+        let x = vec![DVec3::splat(step as f64); size];
+        Moment::new(
+            history.here(),
+            Some(x),
+            Pace::Flips(step),
+            state,
+            Vec::new(),
+        )
+    }
+
+    /// A step to `value`, from a moment of so many points.
+    fn step(history: &mut History, from: usize, size: usize, value: f64) {
+        let before = moment(history, from, size);
+        let now = State {
+            step: from + 1,
+            ..State::default()
+        };
+        let act = Act {
+            deed: Deed::Step,
+            anew: false,
+        };
+        let x = vec![DVec3::splat(value); size];
+        history.follow(before, act, None, Some(&x), &now);
+    }
+
+    fn counted(history: &History) -> usize {
+        let branched = history.branches.iter().flat_map(|b| &b.moments);
+        let stored = history.past.iter().chain(&history.future).chain(branched);
+        stored.map(Moment::bytes).sum()
+    }
+
+    fn steps_of(history: &History) -> Vec<usize> {
+        history.past.iter().map(|m| m.state.step).collect()
+    }
+
+    #[test]
+    fn early_steps_are_forgotten_and_the_start_is_not() {
+        let mut history = History {
+            limit: 10 * (size_of::<Moment>() + 100 * size_of::<DVec3>()),
+            ..History::default()
+        };
+        for n in 0..50 {
+            step(&mut history, n, 100, (n + 1) as f64);
+            assert!(history.bytes <= history.limit && history.bytes == counted(&history));
+        }
+        assert_eq!(steps_of(&history), [0, 41, 42, 43, 44, 45, 46, 47, 48, 49]);
+        let timeline = history.timeline(50);
+        assert_eq!((timeline.start, timeline.first), (0, 41));
+        assert_eq!((timeline.at, timeline.last), (50, 50));
+        // How it came about is known all the same.
+        assert_eq!(history.acts().len(), 50);
+        // A step back always stays, however large.
+        step(&mut history, 50, 5000, 51.0);
+        step(&mut history, 51, 5000, 52.0);
+        assert_eq!(steps_of(&history), [0, 51]);
+    }
+
+    /// Goes back by some moments.
+    fn go_back(history: &mut History, from: usize, count: usize) {
+        for n in 0..count {
+            let live = moment(history, from - n, 4);
+            history.back(live);
+        }
+    }
+
+    #[test]
+    fn the_oldest_branch_goes_first_and_what_hangs_on_it_too() {
+        let mut history = History::default();
+        step(&mut history, 0, 4, 1.0);
+        // Ten ways on from the start.
+        for way in 2..12 {
+            go_back(&mut history, 1, 1);
+            step(&mut history, 0, 4, f64::from(way));
+        }
+        let ids = |history: &History| history.branches.iter().map(|b| b.id).collect::<Vec<_>>();
+        assert_eq!(ids(&history), [3, 4, 5, 6, 7, 8, 9, 10]);
+        assert_eq!(history.bytes, counted(&history));
+        // A branch of a branch: from step 1 of the present way, which then is left.
+        step(&mut history, 1, 4, 50.0);
+        go_back(&mut history, 2, 1);
+        step(&mut history, 1, 4, 51.0);
+        go_back(&mut history, 2, 2);
+        step(&mut history, 0, 4, 60.0);
+        assert_eq!(ids(&history), [5, 6, 7, 8, 9, 10, 11, 12]);
+        let way: Vec<u32> = history.way_to(11).into_iter().map(|(_, id)| id).collect();
+        assert_eq!(way, [12, 11], "by way of the branch it leaves");
+        let place = history.branches.iter().position(|b| b.id == 12);
+        history.drop_branch(place.expect("the branch"));
+        assert_eq!(ids(&history), [5, 6, 7, 8, 9, 10], "both are gone");
+        assert_eq!(history.bytes, counted(&history));
+    }
+
+    #[test]
+    fn the_same_steps_again_are_no_branch() {
+        let mut history = History::default();
+        for n in 0..5 {
+            step(&mut history, n, 4, (n + 1) as f64);
+        }
+        go_back(&mut history, 5, 3);
+        step(&mut history, 2, 4, 3.0);
+        let branches = history.timeline(3).branches;
+        assert_eq!((branches[0].from, branches[0].last), (2, 5));
+        step(&mut history, 3, 4, 4.0);
+        step(&mut history, 4, 4, 5.0);
+        assert_eq!(history.timeline(5).branches, []);
+        assert_eq!(history.bytes, counted(&history));
     }
 }

@@ -4,6 +4,7 @@ use super::document::Document;
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::look::{Look, Wanted};
+use super::recipe::Edit;
 use super::work::Work;
 use super::{Loaded, Session, as_f32};
 use crate::energy::circle::angle::Smoothing;
@@ -121,7 +122,7 @@ impl Session {
     /// # Errors
     /// As [`preview_inversion`](Self::preview_inversion); the surface stays as it was.
     pub fn invert(&mut self, centre: [f64; 3]) -> Result<(Loaded, InversionReport), Fault> {
-        let report = self.edit(|work| {
+        let report = self.edit(Edit::Invert(centre), |work| {
             let (start, report) = work.inverted(centre)?;
             let document = work.present();
             Ok((Document { start, ..document }, report))

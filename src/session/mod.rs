@@ -17,7 +17,9 @@ mod look;
 mod pane;
 mod probe;
 mod readings;
+mod recipe;
 mod subdivide;
+mod timeline;
 mod work;
 
 pub use crate::flow::Progress;
@@ -28,11 +30,13 @@ pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
+pub use history::{BranchInfo, Timeline};
 pub use invert::{InversionReadings, InversionReport, Inverted};
 pub use look::{ALIGNED_DEGREES, Alignment, Drawn, Kind, Look, MAX_CIRCLES, MAX_CROSSES, Wanted};
 pub use pane::{Arrangement, Compare, Curves, Pane};
 pub use probe::{Probe, ProbedEdge, edge_angle};
 pub use readings::{EnergyReadings, Info, State};
+pub use recipe::{Chapter, Edit, Leg, Recipe};
 pub use subdivide::{Scheme as SubdivisionScheme, SubdivideOptions};
 pub use work::Configured;
 
@@ -106,8 +110,11 @@ impl Session {
     /// Sets or clears the callback for progress within long steps.
     pub fn set_progress(&mut self, progress: Option<Progress>) {
         self.progress = progress;
-        if let Some(flow) = self.work.as_mut().and_then(|w| w.flow.as_mut()) {
-            flow.set_progress(self.progress.clone());
+        if let Some(work) = &mut self.work {
+            work.progress.clone_from(&self.progress);
+            if let Some(flow) = &mut work.flow {
+                flow.set_progress(self.progress.clone());
+            }
         }
     }
 
@@ -211,7 +218,7 @@ impl Session {
     /// # Errors
     /// Meshes with faces other than triangles; the mesh stays as it was.
     pub fn flip(&mut self, options: &FlipOptions) -> Result<FlipOutcome, Fault> {
-        self.edit(|work| work.flipped(options))
+        self.edit(Edit::Flip(*options), |work| work.flipped(options))
     }
 
     /// The boundary loops of the surface as it is now, in the order of their numbers.
@@ -234,10 +241,12 @@ impl Session {
         options: &FillOptions,
         progress: FillProgress<'_>,
     ) -> Result<FillOutcome, Fault> {
-        self.edit(|work| work.filled(options, progress))
+        self.edit(Edit::Fill(options.clone()), |work| {
+            work.filled(options, progress)
+        })
     }
 
-    /// Goes one step back, if an earlier state is stored.
+    /// Shows the moment before, if one is stored; see [`seek`](Self::seek).
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
@@ -283,8 +292,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn flipped_triangles(&self) -> Result<Vec<u32>, Fault> {
-        let flow = self.work()?.flow.as_ref();
-        Ok(flow.map(|f| f.flipped_faces().to_vec()).unwrap_or_default())
+        Ok(self.work()?.folded().to_vec())
     }
 
     /// Which vertices are held: 1, or 0 where they move. Empty before `configure`.
@@ -366,7 +374,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn reports(&self) -> Result<&[StepReport], Fault> {
-        Ok(&self.work()?.reports)
+        Ok(self.work()?.history.reports())
     }
 
     /// The history as CSV.
@@ -374,7 +382,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn history_csv(&self) -> Result<String, Fault> {
-        Ok(readings::history_csv(&self.work()?.reports))
+        Ok(readings::history_csv(self.work()?.history.reports()))
     }
 }
 

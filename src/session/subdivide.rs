@@ -2,14 +2,15 @@
 
 use super::document::{Document, triangulated};
 use super::fault::Fault;
+use super::recipe::Edit;
 use super::work::Work;
 use super::{Loaded, Session};
 use crate::mesh::{self, HalfedgeMesh, subdivide};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
 /// How faces are divided into four.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Scheme {
     /// At the midpoints of edges: the surface stays the same point set.
@@ -20,7 +21,7 @@ pub enum Scheme {
 }
 
 /// Options of [`Session::subdivide`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct SubdivideOptions {
     /// How.
@@ -96,7 +97,7 @@ impl Session {
     /// Meshes with faces other than triangles, edges of more than two faces, and meshes that
     /// would become too large; the mesh stays as it was.
     pub fn subdivide(&mut self, options: SubdivideOptions) -> Result<Loaded, Fault> {
-        self.edit(|work| work.subdivided(options))?;
+        self.edit(Edit::Subdivide(options), |work| work.subdivided(options))?;
         self.loaded()
     }
 }

@@ -3,9 +3,11 @@
 use super::document::Document;
 use super::fault::Fault;
 use super::field::{Field, FieldName};
-use super::history::{History, Moment};
+use super::history::{Act, Deed, History, Moment, MomentId};
 use super::pane::Arrangement;
 use super::readings::{Info, State};
+use super::recipe::Chapter;
+use super::timeline::Shown;
 use crate::flow::flips::FlipFlow;
 use crate::flow::options::FlowOptions;
 use crate::flow::stop::Verdict;
@@ -42,8 +44,18 @@ pub(super) struct Work {
     pub(super) flow: Option<Box<dyn Flow>>,
     pub(super) x: Vec<DVec3>,
     pub(super) state: State,
-    pub(super) reports: Vec<StepReport>,
-    history: History,
+    pub(super) history: History,
+    /// The moment the flow itself stands at.
+    pub(super) flow_at: MomentId,
+    /// What is shown, where that is another.
+    pub(super) shown: Option<Shown>,
+    /// Whether the flow was made anew since the last step.
+    pub(super) anew: bool,
+    pub(super) progress: Option<Progress>,
+    /// Whether positions came from outside since the start.
+    pub(super) is_restored: bool,
+    /// How the document was made of what was loaded; `None` where that cannot be told.
+    pub(super) origin: Option<Vec<Chapter>>,
     pub(super) arrangement: Arrangement,
     /// The same under other flows.
     pub(super) beside: Vec<Work>,
@@ -57,8 +69,13 @@ impl Work {
             flow: None,
             x,
             state: State::default(),
-            reports: Vec::new(),
             history: History::default(),
+            flow_at: 0,
+            shown: None,
+            anew: false,
+            progress: None,
+            is_restored: false,
+            origin: Some(Vec::new()),
             arrangement: Arrangement::default(),
             beside: Vec::new(),
         }
@@ -78,7 +95,8 @@ impl Work {
 
     /// Lets go of the flow, whose factors are large, but not of what it takes to go on.
     pub(super) fn suspend(mut self) -> Suspended {
-        let pace = self.flow.take().map(|flow| flow.pace());
+        let pace = self.pace();
+        self.flow = None;
         self.beside.clear();
         Suspended { work: self, pace }
     }
@@ -105,13 +123,13 @@ impl Work {
             }
         };
         drop(old);
-        flow.set_progress(progress);
+        flow.set_progress(progress.clone());
+        self.progress = progress;
         let h = flow.mean_edge_length();
         let (free_vertices, dt, tau) = (flow.n_free(), flow.dt(), flow.tau());
         self.options = options;
         self.x = x;
-        self.reports.clear();
-        self.history = History::default();
+        self.begin_history();
         self.flow = Some(flow);
         self.state = State::default();
         self.beside.clear();
@@ -170,25 +188,34 @@ impl Work {
         ))
     }
 
-    pub(super) fn back(&mut self) -> State {
-        if let (Some(moment), Some(flow)) = (self.history.pop(), &mut self.flow) {
-            if let Some(x) = moment.x {
-                self.x = x;
-            }
-            flow.set_pace(moment.pace);
-            self.reports.truncate(moment.n_reports);
-            self.state = moment.state;
-            self.state.can_step_back = !self.history.is_empty();
-            self.back_beside();
-        }
-        self.state.clone()
+    /// Forgets every moment but the present one.
+    fn begin_history(&mut self) {
+        self.history = History::default();
+        self.flow_at = self.history.here();
+        self.shown = None;
+        self.anew = false;
+        self.is_restored = false;
+    }
+
+    /// Takes note that `deed` led from `before` to what is there now.
+    fn follow(&mut self, before: Option<Moment>, deed: Deed, report: Option<&StepReport>) {
+        let Some(before) = before else { return };
+        let act = Act {
+            deed,
+            anew: std::mem::take(&mut self.anew),
+        };
+        let x = before.x.is_some().then_some(&*self.x);
+        self.history
+            .follow(before, act, report.cloned(), x, &self.state);
+        self.flow_at = self.history.here();
+        self.shown = None;
     }
 
     /// Regularises the mesh as it is now, as a move that a step back undoes.
     pub(super) fn regularise(&mut self, settings: &Settings) -> Result<Outcome, Fault> {
-        let Some(flow) = &mut self.flow else {
+        if self.flow.is_none() {
             return Err(Fault::no_mesh());
-        };
+        }
         let document = &self.document;
         p_willmore::check_mesh(&document.polygons)?;
         let (mesh, elements) = match Elements::of(&document.polygons) {
@@ -202,18 +229,18 @@ impl Work {
         let mut y = self.x.clone();
         let outcome = static_pass::regularise(&mut regulariser, mesh, &mut y, settings)
             .map_err(FlowError::from)?;
-        self.history.push(Moment {
-            x: Some(std::mem::replace(&mut self.x, y)),
-            pace: flow.pace(),
-            state: self.state.clone(),
-            n_reports: self.reports.len(),
-        });
-        // What the flow knows of the old positions no longer holds.
-        let pace = flow.pace();
-        flow.set_pace(pace);
-        flow.extend_budget();
+        let before = self.copied();
+        self.stand_here()?;
+        self.x = y;
+        if let Some(flow) = &mut self.flow {
+            // What the flow knows of the old positions no longer holds.
+            let pace = flow.pace();
+            flow.set_pace(pace);
+            flow.extend_budget();
+        }
         self.state.status = Status::Ready;
         self.state.message.clear();
+        self.follow(before, Deed::Regularise(*settings), None);
         self.read_state();
         Ok(outcome)
     }
@@ -234,8 +261,8 @@ impl Work {
             .chunks_exact(3)
             .map(|c| DVec3::new(f64::from(c[0]), f64::from(c[1]), f64::from(c[2])))
             .collect();
-        self.history = History::default();
-        self.reports.clear();
+        self.begin_history();
+        self.is_restored = true;
         if let Some(flow) = &mut self.flow {
             flow.set_clock(step, time);
         }
@@ -249,6 +276,8 @@ impl Work {
     }
 
     pub(super) fn step(&mut self) -> Result<Option<StepReport>, Fault> {
+        let before = self.copied();
+        self.stand_here()?;
         let Some(flow) = &mut self.flow else {
             return Err(Fault::no_mesh());
         };
@@ -256,12 +285,6 @@ impl Work {
             // Asked to go on after the end: the budget starts anew.
             flow.extend_budget();
         }
-        let moment = Moment {
-            x: flow.flips().is_none().then(|| self.x.clone()),
-            pace: flow.pace(),
-            state: self.state.clone(),
-            n_reports: self.reports.len(),
-        };
         let (report, verdict) = match flow.step(&mut self.x) {
             Ok(outcome) => outcome,
             Err(error) => {
@@ -271,7 +294,6 @@ impl Work {
             }
         };
         if let Some(report) = &report {
-            self.history.push(moment);
             self.state = State {
                 step: report.step,
                 time: report.time,
@@ -290,7 +312,7 @@ impl Work {
                 can_step_back: true,
                 ..State::default()
             };
-            self.reports.push(report.clone());
+            self.follow(before, Deed::Step, Some(report));
         }
         if let Verdict::Stop(status, why) = verdict {
             self.state.status = status;
@@ -315,7 +337,7 @@ impl Work {
         let Some(flow) = &self.flow else { return };
         self.state.dt = flow.dt();
         self.state.tau = flow.tau();
-        self.state.can_step_back = !self.history.is_empty();
+        self.state.can_step_back = self.history.can_go_back();
     }
 }
 
@@ -339,6 +361,8 @@ impl Suspended {
             flow.set_pace(pace);
             flow.set_progress(progress);
             work.flow = Some(flow);
+            work.flow_at = work.history.here();
+            work.anew = true;
             work.arrange(work.arrangement);
         }
         work

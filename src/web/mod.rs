@@ -12,6 +12,8 @@ mod panic;
 mod see;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]
 pub mod session;
+#[cfg(all(feature = "solver", target_arch = "wasm32"))]
+mod time;
 #[cfg(all(
     any(feature = "viewer", feature = "viewer-webgl"),
     target_arch = "wasm32"

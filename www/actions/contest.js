@@ -169,8 +169,18 @@ export function createContest({ store, solver, voice, report }) {
     if (!state || !frame) return;
     const { positions, flippedTriangles } = frame;
     const none = { reports: [], panes: [], curves: null, jump: null, look: null };
+    const { timeline } = store.get();
     const field = fields.get(id) ?? null;
-    held?.set(id, { type: "frame", run: 0, state, positions, field, flippedTriangles, ...none });
+    held?.set(id, {
+      type: "frame",
+      run: 0,
+      state,
+      positions,
+      field,
+      flippedTriangles,
+      timeline,
+      ...none,
+    });
   }
 
   /** @param {number} id @param {string} reason  why its solver is no more */

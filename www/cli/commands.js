@@ -8,6 +8,7 @@ import { flips } from "./flips.js";
 import { flow } from "./flow.js";
 import { info } from "./info.js";
 import { regularise } from "./regularise.js";
+import { replay } from "./replay.js";
 import { shape } from "./shape.js";
 
 /** @typedef {import("./solver.js").Session} Session */
@@ -27,7 +28,7 @@ import { shape } from "./shape.js";
  */
 
 /** @type {Record<string, Command>} */
-export const commands = { info, energy, flow, flips, regularise, fill, shape, bench };
+export const commands = { info, energy, flow, flips, regularise, fill, replay, shape, bench };
 
 /** Named by the design, in a coming version. @type {string[]} */
 export const laterCommands = [];

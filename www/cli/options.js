@@ -18,7 +18,7 @@ import { usage } from "./failure.js";
  * What a command accepts.
  * @typedef {object} Syntax
  * @property {string} summary     one line
- * @property {string[]} operands  names of the arguments without a dash, e.g. `MESH`
+ * @property {string[]} operands  names of the arguments without a dash, e.g. `MESH`; `[MESH]` may be left out
  * @property {Options} options
  * @property {string[]} [later]   options of a coming version
  */
@@ -47,7 +47,8 @@ export function parse(parameters, syntax) {
       throw usage(`--${name} cannot be \`${value}\`.`, `It is one of: ${choices.join(", ")}.`);
     }
   }
-  if (positionals.length !== syntax.operands.length) {
+  const least = syntax.operands.filter((name) => !name.startsWith("[")).length;
+  if (positionals.length < least || positionals.length > syntax.operands.length) {
     const wanted = syntax.operands.join(" ") || "none";
     const given = positionals.join(" ") || "none";
     throw usage(`Arguments wanted: ${wanted}; given: ${given}.`, "--help shows how.");

@@ -16,11 +16,12 @@ import { byId, fillSelect } from "./element.js";
 export function fileName({ mesh, options, reading }, format) {
   const name = (mesh?.name ?? "surface").replace(/[^\p{L}\p{N}._-]+/gu, "-");
   const step = String(reading?.step ?? 0).padStart(4, "0");
-  return `${name}-${options.flow}-step${step}.${format.replace("-ascii", "")}`;
+  const ending = format === "recipe" ? "recipe.json" : format.replace("-ascii", "");
+  return `${name}-${options.flow}-step${step}.${ending}`;
 }
 
 /** @param {Blob} blob @param {string} name */
-function save(blob, name) {
+export function save(blob, name) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;
@@ -41,6 +42,8 @@ export function createDownload(controller, state, snapshot) {
 
   /** @param {string} kind @returns {Promise<Blob>} */
   async function contents(kind) {
+    if (kind === "recipe")
+      return new Blob([await controller.recipe()], { type: "application/json" });
     if (kind !== "png") {
       const type = kind === "csv" ? "text/csv" : "application/octet-stream";
       return new Blob([await controller.export(kind)], { type });

@@ -29,6 +29,8 @@ const stages = {
   remesh: "Remeshing the patches",
   flips: "Flipping edges",
   finish: "Measuring the surface",
+  replay: "Following the recipe",
+  sequence: "Writing the stored steps",
 };
 
 /** @param {Readonly<PageState>} state */

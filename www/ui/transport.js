@@ -43,8 +43,8 @@ export function createTransport(controller) {
   return {
     /** @param {Readonly<PageState>} state */
     update(state) {
-      const { phase, reading } = state;
-      const running = phase === "running";
+      const { phase, reading, playing } = state;
+      const running = phase === "running" || playing !== 0;
       const usable = reading !== null && phase !== "loading" && phase !== "failed";
       setText(label, running ? t("Pause") : t("Play"));
       play.dataset.running = String(running);

@@ -8,7 +8,7 @@ pub mod reduction;
 
 use crate::energy::circle::angle::diamond_angle;
 use crate::geometry::measure;
-use crate::mesh::flip::Flippable;
+use crate::mesh::flip::{Anchors, Flippable};
 use crate::mesh::{Edge, HalfedgeMesh, Vertex};
 use glam::DVec3;
 use queue::{Key, Queue};
@@ -61,6 +61,8 @@ pub struct FlipOptimiser {
     guards_folds: bool,
     queue: Queue,
     made: Vec<Flip>,
+    /// Of each flipped edge, before.
+    anchors: Vec<Anchors>,
     /// Area and Σ β at the start and after each flip.
     totals: Vec<[f64; 2]>,
     /// By the number of flips made before.
@@ -87,6 +89,7 @@ impl FlipOptimiser {
         let mut this = Self {
             queue: Queue::new(mesh.n_edges()),
             made: Vec::new(),
+            anchors: Vec::new(),
             totals: vec![totals],
             traces: HashMap::new(),
             trace: Trace::default(),
@@ -211,6 +214,7 @@ impl FlipOptimiser {
             area - Quad::of(&self.mesh, &self.x, edge).area_reduction(),
             angles - 0.5 * willmore_reduction(&self.mesh, &self.x, edge),
         ]);
+        self.anchors.push(self.mesh.anchors(edge));
         self.mesh.flip(edge);
         for e in self.affected(edge) {
             self.enqueue(e);
@@ -235,15 +239,12 @@ impl FlipOptimiser {
     }
 
     /// Takes the last flip back and answers it; everything is as before it, the totals to
-    /// the last bit, so that the same flips follow again.
+    /// the last bit and the elements in their order, so that the same flips follow again.
     pub fn back(&mut self) -> Option<Flip> {
         let last = self.made.pop()?;
         let trace = std::mem::take(&mut self.trace);
         self.undo_refusals(trace.refused);
-        // The flip turns the quadrilateral by a quarter: three more make it whole.
-        for _ in 0..3 {
-            self.mesh.flip(last.edge);
-        }
+        self.mesh.unflip(last.edge, self.anchors.pop()?);
         self.totals.pop();
         for e in self.affected(last.edge) {
             self.enqueue(e);

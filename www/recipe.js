@@ -1,0 +1,292 @@
+// @ts-check
+// A recipe: how a surface came about, as a file that can be done again. Read strictly,
+// carried out on a session, compared with what it promised. Page, worker and command line
+// share it; nothing here touches the document.
+
+/** @import { Arrangement, FlowOptions, RecipeChapter, RecipeLeg, State, Story } from "./protocol.js" */
+
+import { flowFault, isCount, isNumber, isObject } from "./recipe-schema.js";
+
+/** @typedef {import("./pkg/solver/solver.js").Session} Session */
+
+/**
+ * @typedef {{ sample?: string, shape: string, parameters: Record<string, number> }} SampleMesh
+ * @typedef {{ name: string, sha256: string, bytes: number }} FileMesh
+ */
+
+/**
+ * What is promised: the flow's own readings at the end, and the fingerprint of the positions
+ * as single-precision numbers, relative to the mesh's frame.
+ * @typedef {object} Result
+ * @property {number} energy
+ * @property {number} area
+ * @property {number | null} volume
+ * @property {number} minAngleDegrees
+ * @property {number} time
+ * @property {string} [positions]
+ */
+
+/**
+ * @typedef {object} Recipe
+ * @property {string} umbilic      the version it was made with
+ * @property {SampleMesh | FileMesh} mesh
+ * @property {RecipeChapter[]} [edits]  what made another mesh of it, oldest first
+ * @property {FlowOptions} flow    all of them
+ * @property {Partial<Arrangement>} [arrangement]  where it is not the plain one
+ * @property {number} steps
+ * @property {RecipeLeg[]} [path]  where it is more than so many steps
+ * @property {Result} result
+ */
+
+/** Of another version of the solver: the last bits may differ, and a flow carries that on. */
+export const TOLERANCE = 1e-6;
+
+/** A recipe that cannot be followed, told in the shape of a `Fault`. */
+class BadRecipe extends Error {
+  /** @param {string} message @param {string} [hint] */
+  constructor(message, hint = "Recipes are made by “Save as: Recipe”.") {
+    super(message);
+    this.kind = "BadRecipe";
+    this.hint = hint;
+    this.detail = {};
+  }
+}
+
+/** @param {State} state @returns {Result} */
+export const resultOf = ({ energy, area, volume, minAngleDegrees, time }) => ({
+  ...{ energy, area, volume, minAngleDegrees, time },
+});
+
+/**
+ * @param {object} made
+ * @param {string} made.version
+ * @param {SampleMesh | FileMesh} made.mesh
+ * @param {Story} made.story
+ * @param {Partial<Arrangement>} made.arrangement
+ * @param {State} made.state
+ * @param {string} made.positions  fingerprint; empty where there is none
+ * @returns {Recipe}
+ */
+export function makeRecipe({ version, mesh, story, arrangement, state, positions }) {
+  if (!story.flow) throw new BadRecipe("No flow has been chosen yet.", "Choose one first.");
+  const steps = count(story.path);
+  const plain = story.path.length === 0 || (story.path.length === 1 && steps > 0);
+  return {
+    umbilic: version,
+    mesh,
+    ...(story.edits.length > 0 ? { edits: story.edits } : {}),
+    flow: story.flow,
+    ...(Object.keys(arrangement).length > 0 ? { arrangement } : {}),
+    steps,
+    ...(plain ? {} : { path: story.path }),
+    result: { ...resultOf(state), ...(positions ? { positions } : {}) },
+  };
+}
+
+/** Steps of a path. @param {readonly RecipeLeg[]} path */
+const count = (path) =>
+  path.reduce((sum, leg) => sum + (typeof leg === "object" && "steps" in leg ? leg.steps : 0), 0);
+
+/** @param {Recipe} recipe @returns {RecipeLeg[]} */
+const pathOf = ({ path, steps }) => path ?? (steps > 0 ? [{ steps }] : []);
+
+/**
+ * @param {string} text
+ * @returns {Recipe}
+ * @throws {BadRecipe} naming the line or the key
+ */
+export function readRecipe(text) {
+  /** @type {any} */
+  let recipe;
+  try {
+    recipe = JSON.parse(text);
+  } catch (error) {
+    const { message } = /** @type {Error} */ (error);
+    const place = /position (\d+)/.exec(message);
+    const line = text.slice(0, place ? Number(place[1]) : text.length).split("\n").length;
+    throw new BadRecipe(`The recipe is not JSON: line ${line} cannot be read.`);
+  }
+  check(isObject(recipe) && typeof recipe.umbilic === "string", "umbilic", "the version, as text");
+  checkMesh(recipe.mesh);
+  check(recipe.edits === undefined || Array.isArray(recipe.edits), "edits", "a list");
+  for (const [n, edit] of (recipe.edits ?? []).entries()) checkChapter(edit, `edits[${n}]`);
+  checkFlow(recipe.flow, "flow");
+  const { arrangement = {}, steps, path, result } = recipe;
+  check(isObject(arrangement), "arrangement", "an object");
+  check(isCount(steps), "steps", "a whole number from 0");
+  if (path !== undefined) {
+    checkPath(path, "path");
+    check(count(path) === steps, "path", `a list whose steps are ${steps} in all, as "steps" says`);
+  }
+  check(isObject(result), "result", "an object");
+  for (const key of ["energy", "area", "minAngleDegrees", "time"]) {
+    check(isNumber(result[key]), `result.${key}`, "a number");
+  }
+  check(result.volume === null || isNumber(result.volume), "result.volume", "a number or null");
+  const { positions } = result;
+  check(positions === undefined || isHash(positions), "result.positions", "a SHA-256");
+  return recipe;
+}
+
+/** @param {boolean} holds @param {string} key @param {string} wanted */
+function check(holds, key, wanted) {
+  if (!holds) throw new BadRecipe(`The recipe’s “${key}” must be ${wanted}.`);
+}
+
+/** @param {unknown} value */
+const isHash = (value) => typeof value === "string" && /^[0-9a-f]{64}$/.test(value);
+
+/** @param {any} mesh */
+function checkMesh(mesh) {
+  check(isObject(mesh), "mesh", "an object");
+  if ("shape" in mesh) {
+    check(typeof mesh.shape === "string", "mesh.shape", "the name of a shape");
+    const fits = isObject(mesh.parameters) && Object.values(mesh.parameters).every(isNumber);
+    check(fits, "mesh.parameters", "an object of numbers");
+    return;
+  }
+  check(typeof mesh.name === "string", "mesh.name", "the name of a file");
+  check(isHash(mesh.sha256), "mesh.sha256", "a SHA-256, 64 digits from 0 to f");
+  check(isCount(mesh.bytes), "mesh.bytes", "a whole number");
+}
+
+/** @param {any} flow @param {string} key */
+function checkFlow(flow, key) {
+  check(isObject(flow), key, "an object of options");
+  const fault = flowFault(flow);
+  if (fault) check(false, `${key}.${fault.key}`, fault.wanted);
+}
+
+/** @param {any} path @param {string} key */
+function checkPath(path, key) {
+  check(Array.isArray(path), key, "a list");
+  for (const [n, leg] of path.entries()) {
+    const known =
+      leg === "anew" ||
+      (isObject(leg) && isCount(leg.steps) && Object.keys(leg).length === 1) ||
+      (isObject(leg) && isObject(leg.regularise) && Object.keys(leg).length === 1);
+    check(known, `${key}[${n}]`, "{ steps }, { regularise } or “anew”");
+  }
+}
+
+/** @param {any} chapter @param {string} key */
+function checkChapter(chapter, key) {
+  check(isObject(chapter), key, "an object");
+  const { flow, path, edit } = chapter;
+  if (flow !== null) checkFlow(flow, `${key}.flow`);
+  checkPath(path, `${key}.path`);
+  const { fill, flip, subdivide, invert } = isObject(edit) ? edit : {};
+  const isCentre = Array.isArray(invert) && invert.length === 3 && invert.every(isNumber);
+  const known = edit === "adopt" || [fill, flip, subdivide].some(isObject) || isCentre;
+  check(
+    known,
+    `${key}.edit`,
+    "“adopt”, { fill }, { flip }, { subdivide } or { invert: [x, y, z] }",
+  );
+}
+
+/** Whether the recipe begins with a mesh of the author's. @param {Recipe["mesh"]} mesh @returns {mesh is FileMesh} */
+export const isOwn = (mesh) => "sha256" in mesh;
+
+/**
+ * Loads the mesh and makes of it what the edits made.
+ * @param {Session} session
+ * @param {Recipe} recipe
+ * @param {Uint8Array | null} bytes  of the mesh, where that is a file
+ * @param {(share: number) => void} tell
+ */
+export function prepare(session, { mesh, edits = [] }, bytes, tell) {
+  if (!isOwn(mesh)) session.sample(mesh.shape, mesh.parameters);
+  else if (bytes) session.load(bytes, mesh.name);
+  else throw new BadRecipe(`The recipe needs the mesh ${mesh.name}.`, "Open it first.");
+  for (const { flow, path, edit } of edits) {
+    if (flow) {
+      session.configure(flow);
+      walk(session, flow, path, tell);
+    }
+    if (edit === "adopt") session.adopt();
+    else if ("fill" in edit) session.fill(edit.fill, undefined);
+    else if ("flip" in edit) session.flip(edit.flip);
+    else if ("subdivide" in edit) session.subdivide(edit.subdivide);
+    else session.invert(new Float64Array(edit.invert));
+  }
+}
+
+/**
+ * Takes the steps of a recipe, its flow being configured.
+ * @param {Session} session
+ * @param {Recipe} recipe
+ * @param {(share: number) => void} tell
+ */
+export const follow = (session, recipe, tell) => walk(session, recipe.flow, pathOf(recipe), tell);
+
+/**
+ * @param {Session} session
+ * @param {FlowOptions} flow
+ * @param {readonly RecipeLeg[]} path
+ * @param {(share: number) => void} tell
+ */
+function walk(session, flow, path, tell) {
+  const total = Math.max(count(path), 1);
+  let done = 0;
+  for (const leg of path) {
+    if (leg === "anew") session.renew();
+    else if ("regularise" in leg) session.regularise(leg.regularise);
+    else {
+      if (flow.flow === "flips") {
+        // One by one or all at once, they are the same.
+        session.arrange({ compare: "none", subdivide: 0, flipsPerStep: Math.max(leg.steps, 1) });
+      }
+      advance(session, leg.steps, (taken) => tell((done + taken) / total));
+      done += leg.steps;
+    }
+  }
+}
+
+/**
+ * @param {Session} session
+ * @param {number} steps
+ * @param {(taken: number) => void} tell
+ */
+function advance(session, steps, tell) {
+  const first = session.state().step;
+  const goal = first + steps;
+  let step = first;
+  let isOver = false;
+  while (step < goal) {
+    const report = session.step();
+    // At an end there is none to take; asked again, a flow goes on with its budget anew.
+    if (!report && isOver) {
+      const { message } = session.state();
+      throw new BadRecipe(`The flow ends at step ${step} of ${goal}: ${message}.`, "");
+    }
+    isOver = !report;
+    step = report?.step ?? step;
+    tell(step - first);
+  }
+}
+
+/** @typedef {{ name: string, expected: number | string | null, got: number | string | null, same: boolean }} Compared */
+
+/**
+ * @param {Recipe} recipe
+ * @param {Result} got
+ * @param {string} version  of the solver at hand: the same must give the same bits
+ * @returns {{ same: boolean, exact: boolean, readings: Compared[] }}
+ */
+export function compare({ umbilic, result: expected }, got, version) {
+  const exact = umbilic === version;
+  /** @param {unknown} a @param {unknown} b */
+  const agree = (a, b) => {
+    if (exact || typeof a !== "number" || typeof b !== "number") return Object.is(a, b);
+    return Math.abs(a - b) <= TOLERANCE * Math.max(Math.abs(a), Math.abs(b), Number.MIN_VALUE);
+  };
+  const names = /** @type {(keyof Result)[]} */ (Object.keys(resultOf(/** @type {any} */ ({}))));
+  // Bits of positions can only agree where all bits must.
+  if (exact && expected.positions) names.push("positions");
+  const readings = names.map((name) => {
+    const [a, b] = [expected[name] ?? null, got[name] ?? null];
+    return { name, expected: a, got: b, same: agree(a, b) };
+  });
+  return { same: readings.every(({ same }) => same), exact, readings };
+}

@@ -1,0 +1,95 @@
+// @ts-check
+// The stored steps as files in a ZIP. Runs in the worker.
+
+/** @typedef {import("./pkg/solver/solver.js").Session} Session */
+
+/** Bytes before compression at most: the ZIP is put together in memory. */
+export const MOST_BYTES = 1 << 30;
+
+/** How much of a file there is at once for the compressor. */
+const PIECE = 1 << 20;
+
+/**
+ * The stored steps that are taken: every n-th and the last.
+ * @param {Session} session
+ * @param {number} every
+ */
+function* chosen(session, every) {
+  const { start, last } = session.timeline();
+  session.seek(start);
+  for (let n = 0; ; n += 1) {
+    const { at, next } = session.timeline();
+    if (n % every === 0 || next === null) yield at;
+    if (next === null || at > last) return;
+    session.seek(next);
+  }
+}
+
+/**
+ * @param {Session} session
+ * @param {string} format
+ * @param {number} every
+ * @returns {{ meshes: number, bytes: number }}
+ */
+export function sequenceSize(session, format, every) {
+  const { stored } = session.timeline();
+  const meshes = 1 + Math.ceil((stored - 1) / every);
+  return { meshes, bytes: meshes * session.export(format).length };
+}
+
+/**
+ * @param {Session} session
+ * @param {string} format  of the meshes
+ * @param {number} every   n: every n-th stored step, and the last
+ * @param {(share: number) => void} tell
+ * @returns {Promise<Uint8Array>}
+ */
+export async function sequence(session, format, every, tell) {
+  const { meshes, bytes } = sequenceSize(session, format, every);
+  if (bytes > MOST_BYTES) {
+    throw {
+      kind: "TooLarge",
+      message: `${meshes} meshes would be ${(bytes / 2 ** 30).toFixed(1)} GB, more than 1 GB.`,
+      hint: "Take fewer of the steps, or a smaller format.",
+      detail: {},
+    };
+  }
+  const { Zip, ZipDeflate } = await import("fflate");
+  // From here on in one go: nothing else may move the session meanwhile.
+  /** @type {Uint8Array[]} */
+  const parts = [];
+  const zip = new Zip((error, part) => {
+    if (error) throw error;
+    parts.push(part);
+  });
+  const { at } = session.timeline();
+  const { name } = session.loaded();
+  const stem = name.replace(/[^\p{L}\p{N}._-]+/gu, "-");
+  const digits = String(session.timeline().last).length;
+  const seen = new Set();
+  try {
+    for (const step of chosen(session, every)) {
+      const number = String(step).padStart(Math.max(4, digits), "0");
+      // A step that was regularised is there twice.
+      const twice = seen.has(step) ? "-regularised" : "";
+      seen.add(step);
+      const entry = new ZipDeflate(`${stem}-step${number}${twice}.${format.replace("-ascii", "")}`);
+      zip.add(entry);
+      const file = session.export(format);
+      for (let i = 0; i < file.length; i += PIECE) {
+        entry.push(file.subarray(i, i + PIECE), i + PIECE >= file.length);
+      }
+      tell(seen.size / meshes);
+    }
+  } finally {
+    session.seek(at);
+  }
+  zip.end();
+  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let offset = 0;
+  for (const part of parts) {
+    whole.set(part, offset);
+    offset += part.length;
+  }
+  return whole;
+}
