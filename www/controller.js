@@ -9,6 +9,7 @@
 
 import { createEdits } from "./actions/edits.js";
 import { createQuestions } from "./actions/questions.js";
+import { createWhyActions } from "./actions/why.js";
 import { defaults, plainArrangement } from "./options.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
@@ -189,6 +190,7 @@ export function createController(store, voice) {
   const controller = {
     ...edits.actions,
     ...createQuestions(solver),
+    ...createWhyActions(core, edits, run),
     begin: solver.begin,
 
     /** @param {string} id @param {Partial<Scene>} [scene] */

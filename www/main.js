@@ -27,8 +27,10 @@ import { createPicture } from "./ui/picture.js";
 import { createReadings } from "./ui/readings.js";
 import { createRegion } from "./ui/region.js";
 import { createStatus } from "./ui/status.js";
+import { createStudy } from "./ui/study.js";
 import { createTransport } from "./ui/transport.js";
 import { createViewForm } from "./ui/view-form.js";
+import { createWhy } from "./ui/why.js";
 
 const store = createStore();
 const messages = createMessages();
@@ -37,6 +39,7 @@ const controller = createController(store, messages);
 const msaa = new URLSearchParams(location.search).get("msaa") === "1" ? 1 : 4;
 const picture = createPicture(controller, store.get, msaa);
 const help = createHelp();
+const study = createStudy(controller);
 
 createPanel();
 createLab(controller);
@@ -52,8 +55,10 @@ const pictured = picture.start(isFirst ? samples[0].parameters.level : null);
 const parts = [
   createTransport(controller),
   createStatus(),
+  createWhy(controller, messages, { camera: picture.camera, study: study.begin }),
   createChoices(controller),
   createReadings(),
+  study,
   createPWillmoreForm(controller),
   createFlipsForm(controller),
   createCurvatureForm(controller),

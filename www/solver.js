@@ -2,7 +2,7 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, Frame, Lab, Loaded, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped } from "./protocol.js" */
+/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, Frame, Lab, Loaded, Quadrilateral, RegulariseOptions, Regularised, State, StepReport, Stopped, Study, StudyOptions } from "./protocol.js" */
 
 /**
  * @typedef {object} Listener
@@ -108,7 +108,7 @@ export function createSolver(listener) {
 
   /**
    * A mesh made of the one at hand: for a new worker it is a file of its own.
-   * @param {"adopt" | "undo"} type
+   * @param {"adopt" | "undo" | "subdivide"} type
    * @returns {Promise<Loaded>}
    */
   async function edit(type) {
@@ -170,6 +170,12 @@ export function createSolver(listener) {
     adopt: () => edit("adopt"),
     /** Takes the last edit back. */
     undo: () => edit("undo"),
+    /** By one step of Loop's scheme. */
+    subdivide: () => edit("subdivide"),
+    /** @returns {Promise<Diagnosis | null>} */
+    why: () => ask("why"),
+    /** @param {StudyOptions | null} options  null for the next resolution @returns {Promise<Study>} */
+    study: (options) => ask("study", { options }),
     /** @returns {Promise<BoundaryLoop[]>} */
     loops: () => ask("loops"),
     /**

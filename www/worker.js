@@ -151,6 +151,9 @@ const actions = {
   conjecture: () => session.conjecture(),
   quadrilateral: ({ corners }) => session.quadrilateral(corners),
   lab: ({ pairs }) => session.lab(pairs),
+  why: () => session.why(),
+  study: ({ options }) => session.study(options),
+  subdivide: () => session.subdivide(),
   back: (request) => moved(request.run, () => session.back()),
   reset: (request) => moved(request.run, () => session.reset()),
   colour(request) {

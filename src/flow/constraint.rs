@@ -4,10 +4,10 @@
 //! complement ⟨∇C_j, u_k⟩ has one row a constraint, and the matrix H keeps its pattern.
 
 use glam::DVec3;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// What can be kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kept {
     /// Total area.

@@ -5,10 +5,10 @@ use super::constraint::Kept;
 use crate::energy::circle::Boundary;
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Which flow runs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FlowName {
     /// Bobenko & Schröder's circle-angle Willmore flow.
@@ -29,7 +29,7 @@ pub enum FlowName {
 }
 
 /// Recommended treatment or the paper's own.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Scheme {
     /// Smoothed angles, semi-definite K, automatic step size: needs no tuning.

@@ -18,10 +18,10 @@ use crate::energy::conformal::reference_angles;
 use crate::linalg::{LinalgError, Pattern, Refactor, Solver};
 use crate::operator::Elements;
 use glam::{DMat3, DVec3};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Where the normals are taken that a pass holds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Mode {
     /// No regularisation.

@@ -5,7 +5,7 @@ use super::readings::Info;
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
 use crate::mesh::shape::Sample;
-use crate::mesh::{self, Built, HalfedgeMesh, counted};
+use crate::mesh::{self, Built, HalfedgeMesh, counted, subdivide};
 use crate::operator::Elements;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
@@ -99,6 +99,23 @@ impl Document {
             free: None,
         };
         Ok(document.with_shape_warnings())
+    }
+
+    /// By one step of Loop's scheme.
+    pub(super) fn subdivided(&self) -> Result<Self, Fault> {
+        let fine = subdivide::loop_scheme(&self.triangles.to_soup(&self.start))?;
+        let Built {
+            mesh, positions, ..
+        } = mesh::build(&fine)?;
+        let mesh = Rc::new(mesh);
+        Ok(Self {
+            polygons: Rc::clone(&mesh),
+            triangles: mesh,
+            start: positions,
+            fixed: None,
+            free: None,
+            ..self.clone()
+        })
     }
 
     /// Adds warnings about triangles that are hard on any flow.

@@ -82,6 +82,17 @@ impl Session {
         self.loaded()
     }
 
+    /// The surface as it is now by one step of Loop's scheme: four times as many triangles of
+    /// a smoother surface. What was held or freed is as the flow has it again.
+    /// [`undo_edit`](Self::undo_edit) undoes it.
+    ///
+    /// # Errors
+    /// What Loop's scheme does not take; the mesh stays as it was.
+    pub fn subdivide(&mut self) -> Result<Loaded, Fault> {
+        self.edit(|work| Ok((work.present().subdivided()?, ())))?;
+        self.loaded()
+    }
+
     /// Whether there is an edit to undo.
     pub fn can_undo_edit(&self) -> bool {
         !self.edits.0.is_empty()

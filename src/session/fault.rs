@@ -4,6 +4,7 @@ use crate::flow::FlowError;
 use crate::io::{ReadError, WriteError};
 use crate::mesh::MeshError;
 use crate::mesh::shape::ShapeError;
+use crate::mesh::subdivide::SubdivisionError;
 use crate::remesh::fill::FillError;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -85,6 +86,12 @@ impl From<MeshError> for Fault {
 impl From<FlowError> for Fault {
     fn from(error: FlowError) -> Self {
         Self::new(error.kind(), error.to_string(), error.hint()).with(error.detail())
+    }
+}
+
+impl From<SubdivisionError> for Fault {
+    fn from(error: SubdivisionError) -> Self {
+        Self::new(error.kind(), error.to_string(), error.hint())
     }
 }
 

@@ -40,6 +40,11 @@ impl History {
         self.moments.pop_back()
     }
 
+    /// The state before the present one.
+    pub(super) fn last(&self) -> Option<&Moment> {
+        self.moments.back()
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.moments.is_empty()
     }

@@ -14,6 +14,8 @@ mod flip;
 mod history;
 mod pane;
 mod readings;
+mod study;
+mod why;
 mod work;
 
 pub use crate::flow::Progress;
@@ -26,6 +28,8 @@ pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
 pub use pane::{Arrangement, Compare, Curves, Pane};
 pub use readings::{EnergyReadings, Info, State};
+pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
+pub use why::{Change, Diagnosis, Kind, Remedy, RemedyId, Text};
 pub use work::Configured;
 
 use crate::energy::curvature_jump::CurvatureJump;
@@ -86,6 +90,7 @@ pub struct Session {
     work: Option<Work>,
     lab: Option<Lab>,
     edits: Edits,
+    study: Option<Study>,
     progress: Option<Progress>,
 }
 

@@ -43,7 +43,9 @@ pub(super) struct Work {
     pub(super) x: Vec<DVec3>,
     pub(super) state: State,
     pub(super) reports: Vec<StepReport>,
-    history: History,
+    pub(super) history: History,
+    /// Why the last step failed, if it did.
+    pub(super) failure: Option<FlowError>,
     pub(super) arrangement: Arrangement,
     /// The same under other flows.
     pub(super) beside: Vec<Work>,
@@ -59,6 +61,7 @@ impl Work {
             state: State::default(),
             reports: Vec::new(),
             history: History::default(),
+            failure: None,
             arrangement: Arrangement::default(),
             beside: Vec::new(),
         }
@@ -112,6 +115,7 @@ impl Work {
         self.x = x;
         self.reports.clear();
         self.history = History::default();
+        self.failure = None;
         self.flow = Some(flow);
         self.state = State::default();
         self.beside.clear();
@@ -262,6 +266,7 @@ impl Work {
             Err(error) => {
                 self.state.status = Status::Failed;
                 self.state.message = error.to_string();
+                self.failure = Some(error.clone());
                 return Err(error.into());
             }
         };

@@ -15,3 +15,5 @@ pub mod session;
     target_arch = "wasm32"
 ))]
 pub mod viewer;
+#[cfg(all(feature = "solver", target_arch = "wasm32"))]
+mod why;

@@ -22,7 +22,7 @@ use glam::DVec3;
 use std::f64::consts::TAU;
 
 /// What the energy of an open surface is (Section 3.3 of the paper).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Boundary {
     /// W summed over interior vertices; with the boundary vertices and those within
