@@ -305,11 +305,8 @@ fn edges_of_four_points_on_a_circle_stop_the_exact_energy() {
         case.energy(),
         case.state().step
     );
-    let moved = before
-        .x
-        .iter()
-        .zip(&case.mesh().x)
-        .map(|(p, q)| p.distance(*q));
+    let after = case.mesh();
+    let moved = before.x.iter().zip(&after.x).map(|(p, q)| p.distance(*q));
     assert!(case.state().step > 5 && moved.fold(0.0, f64::max) > 1e-3);
 }
 
