@@ -13,6 +13,7 @@ import { createEdits } from "./actions/edits.js";
 import { createQuestions } from "./actions/questions.js";
 import { createSeeing } from "./actions/see.js";
 import { createTime } from "./actions/time.js";
+import { createWhyActions } from "./actions/why.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { t, translated } from "./language.js";
@@ -230,6 +231,7 @@ export function createController(store, voice) {
     ...createQuestions(solver),
     ...createSeeing(core, edits.edited),
     ...time.actions,
+    ...createWhyActions(core, edits, run),
     begin: solver.begin,
 
     /** @param {string} id @param {Partial<Scene>} [scene] */

@@ -39,8 +39,10 @@ import { createRegion } from "./ui/region.js";
 import { createScrubber } from "./ui/scrubber.js";
 import { createShare } from "./ui/share.js";
 import { createStatus } from "./ui/status.js";
+import { createStudy } from "./ui/study.js";
 import { createTransport } from "./ui/transport.js";
 import { createViewForm } from "./ui/view-form.js";
+import { createWhy } from "./ui/why.js";
 
 // Sentences are made when the parts are built: the language comes first.
 await openLanguage();
@@ -53,6 +55,7 @@ const picture = createPicture(controller, store.get, msaa);
 const help = createHelp();
 const arrival = createArrival(controller, store.get, messages);
 const gallery = createGallery(controller);
+const study = createStudy(controller);
 
 createPanel();
 createLanguageChoice(store.get);
@@ -77,8 +80,10 @@ const parts = [
   createTransport(controller),
   createScrubber(controller),
   createStatus(),
+  createWhy(controller, messages, { camera: picture.camera, study: study.begin }),
   createChoices(controller),
   createReadings(),
+  study,
   createPWillmoreForm(controller),
   createFlipsForm(controller),
   createCurvatureForm(controller),

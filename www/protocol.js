@@ -378,6 +378,77 @@
  */
 
 /**
+ * A sentence with its values, for `t`.
+ * @typedef {{ template: string, values: Record<string, string> }} Text
+ */
+
+/**
+ * What helps: options that `change`, from the start or from the surface as it is, or an action.
+ * @typedef {object} Remedy
+ * @property {'regularise' | 'regulariseEachStep' | 'subdivide' | 'smallerStep' | 'automaticStep' |
+ *   'largerEpsilon' | 'recommendedScheme' | 'continue' | 'back' | 'keepAndFlips' | 'keepVolume' |
+ *   'otherFlow' | 'prefill' | 'lowerExponent' | 'refine'} id
+ * @property {Text} label
+ * @property {FlowOptions} change
+ * @property {boolean} fromStart
+ * @property {number} steps  to go back
+ */
+
+/**
+ * What `why` answers: what is the matter, where, and what helps.
+ * @typedef {object} Diagnosis
+ * @property {string} kind       a noun, e.g. `Pinch`
+ * @property {Text} sentence
+ * @property {Uint32Array} vertices
+ * @property {Uint32Array} faces  triangles
+ * @property {Uint32Array} edges  two ends each
+ * @property {Remedy[]} remedies  three at most, the best first
+ */
+
+/**
+ * Options of `study`: a sample shape by name, or the surface as it is.
+ * @typedef {{ shape?: string, parameters?: Record<string, number>, p?: number }} StudyOptions
+ */
+
+/**
+ * The surface at one resolution. Energies without a unit but for `power`, length^(2−p).
+ * @typedef {object} Resolution
+ * @property {number} vertices
+ * @property {number} faces
+ * @property {number} h          mean edge length
+ * @property {number} area
+ * @property {number} circle     W/2
+ * @property {number} cotangent  ∫H² dA by cotangents
+ * @property {number} fitted     ∫H² dA by quadratic fits
+ * @property {number} power      ∫|H|^p dA by cotangents
+ * @property {number} gauss      ∫K dA by quadratic fits
+ * @property {number} unfit      vertices that no quadratic surface fits
+ */
+
+/**
+ * Where the values of a quantity lead.
+ * @typedef {object} Trend
+ * @property {'area' | 'circle' | 'cotangent' | 'fitted' | 'power'} quantity
+ * @property {number[]} values
+ * @property {number | null} smooth
+ * @property {boolean} isKnown   in closed form, and not from the finest mesh
+ * @property {number[]} errors
+ * @property {(number | null)[]} orders  between a resolution and the one before
+ * @property {'exact' | 'converges' | 'elsewhere' | 'diverges' | 'unknown'} tendency
+ */
+
+/**
+ * What `study` answers: a refinement study as far as it has come.
+ * @typedef {object} Study
+ * @property {'sampled' | 'polyhedron' | 'loop'} manner
+ * @property {number} p
+ * @property {Resolution[]} rows  coarsest first
+ * @property {Trend[]} trends
+ * @property {boolean} finished
+ * @property {number} mostVertices
+ */
+
+/**
  * Lagrange multipliers per energy ∫|H|^p dA.
  * @typedef {{ tension: number | null, pressure: number | null }} Multipliers
  */
@@ -493,6 +564,8 @@
  * | `conjecture` |                              | `Conjecture`                |
  * | `quadrilateral` | `corners: number[]`       | `Quadrilateral`             |
  * | `lab`       | `pairs`                       | `Lab`                       |
+ * | `why`       |                               | `Diagnosis \| null`        |
+ * | `study`     | `options: StudyOptions \| null` | `Study`: one more resolution; with options it begins anew |
  * | `back`      | `run`                         | `State`                     |
  * | `seek`      | `step`, `run`                 | `State`; of the steps that the page may not know the frame tells step, time, dt and energy |
  * | `branch`    | `branch`, `run`               | `State`, likewise           |

@@ -190,6 +190,8 @@ const actions = {
   conjecture: () => session.conjecture(),
   quadrilateral: ({ corners }) => session.quadrilateral(corners),
   lab: ({ pairs }) => session.lab(pairs),
+  why: () => session.why(),
+  study: ({ options }) => session.study(options),
   back: (request) => moved(request.run, () => session.back()),
   reset: (request) => moved(request.run, () => session.reset()),
   seek: ({ run, step }) => moved(run, () => shown(session.state().step, () => session.seek(step))),

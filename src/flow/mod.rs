@@ -12,11 +12,13 @@ pub mod flips;
 pub mod options;
 pub mod p_willmore;
 pub mod prefill;
+pub mod refusal;
 pub mod report;
 pub mod step_size;
 pub mod stop;
 
 pub use error::FlowError;
+pub use refusal::Refusal;
 pub use report::{Multipliers, Status, StepReport};
 
 use crate::mesh::HalfedgeMesh;
@@ -130,6 +132,11 @@ pub trait Flow {
 
     /// Faces that folded over in the last step.
     fn flipped_faces(&self) -> &[u32];
+
+    /// The last trial that was refused on the way to the present state.
+    fn refusal(&self) -> Option<Refusal> {
+        None
+    }
 
     /// What a step back must restore beside the positions.
     fn pace(&self) -> Pace;

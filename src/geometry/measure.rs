@@ -107,6 +107,18 @@ pub fn min_angle_degrees(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
     smallest.to_degrees()
 }
 
+/// The triangle with the smallest corner angle, and that angle in degrees.
+pub fn sharpest_face(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<(Face, f64)> {
+    mesh.faces()
+        .filter(|&f| mesh.face_vertices(f).count() == 3)
+        .map(|f| {
+            let angles = triangle_angles(triangle_points(mesh, x, f));
+            (f, angles.into_iter().fold(f64::INFINITY, f64::min))
+        })
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(f, angle)| (f, angle.to_degrees()))
+}
+
 /// A third of the area of the triangles at each vertex; unit length².
 pub fn vertex_areas(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<f64> {
     let mut areas = vec![0.0; mesh.n_vertices()];

@@ -90,21 +90,15 @@ pub fn linear_levels(soup: PolygonSoup, levels: usize) -> Result<PolygonSoup, Su
 pub fn loop_scheme(soup: &PolygonSoup) -> Result<PolygonSoup, SubdivisionError> {
     let split = Split::new(soup)?;
     let x = &soup.positions;
-    let mut stars = vec![Star::default(); x.len()];
-    let mut edge_points = Vec::with_capacity(split.edges.len());
-    for edge in &split.edges {
+    let stars = split.stars(x)?;
+    let edge_points = split.edges.iter().map(|edge| {
         let ends = x[edge.a] + x[edge.b];
-        edge_points.push(match edge.degree {
-            1 => ends * 0.5,
-            2 => ends * 0.375 + edge.opposite_sum * 0.125,
-            _ => {
-                let (a, b) = (edge.a.min(edge.b) as u32, edge.a.max(edge.b) as u32);
-                return Err(SubdivisionError::NonManifoldEdge { a, b });
-            }
-        });
-        stars[edge.a].add(x[edge.b], edge.degree == 1);
-        stars[edge.b].add(x[edge.a], edge.degree == 1);
-    }
+        if edge.degree == 1 {
+            ends * 0.5
+        } else {
+            ends * 0.375 + edge.opposite_sum * 0.125
+        }
+    });
     let mut positions: Vec<DVec3> = x
         .iter()
         .zip(&stars)
@@ -123,6 +117,26 @@ pub fn parents(soup: &PolygonSoup) -> Result<Vec<[u32; 2]>, SubdivisionError> {
     let split = Split::new(soup)?;
     let ends = |edge: &Edge| [edge.a as u32, edge.b as u32];
     Ok(split.edges.iter().map(ends).collect())
+}
+
+/// The vertices moved to where Loop's scheme takes them in the end: the limit surface sampled
+/// at the same connectivity. It does not change when the mesh is subdivided first.
+///
+/// * interior vertex of valence n: `(1 - n l) x + l Σ neighbours` with `l = 1/(n + 3/(8 w))`
+///   and the `w` of [`loop_scheme`], half of the way to the mean of its neighbours for n = 6;
+/// * boundary: 1/6, 4/6, 1/6, the limit of the cubic B-spline.
+///
+/// # Errors
+/// As [`loop_scheme`].
+pub fn loop_limit(soup: &PolygonSoup) -> Result<PolygonSoup, SubdivisionError> {
+    let split = Split::new(soup)?;
+    let x = &soup.positions;
+    let stars = split.stars(x)?;
+    let limits = x.iter().zip(&stars).map(|(&x, star)| star.limit(x));
+    Ok(PolygonSoup {
+        positions: limits.collect(),
+        ..soup.clone()
+    })
 }
 
 /// Neighbours of a vertex, summed as they are met.
@@ -148,11 +162,29 @@ impl Star {
         match (self.valence, self.boundary_valence) {
             (0, _) => x,
             (n, 0) => {
-                let n = n as f64;
-                let w = (0.625 - (0.375 + (TAU / n).cos() / 4.0).powi(2)) / n;
+                let (n, w) = (n as f64, self.weight());
                 x * (1.0 - n * w) + self.sum * w
             }
             (_, 2) => x * 0.75 + self.boundary_sum * 0.125,
+            _ => x,
+        }
+    }
+
+    /// Of a neighbour of an interior vertex.
+    fn weight(&self) -> f64 {
+        let n = self.valence as f64;
+        (0.625 - (0.375 + (TAU / n).cos() / 4.0).powi(2)) / n
+    }
+
+    fn limit(&self, x: DVec3) -> DVec3 {
+        match (self.valence, self.boundary_valence) {
+            (0, _) => x,
+            (n, 0) => {
+                let n = n as f64;
+                let l = 1.0 / (n + 0.375 / self.weight());
+                x * (1.0 - n * l) + self.sum * l
+            }
+            (_, 2) => (x * 4.0 + self.boundary_sum) / 6.0,
             _ => x,
         }
     }
@@ -210,6 +242,20 @@ impl Split {
             faces.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
         }
         Ok(Self { edges, faces })
+    }
+
+    /// The neighbours of every vertex.
+    fn stars(&self, x: &[DVec3]) -> Result<Vec<Star>, SubdivisionError> {
+        let mut stars = vec![Star::default(); x.len()];
+        for edge in &self.edges {
+            if edge.degree > 2 {
+                let (a, b) = (edge.a.min(edge.b) as u32, edge.a.max(edge.b) as u32);
+                return Err(SubdivisionError::NonManifoldEdge { a, b });
+            }
+            stars[edge.a].add(x[edge.b], edge.degree == 1);
+            stars[edge.b].add(x[edge.a], edge.degree == 1);
+        }
+        Ok(stars)
     }
 }
 
@@ -301,6 +347,31 @@ mod tests {
             "{}",
             fine.positions[1].z
         );
+    }
+
+    #[test]
+    fn the_limit_of_the_finer_mesh_is_the_same() {
+        // Interior vertices of valence 4 to 7, the boundary, and a corner.
+        let mut soup = lattice(7, DVec3::X, DVec3::new(0.5, 0.9, 0.0));
+        let octahedron = crate::mesh::shape::platonic::octahedron();
+        for (n, p) in soup.positions.iter_mut().enumerate() {
+            p.z = (1.3 * n as f64).sin();
+        }
+        for coarse in [soup, octahedron] {
+            let fine = loop_limit(&loop_scheme(&coarse).unwrap()).unwrap();
+            let limit = loop_limit(&coarse).unwrap();
+            assert_eq!(limit.corners, coarse.corners);
+            for (p, q) in limit.positions.iter().zip(&fine.positions) {
+                assert!(p.distance(*q) < 1e-14, "{p} {q}");
+            }
+            let mut deep = coarse;
+            for _ in 0..6 {
+                deep = loop_scheme(&deep).unwrap();
+            }
+            for (p, q) in limit.positions.iter().zip(&deep.positions) {
+                assert!(p.distance(*q) < 1e-3, "{p} {q}");
+            }
+        }
     }
 
     #[test]

@@ -175,6 +175,11 @@ impl History {
     }
 
     /// Of the steps to the present moment, oldest first.
+    /// The moment before the present one.
+    pub(super) fn last(&self) -> Option<&Moment> {
+        self.past.back()
+    }
+
     pub(super) fn reports(&self) -> &[StepReport] {
         &self.reports
     }

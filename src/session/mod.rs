@@ -18,8 +18,10 @@ mod pane;
 mod probe;
 mod readings;
 mod recipe;
+mod study;
 mod subdivide;
 mod timeline;
+mod why;
 mod work;
 
 pub use crate::flow::Progress;
@@ -37,7 +39,9 @@ pub use pane::{Arrangement, Compare, Curves, Pane};
 pub use probe::{Probe, ProbedEdge, edge_angle};
 pub use readings::{EnergyReadings, Info, State};
 pub use recipe::{Chapter, Edit, Leg, Recipe};
+pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
 pub use subdivide::{Scheme as SubdivisionScheme, SubdivideOptions};
+pub use why::{Change, Diagnosis, Kind as DiagnosisKind, Remedy, RemedyId, Text};
 pub use work::Configured;
 
 use crate::energy::curvature_jump::CurvatureJump;
@@ -98,6 +102,7 @@ pub struct Session {
     work: Option<Work>,
     lab: Option<Lab>,
     edits: Edits,
+    study: Option<Study>,
     progress: Option<Progress>,
 }
 

@@ -45,6 +45,8 @@ pub(super) struct Work {
     pub(super) x: Vec<DVec3>,
     pub(super) state: State,
     pub(super) history: History,
+    /// Why the last step failed, if it did.
+    pub(super) failure: Option<FlowError>,
     /// The moment the flow itself stands at.
     pub(super) flow_at: MomentId,
     /// What is shown, where that is another.
@@ -70,6 +72,7 @@ impl Work {
             x,
             state: State::default(),
             history: History::default(),
+            failure: None,
             flow_at: 0,
             shown: None,
             anew: false,
@@ -130,6 +133,7 @@ impl Work {
         self.options = options;
         self.x = x;
         self.begin_history();
+        self.failure = None;
         self.flow = Some(flow);
         self.state = State::default();
         self.beside.clear();
@@ -290,6 +294,7 @@ impl Work {
             Err(error) => {
                 self.state.status = Status::Failed;
                 self.state.message = error.to_string();
+                self.failure = Some(error.clone());
                 return Err(error.into());
             }
         };

@@ -19,3 +19,5 @@ mod time;
     target_arch = "wasm32"
 ))]
 pub mod viewer;
+#[cfg(all(feature = "solver", target_arch = "wasm32"))]
+mod why;

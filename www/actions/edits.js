@@ -10,7 +10,7 @@ import { byCurvature } from "../options.js";
 import { transitions as to } from "../state.js";
 
 /** What going on from a surface takes back when it is undone. @param {number} count */
-const stepsOf = (count) => plural(count, { one: "{count} step", other: "{count} steps" });
+export const stepsOf = (count) => plural(count, { one: "{count} step", other: "{count} steps" });
 
 /** @param {Core} core */
 export function createEdits({ store, solver, voice, enqueue, rest, configure, colour, arrange }) {

@@ -4,6 +4,7 @@
 import { Failure, orExit, usage } from "./failure.js";
 import { chosen, figureRows } from "./figures.js";
 import { number, parse } from "./options.js";
+import { refinementColumns, refinementRows } from "./refinement.js";
 import { memoryBytes } from "./solver.js";
 import { table } from "./text.js";
 
@@ -69,6 +70,13 @@ const tables = {
       ...["megabytes", "paperUnknowns", "paperSteps", "paper", "ratio"],
     ],
     rows: mmcvRows,
+  },
+  refinement: {
+    title:
+      "Area, W/2 and ∫H² by cotangents and by fits under refinement, with observed orders; the\n" +
+      "circle energy tends to ∫(H² − K) dA only along lines of curvature",
+    columns: refinementColumns,
+    rows: refinementRows,
   },
   figures: {
     title: "The figures of the four papers: what is expected, and what was measured here just now",

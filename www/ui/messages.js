@@ -31,6 +31,8 @@ export function createMessages() {
 
   /** @type {HTMLElement | null} */
   let answered = null;
+  /** What helps against a fault. @type {(fault: any) => { label: string, act: () => unknown }[]} */
+  let offers = () => [];
 
   /** A message that goes by itself. @param {string} text */
   function stay(text) {
@@ -42,12 +44,28 @@ export function createMessages() {
   }
 
   return {
+    /** @param {typeof offers} found  remedies to be offered beside an error */
+    offer(found) {
+      offers = found;
+    },
     /** @param {{ message: string, hint: string }} fault */
-    error({ message, hint }) {
+    error(fault) {
+      const { message, hint } = fault;
       const shown = [...errors.querySelectorAll(".what")].some(
         (what) => what.textContent === translated(message),
       );
-      if (!shown) add(errors, message, hint);
+      if (shown) return;
+      const said = add(errors, message, hint);
+      const row = document.createElement("div");
+      row.className = "row";
+      for (const { label, act } of offers(fault)) {
+        const button = document.createElement("button");
+        button.type = "button";
+        button.textContent = label;
+        button.addEventListener("click", act);
+        row.append(button);
+      }
+      if (row.childElementCount > 0) said.append(row);
     },
     /** @param {string} text */
     note(text) {

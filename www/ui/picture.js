@@ -209,6 +209,8 @@ export function createPicture(controller, state, samples) {
       setText(title, sceneTitle(s.source));
     },
     fit: () => viewer?.fit(),
+    /** @returns {Float32Array | null} where it is seen from */
+    camera: () => viewer?.camera() ?? null,
     /** @param {MouseEvent} event */
     pick: (event) => viewer?.pick(event) ?? null,
     /** What a brush is about to hold. @param {Uint8Array} now */

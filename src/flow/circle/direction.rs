@@ -4,7 +4,9 @@ use super::problem::Cost;
 use super::{Accepted, CircleFlow, Outcome};
 use crate::energy::circle::angle::Smoothing;
 use crate::flow::FlowError;
+use crate::flow::Refusal;
 use crate::flow::options::Scheme;
+use crate::flow::refusal::{Cause, farthest};
 use crate::flow::step_size::sufficient_decrease;
 use crate::geometry::{measure, quality};
 use crate::linalg::Refactor;
@@ -107,6 +109,11 @@ impl CircleFlow {
                 }));
             }
             rejected += 1;
+            self.refusal = Some(Refusal {
+                cause: if folds { Cause::Fold } else { Cause::Rise },
+                vertex: farthest(x, &trial, |_| 1.0).0,
+                face: None,
+            });
             if !self.pace.step_size.refused() {
                 return Ok(Outcome::Stuck);
             }

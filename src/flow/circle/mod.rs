@@ -16,7 +16,7 @@ mod verdict;
 use super::options::{FlowOptions, Goal, Integrator, MassChoice, Scheme};
 use super::step_size::StepSize;
 use super::stop::{Progress, Verdict};
-use super::{Flow, FlowError, Progress as Callback, StepReport, boundary, prefill};
+use super::{Flow, FlowError, Progress as Callback, Refusal, StepReport, boundary, prefill};
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{CircleEnergy, Evaluation};
 use crate::geometry::survey::survey;
@@ -47,6 +47,7 @@ pub struct CircleFlow {
     lbfgs: lbfgs::Memory,
     newton: Option<backward_euler::NewtonSystem>,
     flipped: Vec<u32>,
+    refusal: Option<Refusal>,
     on_progress: Option<Callback>,
 }
 
@@ -137,6 +138,7 @@ impl CircleFlow {
             lbfgs: lbfgs::Memory::default(),
             newton: None,
             flipped: Vec::new(),
+            refusal: None,
             on_progress: None,
         })
     }
@@ -207,6 +209,7 @@ impl Flow for CircleFlow {
     fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
         let start = Instant::now();
         let mut cost = Cost::default();
+        self.refusal = None;
         let before;
         let mut accepted = loop {
             self.tell("assemble", 0.0);
@@ -306,6 +309,10 @@ impl Flow for CircleFlow {
         &self.flipped
     }
 
+    fn refusal(&self) -> Option<Refusal> {
+        self.refusal
+    }
+
     fn pace(&self) -> super::Pace {
         super::Pace::Circle(self.pace)
     }
@@ -317,6 +324,7 @@ impl Flow for CircleFlow {
         self.evaluated = None;
         self.lbfgs = lbfgs::Memory::default();
         self.flipped.clear();
+        self.refusal = None;
     }
 
     fn set_clock(&mut self, step: usize, time: f64) {

@@ -17,7 +17,7 @@ mod verdict;
 use super::constraint::Kept;
 use super::options::{FlowOptions, Scheme};
 use super::stop::Verdict;
-use super::{FlowError, Progress as Callback, StepReport};
+use super::{FlowError, Progress as Callback, Refusal, StepReport};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
@@ -53,6 +53,7 @@ pub struct PWillmoreFlow {
     is_evaluated: bool,
     scratch: Evaluation,
     flipped: Vec<u32>,
+    refusal: Option<Refusal>,
     on_progress: Option<Callback>,
 }
 
@@ -147,6 +148,7 @@ impl PWillmoreFlow {
             is_evaluated: false,
             scratch: Evaluation::default(),
             flipped: Vec::new(),
+            refusal: None,
             on_progress: None,
         };
         flow.start_face = flow.element_range(x).1;
@@ -240,6 +242,7 @@ impl super::Flow for PWillmoreFlow {
         }
         self.is_evaluated = false;
         self.flipped.clear();
+        self.refusal = None;
     }
 
     fn set_clock(&mut self, step: usize, time: f64) {
@@ -266,6 +269,10 @@ impl super::Flow for PWillmoreFlow {
         &self.flipped
     }
 
+    fn refusal(&self) -> Option<Refusal> {
+        self.refusal
+    }
+
     fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
         let start = Instant::now();
         self.tell("assemble", 0.0);
@@ -283,6 +290,7 @@ impl super::Flow for PWillmoreFlow {
             Scheme::Auto => self.advance(x, &mut cost)?,
             Scheme::Paper => self.paper_advance(x, &mut cost)?,
         };
+        self.refusal = cost.refusal;
         let Some(accepted) = advanced else {
             return Ok((None, self.stuck_verdict(&cost)));
         };

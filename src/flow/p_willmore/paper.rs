@@ -4,7 +4,8 @@
 use super::PWillmoreFlow;
 use super::centred::CentredStep;
 use super::step::{Accepted, Cost, constraints, ramped};
-use crate::flow::FlowError;
+use crate::flow::refusal::{Cause, farthest};
+use crate::flow::{FlowError, Refusal};
 use web_time::Instant;
 
 /// Most vertices the scheme takes: a step solves several unsymmetric systems of three
@@ -61,9 +62,17 @@ impl PWillmoreFlow {
                 take(&constraints(area, volume, scratch));
             })?;
             cost.solve += watch.elapsed().as_secs_f64();
-            let Some(found) = found.filter(|found| !self.turns_too_far(x, &found.x)) else {
+            let vertex = found
+                .as_ref()
+                .map_or(0, |found| farthest(x, &found.x, |_| 1.0).0);
+            let Some(found) = found.filter(|found| self.turns_too_far(x, &found.x).is_none())
+            else {
                 cost.rejected += 1;
-                cost.refusal = "Newton’s method does not converge, or a face would turn over";
+                cost.refusal = Some(Refusal {
+                    cause: Cause::Newton,
+                    vertex,
+                    face: None,
+                });
                 self.pace.dt *= CUT;
                 continue;
             };

@@ -2,8 +2,9 @@
 
 use super::PWillmoreFlow;
 use crate::energy::p_willmore::{Evaluation, Integrals};
-use crate::flow::FlowError;
 use crate::flow::constraint::{Constraint, multipliers, project};
+use crate::flow::refusal::{Cause, farthest};
+use crate::flow::{FlowError, Refusal};
 use crate::geometry::measure;
 use crate::remesh::{Mode, Regulariser};
 use glam::DVec3;
@@ -50,7 +51,7 @@ pub(super) struct Cost {
     pub(super) negative_pivots: usize,
     pub(super) rejected: usize,
     /// Why the last trial was refused.
-    pub(super) refusal: &'static str,
+    pub(super) refusal: Option<Refusal>,
     pub(super) warnings: Vec<String>,
 }
 
@@ -128,17 +129,15 @@ impl PWillmoreFlow {
                     *y += *lambda * u[i];
                 }
             }
-            let moves = y.iter().zip(x).zip(&reach);
-            let farthest = moves
-                .map(|((y, x), h)| y.distance(*x) / h)
-                .fold(
-                    0.0,
-                    |most: f64, s| if s > most || s.is_nan() { s } else { most },
-                );
+            let (vertex, farthest) = farthest(x, &y, |v| reach[v]);
             // Too far: the step is cut in proportion, before anything dear is computed.
             if farthest > LONGEST_MOVE || farthest.is_nan() {
                 cost.rejected += 1;
-                cost.refusal = "a vertex would move by more than half an edge";
+                cost.refusal = Some(Refusal {
+                    cause: Cause::TooFar,
+                    vertex,
+                    face: None,
+                });
                 let ratio = LONGEST_MOVE / farthest;
                 ramp *= 0.5;
                 self.pace.dt *= if ratio.is_finite() {
@@ -149,9 +148,13 @@ impl PWillmoreFlow {
                 continue;
             }
             let refusal = self.refusal(x, &mut y, directions, before, least, is_ramping);
-            if let Some(refusal) = refusal {
+            if let Some((cause, face)) = refusal {
                 cost.rejected += 1;
-                cost.refusal = refusal;
+                cost.refusal = Some(Refusal {
+                    cause,
+                    vertex,
+                    face,
+                });
                 ramp *= 0.5;
                 self.pace.dt *= SHRINK;
                 continue;
@@ -199,23 +202,24 @@ impl PWillmoreFlow {
         before: f64,
         least_angle: f64,
         is_ramping: bool,
-    ) -> Option<&'static str> {
+    ) -> Option<(Cause, Option<u32>)> {
         if !self.project(y, directions) {
-            return Some("the constraints cannot be met together");
+            return Some((Cause::Constraints, None));
         }
         let Integrals { objective, .. } = self.functional.integrals(y, &mut self.scratch);
         if !objective.is_finite() {
-            return Some("the energy is not finite");
+            return Some((Cause::NotFinite, None));
         }
         if objective > before && !is_ramping {
-            return Some("the energy would rise");
+            return Some((Cause::Rise, None));
         }
-        if self.turns_too_far(x, y) {
-            return Some("a face would turn by more than 60°");
+        if let Some(face) = self.turns_too_far(x, y) {
+            return Some((Cause::Turn, Some(face)));
         }
         let angle = measure::min_angle_degrees(&self.mesh, y);
         if angle < ANGLE_FLOOR.min(ANGLE_SHARE * least_angle) {
-            return Some("a face would become a sliver");
+            let face = measure::sharpest_face(&self.mesh, y).map(|(f, _)| f.0);
+            return Some((Cause::Sliver, face));
         }
         None
     }
@@ -232,15 +236,18 @@ impl PWillmoreFlow {
         })
     }
 
-    pub(super) fn turns_too_far(&self, x: &[DVec3], y: &[DVec3]) -> bool {
+    /// The first element that turns by more than it may.
+    pub(super) fn turns_too_far(&self, x: &[DVec3], y: &[DVec3]) -> Option<u32> {
         let elements = self.functional.elements();
-        (0..elements.len()).any(|e| {
+        let turns = |e: &usize| {
+            let e = *e;
             elements
                 .nodes(x, e)
                 .zip(elements.nodes(y, e))
                 // A collapsed element has no normal to turn.
                 .any(|(a, b)| a.area > 0.0 && a.normal.dot(b.normal) < LEAST_TURN)
-        })
+        };
+        (0..elements.len()).find(turns).map(|e| e as u32)
     }
 
     /// Slides vertices towards a conformal mesh, as far as no face turns, nor the energy
@@ -292,8 +299,8 @@ impl PWillmoreFlow {
                 && self.element_range(&trial).0 >= smallest;
             if falls
                 && improves
-                && !self.turns_too_far(&y, &trial)
-                && !self.turns_too_far(x, &trial)
+                && self.turns_too_far(&y, &trial).is_none()
+                && self.turns_too_far(x, &trial).is_none()
             {
                 best = Some(trial);
                 break;

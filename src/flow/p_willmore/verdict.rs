@@ -103,10 +103,13 @@ impl PWillmoreFlow {
             let why = format!("Converged after {steps} steps: no smaller energy along any step");
             return Verdict::Stop(Status::Converged, why);
         }
+        let last = cost
+            .refusal
+            .map(|refusal| format!(", the last because {}", refusal.cause));
         let why = format!(
-            "Stalled after {} steps: every step tried was refused, the last because {}; {}",
+            "Stalled after {} steps: every step tried was refused{}; {}",
             self.pace.step,
-            cost.refusal,
+            last.unwrap_or_default(),
             self.remedy()
         );
         Verdict::Stop(Status::Stalled, why)

@@ -1,0 +1,65 @@
+//! Why a trial step was refused, and where.
+
+use std::fmt;
+
+/// What is wrong with a trial step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// What the step has to lower would rise, or fall by too little (Armijo).
+    Rise,
+    /// Faces would fold over.
+    Fold,
+    /// A vertex would move by more than half an edge.
+    TooFar,
+    /// A face would turn by more than 60°.
+    Turn,
+    /// A face would become a sliver.
+    Sliver,
+    /// Area and volume cannot both be what they should be.
+    Constraints,
+    /// The energy there is not a number.
+    NotFinite,
+    /// The paper's implicit step has no solution that Newton's method finds.
+    Newton,
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Rise => "the energy would rise",
+            Self::Fold => "faces would fold over",
+            Self::TooFar => "a vertex would move by more than half an edge",
+            Self::Turn => "a face would turn by more than 60°",
+            Self::Sliver => "a face would become a sliver",
+            Self::Constraints => "the constraints cannot be met together",
+            Self::NotFinite => "the energy is not finite",
+            Self::Newton => "Newton’s method does not converge, or a face would turn over",
+        })
+    }
+}
+
+/// A trial step that was refused, with the element that shows it most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// What is wrong.
+    pub cause: Cause,
+    /// The vertex that would have moved most, in lengths of its edges.
+    pub vertex: u32,
+    /// The face that would have turned most or become a sliver.
+    pub face: Option<u32>,
+}
+
+/// The vertex that moves most from `x` to `y` in units of `reach`, and by how much; what is
+/// not a number moves most of all.
+pub fn farthest(x: &[glam::DVec3], y: &[glam::DVec3], reach: impl Fn(usize) -> f64) -> (u32, f64) {
+    let moves = x.iter().zip(y).enumerate();
+    moves
+        .map(|(v, (x, y))| (v as u32, y.distance(*x) / reach(v)))
+        .fold((0, 0.0), |most: (u32, f64), one| {
+            if one.1 > most.1 || one.1.is_nan() {
+                one
+            } else {
+                most
+            }
+        })
+}

@@ -1,0 +1,294 @@
+//! What helps: actions of the application by name, with what they change.
+
+use super::text::{Text, number};
+use crate::energy::circle::Boundary;
+use crate::flow::constraint::Kept;
+use crate::flow::options::{FlowName, FlowOptions, Scheme};
+use crate::remesh::Mode;
+use serde::Serialize;
+
+/// What is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub enum RemedyId {
+    /// Conformal regularisation of the mesh as it is.
+    Regularise,
+    /// The same after each step.
+    RegulariseEachStep,
+    /// The surface as it is becomes the start, by one step of Loop's scheme four times as fine.
+    Subdivide,
+    /// A smaller constant step.
+    SmallerStep,
+    /// Steps that adapt.
+    AutomaticStep,
+    /// More angle smoothing.
+    LargerEpsilon,
+    /// The recommended scheme in place of the paper's.
+    RecommendedScheme,
+    /// More steps.
+    Continue,
+    /// Some steps back.
+    Back,
+    /// The surface as it is becomes the start, its edges are flipped, the flow goes on.
+    KeepAndFlips,
+    /// Volume or area are kept.
+    KeepVolume,
+    /// Another flow.
+    OtherFlow,
+    /// A smooth first guess of what moves.
+    Prefill,
+    /// Another exponent first.
+    LowerExponent,
+    /// Energies at several resolutions.
+    Refine,
+}
+
+/// Options that a remedy changes; the others stay.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Change {
+    /// See [`FlowOptions::flow`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flow: Option<FlowName>,
+    /// See [`FlowOptions::scheme`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scheme: Option<Scheme>,
+    /// See [`FlowOptions::boundary`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub boundary: Option<Boundary>,
+    /// See [`FlowOptions::tau`]; the inner `None` leaves the step to the flow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tau: Option<Option<f64>>,
+    /// See [`FlowOptions::dt`]; always back to none, so that τ rules.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dt: Option<Option<f64>>,
+    /// See [`FlowOptions::epsilon`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub epsilon: Option<f64>,
+    /// See [`FlowOptions::prefill`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub prefill: Option<bool>,
+    /// See [`FlowOptions::p`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub p: Option<f64>,
+    /// See [`FlowOptions::keep`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub keep: Option<Vec<Kept>>,
+    /// See [`FlowOptions::reduced_volume`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reduced_volume: Option<Option<f64>>,
+    /// See [`FlowOptions::regularise`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub regularise: Option<Mode>,
+}
+
+impl Change {
+    /// The options with this change made.
+    #[must_use]
+    pub fn applied(&self, options: &FlowOptions) -> FlowOptions {
+        let old = options.clone();
+        FlowOptions {
+            flow: self.flow.unwrap_or(old.flow),
+            scheme: self.scheme.unwrap_or(old.scheme),
+            boundary: self.boundary.or(old.boundary),
+            tau: self.tau.unwrap_or(old.tau),
+            dt: self.dt.unwrap_or(old.dt),
+            epsilon: self.epsilon.unwrap_or(old.epsilon),
+            prefill: self.prefill.unwrap_or(old.prefill),
+            p: self.p.unwrap_or(old.p),
+            keep: self.keep.clone().unwrap_or_else(|| old.keep.clone()),
+            reduced_volume: self.reduced_volume.unwrap_or(old.reduced_volume),
+            regularise: self.regularise.unwrap_or(old.regularise),
+            ..old
+        }
+    }
+}
+
+/// Something that helps.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Remedy {
+    /// What is done.
+    pub id: RemedyId,
+    /// What the button says.
+    pub label: Text,
+    /// Options that change.
+    pub change: Change,
+    /// Whether the run begins anew, the present surface being past help; otherwise that is
+    /// the new start.
+    pub from_start: bool,
+    /// Steps to go back.
+    pub steps: usize,
+}
+
+/// Steps of τ cut to a quarter, as the adaptive ones are.
+const CUT: f64 = 0.25;
+
+impl Remedy {
+    fn new(id: RemedyId, label: Text) -> Self {
+        Self {
+            id,
+            label,
+            change: Change::default(),
+            from_start: false,
+            steps: 0,
+        }
+    }
+
+    fn changing(id: RemedyId, label: Text, change: Change) -> Self {
+        Self {
+            change,
+            ..Self::new(id, label)
+        }
+    }
+
+    pub(super) fn anew(mut self) -> Self {
+        self.from_start = true;
+        self
+    }
+
+    pub(super) fn go_on() -> Self {
+        Self::new(RemedyId::Continue, Text::plain("More steps"))
+    }
+
+    pub(super) fn refine() -> Self {
+        Self::new(RemedyId::Refine, Text::plain("Refinement study"))
+    }
+
+    pub(super) fn flips() -> Self {
+        Self::new(RemedyId::KeepAndFlips, Text::plain("Flip edges and go on"))
+    }
+
+    pub(super) fn back(steps: usize) -> Self {
+        let label = if steps == 1 {
+            Text::plain("One step back")
+        } else {
+            Text::new("Go {steps} steps back", [("steps", steps.to_string())])
+        };
+        Self {
+            steps,
+            ..Self::new(RemedyId::Back, label)
+        }
+    }
+
+    pub(super) fn regularise() -> Self {
+        let label = Text::plain("Regularise the mesh and go on");
+        Self::new(RemedyId::Regularise, label)
+    }
+
+    pub(super) fn regularise_each_step() -> Self {
+        let change = Change {
+            regularise: Some(Mode::Nonlinear),
+            ..Change::default()
+        };
+        let label = Text::plain("Regularise after each step");
+        Self::changing(RemedyId::RegulariseEachStep, label, change)
+    }
+
+    pub(super) fn subdivide() -> Self {
+        let label = Text::plain("Subdivide the mesh and go on");
+        Self::new(RemedyId::Subdivide, label)
+    }
+
+    pub(super) fn smaller_step(tau: f64) -> Self {
+        let tau = CUT * tau;
+        let label = Text::new("Set τ to {tau}", [("tau", number(tau))]);
+        let change = Change {
+            tau: Some(Some(tau)),
+            dt: Some(None),
+            ..Change::default()
+        };
+        Self::changing(RemedyId::SmallerStep, label, change)
+    }
+
+    pub(super) fn automatic_step() -> Self {
+        let change = Change {
+            tau: Some(None),
+            dt: Some(None),
+            ..Change::default()
+        };
+        let label = Text::plain("Choose τ automatically");
+        Self::changing(RemedyId::AutomaticStep, label, change)
+    }
+
+    pub(super) fn recommended_scheme() -> Self {
+        let change = Change {
+            scheme: Some(Scheme::Auto),
+            tau: Some(None),
+            dt: Some(None),
+            ..Change::default()
+        };
+        let label = Text::plain("Use the recommended scheme");
+        Self::changing(RemedyId::RecommendedScheme, label, change)
+    }
+
+    pub(super) fn larger_epsilon(epsilon: f64) -> Self {
+        let change = Change {
+            epsilon: Some(epsilon),
+            ..Change::default()
+        };
+        let label = Text::new("Set ε to {epsilon}", [("epsilon", number(epsilon))]);
+        Self::changing(RemedyId::LargerEpsilon, label, change)
+    }
+
+    pub(super) fn prefill() -> Self {
+        let change = Change {
+            prefill: Some(true),
+            ..Change::default()
+        };
+        let label = Text::plain("Begin from a smooth first guess");
+        Self::changing(RemedyId::Prefill, label, change)
+    }
+
+    pub(super) fn keep(kept: &[Kept]) -> Self {
+        let change = Change {
+            keep: Some(kept.to_vec()),
+            ..Change::default()
+        };
+        let label = Text::plain(match kept {
+            [Kept::Volume] => "Keep the volume",
+            [Kept::Area] => "Keep the area",
+            _ => "Keep area and volume",
+        });
+        Self::changing(RemedyId::KeepVolume, label, change)
+    }
+
+    /// Of area and volume only the volume, and that where it is.
+    pub(super) fn release_area() -> Self {
+        let change = Change {
+            keep: Some(vec![Kept::Volume]),
+            reduced_volume: Some(None),
+            ..Change::default()
+        };
+        let label = Text::plain("Keep only the volume");
+        Self::changing(RemedyId::KeepVolume, label, change)
+    }
+
+    pub(super) fn exponent(p: f64) -> Self {
+        let change = Change {
+            p: Some(p),
+            ..Change::default()
+        };
+        let label = Text::new("Smooth with p = {p} first", [("p", number(p))]);
+        Self::changing(RemedyId::LowerExponent, label, change)
+    }
+
+    pub(super) fn other_flow(flow: FlowName) -> Self {
+        let label = Text::plain(match flow {
+            FlowName::Circle => "Use the circle-angle Willmore flow",
+            FlowName::PWillmore => "Use the p-Willmore flow",
+            FlowName::Flips => "Flip edges",
+            FlowName::MeanCurvature => "Use mean-curvature flow",
+            FlowName::SurfaceDiffusion => "Use surface diffusion",
+            FlowName::Willmore => "Use Willmore flow",
+            FlowName::Mmcv => "Use mean-curvature variation",
+        });
+        let change = Change {
+            flow: Some(flow),
+            tau: Some(None),
+            dt: Some(None),
+            ..Change::default()
+        };
+        Self::changing(RemedyId::OtherFlow, label, change)
+    }
+}

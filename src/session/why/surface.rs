@@ -1,0 +1,264 @@
+//! What can be the matter with the surface and its mesh. Thresholds are those of the flows' own
+//! warnings (see their `verdict.rs`) where they have one.
+
+use super::elements::{self, Sharpest};
+use super::remedy::Remedy;
+use super::text::{Text, number};
+use super::{Diagnosis, Kind};
+use crate::flow::Flow;
+use crate::flow::constraint::Kept;
+use crate::flow::options::FlowName;
+use crate::geometry::measure;
+use crate::session::work::Work;
+use std::f64::consts::PI;
+
+/// Bends, see [`Sharpest`]: of a ring of two edges, and of one of four, which is a reason where
+/// the flow has stopped. A surface that is drawn that way has no more to say about it: it must
+/// have become so.
+const SINGULAR: f64 = 3.0;
+const NARROW: f64 = 1.5;
+const SHARPENED: f64 = 1.5;
+/// Growth of the area that is a sign of a bubble.
+const BUBBLE: f64 = 4.0;
+/// A smallest angle below this, in degrees, and below half of that at the start.
+const SLIVER: f64 = 8.0;
+/// ∫H² of coarse meshes comes to 1.8 % below the smooth minimum; W of aligned lattices to 2 %
+/// and of others not below it at all.
+const HONEST: f64 = 0.97;
+const HONEST_CIRCLE: f64 = 0.9;
+/// Growth of the area, or its shrinking, that is no approach to anything.
+const SCALED: f64 = 2.0;
+/// Edges or faces that are still elements, and not the whole surface.
+const SHOWN: usize = 2000;
+
+impl Work {
+    /// ∫|H|^p scales like length^(2−p): nothing keeps a free surface from growing or shrinking.
+    pub(super) fn scaling(&self) -> Option<Diagnosis> {
+        let (start, now) = (self.start_area(), self.state.area);
+        // Mean-curvature flow is the one of p = 0.
+        let p = match self.options.flow {
+            FlowName::PWillmore if self.options.keep.is_empty() => self.options.p,
+            FlowName::MeanCurvature if self.is_all_free() => 0.0,
+            _ => return None,
+        };
+        let values = |times: f64| [("p", number(p)), ("times", number(times))];
+        if p > 2.0 && now > SCALED * start {
+            let sentence = Text::new(
+                "∫|H|^p falls as the surface grows, for every exponent above 2: with p = {p} its \
+                 area is {times} times that at the start, and it never comes to rest.",
+                values(now / start),
+            );
+            let keep = [self.can_keep(&[Kept::Volume]), self.can_keep(&[Kept::Area])];
+            return Some(Diagnosis::new(Kind::Growing, sentence).with(keep));
+        }
+        let shrinks = p < 2.0 && now * SCALED < start && !self.is_narrow(NARROW);
+        shrinks.then(|| {
+            let sentence = Text::new(
+                "∫|H|^p falls as the surface shrinks, for every exponent below 2: with p = {p} \
+                 its area is 1/{times} of that at the start, and it vanishes in finite time.",
+                values(start / now),
+            );
+            let remedies = [
+                self.can_keep(&[Kept::Volume]),
+                self.can_keep(&[Kept::Area]),
+                self.keeps_volume_instead(),
+            ];
+            Diagnosis::new(Kind::Shrinking, sentence).with(remedies)
+        })
+    }
+
+    fn sharpest(&self, least: f64) -> Option<Sharpest> {
+        let mesh = self.triangles();
+        let now = elements::sharpest(mesh, &self.x)?;
+        let then = elements::sharpest(mesh, &self.document.start)?;
+        (now.bend > least && now.bend > SHARPENED * then.bend).then_some(now)
+    }
+
+    /// Surface diffusion, in place of the flow by mean curvature.
+    fn keeps_volume_instead(&self) -> Option<Remedy> {
+        let flow = FlowName::SurfaceDiffusion;
+        (self.options.flow == FlowName::MeanCurvature).then(|| Remedy::other_flow(flow).anew())
+    }
+
+    fn start_area(&self) -> f64 {
+        measure::area(&self.document.triangles, &self.document.start)
+    }
+
+    fn is_narrow(&self, least: f64) -> bool {
+        self.sharpest(least).is_some_and(|found| found.is_neck)
+    }
+
+    /// A neck of a few edges; less is asked of one that has stopped the flow.
+    pub(super) fn pinch(&self, stopped: bool) -> Option<Diagnosis> {
+        let shrinks_necks = match self.options.flow {
+            FlowName::MeanCurvature => true,
+            FlowName::PWillmore => self.options.p < 2.0,
+            // Flows of higher order do not, and what bends on their rough meshes are no necks.
+            _ => false,
+        };
+        if !shrinks_necks {
+            return None;
+        }
+        let found = self.sharpest(if stopped { NARROW } else { SINGULAR })?;
+        if !found.is_neck {
+            return None;
+        }
+        let values = [
+            ("vertex", found.vertex.to_string()),
+            // A thin neck bends about its axis only: 2|H| = 1/r.
+            ("width", number(1.0 / found.mean_curvature)),
+            (
+                "edges",
+                number((2.0 * PI * 0.93 / found.bend).max(1.0).round()),
+            ),
+        ];
+        let sentence = Text::new(
+            "The surface pinches off at vertex {vertex}: the neck there is {width} wide, with \
+             room for about {edges} edges around, and this flow shrinks a neck to nothing in \
+             finite time.",
+            values,
+        );
+        // An open surface keeps no volume; with its tangents held it does not become a neck.
+        let clamped = (!self.document.polygons.is_closed())
+            .then(|| Remedy::other_flow(FlowName::Circle).anew());
+        let remedies = [
+            self.can_keep(&[Kept::Volume]),
+            clamped.or_else(|| self.keeps_volume_instead()),
+            self.can_go_back(),
+            self.can_regularise(),
+        ];
+        let diagnosis = Diagnosis::new(Kind::Pinch, sentence).at_vertices(found.ring);
+        Some(diagnosis.with(remedies))
+    }
+
+    /// Where the energy does not depend on size nothing keeps a surface from swelling, and
+    /// the mesh is worn out on the way.
+    pub(super) fn inflating(&self) -> Option<Diagnosis> {
+        let is_scale_free = self.options.flow == FlowName::PWillmore
+            && self.options.p == 2.0
+            && self.options.keep.is_empty();
+        let times = self.state.area / self.start_area();
+        let (face, angle) = self.sliver()?;
+        if !is_scale_free || times < BUBBLE {
+            return None;
+        }
+        let sentence = Text::new(
+            "The surface has swollen to {times} times its area, as ∫H² does not depend on size, \
+             and its mesh is worn out by that: the smallest angle of face {face} is {angle}°.",
+            [
+                ("times", number(times)),
+                ("face", face.to_string()),
+                ("angle", number(angle)),
+            ],
+        );
+        let keep = self.can_keep(&[Kept::Area, Kept::Volume]);
+        let diagnosis = Diagnosis::new(Kind::Inflating, sentence).at_faces([face]);
+        Some(diagnosis.with([keep, self.can_go_back(), self.can_flip()]))
+    }
+
+    /// The face with the smallest angle, where that is small and was not at the start.
+    fn sliver(&self) -> Option<(u32, f64)> {
+        let (face, angle) = measure::sharpest_face(self.triangles(), &self.x)?;
+        let then = self.start_angle();
+        (angle < SLIVER && angle < 0.5 * then).then_some((face.0, angle))
+    }
+
+    /// In degrees.
+    fn start_angle(&self) -> f64 {
+        measure::min_angle_degrees(&self.document.triangles, &self.document.start)
+    }
+
+    /// Closed surfaces have ∫H² ≥ 4π, with handles ≥ 2π² (Willmore; Marques & Neves 2014).
+    pub(super) fn below_minimum(&self) -> Option<Diagnosis> {
+        let mesh = &self.document.triangles;
+        let genus = mesh
+            .genus()
+            .filter(|_| mesh.is_closed() && mesh.is_oriented())?;
+        if mesh.components().1 != 1 {
+            return None;
+        }
+        let least = if genus > 0 { 2.0 * PI * PI } else { 4.0 * PI };
+        let (energy, smooth, share) = match self.options.flow {
+            FlowName::PWillmore if self.options.p == 2.0 => (self.state.energy, least, HONEST),
+            // ∫(H² − K) is ∫H² less 4π(1 − genus).
+            FlowName::Circle if genus > 0 => {
+                let gauss = 4.0 * PI * (1.0 - genus as f64);
+                (self.state.energy_normalised, least - gauss, HONEST_CIRCLE)
+            }
+            _ => return None,
+        };
+        let plain = self.options.spontaneous_curvature == 0.0
+            && self.options.tension == 0.0
+            && self.options.pressure == 0.0;
+        if !plain || energy >= share * smooth {
+            return None;
+        }
+        let bent = elements::sharpest(self.triangles(), &self.x)?;
+        let sentence = Text::new(
+            "The energy is {energy}, and no smooth surface of this topology has less than \
+             {smooth}: the mesh is too coarse to notice what bends between its vertices, most of \
+             all at vertex {vertex}.",
+            [
+                ("energy", number(energy)),
+                ("smooth", number(smooth)),
+                ("vertex", bent.vertex.to_string()),
+            ],
+        );
+        let diagnosis =
+            Diagnosis::new(Kind::BelowSmoothMinimum, sentence).at_vertices([bent.vertex]);
+        let finer = Some(self.can_subdivide().unwrap_or_else(Remedy::refine));
+        Some(diagnosis.with([finer, Some(Remedy::refine()), self.can_go_back()]))
+    }
+
+    pub(super) fn folded_over(&self, flow: &dyn Flow) -> Option<Diagnosis> {
+        let faces = elements::folded_faces(self.triangles(), &self.x);
+        let lately = self.recent().iter().any(|report| report.flipped_faces > 0)
+            || !flow.flipped_faces().is_empty();
+        // Circle angles do not ask which way a face lies, and unfold what is folded.
+        let minds = lately || self.options.flow != FlowName::Circle;
+        let &first = faces.first().filter(|_| minds)?;
+        let values = [
+            ("count", faces.len().to_string()),
+            ("face", first.to_string()),
+        ];
+        let sentence = if faces.len() == 1 {
+            Text::new(
+                "Face {face} is folded over, against its neighbours: about it normals and \
+                 curvatures mean nothing, and steps are short or go astray.",
+                values,
+            )
+        } else {
+            Text::new(
+                "{count} faces are folded over, against their neighbours, the first of them face \
+                 {face}: about them normals and curvatures mean nothing, and steps are short or \
+                 go astray.",
+                values,
+            )
+        };
+        let remedies = [self.can_regularise(), self.can_flip(), self.can_go_back()];
+        let shown = faces.into_iter().take(SHOWN);
+        let diagnosis = Diagnosis::new(Kind::FoldedFaces, sentence).at_faces(shown);
+        Some(diagnosis.with(remedies))
+    }
+
+    pub(super) fn degenerate(&self) -> Option<Diagnosis> {
+        let (face, angle) = self.sliver()?;
+        let sentence = Text::new(
+            "The mesh degenerates: the smallest angle of face {face} is {angle}°, and at the start \
+             no angle was below {then}°; steps can be no longer than such a face allows.",
+            [
+                ("face", face.to_string()),
+                ("angle", number(angle)),
+                ("then", number(self.start_angle())),
+            ],
+        );
+        let remedies = [
+            self.can_regularise_each_step(),
+            self.can_regularise(),
+            self.can_flip(),
+            self.can_go_back(),
+        ];
+        let diagnosis = Diagnosis::new(Kind::DegenerateFaces, sentence).at_faces([face]);
+        Some(diagnosis.with(remedies))
+    }
+}
