@@ -5,6 +5,7 @@ import { createArrival, sceneOfFigure } from "./arrival.js";
 import { createController } from "./controller.js";
 import { createEmbedding, isEmbedded } from "./embed/host.js";
 import { createLinkWriter, readLink } from "./link.js";
+import { keepOffline } from "./offline.js";
 import { samples } from "./samples.js";
 import { createStore } from "./state.js";
 import { createChoices } from "./ui/choices.js";
@@ -117,3 +118,5 @@ const opened = (isFirst ? Promise.race([pictured, patience]) : Promise.resolve()
     if (!embedding?.isFed) return openLink(location);
   });
 embedding?.begin(opened);
+// In another page it is that one's concern.
+if (!embedding) keepOffline(Promise.all([pictured, opened]), messages.note);
