@@ -35,6 +35,7 @@ export default defineConfig({
     rolldownOptions: {
       input: {
         index: fileURLToPath(new URL("../index.html", import.meta.url)),
+        demo: fileURLToPath(new URL("../demo.html", import.meta.url)),
         embed: fileURLToPath(new URL("embed.js", import.meta.url)),
       },
       output: {
