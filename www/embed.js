@@ -6,7 +6,8 @@
 //
 // Attributes are the words of a link (`flow`, `p`, `step`, `camera`, …; `smoothSteps` is written
 // `smooth-steps`), and those of `own` below. Methods return promises; events are
-// `ready`, `frame`, `statechange` and `error`, what they tell is in `detail`.
+// `ready`, `frame`, `statechange`, `error` and `key` (Page Up or Down, pressed in the surface);
+// what they tell is in `detail`.
 
 /**
  * Attributes that are no words of a link: `mesh`, the address of a mesh file, which the
@@ -251,7 +252,7 @@ class UmbilicSurface extends HTMLElement {
 
   /** @param {string} event @param {unknown} detail */
   #announce(event, detail) {
-    if (!["ready", "frame", "statechange", "error"].includes(event)) return;
+    if (!["ready", "frame", "statechange", "error", "key"].includes(event)) return;
     this.dispatchEvent(new CustomEvent(event, { detail }));
   }
 

@@ -6,6 +6,7 @@ import { createController } from "./controller.js";
 import { createEmbedding, isEmbedded } from "./embed/host.js";
 import { openLanguage, t } from "./language.js";
 import { createLinkWriter, readLink } from "./link.js";
+import { keepOffline } from "./offline.js";
 import { samples } from "./samples.js";
 import { createStore } from "./state.js";
 import { createChoices } from "./ui/choices.js";
@@ -149,3 +150,5 @@ const opened = (isFirst ? Promise.race([pictured, patience]) : Promise.resolve()
     if (!embedding?.isFed) return openLink(location);
   });
 embedding?.begin(opened);
+// In another page it is that one's concern.
+if (!embedding) keepOffline(Promise.all([pictured, opened]), messages.note);

@@ -1,6 +1,7 @@
 // @ts-check
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { serviceWorker } from "./tools/service-worker.js";
 
 /** Indentation and comments are for whoever reads the source. */
 const compactHtml = {
@@ -17,7 +18,12 @@ export default defineConfig({
   root: fileURLToPath(new URL("..", import.meta.url)),
   // Relative addresses: the site works from any folder of any host.
   base: "./",
-  plugins: [compactHtml],
+  // Copied as they are: the manifest and its icons.
+  publicDir: "www/public",
+  plugins: [
+    compactHtml,
+    serviceWorker(fileURLToPath(new URL("service-worker.js", import.meta.url))),
+  ],
   build: {
     outDir: "dist",
     emptyOutDir: true,
@@ -29,6 +35,7 @@ export default defineConfig({
     rolldownOptions: {
       input: {
         index: fileURLToPath(new URL("../index.html", import.meta.url)),
+        demo: fileURLToPath(new URL("../demo.html", import.meta.url)),
         embed: fileURLToPath(new URL("embed.js", import.meta.url)),
       },
       output: {

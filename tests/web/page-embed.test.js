@@ -207,6 +207,23 @@ test("a mesh of the embedding page is shown, and what cannot be had is said", as
   await close();
 });
 
+test("embedded, the page breaks no rule of accessibility, whatever its size", async () => {
+  for (const [width, colorScheme] of /** @type {const} */ ([
+    [960, "light"],
+    [320, "dark"],
+  ])) {
+    const context = { viewport: { width, height: 400 }, colorScheme };
+    const { page, faults, close } = await site.open("sample=pipe", context, "msaa=1&embed");
+    assert.deepEqual(await accessibilityFaults(page), [], `${width} wide, ${colorScheme}`);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+    assert.equal(wide, false);
+    await page.getByRole("button", { name: "Step", exact: true }).click();
+    await page.getByRole("status").getByText("Paused at step 1").waitFor();
+    assert.deepEqual(faults, []);
+    await close();
+  }
+});
+
 test("a bare iframe answers its own parent, in order, and passes nonsense over", async () => {
   const { page, faults, close } = await hostPage(
     `<iframe id="bare" title="Umbilic" src="${site.url}?msaa=1&embed&controls=none#sample=icosahedron"></iframe>

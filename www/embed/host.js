@@ -65,12 +65,13 @@ export function createEmbedding({ controller, get, still, openLink, messages, sn
 
   /** Where it stands. */
   function standing() {
-    const { phase, reading, mesh, options, version } = get();
+    const { phase, reading, mesh, options, version, frame: shown } = get();
     const { step = 0, time = 0, energy = null, area = null, status = null } = reading ?? {};
     const { volume = null, message = "", canStepBack = false } = reading ?? {};
     const { vertices = 0, faces = 0 } = mesh?.info ?? {};
     return {
       ...{ step, time, energy, area, volume, status, message, canStepBack },
+      jump: shown?.jump?.relative ?? null,
       ...{ phase, isWaiting: isSuspended, flow: options.flow, version },
       ...{ name: mesh?.name ?? null, vertices, faces },
     };
@@ -115,6 +116,10 @@ export function createEmbedding({ controller, get, still, openLink, messages, sn
     look();
   }).observe(root);
   document.addEventListener("visibilitychange", look);
+  // Slides that embed it are turned with these, also by a clicker.
+  addEventListener("keydown", ({ key }) => {
+    if (key === "PageUp" || key === "PageDown") tell("key", { key });
+  });
 
   /** A scene is there. */
   function arrived() {

@@ -15,7 +15,8 @@
 // | `state`  |                                          | where it stands                  |
 //
 // Events, unasked: `{ umbilic: 1, event, detail }` with `listening` (requests are answered from
-// now on), `ready` (a scene is there), `frame`, `statechange` and `error`.
+// now on), `ready` (a scene is there), `frame`, `statechange`, `error`, and `key` (Page Up or Page Down,
+// pressed in the surface).
 
 /** @import { Fault } from "../protocol.js" */
 /** @import { Scene } from "../link.js" */

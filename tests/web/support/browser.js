@@ -28,7 +28,12 @@ export async function launch(options) {
  * @param {ContextOptions} [options]  viewport, colour scheme, …
  */
 export async function openPage(browser, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, ...options });
+  // Without a service worker, whose fetching would be in the way of whatever is measured.
+  const context = await browser.newContext({
+    viewport: { width: 1000, height: 700 },
+    serviceWorkers: "block",
+    ...options,
+  });
   const page = await context.newPage();
   /** @type {string[]} */
   const faults = [];

@@ -26,9 +26,10 @@ const types = {
  * a site that works there has no absolute addresses in it.
  * @param {string} [folder]
  * @param {string} [base]  begins and ends with a slash
+ * @param {number} [wanted]  port of a server that was closed, to take its place
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
  */
-export async function serve(folder = site, base = "/some/folder/") {
+export async function serve(folder = site, base = "/some/folder/", wanted = 0) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://localhost");
     const inside = pathname.startsWith(base) ? pathname.slice(base.length) || "index.html" : null;
@@ -44,7 +45,7 @@ export async function serve(folder = site, base = "/some/folder/") {
       response.writeHead(404).end();
     }
   });
-  await new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(undefined)));
+  await new Promise((resolve) => server.listen(wanted, "127.0.0.1", () => resolve(undefined)));
   const { port } = /** @type {import("node:net").AddressInfo} */ (server.address());
   return {
     url: `http://127.0.0.1:${port}${base}`,

@@ -1,0 +1,83 @@
+// @ts-check
+// The slides about Willmore flow.
+
+import "../embed.js";
+import { keepOffline } from "../offline.js";
+import { byId } from "../ui/element.js";
+import { formatNumber } from "../ui/number.js";
+import { createDeck } from "./deck.js";
+
+/** @typedef {HTMLElement & { play(): Promise<unknown>, pause(): Promise<unknown>, state(): Promise<{ phase: string, isWaiting: boolean }> }} Surface */
+
+// As on the page itself, whose surfaces know nothing of these slides.
+try {
+  const theme = localStorage.getItem("umbilic-theme");
+  if (theme) document.documentElement.dataset.theme = theme;
+} catch {
+  // Storage may be forbidden.
+}
+
+const slides = [...document.querySelectorAll("section")];
+const place = byId("place", HTMLElement);
+const previous = byId("previous", HTMLButtonElement);
+const next = byId("next", HTMLButtonElement);
+const bar = byId("progress", HTMLElement);
+
+/** @type {HTMLElement} */
+let current = slides[0];
+const deck = createDeck(slides, (slide, n) => {
+  current = slide;
+  place.textContent = `${n + 1} / ${slides.length}`;
+  bar.style.width = `${(100 * (n + 1)) / slides.length}%`;
+  previous.ariaDisabled = String(n === 0);
+  next.ariaDisabled = String(n === slides.length - 1);
+});
+previous.addEventListener("click", deck.previous);
+next.addEventListener("click", deck.next);
+
+/** Plays what stands in the slide, or pauses it. */
+async function toggle() {
+  const surfaces = /** @type {Surface[]} */ ([...current.querySelectorAll("umbilic-surface")]);
+  const states = await Promise.all(surfaces.map((surface) => surface.state()));
+  const isPlaying = states.some(({ phase, isWaiting }) => phase === "running" || isWaiting);
+  await Promise.all(surfaces.map((surface) => (isPlaying ? surface.pause() : surface.play())));
+}
+
+function fullScreen() {
+  if (document.fullscreenElement) document.exitFullscreen();
+  else document.documentElement.requestFullscreen?.().catch(() => {});
+}
+byId("full", HTMLButtonElement).addEventListener("click", fullScreen);
+
+addEventListener("keydown", (event) => {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  const isPressed = event.target instanceof Element && event.target.matches("button, a");
+  if (event.key === " " && !isPressed) {
+    event.preventDefault();
+    // What a surface refuses it says itself.
+    toggle().catch(() => {});
+  } else if (event.key === "f") fullScreen();
+});
+
+for (const surface of document.querySelectorAll("umbilic-surface")) {
+  const figure = surface.closest("figure");
+  const number = [...(figure?.querySelectorAll("umbilic-surface") ?? [])].indexOf(surface);
+  const outputs = [...(figure?.querySelectorAll("output") ?? [])].filter(
+    ({ dataset }) => Number(dataset.of ?? 0) === number,
+  );
+  surface.addEventListener("frame", (event) => {
+    const standing = /** @type {CustomEvent<Record<string, number | null>>} */ (event).detail;
+    for (const output of outputs) {
+      const { reading = "", digits } = output.dataset;
+      const value = standing[reading];
+      output.textContent = digits ? formatNumber(value, Number(digits)) : String(value);
+    }
+  });
+  // Who has clicked into a surface still has the clicker in hand.
+  surface.addEventListener("key", (event) => {
+    deck.press(/** @type {CustomEvent<{ key: string }>} */ (event).detail.key);
+  });
+}
+
+const loaded = new Promise((resolve) => addEventListener("load", resolve));
+keepOffline(loaded, () => {});

@@ -1,0 +1,35 @@
+// @ts-check
+// Keeps the built site for when there is no connection. A page that cannot do that works as
+// before, and says nothing of it.
+
+import { t } from "./language.js";
+
+/** Milliseconds after the first picture until the rest of the site is fetched. */
+const CALM = 5000;
+
+const container = import.meta.env.PROD ? navigator.serviceWorker : undefined;
+/** Whether this very page came from a worker, which another may replace. */
+const isKept = Boolean(container?.controller);
+
+/**
+ * @param {Promise<unknown>} pictured  the page shows its scene; nothing is fetched or said before
+ * @param {(text: string) => void} note
+ */
+export async function keepOffline(pictured, note) {
+  if (!container) return;
+  container.addEventListener("controllerchange", async () => {
+    await pictured;
+    if (isKept) note(t("A new version is ready: reload the page to use it."));
+  });
+  try {
+    await pictured;
+    const script = new URL("./service-worker.js", document.baseURI);
+    await container.register(script, { updateViaCache: "none" });
+    const { active } = await container.ready;
+    await new Promise((resolve) => setTimeout(resolve, CALM));
+    const { saveData = false } = /** @type {any} */ (navigator).connection ?? {};
+    if (!saveData) active?.postMessage({ type: "idle", script: import.meta.url });
+  } catch {
+    // Not over https, or not allowed: there is always the network.
+  }
+}
