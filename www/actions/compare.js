@@ -119,7 +119,7 @@ export function createCompare({ store, voice, enqueue, rest, configure, arrange 
           store.update(on.compared, { rivals: [...store.get().comparison.rivals] });
           throw error;
         }
-        await contest.show();
+        await contest.settle();
         catchUp();
       }),
 

@@ -60,10 +60,7 @@ export function createContest({ store, solver, voice, report }) {
   /** All that are compared, the first first. */
   function contenders() {
     const { reading, frame, comparison } = store.get();
-    return [
-      { id: MAIN, phase: "ready", reading, frame, bending: comparison.bending },
-      ...comparison.rivals,
-    ];
+    return [{ id: MAIN, phase: "ready", reading, frame }, ...comparison.rivals];
   }
 
   /** @param {number} id */
@@ -118,11 +115,11 @@ export function createContest({ store, solver, voice, report }) {
     }
   }
 
-  /** Notes ∫H² dA where it is not known yet. @param {number} id */
+  /** Notes ∫H² dA. @param {number} id */
   async function measure(id) {
     const one = contenders().find((each) => each.id === id);
     const step = held?.get(id)?.state.step ?? one?.reading?.step;
-    if (step === undefined || one?.bending[step] !== undefined) return;
+    if (step === undefined) return;
     const value = await solverOf(id)?.bending();
     if (value !== undefined) store.update(on.bent, id === MAIN ? null : id, step, value);
   }
@@ -290,8 +287,14 @@ export function createContest({ store, solver, voice, report }) {
         .filter(({ id }) => !ids || ids.includes(id))
         .map(({ id, change }) => begin(id, change).catch((error) => unfit(id, error))),
     );
+    await settle();
+  }
+
+  /** Shows and measures all as they stand. */
+  async function settle() {
     await show();
-    await Promise.all(contenders().map(({ id }) => measure(id).catch(() => {})));
+    const able = contenders().filter(({ phase }) => phase === "ready");
+    await Promise.all(able.map(({ id }) => measure(id).catch(() => {})));
   }
 
   /**
@@ -332,6 +335,7 @@ export function createContest({ store, solver, voice, report }) {
     dismiss,
     follow,
     show,
+    settle,
     play,
     standings,
     isPlaying: () => playing !== null,
