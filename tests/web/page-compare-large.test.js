@@ -56,7 +56,7 @@ test("the main thread is free while two large panes step, coloured by their dist
         all.map(({ textContent }) => Number(/step (\d+)/.exec(textContent ?? "")?.[1])),
       );
   await page.locator("#panes figcaption").nth(1).filter({ hasText: "step 0" }).waitFor();
-  await choice(page, "Panes’ colours").selectOption("Distance to A");
+  await choice(page, "Colours").selectOption("Distance to A");
   await page.getByRole("img", { name: /^Colours: Distance to A/ }).waitFor();
   await page.locator("#comparison-plot canvas").waitFor();
   // Both pictures are on the screen, and what it took is over.

@@ -69,7 +69,7 @@ test("two panes step together, and each is what it is by itself", async () => {
   await epsilon.press("Tab");
   await untilCaptions(page, /^A: ε = 0.1 .*\nB: ε = 0.01 .*step 0/);
   // At the start there is no difference.
-  await choice(page, "Panes’ colours").selectOption("Distance to A");
+  await choice(page, "Colours").selectOption("Distance to A");
   await page.getByRole("img", { name: "Colours: Distance to A from 0 to 0" }).waitFor();
   for (const step of [1, 2, 3]) {
     await button(page, "Step").click();
@@ -204,7 +204,7 @@ test("by time the smaller steps are more; a link brings both back to their steps
   await form.getByLabel("Flow", { exact: true }).selectOption("p-willmore");
   await untilCaptions(again.page, /\nB: .*p-Willmore, p = 2.* step 1,/);
   assert.equal(await choice(again.page, "In lockstep").inputValue(), "step");
-  await again.page.getByText("these have A: length^2, B: length^4.").waitFor();
+  await again.page.getByText("these have A: length², B: length⁴.").waitFor();
   assert.deepEqual(again.faults, []);
   await again.close();
 });

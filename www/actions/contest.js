@@ -16,6 +16,9 @@ import { transitions as to } from "../state.js";
 /** The page's own flow, among the rivals' ids. */
 const MAIN = 0;
 
+/** A turn shorter than this says nothing of whom it waits for. */
+const PATIENCE = 700;
+
 /** Where drawing rests, as in a window in the background, turns go on all the same. */
 const UNDRAWN_MILLISECONDS = 200;
 
@@ -133,6 +136,8 @@ export function createContest({ store, solver, voice, report }) {
     const all = contenders();
     held = new Map();
     const frames = held;
+    const patience = setTimeout(tellWait, PATIENCE);
+    const began = performance.now();
     await Promise.all(
       numbers.map(async (n) => {
         const { id, phase } = all[n];
@@ -146,17 +151,33 @@ export function createContest({ store, solver, voice, report }) {
           await refused(id, own, error);
         } finally {
           busy.delete(id);
+          if (performance.now() - began > PATIENCE) tellWait();
         }
       }),
     );
+    clearTimeout(patience);
     held = null;
+    quiet();
     await show(frames);
+  }
+
+  /** Who is waited for, so that a long step can be ended. */
+  function tellWait() {
+    const pane = [...busy].map(nameOf).sort().join(", ");
+    if (pane === "") return;
+    const share = 1 - busy.size / (busy.size + (held?.size ?? 0));
+    store.update(to.progress, { stage: t("Waiting for pane {pane}", { pane }), fraction: share });
+  }
+
+  /** Nothing is waited for any more. */
+  function quiet() {
+    if (store.get().progress) store.update(to.progress, null);
   }
 
   /** A step that could not be taken: it stays where it is. @param {number} id @param {Solver} own @param {any} error */
   async function refused(id, own, error) {
     // Whoever ended the solver says so.
-    if (error?.kind === LOST) return;
+    if (error?.kind === LOST) return void out.add(id);
     if (!error?.kind) return report(error);
     const reason = error.message;
     const message = isOpen() ? t("Pane {pane}: {reason}", { pane: nameOf(id), reason }) : reason;
@@ -207,7 +228,9 @@ export function createContest({ store, solver, voice, report }) {
     const made = createSolver({
       onReady() {},
       onStopped() {},
-      onProgress() {},
+      onProgress({ stage, fraction }) {
+        if (busy.has(id)) store.update(to.progress, { stage, fraction, pane: nameOf(id) });
+      },
       onCrashed: (reason) => revive(id, reason),
       onFrame(frame) {
         fields.set(id, frame.field);
@@ -239,16 +262,21 @@ export function createContest({ store, solver, voice, report }) {
     const isLost = comparison.rivals.find((one) => one.id === id)?.phase === "lost";
     const rival = rivals.get(id) ?? employ(id);
     out.delete(id);
-    if (rival.mesh !== mesh || isLost) {
-      const origin = solver.origin();
-      if (!origin) return;
-      store.update(on.rivalLoading, id);
-      await rival.solver.same(origin);
-      rival.mesh = mesh;
-      fields.set(id, await rival.solver.colour(colour));
+    busy.add(id);
+    try {
+      if (rival.mesh !== mesh || isLost) {
+        const origin = solver.origin();
+        if (!origin) return;
+        store.update(on.rivalLoading, id);
+        await rival.solver.same(origin);
+        rival.mesh = mesh;
+        fields.set(id, await rival.solver.colour(colour));
+      }
+      const configured = await rival.solver.configure(wanted(change));
+      store.update(on.rivalConfigured, id, change, configured);
+    } finally {
+      busy.delete(id);
     }
-    const configured = await rival.solver.configure(wanted(change));
-    store.update(on.rivalConfigured, id, change, configured);
   }
 
   /** Ends the solvers of panes that are no more. */
@@ -287,6 +315,7 @@ export function createContest({ store, solver, voice, report }) {
         .filter(({ id }) => !ids || ids.includes(id))
         .map(({ id, change }) => begin(id, change).catch((error) => unfit(id, error))),
     );
+    quiet();
     await settle();
   }
 

@@ -185,14 +185,21 @@ class PaneForm {
   }
 }
 
+/** @param {Options} options */
+function unitOf(options) {
+  const k = timeExponent(options);
+  const raised = Number.isInteger(k)
+    ? [...String(k)].map((digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]).join("")
+    : `^${k}`;
+  return t("length{power}", { power: raised });
+}
+
 /** @param {Options[]} all  of all panes */
 function lockstepNote(all) {
   if (timeUnitsAgree(all)) {
     return t("By step all step at once; by time the one that is behind goes next.");
   }
-  const units = all
-    .map((options, n) => `${letter(n)}: ${t("length^{k}", { k: timeExponent(options) })}`)
-    .join(", ");
+  const units = all.map((options, n) => `${letter(n)}: ${unitOf(options)}`).join(", ");
   return t("By time is for flows whose times have one unit; these have {units}.", { units });
 }
 

@@ -3,6 +3,7 @@
 
 /** @import { PageState } from "../state.js" */
 
+import { t } from "../language.js";
 import { byId, setText } from "./element.js";
 import { formatCount, formatNumber } from "./number.js";
 
@@ -60,7 +61,12 @@ function progressOf({ progress, goal, reading, phase }) {
   if (phase === "running" && goal && reading) {
     return { stage: `Step ${reading.step} of ${goal}`, fraction: reading.step / goal };
   }
-  return progress && { ...progress, stage: stages[progress.stage] ?? progress.stage };
+  const stage = progress && (stages[progress.stage] ?? progress.stage);
+  if (!progress?.pane) return progress && { ...progress, stage };
+  return {
+    ...progress,
+    stage: t("Pane {pane}: {stage}", { pane: progress.pane, stage: stage ?? "" }),
+  };
 }
 
 /** @type {Readonly<Record<string, string>>} */
