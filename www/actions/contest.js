@@ -1,20 +1,16 @@
 // @ts-check
-// The flows that are compared: a solver for each, and the turns in which they step. The first
-// is the page's own. All of a turn step at once, each in a worker of its own, and are shown
-// together when the last is done.
+// The turns in which flows that are compared step; the first is the page's own. All of a turn
+// step at once, each in a worker of its own, and are shown together when the last is done.
 
 /** @import { Field, Frame } from "../protocol.js" */
-/** @import { Options } from "../options.js" */
 /** @import { Solver } from "../solver.js" */
 
-import { isOver, lastTurn, letter, nextTurn, optionsOf, sharedFields } from "../comparison.js";
+import { isOver, lastTurn, MAIN, nextTurn, paneOf, sharedFields } from "../comparison.js";
 import { comparisonTransitions as on } from "../comparison-state.js";
 import { t } from "../language.js";
-import { createSolver, LOST } from "../solver.js";
+import { LOST } from "../solver.js";
 import { transitions as to } from "../state.js";
-
-/** The page's own flow, among the rivals' ids. */
-const MAIN = 0;
+import { createRivals } from "./rivals.js";
 
 /** A turn shorter than this says nothing of whom it waits for. */
 const PATIENCE = 700;
@@ -43,16 +39,10 @@ const sameField = (a, b) => a?.values === b?.values && a?.low === b?.low && a?.h
  * @param {(error: unknown) => void} page.report
  */
 export function createContest({ store, solver, voice, report }) {
-  /** @type {Map<number, { solver: Solver, mesh: unknown }>} */
-  const rivals = new Map();
-  /** Fields as the solvers gave them, before they share a scale. @type {Map<number, Field | null>} */
-  const fields = new Map();
+  const rivals = createRivals({ store, solver, voice, report, onFrame });
+  const { fields, busy, out, begin, dismiss, unfit } = rivals;
   /** Frames of the turn that is being taken. @type {Map<number, Frame> | null} */
   let held = null;
-  /** Whose answer is waited for. @type {Set<number>} */
-  const busy = new Set();
-  /** Whose solver was lost in this run: it would be lost again. @type {Set<number>} */
-  const out = new Set();
   /** Whose budget starts anew, as Play says it does. @type {Set<number>} */
   const renewed = new Set();
   /** @type {{ isStopped: boolean, done: Promise<void> } | null} */
@@ -67,9 +57,9 @@ export function createContest({ store, solver, voice, report }) {
   }
 
   /** @param {number} id */
-  const nameOf = (id) => letter(contenders().findIndex((one) => one.id === id));
+  const nameOf = (id) => paneOf(store.get().comparison, id);
   /** @param {number} id */
-  const solverOf = (id) => (id === MAIN ? solver : rivals.get(id)?.solver);
+  const solverOf = (id) => (id === MAIN ? solver : rivals.solverOf(id));
 
   const standings = () =>
     contenders().map(({ id, phase, reading }) => ({
@@ -90,6 +80,12 @@ export function createContest({ store, solver, voice, report }) {
     for (const { id, reading } of contenders()) {
       if (reading?.status === "stepLimit") renewed.add(id);
     }
+  }
+
+  /** A rival's frame. @param {number} id @param {Frame} frame */
+  function onFrame(id, frame) {
+    if (held) held.set(id, frame);
+    else put(id, frame);
   }
 
   /** @param {number} id @param {Frame} frame */
@@ -189,116 +185,6 @@ export function createContest({ store, solver, voice, report }) {
     const none = { reports: [], panes: [], curves: null, jump: null };
     const field = fields.get(id) ?? null;
     held?.set(id, { type: "frame", run: 0, state, positions, field, flippedTriangles, ...none });
-  }
-
-  /** @param {number} id @param {string} reason  why its solver is no more */
-  async function revive(id, reason) {
-    const own = rivals.get(id)?.solver;
-    if (!own) return;
-    const pane = nameOf(id);
-    const isAgain = out.has(id);
-    out.add(id);
-    store.update(on.rivalLost, id, t("Its solver stopped: {reason}", { reason }));
-    // Lost again on the way back.
-    if (isAgain) return;
-    try {
-      const reading = await own.revive();
-      if (!reading) throw new Error("no mesh");
-      store.update(on.rivalRevived, id, reading);
-      voice.error({
-        message: t(
-          "The solver of pane {pane} stopped ({reason}); a new one stands at step {step}. The other panes go on.",
-          { pane, reason, step: reading.step },
-        ),
-        hint: t("Play or Step takes the pane along again; Remove closes it."),
-      });
-    } catch {
-      voice.error({
-        message: t("The solver of pane {pane} could not be started again ({reason}).", {
-          pane,
-          reason,
-        }),
-        hint: t("Reset tries once more; the other panes go on without it."),
-      });
-    }
-  }
-
-  /** @param {number} id */
-  function employ(id) {
-    const made = createSolver({
-      onReady() {},
-      onStopped() {},
-      onProgress({ stage, fraction }) {
-        if (busy.has(id)) store.update(to.progress, { stage, fraction, pane: nameOf(id) });
-      },
-      onCrashed: (reason) => revive(id, reason),
-      onFrame(frame) {
-        fields.set(id, frame.field);
-        if (held) held.set(id, frame);
-        else put(id, frame);
-      },
-    });
-    const rival = { solver: made, mesh: /** @type {unknown} */ (null) };
-    rivals.set(id, rival);
-    return rival;
-  }
-
-  /** @param {Partial<Options>} change */
-  function wanted(change) {
-    const { options, mesh } = store.get();
-    const all = optionsOf(options, change);
-    if (all.free || all.fixed) return all;
-    // A mesh that was edited goes over as a file, which knows no selection.
-    const list = (/** @type {Uint32Array | null | undefined} */ some) => (some ? [...some] : null);
-    return { ...all, free: list(mesh?.free), fixed: list(mesh?.fixed) };
-  }
-
-  /**
-   * Puts a rival at the start, with a mesh if it has none.
-   * @param {number} id @param {Partial<Options>} change
-   */
-  async function begin(id, change) {
-    const { mesh, colour, comparison } = store.get();
-    const isLost = comparison.rivals.find((one) => one.id === id)?.phase === "lost";
-    const rival = rivals.get(id) ?? employ(id);
-    out.delete(id);
-    busy.add(id);
-    try {
-      if (rival.mesh !== mesh || isLost) {
-        const origin = solver.origin();
-        if (!origin) return;
-        store.update(on.rivalLoading, id);
-        await rival.solver.same(origin);
-        rival.mesh = mesh;
-        fields.set(id, await rival.solver.colour(colour));
-      }
-      const configured = await rival.solver.configure(wanted(change));
-      store.update(on.rivalConfigured, id, change, configured);
-    } finally {
-      busy.delete(id);
-    }
-  }
-
-  /** Ends the solvers of panes that are no more. */
-  function dismiss() {
-    const ids = store.get().comparison.rivals.map(({ id }) => id);
-    for (const [id, rival] of rivals) {
-      if (ids.includes(id)) continue;
-      rival.solver.dismiss();
-      rivals.delete(id);
-      fields.delete(id);
-    }
-  }
-
-  /** What could not begin stays in its pane, saying why. @param {number} id @param {any} error */
-  function unfit(id, error) {
-    if (error?.kind === LOST) return;
-    if (!error?.kind) report(error);
-    store.update(on.rivalLost, id, String(error?.message ?? error));
-    voice.error({
-      message: t("Pane {pane}: {reason}", { pane: nameOf(id), reason: error?.message ?? error }),
-      hint: error?.hint ?? "",
-    });
   }
 
   /** Puts all rivals, or some, at the start. @param {readonly number[]} [ids] */
@@ -406,11 +292,7 @@ export function createContest({ store, solver, voice, report }) {
     /** @param {import("../protocol.js").FieldName} name @param {Field | null} own */
     async colour(name, own) {
       fields.set(MAIN, own);
-      await Promise.all(
-        [...rivals].map(async ([id, rival]) => {
-          if (rival.mesh) fields.set(id, await rival.solver.colour(name).catch(() => null));
-        }),
-      );
+      await rivals.colour(name);
       if (isOpen()) await show();
     },
     /**
@@ -419,11 +301,7 @@ export function createContest({ store, solver, voice, report }) {
      */
     halt() {
       const isMain = !isOpen() || busy.has(MAIN);
-      for (const id of busy) {
-        if (id === MAIN) continue;
-        rivals.get(id)?.solver.dismiss();
-        revive(id, t("it was ended"));
-      }
+      for (const id of busy) if (id !== MAIN) rivals.halt(id);
       return isMain;
     },
   };
