@@ -70,6 +70,7 @@ test("by step all step at once, and those behind catch up first", () => {
   assert.deepEqual(nextTurn([at(4, 0.1), at(2, 9), at(2, 7)], "step"), [1, 2]);
   // Whoever has come to an end holds nobody up.
   assert.deepEqual(nextTurn([at(4, 0), at(1, 0, false), at(4, 0)], "step"), [0, 2]);
+  assert.deepEqual(nextTurn([at(4, 0, false), at(4, 0)], "step"), [1]);
   assert.deepEqual(nextTurn([at(4, 0, false), at(1, 0, false)], "step"), []);
 });
 
@@ -211,6 +212,8 @@ test("each pane has its own history, and says where it stands", () => {
   // A step back forgets what came after.
   state = on.rivalFrame(state, 1, { ...frame(1, { energy: 7 }), reports: [] });
   assert.equal(curvesOf(state)[1].length, 2);
+  const { bending: kept } = on.bent(state, 1, 1, 15).comparison.rivals[0];
+  assert.deepEqual([kept.length, kept[1]], [2, 15]);
   // Another mesh: the panes stay, and nothing of what they had.
   const other = to.loaded(state, { kind: "file", name: "x" }, /** @type {any} */ ({}));
   assert.deepEqual(other.comparison.rivals[0], newRival(1, { epsilon: 0.01 }));

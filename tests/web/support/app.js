@@ -15,7 +15,7 @@ import { serve } from "./server.js";
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 
 /** Software graphics on a busy machine: long, since nothing waits for longer than it must. */
-const PATIENCE = 25_000;
+const PATIENCE = 90_000;
 
 /**
  * One server and one browser for a test file.
