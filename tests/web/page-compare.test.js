@@ -261,11 +261,23 @@ test("panes follow the mesh and the first flow; one that cannot says why", async
   await untilCaptions(page, /^A: .*step 1,.*\nB: .*step 1,.*\nC: .*step 1,/);
   await until(page, "Paused at step 1");
 
+  // Kept as the start, and that undone: the start of all.
+  const energies = async () =>
+    (await captions(page)).map((text) => /energy (\S+),/.exec(text)?.[1]);
+  await button(page, "Keep as new start").click();
+  await untilCaptions(page, /^A: .*step 0,.*\nB: .*step 0,.*\nC: .*step 0,/);
+  await until(page, "Ready");
+  const [kept, ...others] = await energies();
+  assert.deepEqual([kept, kept], others);
+  assert.notEqual(kept, "188.5");
+  await button(page, "Undo").click();
+  await untilCaptions(page, /^A: .*energy 188\..*\nB: .*energy 188\..*\nC: .*energy 188\./);
+
   await choice(page, "Sample").selectOption({ label: "Saddle, boundary free" });
   await untilCaptions(page, /^A: .*step 0, energy .*\nB: .*step 0,.*\nC: .*step 0,/);
   await until(page, "Ready");
   const [a, b] = await captions(page);
-  assert.notEqual(/energy (\S+),/.exec(a)?.[1], "791.7");
+  assert.notEqual(/energy (\S+),/.exec(a)?.[1], "188.5");
   assert.equal(/energy (\S+),/.exec(a)?.[1], /energy (\S+),/.exec(b)?.[1]);
   const flow = page.locator(".pane-form").first().getByLabel("Flow", { exact: true });
   await flow.selectOption("p-willmore");
