@@ -75,8 +75,15 @@ export const begunAnew = (comparison) => ({
   rivals: comparison.rivals.map(({ id, change }) => newRival(id, change)),
 });
 
+/** The page's own flow, among the ids of rivals. */
+export const MAIN = 0;
+
 /** What people call a pane. @param {number} index  0 is the surface of the page */
 export const letter = (index) => "ABCD"[index];
+
+/** The same by id. @param {Comparison} comparison @param {number} id */
+export const paneOf = ({ rivals }, id) =>
+  letter(id === MAIN ? 0 : 1 + rivals.findIndex((one) => one.id === id));
 
 /** Sizes of steps and what depends on them mean nothing to another flow. */
 const ofOneFlow = Object.freeze({ dt: null, tau: null, goal: "relax", boundary: null });

@@ -30,6 +30,8 @@ export function createSolver(listener) {
   // The scene, for a new worker: how the mesh was made, its options, and where it stands.
   /** @type {Record<string, unknown> | null} */
   let origin = null;
+  /** Those of before the edits that can be undone. @type {(Record<string, unknown> | null)[]} */
+  let origins = [];
   /** @type {FlowOptions} */
   let options = {};
   /** @type {FieldName} */
@@ -107,13 +109,14 @@ export function createSolver(listener) {
   async function make(type, fields) {
     const loaded = await ask(type, fields);
     origin = { type, ...fields };
+    origins = [];
     last = null;
     return loaded;
   }
 
   /**
    * A mesh made of the one at hand: for a new worker it is a file of its own.
-   * @param {"adopt" | "undo" | "subdivide"} type
+   * @param {"adopt" | "subdivide"} type
    * @param {Record<string, unknown>} [fields]
    * @returns {Promise<Loaded>}
    */
@@ -126,6 +129,7 @@ export function createSolver(listener) {
   /** @param {Loaded} loaded */
   async function keep(loaded) {
     const bytes = await ask("export", { format: "ply" });
+    origins.push(origin);
     origin = { type: "load", name: `${loaded.name}.ply`, bytes: bytes.buffer };
     last = null;
   }
@@ -178,8 +182,14 @@ export function createSolver(listener) {
     },
     /** Makes the surface as it is the start. */
     adopt: () => edit("adopt"),
-    /** Takes the last edit back. */
-    undo: () => edit("undo"),
+    /** Takes the last edit back. @returns {Promise<Loaded>} */
+    async undo() {
+      const loaded = await ask("undo");
+      // Not what stands there now, which is where that mesh had come to.
+      origin = origins.pop() ?? origin;
+      last = null;
+      return loaded;
+    },
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
     subdivide: (scheme) => edit("subdivide", { options: { scheme } }),
     /** @returns {Promise<Diagnosis | null>} */
@@ -250,6 +260,7 @@ export function createSolver(listener) {
      */
     async revive() {
       if (!origin) return null;
+      origins = [];
       const { type, ...fields } = origin;
       await ask(/** @type {string} */ (type), fields);
       // As part of no run: its frame, of the start, must not be taken for the last one.

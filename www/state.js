@@ -67,7 +67,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {FieldName} colour
  * @property {number | null} goal         the step a link asks for, while running to it
  * @property {boolean} pausing            asked to pause; the step in hand is not done
- * @property {{ stage: string, fraction: number } | null} progress
+ * @property {{ stage: string, fraction: number, pane?: string } | null} progress
  * @property {Float32Array | null} camera
  * @property {View} view
  * @property {boolean} presenting
@@ -279,7 +279,7 @@ export const transitions = {
     progress: null,
   }),
 
-  /** @param {S} s @param {{ stage: string, fraction: number } | null} progress @returns {S} */
+  /** @param {S} s @param {S["progress"]} progress @returns {S} */
   progress: (s, progress) => ({ ...s, progress }),
 
   /** @param {S} s @param {FieldName} colour @param {Field | null} field @returns {S} */

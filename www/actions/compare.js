@@ -116,10 +116,13 @@ export function createCompare({ store, voice, enqueue, rest, configure, arrange 
           await contest.begin(id, change);
         } catch (error) {
           // Told again, so that the form shows what is in force.
-          store.update(on.compared, { rivals: [...store.get().comparison.rivals] });
+          const { rivals } = store.get().comparison;
+          store.update(on.compared, {
+            rivals: rivals.map((one) => ({ ...one, change: { ...one.change } })),
+          });
           throw error;
         }
-        await contest.show();
+        await contest.settle();
         catchUp();
       }),
 

@@ -1,20 +1,19 @@
 // @ts-check
-// The flows that are compared: a solver for each, and the turns in which they step. The first
-// is the page's own. All of a turn step at once, each in a worker of its own, and are shown
-// together when the last is done.
+// The turns in which flows that are compared step; the first is the page's own. All of a turn
+// step at once, each in a worker of its own, and are shown together when the last is done.
 
 /** @import { Field, Frame } from "../protocol.js" */
-/** @import { Options } from "../options.js" */
 /** @import { Solver } from "../solver.js" */
 
-import { isOver, lastTurn, letter, nextTurn, optionsOf, sharedFields } from "../comparison.js";
+import { isOver, lastTurn, MAIN, nextTurn, paneOf, sharedFields } from "../comparison.js";
 import { comparisonTransitions as on } from "../comparison-state.js";
 import { t } from "../language.js";
-import { createSolver, LOST } from "../solver.js";
+import { LOST } from "../solver.js";
 import { transitions as to } from "../state.js";
+import { createRivals } from "./rivals.js";
 
-/** The page's own flow, among the rivals' ids. */
-const MAIN = 0;
+/** A turn shorter than this says nothing of whom it waits for. */
+const PATIENCE = 700;
 
 /** Where drawing rests, as in a window in the background, turns go on all the same. */
 const UNDRAWN_MILLISECONDS = 200;
@@ -40,16 +39,10 @@ const sameField = (a, b) => a?.values === b?.values && a?.low === b?.low && a?.h
  * @param {(error: unknown) => void} page.report
  */
 export function createContest({ store, solver, voice, report }) {
-  /** @type {Map<number, { solver: Solver, mesh: unknown }>} */
-  const rivals = new Map();
-  /** Fields as the solvers gave them, before they share a scale. @type {Map<number, Field | null>} */
-  const fields = new Map();
+  const rivals = createRivals({ store, solver, voice, report, onFrame });
+  const { fields, busy, out, begin, dismiss, unfit } = rivals;
   /** Frames of the turn that is being taken. @type {Map<number, Frame> | null} */
   let held = null;
-  /** Whose answer is waited for. @type {Set<number>} */
-  const busy = new Set();
-  /** Whose solver was lost in this run: it would be lost again. @type {Set<number>} */
-  const out = new Set();
   /** Whose budget starts anew, as Play says it does. @type {Set<number>} */
   const renewed = new Set();
   /** @type {{ isStopped: boolean, done: Promise<void> } | null} */
@@ -60,16 +53,13 @@ export function createContest({ store, solver, voice, report }) {
   /** All that are compared, the first first. */
   function contenders() {
     const { reading, frame, comparison } = store.get();
-    return [
-      { id: MAIN, phase: "ready", reading, frame, bending: comparison.bending },
-      ...comparison.rivals,
-    ];
+    return [{ id: MAIN, phase: "ready", reading, frame }, ...comparison.rivals];
   }
 
   /** @param {number} id */
-  const nameOf = (id) => letter(contenders().findIndex((one) => one.id === id));
+  const nameOf = (id) => paneOf(store.get().comparison, id);
   /** @param {number} id */
-  const solverOf = (id) => (id === MAIN ? solver : rivals.get(id)?.solver);
+  const solverOf = (id) => (id === MAIN ? solver : rivals.solverOf(id));
 
   const standings = () =>
     contenders().map(({ id, phase, reading }) => ({
@@ -90,6 +80,12 @@ export function createContest({ store, solver, voice, report }) {
     for (const { id, reading } of contenders()) {
       if (reading?.status === "stepLimit") renewed.add(id);
     }
+  }
+
+  /** A rival's frame. @param {number} id @param {Frame} frame */
+  function onFrame(id, frame) {
+    if (held) held.set(id, frame);
+    else put(id, frame);
   }
 
   /** @param {number} id @param {Frame} frame */
@@ -118,11 +114,11 @@ export function createContest({ store, solver, voice, report }) {
     }
   }
 
-  /** Notes ∫H² dA where it is not known yet. @param {number} id */
+  /** Notes ∫H² dA. @param {number} id */
   async function measure(id) {
     const one = contenders().find((each) => each.id === id);
     const step = held?.get(id)?.state.step ?? one?.reading?.step;
-    if (step === undefined || one?.bending[step] !== undefined) return;
+    if (step === undefined) return;
     const value = await solverOf(id)?.bending();
     if (value !== undefined) store.update(on.bent, id === MAIN ? null : id, step, value);
   }
@@ -136,6 +132,8 @@ export function createContest({ store, solver, voice, report }) {
     const all = contenders();
     held = new Map();
     const frames = held;
+    const patience = setTimeout(tellWait, PATIENCE);
+    const began = performance.now();
     await Promise.all(
       numbers.map(async (n) => {
         const { id, phase } = all[n];
@@ -149,17 +147,33 @@ export function createContest({ store, solver, voice, report }) {
           await refused(id, own, error);
         } finally {
           busy.delete(id);
+          if (performance.now() - began > PATIENCE) tellWait();
         }
       }),
     );
+    clearTimeout(patience);
     held = null;
+    quiet();
     await show(frames);
+  }
+
+  /** Who is waited for, so that a long step can be ended. */
+  function tellWait() {
+    const pane = [...busy].map(nameOf).sort().join(", ");
+    if (pane === "") return;
+    const share = 1 - busy.size / (busy.size + (held?.size ?? 0));
+    store.update(to.progress, { stage: t("Waiting for pane {pane}", { pane }), fraction: share });
+  }
+
+  /** Nothing is waited for any more. */
+  function quiet() {
+    if (store.get().progress) store.update(to.progress, null);
   }
 
   /** A step that could not be taken: it stays where it is. @param {number} id @param {Solver} own @param {any} error */
   async function refused(id, own, error) {
     // Whoever ended the solver says so.
-    if (error?.kind === LOST) return;
+    if (error?.kind === LOST) return void out.add(id);
     if (!error?.kind) return report(error);
     const reason = error.message;
     const message = isOpen() ? t("Pane {pane}: {reason}", { pane: nameOf(id), reason }) : reason;
@@ -183,109 +197,6 @@ export function createContest({ store, solver, voice, report }) {
     });
   }
 
-  /** @param {number} id @param {string} reason  why its solver is no more */
-  async function revive(id, reason) {
-    const own = rivals.get(id)?.solver;
-    if (!own) return;
-    const pane = nameOf(id);
-    const isAgain = out.has(id);
-    out.add(id);
-    store.update(on.rivalLost, id, t("Its solver stopped: {reason}", { reason }));
-    // Lost again on the way back.
-    if (isAgain) return;
-    try {
-      const reading = await own.revive();
-      if (!reading) throw new Error("no mesh");
-      store.update(on.rivalRevived, id, reading);
-      voice.error({
-        message: t(
-          "The solver of pane {pane} stopped ({reason}); a new one stands at step {step}. The other panes go on.",
-          { pane, reason, step: reading.step },
-        ),
-        hint: t("Play or Step takes the pane along again; Remove closes it."),
-      });
-    } catch {
-      voice.error({
-        message: t("The solver of pane {pane} could not be started again ({reason}).", {
-          pane,
-          reason,
-        }),
-        hint: t("Reset tries once more; the other panes go on without it."),
-      });
-    }
-  }
-
-  /** @param {number} id */
-  function employ(id) {
-    const made = createSolver({
-      onReady() {},
-      onStopped() {},
-      onProgress() {},
-      onCrashed: (reason) => revive(id, reason),
-      onFrame(frame) {
-        fields.set(id, frame.field);
-        if (held) held.set(id, frame);
-        else put(id, frame);
-      },
-    });
-    const rival = { solver: made, mesh: /** @type {unknown} */ (null) };
-    rivals.set(id, rival);
-    return rival;
-  }
-
-  /** @param {Partial<Options>} change */
-  function wanted(change) {
-    const { options, mesh } = store.get();
-    const all = optionsOf(options, change);
-    if (all.free || all.fixed) return all;
-    // A mesh that was edited goes over as a file, which knows no selection.
-    const list = (/** @type {Uint32Array | null | undefined} */ some) => (some ? [...some] : null);
-    return { ...all, free: list(mesh?.free), fixed: list(mesh?.fixed) };
-  }
-
-  /**
-   * Puts a rival at the start, with a mesh if it has none.
-   * @param {number} id @param {Partial<Options>} change
-   */
-  async function begin(id, change) {
-    const { mesh, colour, comparison } = store.get();
-    const isLost = comparison.rivals.find((one) => one.id === id)?.phase === "lost";
-    const rival = rivals.get(id) ?? employ(id);
-    out.delete(id);
-    if (rival.mesh !== mesh || isLost) {
-      const origin = solver.origin();
-      if (!origin) return;
-      store.update(on.rivalLoading, id);
-      await rival.solver.same(origin);
-      rival.mesh = mesh;
-      fields.set(id, await rival.solver.colour(colour));
-    }
-    const configured = await rival.solver.configure(wanted(change));
-    store.update(on.rivalConfigured, id, change, configured);
-  }
-
-  /** Ends the solvers of panes that are no more. */
-  function dismiss() {
-    const ids = store.get().comparison.rivals.map(({ id }) => id);
-    for (const [id, rival] of rivals) {
-      if (ids.includes(id)) continue;
-      rival.solver.dismiss();
-      rivals.delete(id);
-      fields.delete(id);
-    }
-  }
-
-  /** What could not begin stays in its pane, saying why. @param {number} id @param {any} error */
-  function unfit(id, error) {
-    if (error?.kind === LOST) return;
-    if (!error?.kind) report(error);
-    store.update(on.rivalLost, id, String(error?.message ?? error));
-    voice.error({
-      message: t("Pane {pane}: {reason}", { pane: nameOf(id), reason: error?.message ?? error }),
-      hint: error?.hint ?? "",
-    });
-  }
-
   /** Puts all rivals, or some, at the start. @param {readonly number[]} [ids] */
   async function follow(ids) {
     const { comparison, options } = store.get();
@@ -300,8 +211,15 @@ export function createContest({ store, solver, voice, report }) {
         .filter(({ id }) => !ids || ids.includes(id))
         .map(({ id, change }) => begin(id, change).catch((error) => unfit(id, error))),
     );
+    quiet();
+    await settle();
+  }
+
+  /** Shows and measures all as they stand. */
+  async function settle() {
     await show();
-    await Promise.all(contenders().map(({ id }) => measure(id).catch(() => {})));
+    const able = contenders().filter(({ phase }) => phase === "ready");
+    await Promise.all(able.map(({ id }) => measure(id).catch(() => {})));
   }
 
   /**
@@ -342,6 +260,7 @@ export function createContest({ store, solver, voice, report }) {
     dismiss,
     follow,
     show,
+    settle,
     play,
     standings,
     isPlaying: () => playing !== null,
@@ -383,11 +302,7 @@ export function createContest({ store, solver, voice, report }) {
     /** @param {import("../protocol.js").FieldName} name @param {Field | null} own */
     async colour(name, own) {
       fields.set(MAIN, own);
-      await Promise.all(
-        [...rivals].map(async ([id, rival]) => {
-          if (rival.mesh) fields.set(id, await rival.solver.colour(name).catch(() => null));
-        }),
-      );
+      await rivals.colour(name);
       if (isOpen()) await show();
     },
     /**
@@ -396,11 +311,7 @@ export function createContest({ store, solver, voice, report }) {
      */
     halt() {
       const isMain = !isOpen() || busy.has(MAIN);
-      for (const id of busy) {
-        if (id === MAIN) continue;
-        rivals.get(id)?.solver.dismiss();
-        revive(id, t("it was ended"));
-      }
+      for (const id of busy) if (id !== MAIN) rivals.halt(id);
       return isMain;
     },
   };

@@ -10,7 +10,7 @@ import { letter, MOST_PANES, optionsOf, timeExponent, timeUnitsAgree } from "../
 import { t } from "../language.js";
 import { byCurvature, choices, readers, usualBoundary } from "../options.js";
 import { presets } from "./comparison-presets.js";
-import { captions } from "./comparison-words.js";
+import { captions, differences } from "./comparison-words.js";
 import { byId, fillSelect, setText } from "./element.js";
 
 /**
@@ -61,7 +61,7 @@ const controls = () => [
       { id: "off", label: t("Never") },
     ],
   },
-  { name: "epsilon", label: t("Angle smoothing ε"), flows: ["circle"] },
+  { name: "epsilon", label: t("Smoothing ε"), flows: ["circle"] },
   {
     name: "integrator",
     label: t("Integrator"),
@@ -111,16 +111,21 @@ class PaneForm {
   /** @param {number} id @param {Controller} controller */
   constructor(id, controller) {
     this.id = id;
-    this.root = document.createElement("fieldset");
-    this.root.className = "fields pane-form";
+    this.root = document.createElement("details");
+    this.root.className = "pane-form";
+    this.title = document.createElement("summary");
+    this.fields = document.createElement("fieldset");
+    this.fields.className = "fields";
     this.legend = document.createElement("legend");
-    this.root.append(this.legend);
+    this.legend.className = "visually-hidden";
+    this.fields.append(this.legend);
+    this.root.append(this.title, this.fields);
     for (const control of controls()) this.#add(control, controller);
     this.remove = document.createElement("button");
     this.remove.type = "button";
     this.remove.className = "small";
     this.remove.addEventListener("click", () => controller.removePane(id));
-    this.root.append(this.remove);
+    this.fields.append(this.remove);
   }
 
   /** @param {Control} control @param {Controller} controller */
@@ -151,13 +156,14 @@ class PaneForm {
     // A value that was refused must not stay beside the one in force.
     element.addEventListener("focusout", () => this.#fill());
     field.append(label, element);
-    this.root.append(field);
+    this.fields.append(field);
     this.#controls.set(element, control);
   }
 
-  /** @param {Options} main @param {Rival} rival @param {number} index */
-  update(main, rival, index) {
+  /** @param {Options} main @param {Rival} rival @param {number} index @param {string} words  what it does */
+  update(main, rival, index, words) {
     const pane = letter(index);
+    setText(this.title, `${pane}: ${words}`);
     setText(this.legend, t("Pane {pane}", { pane }));
     setText(this.remove, t("Remove pane {pane}", { pane }));
     this.root.dataset.curve = String(index);
@@ -179,14 +185,21 @@ class PaneForm {
   }
 }
 
+/** @param {Options} options */
+function unitOf(options) {
+  const k = timeExponent(options);
+  const raised = Number.isInteger(k)
+    ? [...String(k)].map((digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]).join("")
+    : `^${k}`;
+  return t("length{power}", { power: raised });
+}
+
 /** @param {Options[]} all  of all panes */
 function lockstepNote(all) {
   if (timeUnitsAgree(all)) {
     return t("By step all step at once; by time the one that is behind goes next.");
   }
-  const units = all
-    .map((options, n) => `${letter(n)}: ${t("length^{k}", { k: timeExponent(options) })}`)
-    .join(", ");
+  const units = all.map((options, n) => `${letter(n)}: ${unitOf(options)}`).join(", ");
   return t("By time is for flows whose times have one unit; these have {units}.", { units });
 }
 
@@ -243,7 +256,10 @@ export function createComparisonForm(controller) {
     if (ids.join() !== forms.map(({ id }) => id).join()) {
       // A form that goes takes the focus with it.
       const held = root.contains(document.activeElement);
-      forms = ids.map((id) => forms.find((one) => one.id === id) ?? new PaneForm(id, controller));
+      const one = forms.length + 1 === ids.length;
+      forms = ids.map((id) => forms.find((form) => form.id === id) ?? new PaneForm(id, controller));
+      // Of one that was added, what it does is asked next.
+      forms.at(-1)?.root.toggleAttribute("open", one || ids.length === 1);
       root.replaceChildren(...forms.map((form) => form.root));
       if (held && !root.contains(document.activeElement)) add.focus();
       if (ids.length > 0) section.open = true;
@@ -253,8 +269,12 @@ export function createComparisonForm(controller) {
       }));
       fillSelect(difference, [{ id: "", label: t("As chosen above") }, ...to]);
     }
+    const words = differences(
+      options,
+      rivals.map(({ change }) => change),
+    );
     forms.forEach((form, n) => {
-      form.update(options, rivals[n], n + 1);
+      form.update(options, rivals[n], n + 1, words[n + 1]);
     });
     const all = [options, ...rivals.map(({ change }) => optionsOf(options, change))];
     setText(note, lockstepNote(all));
@@ -275,7 +295,6 @@ export function createComparisonForm(controller) {
       document.body.classList.toggle("comparing", comparison.rivals.length > 0);
       box.hidden = comparison.rivals.length === 0;
       const inPlace = comparison.shown !== "side";
-      flip.ariaPressed = String(inPlace);
       side.hidden = !inPlace;
       lockstep.value = comparison.lockstep;
       difference.value = comparison.difference === null ? "" : String(comparison.difference);

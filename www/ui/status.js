@@ -65,7 +65,12 @@ function progressOf({ progress, goal, reading, phase }) {
     const { step } = reading;
     return { stage: t("Step {step} of {goal}", { step, goal }), fraction: step / goal };
   }
-  return progress && { ...progress, stage: translated(stages[progress.stage] ?? progress.stage) };
+  const stage = progress && translated(stages[progress.stage] ?? progress.stage);
+  if (!progress?.pane) return progress && { ...progress, stage: stage ?? "" };
+  return {
+    ...progress,
+    stage: t("Pane {pane}: {stage}", { pane: progress.pane, stage: stage ?? "" }),
+  };
 }
 
 /** @type {Readonly<Record<string, string>>} */

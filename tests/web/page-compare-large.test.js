@@ -1,0 +1,93 @@
+// @ts-check
+// Two panes of 40,962 vertices each step together, and the page answers all the while: no task
+// of the main thread longer than 50 ms.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { button, choice, reading, until, untilDrawn, useSite } from "./support/app.js";
+
+const site = useSite();
+
+/** @typedef {{ start: number, duration: number }} Task  in milliseconds */
+
+test("the main thread is free while two large panes step, coloured by their distance", async (context) => {
+  const folder = mkdtempSync(path.join(tmpdir(), "umbilic-"));
+  const file = path.join(folder, "large.obj");
+  const cli = fileURLToPath(new URL("../../www/cli.js", import.meta.url));
+  const shape = ["shape", "icosahedron", "--level", "6", "--out", file];
+  assert.equal(spawnSync(process.execPath, [cli, ...shape]).status, 0);
+
+  const { page, faults, close } = await site.blank({ viewport: { width: 1000, height: 500 } });
+  await page.addInitScript(() => {
+    /** @type {Task[]} */
+    const tasks = [];
+    Object.assign(globalThis, { longTasks: tasks });
+    new PerformanceObserver((list) => {
+      for (const { startTime, duration } of list.getEntries()) {
+        tasks.push({ start: startTime, duration });
+      }
+    }).observe({ type: "longtask", buffered: true });
+  });
+  const longSince = (/** @type {number} */ began) =>
+    page.evaluate(
+      (since) =>
+        /** @type {any} */ (globalThis).longTasks.filter(
+          (/** @type {Task} */ { start }) => start >= since,
+        ),
+      began,
+    );
+  await page.goto(`${site.url}?msaa=1`);
+  await untilDrawn(page);
+  await page.getByLabel("Open mesh", { exact: true }).setInputFiles(file);
+  await page.locator("#title").filter({ hasText: "large" }).waitFor();
+  await until(page, "Ready");
+  assert.equal(Number(await reading(page, "Vertices")), 40_962);
+  await page.locator("#comparison > summary").click();
+  await choice(page, "Ready-made comparison").selectOption({ label: "ε = 0.1 against 0.01" });
+  const steps = () =>
+    page
+      .locator("#panes figcaption")
+      .evaluateAll((all) =>
+        all.map(({ textContent }) => Number(/step (\d+)/.exec(textContent ?? "")?.[1])),
+      );
+  await page.locator("#panes figcaption").nth(1).filter({ hasText: "step 0" }).waitFor();
+  await choice(page, "Colours").selectOption("Distance to A");
+  await page.getByRole("img", { name: /^Colours: Distance to A/ }).waitFor();
+  await page.locator("#comparison-plot canvas").waitFor();
+  // Both pictures are on the screen, and what it took is over.
+  await page.waitForTimeout(3000);
+
+  // On a busy machine a task may be long because it had to wait for its turn: what is
+  // long by itself is long every time.
+  /** @type {Task[]} */
+  let long = [];
+  for (let round = 1; round <= 3; round += 1) {
+    const began = await page.evaluate(() => performance.now());
+    const [before] = await steps();
+    await button(page, "Play").click();
+    await page.waitForFunction(
+      (step) =>
+        Number(/step (\d+)/.exec(document.querySelector("#own-caption")?.textContent ?? "")?.[1]) >=
+        step,
+      before + 4,
+    );
+    await button(page, "Pause").click();
+    await button(page, "Play").waitFor();
+    long = await longSince(began);
+    const said = long.map(({ duration }) => `${duration.toFixed(0)} ms`).join(", ");
+    context.diagnostic(`round ${round}: ${said || "none"}`);
+    const [a, b] = await steps();
+    assert.equal(a, b);
+    assert.ok(a >= before + 4);
+    if (long.length === 0) break;
+  }
+  assert.deepEqual(long, [], "tasks longer than 50 ms");
+  assert.deepEqual(faults, []);
+  await close();
+  rmSync(folder, { recursive: true });
+});
