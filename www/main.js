@@ -12,12 +12,15 @@ import { createConjecture } from "./ui/conjecture.js";
 import { createCurvatureForm } from "./ui/curvature-form.js";
 import { createDownload } from "./ui/download.js";
 import { createEnergyPlot } from "./ui/energy-plot.js";
+import { createEquations } from "./ui/equations.js";
 import { createFlipPlots } from "./ui/flip-plots.js";
 import { createFlipsForm } from "./ui/flips-form.js";
 import { createGallery } from "./ui/gallery.js";
+import { createHistogram } from "./ui/histogram.js";
 import { createHoles } from "./ui/holes.js";
 import { createKeys } from "./ui/keys.js";
 import { createLab } from "./ui/lab.js";
+import { createLook } from "./ui/look.js";
 import { createMeshInput } from "./ui/mesh-input.js";
 import { createMessages } from "./ui/messages.js";
 import { createMethodForm } from "./ui/method-form.js";
@@ -64,6 +67,9 @@ const parts = [
   createViewForm(controller, picture.fit),
   picture,
   createMoebius(controller, picture),
+  createLook(controller, picture),
+  createHistogram(picture.colours),
+  createEquations(),
   createPanes(controller, msaa),
   createColourBar(picture.colours, pictured),
   createEnergyPlot(controller, pictured),

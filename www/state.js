@@ -207,7 +207,10 @@ export const transitions = {
   pausing: (s) => ({ ...s, pausing: true }),
 
   /** @param {S} s @param {Frame} frame @returns {S} */
-  frame: (s, { state, reports, positions, field, flippedTriangles, panes, curves, jump, look }) => ({
+  frame: (
+    s,
+    { state, reports, positions, field, flippedTriangles, panes, curves, jump, look },
+  ) => ({
     ...s,
     phase: s.phase === "running" || s.phase === "loading" ? s.phase : still(state),
     reading: state,
