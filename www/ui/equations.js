@@ -104,8 +104,12 @@ function circle(s) {
       ...(options.integrator === "semi-implicit"
         ? /** @type {Statement["symbols"]} */ ([
             isPaper
-              ? ["K", t("edge weights of E as they are: K x = ∇E"), ""]
-              : [sub("K", "+"), t("the same, made semi-definite star by star"), ""],
+              ? ["K", t("K of eq. (1) as it is, with K x = ∇E"), ""]
+              : [
+                  sub("K", "+"),
+                  t("K of eq. (1), with K x = ∇E, made semi-definite star by star"),
+                  "",
+                ],
           ])
         : []),
       ...stepSize(s, square("h"), t("without a unit")),
@@ -125,12 +129,22 @@ function pWillmore(s) {
   const isPaper = options.scheme === "paper";
   const absolute = power(row("| H |"), "p");
   const multipliers = reading?.multipliers;
-  const dA = row("d", "A");
+  const dA = () => row("d", "A");
   const energy = hasTerms
-    ? row("E = ∫", square(row("( H −", sub("H", "0"), ")")), dA, "+ ¼ (", "σ", "A", "− P", "V", ")")
+    ? row(
+        "E = ∫",
+        square(row("( H −", sub("H", "0"), ")")),
+        dA(),
+        "+ ¼ (",
+        "σ",
+        "A",
+        "− P",
+        "V",
+        ")",
+      )
     : p === 0
-      ? row("E = ∫", dA, "= A")
-      : row("E = ∫", absolute, dA);
+      ? row("E = ∫", dA(), "= A")
+      : row("E = ∫", absolute, dA());
   const kept = [
     ...(keep.includes("area") ? ["+ λ ∇ A"] : []),
     ...(keep.includes("volume") ? ["− μ ∇ V"] : []),
@@ -211,48 +225,34 @@ function byCurvature(s) {
   const { flow } = s.options;
   const lap = (/** @type {Part} */ of) => row("Δ", of);
   const grad = () => row("∇", "H");
-  const dA = row("d", "A");
+  const dA = () => row("d", "A");
   const norm = () => square(row("‖", grad(), "‖"));
-  /** @type {Record<string, { energy: Part, velocity: Part, order: string, where: string }>} */
+  /** @type {Record<string, { energy: Part, velocity: Part[], order: string, where: string }>} */
   const laws = {
     "mean-curvature": {
-      energy: row("A = ∫", dA),
-      velocity: row("V = −", "H"),
+      energy: row("A = ∫", dA()),
+      velocity: [row("V = −", "H")],
       order: "2",
-      where: t("section 5, with H of the opposite sign"),
+      where: t("eq. (3.6), with H of the opposite sign"),
     },
     "surface-diffusion": {
-      energy: row("A = ∫", dA),
-      velocity: row("V =", lap("H")),
+      energy: row("A = ∫", dA()),
+      velocity: [row("V =", lap("H"))],
       order: "4",
-      where: t("section 5, with H of the opposite sign"),
+      where: t("eq. (3.6), with H of the opposite sign"),
     },
     willmore: {
-      energy: row("E = ∫", square("H"), dA),
-      velocity: row("V =", lap("H"), "+ 2", "H", "(", square("H"), "− K", ")"),
+      energy: row("E = ∫", square("H"), dA()),
+      velocity: [row("V =", lap("H"), "+ 2", "H", "(", square("H"), "− K", ")")],
       order: "4",
-      where: t("section 5, with H of the opposite sign"),
+      where: t("eq. (3.6), with H of the opposite sign"),
     },
     mmcv: {
-      energy: row("F = ∫", norm(), dA),
-      velocity: row(
-        "V = − (",
-        square("Δ"),
-        "H",
-        "+ 2 ( 2",
-        square("H"),
-        "− K )",
-        lap("H"),
-        "+ 2 ⟨",
-        grad(),
-        ",",
-        "◇",
-        "H",
-        "⟩ − 2",
-        "H",
-        norm(),
-        ")",
-      ),
+      energy: row("F = ∫", norm(), dA()),
+      velocity: [
+        row("V = −", square("Δ"), "H", "− 2 ( 2", square("H"), "− K )", lap("H")),
+        row("− 2 ⟨", grad(), ",", "◇", "H", "⟩ + 2", "H", norm()),
+      ],
       order: "6",
       where: t("F in (1.1), V in (3.1) and (3.8), with H and ◇ of the opposite sign"),
     },
@@ -261,22 +261,10 @@ function byCurvature(s) {
   return {
     energy: [energy],
     equation: [
-      row(dot("x"), "= V", "n", ",", velocity),
-      row(
-        frac(row(sub("φ", "i")), "dt"),
-        "=",
-        subsup("V", "i", "k+1"),
-        "(",
-        "φ",
-        ")",
-        ",",
-        subsup("x", "i", "k+1"),
-        "=",
-        subsup("x", "i", "k"),
-        "+ s",
-        sub("φ", "i"),
-        sub("n", "i"),
-      ),
+      row(dot("x"), "= V", "n"),
+      ...velocity,
+      row(frac(sub("φ", "i"), "dt"), "=", subsup("V", "i", "k+1"), "(", "φ", ")"),
+      row(xAt("k+1"), "=", xAt("k"), "+ s", "φ", "n"),
     ],
     source: `${paper.curvature}: ${where}; ${t("the step in section 4")}`,
     symbols: [
@@ -303,49 +291,38 @@ function flips(s) {
   const a = sub.bind(null, "a");
   const around = (/** @type {string} */ m) =>
     row(beta(`${m}ilk`), "+", beta(`${m}jkl`), "+", beta(`${m}kij`), "+", beta(`${m}lji`));
-  /** @type {Record<string, { energy: Part, gain: Part, where: string }>} */
+  /** @type {Record<string, { energy: Part[], gain: Part[], where: string }>} */
   const rules = {
     area: {
-      energy: row("A =", sum("t"), sub("a", "t")),
-      gain: row(sub("f", "a"), "=", a("ikj"), "+", a("ijl"), "−", a("ikl"), "−", a("jlk")),
+      energy: [row("A =", sum("t"), sub("a", "t"))],
+      gain: [row(sub("f", "a"), "=", a("ikj"), "+", a("ijl"), "−", a("ikl"), "−", a("jlk"))],
       where: t("eq. (1)"),
     },
     willmore: {
-      energy: row("W =", sum("v"), "(", sum("e"), "β", "− 2", "π", ")"),
-      gain: row(
-        "½",
-        sub("f", "w"),
-        "=",
-        beta("iktj"),
-        "+",
-        beta("ilju"),
-        "+",
-        beta("jkiv"),
-        "+",
-        beta("jlwi"),
-        "−",
-        beta("iktl"),
-        "−",
-        beta("ilku"),
-        "−",
-        beta("jklv"),
-        "−",
-        beta("jlwk"),
-      ),
+      energy: [row("W =", sum("v"), "(", sum("e"), "β", "− 2", "π", ")")],
+      gain: [
+        row("½", sub("f", "w"), "=", beta("iktj"), "+", beta("ilju"), "+", beta("jkiv")),
+        row("+", beta("jlwi"), "−", beta("iktl"), "−", beta("ilku")),
+        row("−", beta("jklv"), "−", beta("jlwk")),
+      ],
       where: t("eqs. (2) and (4), with its third term β of jkiv, as it must be"),
     },
     localised: {
-      energy: row(sub("W", "m"), "=", around("m"), "− 2", "π"),
-      gain: row(sub("f", "l"), "=", around("m"), "−", row("(", around("n"), ")")),
+      energy: [row(sub("W", "m"), "=", around("m"), "− 2", "π")],
+      gain: [
+        row(sub("f", "l"), "=", sub("W", "m"), "−", sub("W", "n")),
+        row("=", around("m")),
+        row("− (", around("n"), ")"),
+      ],
       where: t("eq. (5)"),
     },
   };
   const { energy, gain, where } = rules[criterion];
   const now = s.reading?.flips?.[0];
   return {
-    energy: [energy],
+    energy,
     equation: [
-      gain,
+      ...gain,
       row("flip", sup("e", "*"), "=", "arg max", "f (", "e", ") ,", "f (", sup("e", "*"), ") > 0"),
     ],
     source: `${paper.flips}: ${where}`,

@@ -197,6 +197,7 @@ export function createLook(controller, canvas) {
       setText(said, wanted === null ? "" : t("There is no vertex {vertex}.", { vertex: wanted }));
       return;
     }
+    table.dataset.vertex = String(probed.vertex);
     setText(said, missing(probed));
     const wasInside = edges.contains(document.activeElement);
     const head = (/** @type {string} */ text) => {
