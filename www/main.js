@@ -19,13 +19,16 @@ import { createCurvatureForm } from "./ui/curvature-form.js";
 import { createDownload } from "./ui/download.js";
 import { createEditsForm } from "./ui/edits.js";
 import { createEnergyPlot } from "./ui/energy-plot.js";
+import { createEquations } from "./ui/equations.js";
 import { createFlipPlots } from "./ui/flip-plots.js";
 import { createFlipsForm } from "./ui/flips-form.js";
 import { createGallery } from "./ui/gallery.js";
+import { createHistogram } from "./ui/histogram.js";
 import { createHoles } from "./ui/holes.js";
 import { createKeys } from "./ui/keys.js";
 import { createLab } from "./ui/lab.js";
 import { createLanguageChoice } from "./ui/language-choice.js";
+import { createLook } from "./ui/look.js";
 import { createMeshInput } from "./ui/mesh-input.js";
 import { createMessages } from "./ui/messages.js";
 import { createMethodForm } from "./ui/method-form.js";
@@ -96,6 +99,9 @@ const parts = [
   createViewForm(controller, picture.fit),
   picture,
   createMoebius(controller, picture),
+  createLook(controller, picture),
+  createHistogram(picture.colours),
+  createEquations(),
   createPanes(controller, msaa),
   createComparisonForm(controller),
   createComparisonPlot(controller),

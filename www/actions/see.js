@@ -14,7 +14,7 @@ import { transitions as to } from "../state.js";
  */
 export const createSeeing = ({ store, solver, voice, enqueue, rest }, edited) => ({
   /** @param {Partial<Wanted>} change */
-  look: (change) =>
+  inspect: (change) =>
     enqueue(async () => {
       const wanted = { ...store.get().wanted, ...change };
       const look = store.get().mesh ? await solver.look(wanted) : null;

@@ -19,8 +19,10 @@ import { formatNumber } from "./number.js";
  * @property {(seen: Seen) => number[] | null} unproject
  */
 
-/** Where the centre is at first: outside, near enough that the surface is seen to change. */
-const FIRST = [0.45, -0.5, 0.4];
+/** How far the centre is from the middle at first: outside, and the surface is seen to change. */
+const FIRST = 0.62;
+/** What it keeps from the edge of the picture to be in reach, in CSS pixels. */
+const MARGIN = 28;
 
 /** A press of an arrow key, in CSS pixels; with Shift four of them. */
 const STEP = 6;
@@ -96,7 +98,7 @@ export function createMoebius(controller, canvas) {
   /** @type {Readonly<PageState> | null} */
   let state = null;
   let box = { middle: [0, 0, 0], size: 1 };
-  let centre = FIRST;
+  let centre = [0, 0, FIRST];
   /** @type {PageState["preview"]} */
   let shown = null;
   /** What the preview was asked of. @type {unknown[]} */
@@ -109,10 +111,36 @@ export function createMoebius(controller, canvas) {
   const isOn = () => section.open && !section.hidden;
   const point = () => centre.map((value, axis) => box.middle[axis] + box.size * value);
 
+  /** @param {{ x: number, y: number }} at  the nearest place in reach */
+  const within = ({ x, y }) => ({
+    x: Math.min(Math.max(x, MARGIN), surface.clientWidth - MARGIN),
+    y: Math.min(Math.max(y, MARGIN), surface.clientHeight - MARGIN),
+  });
+
+  /** Above the surface to the right, as it is seen, or nearer to the eye where there is no room. */
+  function first() {
+    const middle = canvas.project(box.middle);
+    const right = middle && canvas.unproject({ ...middle, x: middle.x + 1 });
+    if (!middle || !right) return [0, 0, FIRST];
+    const pixel = Math.hypot(...right.map((value, axis) => value - box.middle[axis])) / box.size;
+    const reach = FIRST / pixel;
+    const at = within({ x: middle.x + 0.9 * reach, y: middle.y - 0.44 * reach });
+    const across = pixel * Math.hypot(at.x - middle.x, at.y - middle.y);
+    const nearer = box.size * Math.sqrt(Math.max(FIRST ** 2 - across ** 2, 0));
+    const found = canvas.unproject({ ...at, depth: Math.max(middle.depth - nearer, nearer) });
+    return found ? asCentre(found) : [0, 0, FIRST];
+  }
+
+  /** @param {number[]} of  a point of space */
+  const asCentre = (of) => of.map((value, axis) => (value - box.middle[axis]) / box.size);
+
   function place() {
     const seen = isOn() ? canvas.project(point()) : null;
     handle.hidden = !seen;
-    if (seen) handle.style.translate = `${seen.x}px ${seen.y}px`;
+    if (seen) {
+      const { x, y } = within(seen);
+      handle.style.translate = `${x}px ${y}px`;
+    }
     const text = centre.map((value) => value.toFixed(2));
     setText(where, t("at {x}, {y}, {z}", { x: text[0], y: text[1], z: text[2] }));
     for (const [axis, field] of fields.entries()) {
@@ -151,7 +179,7 @@ export function createMoebius(controller, canvas) {
   /** @param {number[] | null} to  a point of space */
   function move(to) {
     if (!to) return;
-    centre = to.map((value, axis) => (value - box.middle[axis]) / box.size);
+    centre = asCentre(to);
     place();
     preview();
   }
@@ -178,7 +206,7 @@ export function createMoebius(controller, canvas) {
   }
 
   section.addEventListener("toggle", () => {
-    if (isOn()) centre = FIRST;
+    if (isOn()) centre = first();
     place();
     if (isOn()) {
       controller.pause();

@@ -25,6 +25,9 @@ const palettes = {
   ],
 };
 
+/** Thousands of circles would hide what they are drawn on. */
+const opacity = [255, 255, 150, 255, 255];
+
 /** A colour as CSS has it. @param {number} kind @param {boolean} dark */
 export const colourOf = (kind, dark) => `rgb(${palettes[dark ? "dark" : "light"][kind].join(" ")})`;
 
@@ -32,7 +35,7 @@ export const colourOf = (kind, dark) => `rgb(${palettes[dark ? "dark" : "light"]
 export function overlayOf({ ends, kinds, circles, directions }, dark) {
   // Four bytes at once: there may be hundreds of thousands.
   const packed = palettes[dark ? "dark" : "light"].map(
-    (rgb) => new Uint32Array(Uint8Array.from([...rgb, 255]).buffer)[0],
+    (rgb, kind) => new Uint32Array(Uint8Array.from([...rgb, opacity[kind]]).buffer)[0],
   );
   const colours = Uint32Array.from(kinds, (kind) => packed[kind]);
   // Behind the surface a few circles are a help, thousands are a thicket.
