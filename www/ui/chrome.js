@@ -8,7 +8,11 @@ import { byId, setText } from "./element.js";
 
 export function createHelp() {
   const dialog = byId("help", HTMLDialogElement);
-  const open = () => dialog.showModal();
+  function open() {
+    dialog.showModal();
+    // The button that has the focus is at its end.
+    dialog.scrollTop = 0;
+  }
   byId("help-open", HTMLButtonElement).addEventListener("click", open);
   // A click on the backdrop is a click on the dialog itself.
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
