@@ -52,6 +52,10 @@ export function createPanel() {
     button.focus();
   }
   handle.addEventListener("click", close);
+  /** @param {string} by */
+  function shift(by) {
+    for (const part of [handle, panel]) part.style.translate = by;
+  }
   // The sheet follows the finger, and is let go of where it came far enough.
   /** @type {number | null} */
   let from = null;
@@ -60,13 +64,13 @@ export function createPanel() {
     handle.setPointerCapture(event.pointerId);
   });
   handle.addEventListener("pointermove", ({ clientY }) => {
-    if (from !== null) panel.style.translate = `0 ${Math.max(0, clientY - from)}px`;
+    if (from !== null) shift(`0 ${Math.max(0, clientY - from)}px`);
   });
   /** @param {PointerEvent} event */
   function lift({ type, clientY }) {
     const isFar = from !== null && type === "pointerup" && clientY - from > SWIPE;
     from = null;
-    panel.style.translate = "";
+    shift("");
     if (isFar) close();
   }
   handle.addEventListener("pointerup", lift);
