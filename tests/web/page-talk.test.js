@@ -7,7 +7,6 @@ import { figures } from "../../www/figures.js";
 import {
   button,
   canvas,
-  openMesh,
   stillPicture,
   surface,
   until,
@@ -234,7 +233,7 @@ test("presenting: large words, a clicker's keys, controls that come and go", asy
   await button(page, "Dismiss").click();
 
   // A run that lasts: paused by the same key.
-  await openMesh(page, "wavy.obj", obj(wavyTorus(120, 60))).catch(() => {});
+  await upload(page, "wavy.obj", obj(wavyTorus(120, 60)));
   await line.filter({ hasText: "step 0 · wavy" }).waitFor();
   await until(page, "Ready");
   await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
