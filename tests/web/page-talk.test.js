@@ -181,6 +181,8 @@ test("presenting: large words, a clicker's keys, controls that come and go", asy
   await page.mouse.move(700, 500);
   assert.equal(await controls(), "1");
   await button(page, "Step").focus();
+  // An arrow key is for the control that has the focus.
+  await page.keyboard.press("ArrowRight");
   await page.locator("html.idle").waitFor();
   assert.equal(await controls(), "1");
   await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
@@ -319,10 +321,18 @@ test("a phone in one hand: the sheet leaves the picture room, and a swipe closes
     const handle = await page.locator("#panel-handle").boundingBox();
     assert.ok(handle && handle.height >= 44);
     const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    await page.mouse.move(x, y + 130, { steps: 4 });
-    await page.mouse.up();
+    /** @param {number} down  pixels */
+    const swipe = async (down) => {
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x, y + down, { steps: 4 });
+      await page.mouse.up();
+    };
+    // Not far, and let go: it stays where it was.
+    await swipe(30);
+    assert.equal(await panel.evaluate((sheet) => sheet.style.translate), "");
+    assert.equal(await panel.isVisible(), true);
+    await swipe(130);
     await panel.waitFor({ state: "hidden" });
     await page.locator("#panel-toggle").click();
     await panel.waitFor();

@@ -31,6 +31,8 @@ export function createHelp() {
 
 /** How far down a swipe has to go to close the sheet, in CSS pixels. */
 const SWIPE = 60;
+/** How far a tap may slip. */
+const SLIP = 8;
 
 /** Open beside the surface where there is room; a sheet that starts closed on a phone. */
 export function createPanel() {
@@ -51,7 +53,8 @@ export function createPanel() {
     show(false);
     button.focus();
   }
-  handle.addEventListener("click", close);
+  let isDrag = false;
+  handle.addEventListener("click", () => isDrag || close());
   /** @param {string} by */
   function shift(by) {
     for (const part of [handle, panel]) part.style.translate = by;
@@ -61,10 +64,13 @@ export function createPanel() {
   let from = null;
   handle.addEventListener("pointerdown", (event) => {
     from = event.clientY;
+    isDrag = false;
     handle.setPointerCapture(event.pointerId);
   });
   handle.addEventListener("pointermove", ({ clientY }) => {
-    if (from !== null) shift(`0 ${Math.max(0, clientY - from)}px`);
+    if (from === null) return;
+    isDrag ||= Math.abs(clientY - from) > SLIP;
+    shift(`0 ${Math.max(0, clientY - from)}px`);
   });
   /** @param {PointerEvent} event */
   function lift({ type, clientY }) {
@@ -72,6 +78,10 @@ export function createPanel() {
     from = null;
     shift("");
     if (isFar) close();
+    // After the click that a drag with a mouse ends with.
+    setTimeout(() => {
+      isDrag = false;
+    });
   }
   handle.addEventListener("pointerup", lift);
   handle.addEventListener("pointercancel", lift);
