@@ -29,7 +29,7 @@ export const german = {
   "One step back ( , )": "Ein Schritt zurück ( , )",
   Back: "Zurück",
   Space: "Leertaste",
-  Play: "Abspielen",
+  Play: "Start",
   Pause: "Pause",
   "One step ( . )": "Ein Schritt ( . )",
   Step: "Schritt",
@@ -49,7 +49,7 @@ export const german = {
   Running: "Läuft",
   Ready: "Bereit",
   "Paused at step {step}": "Angehalten bei Schritt {step}",
-  "Play goes on for as many steps again.": "Abspielen macht noch einmal so viele Schritte.",
+  "Play goes on for as many steps again.": "„Start“ macht noch einmal so viele Schritte.",
   "Step {step} of {goal}": "Schritt {step} von {goal}",
   "Converged after # step": "Konvergiert nach # Schritt",
   "Converged after # steps": "Konvergiert nach # Schritten",
@@ -77,9 +77,9 @@ export const german = {
   "Measured just now": "Soeben gemessen",
   "It takes more than one run to measure: {command}":
     "Zum Messen braucht es mehr als einen Lauf: {command}",
-  "Play, until it comes to rest.": "Abspielen, bis die Fläche zur Ruhe kommt.",
+  "Play, until it comes to rest.": "Laufen lassen, bis die Fläche zur Ruhe kommt.",
   "As it stands.": "So, wie sie dasteht.",
-  "Play, at least to step {steps}.": "Abspielen, mindestens bis Schritt {steps}.",
+  "Play, at least to step {steps}.": "Laufen lassen, mindestens bis Schritt {steps}.",
   "Bobenko and Schröder: discrete Willmore flow": "Bobenko und Schröder: diskreter Willmore-Fluss",
   "Gruber and Aulisa: p-Willmore flow": "Gruber und Aulisa: p-Willmore-Fluss",
   "Brink and Alboul: edge flips": "Brink und Alboul: Kantenflips",
@@ -101,7 +101,7 @@ export const german = {
   "Willmore, fitted operators": "Willmore, angepasste Operatoren",
   "Mean-curvature variation": "Variation der mittleren Krümmung",
   "Edge flips": "Kantenflips",
-  "Clamped (with tangent)": "Eingespannt (mit Tangente)",
+  "Clamped (with tangent)": "Eingespannt (Tangente)",
   "Fixed (position only)": "Fest (nur die Lage)",
   Free: "Frei",
   Nothing: "Nichts",
@@ -192,6 +192,10 @@ export const german = {
   "Plot of Willmore energy against the number of flips; where each criterion stands is in the table below":
     "Willmore-Energie über der Zahl der Flips; den Stand jedes Kriteriums zeigt die Tabelle darunter",
   "Where each criterion stands": "Stand jedes Kriteriums",
+  "Area and Willmore energy by the number of flips":
+    "Flächeninhalt und Willmore-Energie nach der Zahl der Flips",
+  "Area by {criterion}": "Inhalt nach {criterion}",
+  "W by {criterion}": "W nach {criterion}",
   By: "Nach",
   Flips: "Flips",
   Refused: "Abgelehnt",
@@ -260,9 +264,9 @@ export const german = {
   "the fill of {count} loop": "das Füllen von {count} Randkurve",
   "the fill of {count} loops": "das Füllen von {count} Randkurven",
   "Filled {count} loop with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.":
-    "{count} Randkurve mit {vertices} neuen Ecken gefüllt. „Abspielen“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.",
+    "{count} Randkurve mit {vertices} neuen Ecken gefüllt. „Start“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.",
   "Filled {count} loops with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.":
-    "{count} Randkurven mit {vertices} neuen Ecken gefüllt. „Abspielen“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.",
+    "{count} Randkurven mit {vertices} neuen Ecken gefüllt. „Start“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.",
   "Region that moves": "Bereich, der sich bewegt",
   "Paint what the flow may change; the rest keeps its place.":
     "Malen Sie an, was der Fluss verändern darf; der Rest bleibt, wo er ist.",
@@ -398,7 +402,7 @@ export const german = {
   "An <em>umbilic</em> is a point of a surface where both principal curvatures agree. The Willmore energy measures how far a surface is from being umbilic everywhere; the flow moves the mesh so that it falls.":
     "Ein <em>umbilischer Punkt</em> oder Nabelpunkt ist ein Punkt einer Fläche, in dem beide Hauptkrümmungen übereinstimmen. Die Willmore-Energie misst, wie weit eine Fläche davon entfernt ist, überall umbilisch zu sein; der Fluss bewegt das Netz so, dass sie fällt.",
   Keys: "Tasten",
-  "Play or pause": "Abspielen oder anhalten",
+  "Play or pause": "Starten oder anhalten",
   "One step": "Ein Schritt",
   "One step back": "Ein Schritt zurück",
   "Reset to the start": "Zurück zum Anfang",
@@ -409,7 +413,7 @@ export const german = {
   "Page ↑": "Bild ↑",
   Esc: "Esc",
   "Play or pause; at the end of a figure, the next one":
-    "Abspielen oder anhalten; am Ende einer Abbildung die nächste",
+    "Starten oder anhalten; am Ende einer Abbildung die nächste",
   "Back to the start; at the start, the figure before":
     "Zurück zum Anfang; am Anfang die Abbildung davor",
   "Hide or show the line of readings": "Zeile der Messwerte aus- oder einblenden",

@@ -1,14 +1,16 @@
 // @ts-check
-// Both plots of edge flips. Their numbers are in the table of criteria.
+// Both plots of edge flips, and their numbers as a table.
 
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 /** @import { FlipChart } from "./flip-chart.js" */
 
 import { byId } from "./element.js";
+import { createFlipTable } from "./flip-table.js";
 
 /** @param {Controller} controller */
 export function createFlipPlots(controller) {
+  const table = createFlipTable();
   const roots = [byId("flip-area", HTMLElement), byId("flip-energy", HTMLElement)];
   /** @type {FlipChart[]} */
   let charts = [];
@@ -25,7 +27,7 @@ export function createFlipPlots(controller) {
       charts = [createFlipChart(roots[0], "area"), createFlipChart(roots[1], "circle")];
       if (curves) for (const chart of charts) chart.show(curves);
     } catch (error) {
-      // The table has the numbers where the curves end.
+      // The table has the same numbers.
       controller.report(error);
     }
   }
@@ -36,6 +38,7 @@ export function createFlipPlots(controller) {
       const next = state.frame?.curves ?? null;
       if (next && next !== curves) {
         curves = next;
+        table.show(next);
         if (!asked) open();
         for (const chart of charts) chart.show(next);
       } else if (state.view !== view) for (const chart of charts) chart.redraw();

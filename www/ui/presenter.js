@@ -22,8 +22,9 @@ const QUIET = 2000;
  */
 export function presentedText(state) {
   const { reading, figure, source } = state;
+  // Of a paper, its authors.
   const shown = figure
-    ? `${figureTitle(figure)} (${translated(papers[figure.paper])})`
+    ? `${translated(papers[figure.paper]).split(":")[0]}, ${figureTitle(figure)}`
     : sceneTitle(source);
   if (!reading) return shown;
   return t("{energy} · step {step} · {title}", {
@@ -132,6 +133,8 @@ export function createPresenter(controller, state, gallery) {
       clearTimeout(quiet);
       button.ariaPressed = String(shown);
       line.hidden = !shown || isLineHidden;
+      // What had the focus before would stay in sight.
+      if (shown && document.activeElement instanceof HTMLElement) document.activeElement.blur();
       stir();
       // Refused where the page is embedded; presenting works without.
       if (shown) document.documentElement.requestFullscreen?.().catch(() => {});
