@@ -90,9 +90,9 @@ function openLink(address) {
 }
 
 createMeshInput(async (file) => {
-  if (await controller.takes(file)) return;
   const isAwaited = awaited.mesh !== null && file.name.replace(/\.[^.]+$/, "") === awaited.mesh;
-  controller.open(file, isAwaited ? awaited : {});
+  const open = () => controller.open(file, isAwaited ? awaited : {});
+  if (!(await controller.takes(file, open))) open();
 });
 
 // The event's address and not `location`: by now the old scene may have been written there.

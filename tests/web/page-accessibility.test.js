@@ -19,7 +19,7 @@ async function crowd(page) {
   const panel = button(page, "Panel");
   if ((await panel.getAttribute("aria-expanded")) === "false") await panel.click();
   await openMesh(page, "wavy.obj", obj(wavyTorus()));
-  for (const part of ["#method", "#view", "#plot-data", ".explain"]) {
+  for (const part of ["#method", "#view", "#plot-data", ".explain", "#record"]) {
     await page.locator(`${part} > summary`).filter({ visible: true }).click();
   }
   await choice(page, "Colour by").selectOption({ label: "Mean curvature H" });
