@@ -280,6 +280,9 @@ fn edge_flips_are_sought_forwards_and_backwards() {
     let end = session.state().expect("state");
     assert_eq!(end.status, Status::Converged);
     let mesh = session.export(Format::Obj).expect("a file");
+    let settings = RegulariseOptions::default();
+    let fault = session.regularise(&settings).expect_err("refused");
+    assert_eq!(fault.kind, "WrongFlow");
     session.seek(10).expect("sought");
     // What stands beside follows, though it has joined only now.
     flips_a_step(&mut session, 1, Compare::Criteria);

@@ -140,7 +140,8 @@ function openLink(address) {
 // Whoever embeds the page could take away what a visitor opens in it.
 if (!embedding) {
   createMeshInput(async (file) => {
-    if (!(await controller.takes(file))) arrival.open(awaited, file);
+    const open = () => arrival.open(awaited, file);
+    if (!(await controller.takes(file, open))) open();
   });
 }
 

@@ -148,6 +148,8 @@ export function createSolver(listener) {
     },
     /** @param {string} name @param {ArrayBuffer} bytes  kept, so that a lost worker can be replaced */
     load: (name, bytes) => make("load", { name, bytes }),
+    /** What the mesh was read from, if it was. @returns {ArrayBuffer | null} */
+    file: () => /** @type {ArrayBuffer | undefined} */ (origin?.bytes) ?? null,
     /** @param {string} name @param {Record<string, number>} parameters */
     sample: (name, parameters) => make("sample", { name, parameters }),
     /** How the mesh was made, so that another solver can make the same. */

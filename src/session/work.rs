@@ -217,8 +217,11 @@ impl Work {
 
     /// Regularises the mesh as it is now, as a move that a step back undoes.
     pub(super) fn regularise(&mut self, settings: &Settings) -> Result<Outcome, Fault> {
-        if self.flow.is_none() {
-            return Err(Fault::no_mesh());
+        let flow = self.flow.as_ref().ok_or_else(Fault::no_mesh)?;
+        if flow.flips().is_some() {
+            let message = "edge flips hold the positions, which a regularisation would move";
+            let hint = "Choose another flow, and regularise then.";
+            return Err(Fault::new("WrongFlow", message, hint));
         }
         let document = &self.document;
         p_willmore::check_mesh(&document.polygons)?;

@@ -19,7 +19,8 @@ async function crowd(page) {
   const panel = button(page, "Panel");
   if ((await panel.getAttribute("aria-expanded")) === "false") await panel.click();
   await openMesh(page, "wavy.obj", obj(wavyTorus()));
-  for (const part of ["#method", "#view", "#plot-data", ".explain", "#share"]) {
+  const parts = ["#method", "#view", "#plot-data", ".explain", "#share", "#record"];
+  for (const part of parts) {
     await page.locator(`${part} > summary`).filter({ visible: true }).click();
   }
   await choice(page, "Colour by").selectOption({ label: "Mean curvature H" });

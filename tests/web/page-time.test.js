@@ -223,7 +223,7 @@ test("a recipe is made, done again by the command line, and opened", async () =>
     const shown = await energy(page);
     assert.ok(Math.abs(JSON.parse(result.stdout).got.energy / shown - 1) < 1e-4);
 
-    // Opened here it asks for its mesh, refuses another, and gives the same surface.
+    // Opened here it asks for its mesh, and gives the same surface.
     const notes = page.getByRole("log");
     await upload(page, name, bytes);
     await notes.getByText(/is for the mesh “wavy\.obj”/).waitFor();
@@ -231,6 +231,17 @@ test("a recipe is made, done again by the command line, and opened", async () =>
     await notes.getByText(/the energy that it promised, to the last bit/).waitFor();
     assert.equal(await energy(page), shown);
     assert.equal(await reading(page, "Step"), "2");
+    // Where the mesh is open already it need not be asked for; another one is not taken for it.
+    await openMesh(page, "wavy.obj", mesh);
+    await upload(page, name, bytes);
+    await untilStep(page, 2);
+    assert.equal(await energy(page), shown);
+    await openMesh(page, "other.obj", obj(wavyTorus(16, 8)));
+    await upload(page, name, bytes);
+    await notes.getByText(/is for the mesh “wavy\.obj”/).waitFor();
+    await upload(page, "wavy.obj", obj(wavyTorus(16, 8)));
+    await notes.getByText(/not the mesh “wavy\.obj” of the recipe/).waitFor();
+    await until(page, "Ready");
 
     // One that is wrong is refused by its key, and nothing is lost.
     const wrong = Buffer.from(bytes.toString("utf8").replace('"steps"', '"step"'));
@@ -239,7 +250,7 @@ test("a recipe is made, done again by the command line, and opened", async () =>
       .getByRole("alert")
       .getByText(/“edits\[0\]\.path\[0\]” must be/)
       .waitFor();
-    assert.equal(await energy(page), shown);
+    assert.equal(await reading(page, "Vertices"), "128");
   } finally {
     rmSync(folder, { recursive: true });
   }
@@ -249,11 +260,21 @@ test("a recipe is made, done again by the command line, and opened", async () =>
 
 test("on a phone the history is under the thumb", async () => {
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true };
-  const { page, faults, close } = await site.open("", phone);
+  const { page, faults, close } = await site.blank(phone);
+  // A browser that cannot record says so.
+  await page.addInitScript(() => Reflect.deleteProperty(globalThis, "MediaRecorder"));
+  await page.goto(`${site.url}?msaa=1`);
+  await until(page, "Ready");
   await take(page, 0, 3);
   await slider(page).waitFor();
   const box = await slider(page).boundingBox();
   assert.ok(box && box.width > 120 && box.x >= 0 && box.x + box.width <= 390);
+  assert.ok(box.y + box.height <= 844, "on the screen");
+  const panel = button(page, "Panel");
+  if ((await panel.getAttribute("aria-expanded")) === "false") await panel.click();
+  await page.locator("#record > summary").click();
+  await page.getByText("This browser cannot record films.").waitFor();
+  assert.equal(await button(page, "Record film").getAttribute("aria-disabled"), "true");
   assert.deepEqual(faults, []);
   await close();
 });

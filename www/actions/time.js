@@ -53,15 +53,16 @@ export function createTime({ store, solver, voice, enqueue, rest, arrange, load 
     if (isSeeking) return;
     isSeeking = true;
     while (wanted !== null) {
+      let next = wanted;
+      wanted = null;
       await enqueue(async () => {
-        if (!store.get().reading || wanted === null) return;
         await rest();
-        const next = wanted;
+        if (!store.get().reading) return;
+        // What was asked for while this one waited.
+        next = wanted ?? next;
         wanted = null;
         await solver.seek(next);
       });
-      // A seek that failed, or that a lost solver was asked for, is not asked again.
-      if (!store.get().reading || store.get().phase === "failed") wanted = null;
     }
     isSeeking = false;
   }
@@ -103,9 +104,9 @@ export function createTime({ store, solver, voice, enqueue, rest, arrange, load 
 
   /**
    * @param {Recipe} recipe
-   * @param {{ name: string, bytes: ArrayBuffer } | null} file
+   * @param {ArrayBuffer | null} bytes  of its mesh
    */
-  async function followRecipe(recipe, file) {
+  async function followRecipe(recipe, bytes) {
     const { mesh, edits = [] } = recipe;
     const sample = sampleOf(mesh);
     const base = isOwn(mesh) ? mesh.name.replace(/\.[^.]+$/, "") : mesh.shape;
@@ -120,7 +121,7 @@ export function createTime({ store, solver, voice, enqueue, rest, arrange, load 
           };
     const options = { ...defaults, ...recipe.flow };
     const arrangement = { ...plainArrangement, ...recipe.arrangement };
-    const ask = () => solver.prepare(recipe, file?.bytes ?? null);
+    const ask = () => solver.prepare(recipe, bytes);
     await load(base, source, ask, options, options, { arrangement });
     store.update(to.originated, mesh);
     if (!store.get().reading) return;
@@ -208,9 +209,10 @@ export function createTime({ store, solver, voice, enqueue, rest, arrange, load 
     /**
      * Whether a file is a recipe, or the mesh that one waits for; then it is followed.
      * @param {File} file
+     * @param {() => Promise<void>} open  opens it as a mesh like any other
      * @returns {Promise<boolean>}
      */
-    async takes(file) {
+    async takes(file, open) {
       const isRecipe = /\.json$/i.test(file.name);
       if (!isRecipe && !awaited) return false;
       const bytes = await file.arrayBuffer();
@@ -218,6 +220,10 @@ export function createTime({ store, solver, voice, enqueue, rest, arrange, load 
         await enqueue(async () => {
           const recipe = readRecipe(new TextDecoder().decode(bytes));
           if (!isOwn(recipe.mesh)) return followRecipe(recipe, null);
+          const { origin, source } = store.get();
+          const isOpen = origin === source && source?.kind === "file";
+          const known = isOpen && source.sha256 === recipe.mesh.sha256 ? solver.file() : null;
+          if (known) return followRecipe(recipe, known);
           awaited = recipe;
           voice.answer(
             t("This recipe is for the mesh “{name}”. Open that file now; the recipe follows.", {
@@ -231,14 +237,15 @@ export function createTime({ store, solver, voice, enqueue, rest, arrange, load 
       awaited = null;
       if (!recipe || !isOwn(recipe.mesh)) return false;
       if ((await sha256(bytes)) !== recipe.mesh.sha256) {
+        await open();
         voice.answer(
           t("This is not the mesh “{name}” of the recipe: its contents differ.", {
             name: recipe.mesh.name,
           }),
         );
-        return false;
+        return true;
       }
-      await enqueue(() => followRecipe(recipe, { name: file.name, bytes }));
+      await enqueue(() => followRecipe(recipe, bytes));
       return true;
     },
   };
