@@ -133,10 +133,7 @@ const sample = ({ step, time, dt, energy, area, volume, minAngleDegrees }) => ({
 export function extended(history, reading, added) {
   const first = added.length > 0 ? added[0].step : reading.step;
   const kept = history.filter((point) => point.step < first);
-  if (added.length > 0) return [...kept, ...added.map(sample)];
-  // The size of the step that led there, and not of the next.
-  const known = history.find(({ step }) => step === reading.step);
-  return [...kept, known?.energy === reading.energy ? known : sample(reading)];
+  return added.length > 0 ? [...kept, ...added.map(sample)] : [...kept, sample(reading)];
 }
 
 /** @param {Loaded} mesh */
