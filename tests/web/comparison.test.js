@@ -21,6 +21,7 @@ import { readLink, writeLink } from "../../www/link.js";
 import { defaults } from "../../www/options.js";
 import { initial, transitions as to } from "../../www/state.js";
 import { curvesOf } from "../../www/ui/comparison-plot.js";
+import { objection, presets } from "../../www/ui/comparison-presets.js";
 import { captions, differences } from "../../www/ui/comparison-words.js";
 
 /** @param {Partial<import("../../www/protocol.js").State>} [change] @returns {any} */
@@ -217,6 +218,21 @@ test("each pane has its own history, and says where it stands", () => {
   // Another mesh: the panes stay, and nothing of what they had.
   const other = to.loaded(state, { kind: "file", name: "x" }, /** @type {any} */ ({}));
   assert.deepEqual(other.comparison.rivals[0], newRival(1, { epsilon: 0.01 }));
+});
+
+test("ready-made comparisons are offered where they make sense", () => {
+  const mesh = (/** @type {boolean} */ closed, /** @type {any} */ free = null) =>
+    /** @type {any} */ ({ info: { closed }, free, fixed: null });
+  /** @param {any} on */
+  const offered = (on) =>
+    presets()
+      .filter((preset) => objection(preset, on, defaults) === "")
+      .map(({ id }) => id);
+  const closed = ["epsilon", "scheme", "exponents", "regularised", "willmore"];
+  assert.deepEqual(offered(mesh(true)), closed);
+  assert.deepEqual(offered(mesh(false)), ["epsilon", "scheme", "curvature"]);
+  // A patch of a closed surface.
+  assert.ok(offered(mesh(true, new Uint32Array(1))).includes("curvature"));
 });
 
 test("a comparison closes with its last pane, and shows no pane that is gone", () => {

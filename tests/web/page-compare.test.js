@@ -285,6 +285,8 @@ test("panes follow the mesh and the first flow; one that cannot says why", async
     .getByRole("alert")
     .getByText(/closed/)
     .waitFor();
+  const exponents = page.locator("#preset option").filter({ hasText: "p = 1, 2, 3, 4" });
+  assert.match((await exponents.textContent()) ?? "", /closed surfaces only/);
   // Refused: what was before is in force.
   await page.waitForFunction(
     () => /** @type {any} */ (document.querySelector(".pane-form select")).value === "circle",

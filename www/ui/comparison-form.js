@@ -9,7 +9,7 @@
 import { letter, MOST_PANES, optionsOf, timeExponent, timeUnitsAgree } from "../comparison.js";
 import { t } from "../language.js";
 import { byCurvature, choices, readers, usualBoundary } from "../options.js";
-import { presets } from "./comparison-presets.js";
+import { objection, presets } from "./comparison-presets.js";
 import { captions, differences } from "./comparison-words.js";
 import { byId, fillSelect, setText } from "./element.js";
 
@@ -250,6 +250,18 @@ export function createComparisonForm(controller) {
   /** @type {Options | null} */
   let main = null;
 
+  /** @type {PageState["mesh"]} */
+  let mesh = null;
+  /** What makes no sense on this mesh says why not. @param {Options} options */
+  function judge(options) {
+    for (const [n, one] of ready.entries()) {
+      const why = objection(one, mesh, options);
+      const option = preset.options[n + 1];
+      option.disabled = why !== "";
+      setText(option, why === "" ? one.label : t("{label} ({why})", { label: one.label, why }));
+    }
+  }
+
   /** @param {PageState["comparison"]} comparison @param {Options} options */
   function fill({ rivals }, options) {
     const ids = rivals.map(({ id }) => id);
@@ -287,6 +299,10 @@ export function createComparisonForm(controller) {
       const { comparison, options } = state;
       const usable = state.reading !== null && comparison.rivals.length < MOST_PANES - 1;
       if (add.ariaDisabled !== String(!usable)) add.ariaDisabled = String(!usable);
+      if (state.mesh !== mesh || options !== main) {
+        mesh = state.mesh;
+        judge(options);
+      }
       if (comparison === shown && options === main) return;
       const before = shown?.shown ?? "side";
       if (comparison.rivals !== shown?.rivals || options !== main) fill(comparison, options);
