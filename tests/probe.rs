@@ -145,8 +145,8 @@ fn circles_pass_through_their_corners() {
     for (points, corners) in ends.chunks(32).zip(loaded.triangles.chunks(3)) {
         let centre = points.iter().sum::<DVec3>() / 32.0;
         let radius = points[0].distance(centre);
-        for &v in corners {
-            assert!((at(v).distance(centre) / radius - 1.0).abs() < 1e-5);
+        for p in corners.iter().map(|&v| at(v)).chain(points.iter().copied()) {
+            assert!((p.distance(centre) / radius - 1.0).abs() < 1e-5);
         }
     }
     let count = |kind| look.kinds.iter().filter(|k| **k == kind).count();

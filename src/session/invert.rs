@@ -44,11 +44,16 @@ pub struct InversionReadings {
 }
 
 impl InversionReadings {
-    fn of(mesh: &HalfedgeMesh, x: &[DVec3]) -> Self {
-        let circle = |b| CircleEnergy::new(mesh, b).value(x, Smoothing::EXACT);
+    /// `energy` over interior vertices, `closed` with loops closed at infinity.
+    fn of(
+        mesh: &HalfedgeMesh,
+        energy: &CircleEnergy,
+        closed: Option<&CircleEnergy>,
+        x: &[DVec3],
+    ) -> Self {
         Self {
-            circle: circle(Boundary::Clamped),
-            circle_closed: (!mesh.is_closed()).then(|| circle(Boundary::Free)),
+            circle: energy.value(x, Smoothing::EXACT),
+            circle_closed: closed.map(|energy| energy.value(x, Smoothing::EXACT)),
             willmore: p_willmore::integrated_power(mesh, x, 2.0),
             area: measure::area(mesh, x),
         }
@@ -162,10 +167,9 @@ impl Work {
         let energy = CircleEnergy::new(mesh, Boundary::Clamped);
         let (at_x, at_y) = (energy.vertex_energies(x), energy.vertex_energies(&y));
         let changes = at_x.iter().zip(&at_y).map(|(a, b)| (a - b).abs());
-        let (before, after) = (
-            InversionReadings::of(mesh, x),
-            InversionReadings::of(mesh, &y),
-        );
+        let closed = (!mesh.is_closed()).then(|| CircleEnergy::new(mesh, Boundary::Free));
+        let readings = |x: &[DVec3]| InversionReadings::of(mesh, &energy, closed.as_ref(), x);
+        let (before, after) = (readings(x), readings(&y));
         let report = InversionReport {
             centre: (centre + self.document.frame.shift).to_array(),
             radius: map.radius,

@@ -4,6 +4,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { histogram } from "../../www/ui/histogram.js";
+import { nearestVertex } from "../../www/ui/look.js";
+import { boxOf } from "../../www/ui/moebius.js";
 import {
   button,
   choice,
@@ -25,6 +28,28 @@ const rows = (page, id) =>
   page
     .locator(`${id} tr`)
     .evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+
+test("bars hold every finite value, those beyond the colours at the ends", () => {
+  const values = Float32Array.from([-90, -1, -0.5, 0, 0, 0.5, 1, 70, Number.NaN, Infinity]);
+  const { counts, from, to, least, most, mean, count } = histogram({ values, low: -1, high: 1 });
+  assert.equal(count, 8);
+  assert.equal(
+    counts.reduce((a, b) => a + b, 0),
+    8,
+  );
+  assert.deepEqual([least, most, mean], [-90, 70, -2.5]);
+  assert.ok(Math.abs(from + 1.3) < 1e-12 && Math.abs(to - 1.3) < 1e-12);
+  assert.deepEqual([counts[0], counts.at(-1)], [1, 1]);
+  // All of one value, as on a sphere.
+  const same = histogram({ values: new Float32Array(5).fill(2), low: 2, high: 2.000002 });
+  assert.equal(
+    same.counts.reduce((a, b) => a + b, 0),
+    5,
+  );
+  const corners = Float32Array.from([0, 0, 0, 3, 4, 0, 0, 0, 12]);
+  assert.deepEqual(boxOf(corners), { middle: [1.5, 2, 6], size: 13 });
+  assert.equal(nearestVertex(corners, [2, 3, 1]), 1);
+});
 
 test("an inversion changes the shape and not W, is kept and undone", async () => {
   const { page, faults, close } = await site.open();
@@ -101,7 +126,7 @@ test("a vertex is looked at, circles are drawn, equation and histogram tell of t
     Number.parseFloat(text),
   );
   const sum = (angles.reduce((a, b) => a + b, 0) * Math.PI) / 180;
-  assert.ok(Math.abs(Number.parseFloat(told["Σβ"]) - sum) < 1e-4);
+  assert.ok(Math.abs(Number.parseFloat(told.Σβ) - sum) < 1e-4);
   const w = Number(told["Wᵢ = Σβ − 2π"]);
   assert.ok(Math.abs(w - (sum - 2 * Math.PI)) < 1e-4);
   assert.ok(Math.abs(w - (2 * Math.PI) / 15) < 1e-6, `W_i ${w}`);

@@ -42,7 +42,10 @@ const stepSize = ({ reading, configured }, unit, what) =>
 /** @param {Readonly<PageState>} s @returns {Statement} */
 function circle(s) {
   const { options, configured, mesh } = s;
-  const isPaper = options.scheme === "paper" || options.integrator === "forward-euler";
+  const isPaper = options.scheme === "paper";
+  const isExact = isPaper || options.epsilon === 0;
+  const isAreaMass =
+    !isPaper && (options.mass === "area" || (options.mass === "auto" && options.goal === "smooth"));
   const gradient = (/** @type {Part} */ at) => row("∇ E (", at, ")");
   const mass = () => frac("M", "dt");
   /** @type {Record<string, Part>} */
@@ -75,7 +78,7 @@ function circle(s) {
         "− 2",
         "π",
       ),
-      ...(isPaper
+      ...(isExact
         ? [row("E = W")]
         : [
             row("E =", sum("i"), "(", sum("j"), "φ (", beta("ij"), ") − 2", "π", ")", ","),
@@ -89,18 +92,18 @@ function circle(s) {
     source: `${paper.circle}: ${t("W in section 2, K in eq. (1), the step in section 4")}`,
     symbols: [
       [beta("ij"), t("angle between the circumcircles of the triangles at edge ij"), ""],
-      ...(isPaper
+      ...(isExact
         ? []
         : /** @type {Statement["symbols"]} */ ([
-            ["ε", t("rounds off the cone of an angle at 0"), number(options.epsilon)],
+            [
+              "ε",
+              options.sharpen
+                ? t("rounds off the cone of an angle at 0; goes to 0 at the end")
+                : t("rounds off the cone of an angle at 0"),
+              number(options.epsilon),
+            ],
           ])),
-      [
-        "M",
-        t("mass of a vertex"),
-        options.mass === "area"
-          ? t("area")
-          : t(options.mass === "auto" && options.goal === "smooth" && !isPaper ? "area" : "1"),
-      ],
+      ["M", t("mass of a vertex"), isAreaMass ? t("area") : "1"],
       ...(options.integrator === "semi-implicit"
         ? /** @type {Statement["symbols"]} */ ([
             isPaper
@@ -110,6 +113,12 @@ function circle(s) {
                   t("K of eq. (1), with K x = ∇E, made semi-definite star by star"),
                   "",
                 ],
+          ])
+        : []),
+      ...(options.integrator === "l-bfgs"
+        ? /** @type {Statement["symbols"]} */ ([
+            [sub("B", "k"), t("inverse of the Hessian, from the last steps"), ""],
+            ["α", t("what the line search finds"), ""],
           ])
         : []),
       ...stepSize(s, square("h"), t("without a unit")),

@@ -51,8 +51,8 @@ export function createHistogram(colours) {
 
   /** @type {Field | null} */
   let field = null;
-  /** @type {Field | null} what is drawn */
-  let drawn = null;
+  /** @type {Field | null | undefined} what is told of; undefined before anything is */
+  let drawn;
 
   /** @param {Field} of @param {ReturnType<typeof histogram>} bars */
   function paint(of, { counts, from, to }) {

@@ -29,7 +29,13 @@ export function row(...parts) {
   /** @type {Part[]} */
   const words = [];
   for (const part of parts) words.push(...(typeof part === "string" ? part.split(" ") : [part]));
-  return element("mrow", words);
+  const made = element("mrow", words);
+  // Brackets grow with fractions only.
+  const hasFraction = [...made.children].some(({ localName }) => localName === "mfrac");
+  for (const part of made.children) {
+    if (!hasFraction && part.localName === "mo") part.setAttribute("stretchy", "false");
+  }
+  return made;
 }
 /** @param {Part} base @param {Part} below */
 export const sub = (base, below) => element("msub", [base, below]);

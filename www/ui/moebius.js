@@ -73,8 +73,7 @@ function noteOf({ before, after, angles, largestChange, mirrored }) {
     before.circleClosed === null
       ? t("∫H² dA stays on smooth closed surfaces; on a mesh it changes with its triangles.")
       : t(
-          "With the boundary closed by a vertex at infinity W is not invariant: the inversion " +
-            "takes infinity to a point. ∫H² dA changes by what ∫K dA does.",
+          "With the boundary closed by a vertex at infinity W is not invariant: the inversion takes infinity to a point. ∫H² dA changes by what ∫K dA does.",
         ),
     mirrored
       ? t("A reflection follows, so that normals point where they did.")

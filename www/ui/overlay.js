@@ -12,21 +12,18 @@ const palettes = {
   light: [
     [16, 16, 20],
     [176, 12, 108],
-    [52, 40, 150],
+    [104, 92, 176],
     [190, 30, 30],
     [10, 70, 190],
   ],
   dark: [
     [255, 255, 255],
     [255, 122, 200],
-    [214, 200, 255],
+    [150, 138, 200],
     [255, 120, 96],
     [120, 200, 255],
   ],
 };
-
-/** Thousands of circles would hide what they are drawn on. */
-const opacity = [255, 255, 150, 255, 255];
 
 /** A colour as CSS has it. @param {number} kind @param {boolean} dark */
 export const colourOf = (kind, dark) => `rgb(${palettes[dark ? "dark" : "light"][kind].join(" ")})`;
@@ -35,7 +32,7 @@ export const colourOf = (kind, dark) => `rgb(${palettes[dark ? "dark" : "light"]
 export function overlayOf({ ends, kinds, circles, directions }, dark) {
   // Four bytes at once: there may be hundreds of thousands.
   const packed = palettes[dark ? "dark" : "light"].map(
-    (rgb, kind) => new Uint32Array(Uint8Array.from([...rgb, opacity[kind]]).buffer)[0],
+    (rgb) => new Uint32Array(Uint8Array.from([...rgb, 255]).buffer)[0],
   );
   const colours = Uint32Array.from(kinds, (kind) => packed[kind]);
   // Behind the surface a few circles are a help, thousands are a thicket.
