@@ -154,6 +154,8 @@ fn other_surfaces_are_studied_by_the_limit_of_loops_scheme() {
     let area = trend(&report, "area");
     assert_eq!((area.tendency, area.smooth), (Tendency::Converges, None));
     assert!((order(&report, "area") - 2.0).abs() < 0.2, "{area:?}");
+    // Vertices on the limit surface span less than it; those of control meshes lie outside.
+    assert!(area.values.windows(2).all(|w| w[1] > w[0]), "{area:?}");
     let fitted = trend(&report, "fitted");
     assert_eq!(fitted.tendency, Tendency::Converges, "{fitted:?}");
     // ∫K = 4π, and what the circle energy is compared with comes from the finest mesh.

@@ -52,14 +52,6 @@ impl Case {
             let label = remedy.label.to_string();
             assert!(!label.contains('{') && !label.is_empty(), "{label}");
         }
-        println!(
-            "{kind:?}: {sentence}\n   {:?}",
-            found
-                .remedies
-                .iter()
-                .map(|r| r.label.to_string())
-                .collect::<Vec<_>>()
-        );
         found
     }
 
@@ -182,12 +174,9 @@ fn nothing_is_said_where_nothing_is_wrong() {
     case.run(200);
     assert_eq!(case.state().status, Status::Converged);
     assert_eq!(case.why(), None, "nor has a run that converged");
-    let mut torus = Case::new("torus", &[("around", 24.0), ("tube", 12.0)], p_willmore());
-    torus.run(200);
-    assert_eq!(
-        (torus.state().status, torus.why()),
-        (Status::Converged, None)
-    );
+    let mut blob = Case::new("bumpy-sphere", &[("level", 2.0)], p_willmore());
+    blob.run(200);
+    assert_eq!((blob.state().status, blob.why()), (Status::Converged, None));
     assert!(Session::new().why().is_err(), "there is no mesh");
 }
 
@@ -290,29 +279,19 @@ fn edges_of_four_points_on_a_circle_stop_the_exact_energy() {
             sides / diagonals
         );
     }
-    let before = case.mesh();
-    let mut remedy = first(&found, RemedyId::LargerEpsilon);
-    // The first that is offered keeps edges along the lines of curvature; then the next.
-    loop {
-        case.carry_out(&remedy);
-        case.run(100);
-        let Some(next) = case
-            .why()
-            .filter(|found| found.kind == Kind::CocircularKink)
-        else {
-            break;
-        };
-        remedy = first(&next, RemedyId::LargerEpsilon);
-    }
-    println!(
-        "KINK {:?} {} {:?}",
-        case.state().status,
-        case.energy(),
-        case.state().step
+    let wanted = RemedyId::LargerEpsilon;
+    assert!(found.remedies.iter().any(|remedy| remedy.id == wanted));
+    // ∫H² of this torus is π²/(r √(1 − r²)) with r = 0.35; the Clifford torus has 2π².
+    let boundary = umbilic::energy::circle::Boundary::Clamped;
+    let bending = |case: &Case| case.session.energy(boundary, &[]).expect("a mesh").willmore;
+    let squared = std::f64::consts::PI.powi(2);
+    assert!(
+        (bending(&case) / (squared / (0.35 * (1.0f64 - 0.35 * 0.35).sqrt())) - 1.0).abs() < 0.02
     );
-    let after = case.mesh();
-    let moved = before.x.iter().zip(&after.x).map(|(p, q)| p.distance(*q));
-    assert!(case.state().step > 5 && moved.fold(0.0, f64::max) > 1e-3);
+    case.carry_out(&first(&found, RemedyId::OtherFlow));
+    case.run(60);
+    let after = bending(&case) / (2.0 * squared);
+    assert!((after - 1.0).abs() < 0.03, "{after}");
 }
 
 #[test]
@@ -380,6 +359,14 @@ fn a_neck_pinches_off_where_it_is_thinnest() {
     }
     let width: f64 = found.sentence.values["width"].parse().expect("a number");
     assert!(width < 0.1);
+    let back = found
+        .remedies
+        .iter()
+        .find(|remedy| remedy.id == RemedyId::Back);
+    let back = back.expect("a way back").clone();
+    let step = case.state().step;
+    case.carry_out(&back);
+    assert_eq!(case.state().step, step - back.steps);
     case.carry_out(&first(&found, RemedyId::KeepVolume));
     case.run(200);
     assert_eq!((case.state().status, case.why()), (Status::Converged, None));
@@ -432,7 +419,7 @@ fn free_surfaces_shrink_or_grow_with_the_exponent() {
         flow: FlowName::MeanCurvature,
         ..plain()
     };
-    let mut case = Case::new("dumbbell", &[("level", 2.0)], options);
+    let mut case = Case::new("ellipsoid", &[("level", 2.0)], options);
     case.run(6);
     let found = case.diagnosis(Kind::Shrinking);
     case.carry_out(&first(&found, RemedyId::OtherFlow));
@@ -546,15 +533,14 @@ fn a_rough_start_is_too_much_for_high_orders() {
     case.run(10);
     assert_eq!(case.state().status, Status::Stalled);
     let found = case.diagnosis(Kind::TooRough);
-    // It names a sharp point: far more than the mean of |H| is there.
+    // It names the sharpest point.
     let field = case
         .session
         .field("mean-curvature")
         .expect("a field")
         .expect("values");
-    let sharp = field.values[found.vertices[0] as usize].abs();
-    let mean = field.values.iter().map(|h| h.abs()).sum::<f32>() / field.values.len() as f32;
-    assert!(sharp > 1.5 * mean, "{sharp} {mean}");
+    let sharpest = field.values.iter().map(|h| h.abs()).fold(0.0, f32::max);
+    assert_eq!(field.values[found.vertices[0] as usize].abs(), sharpest);
     case.carry_out(&first(&found, RemedyId::LowerExponent));
     let before = case.energy();
     case.run(60);
@@ -578,8 +564,14 @@ fn a_rough_start_is_too_much_for_high_orders() {
     };
     let wild = update(&case);
     case.carry_out(&first(&found, RemedyId::Regularise));
+    let area = case.state().area;
     case.run(30);
-    assert!(update(&case) < 1e-2 * wild, "{} {wild}", update(&case));
+    assert!(case.state().area < area && case.state().min_angle_degrees > 20.0);
+    assert!(
+        update(&case) < 1e-2 && wild > 2.0,
+        "{} {wild}",
+        update(&case)
+    );
 }
 
 #[test]
@@ -619,23 +611,4 @@ fn steps_that_are_all_refused_are_told_by_the_last() {
     let before = case.energy();
     case.run(30);
     assert!(case.energy() < 0.8 * before && case.state().status != Status::Stalled);
-}
-
-#[test]
-fn the_way_back_leads_to_where_the_surface_was() {
-    let options = FlowOptions {
-        p: 0.0,
-        ..p_willmore()
-    };
-    let mut case = Case::new("dumbbell", &[("level", 3.0)], options);
-    case.run(200);
-    let found = case.diagnosis(Kind::Pinch);
-    let back = found
-        .remedies
-        .iter()
-        .find(|remedy| remedy.id == RemedyId::Back);
-    let back = back.expect("a way back").clone();
-    let step = case.state().step;
-    case.carry_out(&back);
-    assert_eq!(case.state().step, step - back.steps);
 }

@@ -4,6 +4,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { facing } from "../../www/facing.js";
 import {
   button,
   choice,
@@ -30,6 +31,32 @@ const cells = (page) =>
     .evaluateAll((rows) =>
       rows.map((row) => [...row.children].map((cell) => cell.firstChild?.textContent ?? "")),
     );
+
+test("a camera turns to a direction and stays where it was otherwise", () => {
+  const axis = [0, 1, 0];
+  const camera = Float32Array.from([0.1, 0.2, 0.3, 5, 0, 0, 0, 1, ...axis]);
+  for (const direction of /** @type {[number, number, number][]} */ ([
+    [1, 2, 3],
+    [-1, 0.1, -2],
+    [0, -0.4, 1],
+    [0.2, -3, -0.1],
+  ])) {
+    const turned = facing(camera, direction);
+    assert.ok(turned);
+    assert.deepEqual([...turned.slice(0, 4)], [...camera.slice(0, 4)]);
+    const [x, y, z, w] = turned.slice(4, 8);
+    // Third column of the rotation: the backward axis; second: up, in the plane of the axis.
+    const backward = [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)];
+    const length = Math.hypot(...direction);
+    backward.forEach((part, k) => {
+      assert.ok(Math.abs(part - direction[k] / length) < 1e-6);
+    });
+    assert.ok(Math.abs(2 * (x * y + z * w)) < 1e-6, "the right axis is horizontal");
+    assert.ok(1 - 2 * (x * x + z * z) > 0, "and up is up");
+  }
+  assert.equal(facing(camera, [0, 0, 0]), null);
+  assert.equal(facing(camera, [0, 2, 0]), null);
+});
 
 test("a stalled flow says why, shows where, and a remedy makes it go on", async () => {
   const { page, faults, close } = await site.open("sample=clifford-torus&epsilon=0");

@@ -49,7 +49,7 @@ export function createWhyActions(core, edits, run) {
      */
     async remedy(remedy) {
       if (remedy.id === "regularise") {
-        if (remedy.fromStart) await enqueue(() => rest().then(() => solver.reset()));
+        if (remedy.fromStart) await enqueue(() => rest().then(() => change(remedy)));
         await edits.actions.regularise();
       }
       if (remedy.id === "subdivide") await edits.actions.subdivide("loop");

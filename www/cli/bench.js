@@ -16,6 +16,7 @@ import { table } from "./text.js";
  * @property {string} title
  * @property {string[]} columns  keys of a row, in order
  * @property {number} [left]      how many of them are set flush left (default 1)
+ * @property {number} [digits]    significant ones of a number (default: one after the point)
  * @property {(session: Session, limits: Limits) => Generator<Row>} rows
  */
 /**
@@ -76,6 +77,7 @@ const tables = {
       "Area, W/2 and ∫H² by cotangents and by fits under refinement, with observed orders; the\n" +
       "circle energy tends to ∫(H² − K) dA only along lines of curvature",
     columns: refinementColumns,
+    digits: 5,
     rows: refinementRows,
   },
   figures: {
@@ -114,17 +116,17 @@ export const bench = {
     }
     const figures = chosen(values.figures, values.quick === true);
 
-    const { title, columns, left, rows: measure } = tables[name];
+    const { title, columns, left, digits, rows: measure } = tables[name];
     const session = await open();
     const rows = [];
     for (const row of measure(session, { maxVertices, steps, figures })) {
-      io.log(columns.map((column) => `${column} ${cell(row[column])}`).join("  "));
+      io.log(columns.map((column) => `${column} ${cell(row[column], digits)}`).join("  "));
       rows.push(row);
     }
     if (values.json) {
       io.write(`${JSON.stringify({ table: name, rows })}\n`);
     } else {
-      const cells = rows.map((row) => columns.map((column) => cell(row[column])));
+      const cells = rows.map((row) => columns.map((column) => cell(row[column], digits)));
       io.write(`${title}\n\n${table([columns, ...cells], left)}`);
     }
     return 0;
@@ -166,11 +168,12 @@ function* flipRows(session, { maxVertices }) {
   }
 }
 
-/** @param {number | string | null} value */
-function cell(value) {
+/** @param {number | string | null} value @param {number} [digits] */
+function cell(value, digits) {
   if (value === null) return "–";
   if (typeof value === "string") return value;
-  return Number.isInteger(value) ? String(value) : value.toFixed(1);
+  if (Number.isInteger(value)) return String(value);
+  return digits ? String(Number(value.toPrecision(digits))) : value.toFixed(1);
 }
 
 /** Sides of square lattices on a torus: 2.6, 10, 37, 100 and 350 thousand vertices. */

@@ -29,7 +29,8 @@ export function* refinementRows(session, { maxVertices }) {
       const row = { shape: k === 0 ? shape : "", vertices, h };
       for (const { quantity, values, orders } of study.trends) {
         row[quantity] = values[k];
-        row[`${quantity}Order`] = orders[k];
+        // Two digits of an order are all that it has.
+        row[`${quantity}Order`] = orders[k] === null ? null : Number(orders[k].toFixed(2));
       }
       yield row;
     }

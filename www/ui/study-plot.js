@@ -51,29 +51,19 @@ export function drawOrders(svg, { rows, trends }, names) {
   for (const x of h) {
     svg.append(
       node("path", { d: `M${px(x)} ${box.bottom}v4`, stroke: "currentColor" }),
-      node(
-        "text",
-        { x: px(x), y: box.bottom + 15, "text-anchor": "middle", fill: "currentColor" },
-        formatShort(10 ** x),
-      ),
+      node("text", { x: px(x), y: box.bottom + 15, "text-anchor": "middle" }, formatShort(10 ** x)),
     );
   }
   for (const y of [low, high]) {
     svg.append(
       node(
         "text",
-        { x: box.left - 5, y: py(y) + 3, "text-anchor": "end", fill: "currentColor" },
+        { x: box.left - 5, y: py(y) + 3, "text-anchor": "end" },
         formatShort(Number((10 ** y).toPrecision(1))),
       ),
     );
   }
-  svg.append(
-    node(
-      "text",
-      { x: box.right, y: box.bottom + 27, "text-anchor": "end", fill: "currentColor" },
-      "h",
-    ),
-  );
+  svg.append(node("text", { x: box.right, y: box.bottom + 27, "text-anchor": "end" }, "h"));
   // Names below each other where their lines end together.
   const ends = curves
     .map(({ quantity, points }) => ({ quantity, y: py(points[0].y) }))

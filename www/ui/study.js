@@ -11,7 +11,7 @@ import { t } from "../language.js";
 import { samples } from "../samples.js";
 import { createSolver, LOST } from "../solver.js";
 import { byId, fillSelect, setText } from "./element.js";
-import { formatNumber, formatShort } from "./number.js";
+import { formatNumber } from "./number.js";
 import { drawOrders } from "./study-plot.js";
 
 /** @type {Readonly<Record<Trend["quantity"], string>>} */
@@ -180,7 +180,7 @@ export function createStudy(controller) {
     foot.replaceChildren();
     if (study.trends.some(({ smooth }) => smooth !== null)) {
       const smooth = study.trends.map((one) => {
-        const text = one.smooth === null ? "–" : formatShort(Number(one.smooth.toPrecision(5)));
+        const text = one.smooth === null ? "–" : formatNumber(one.smooth, 5);
         return one.isKnown || one.smooth === null ? text : `≈ ${text}`;
       });
       addRow(foot, t("Smooth"), ["0", ...smooth]);
@@ -262,7 +262,7 @@ export function createStudy(controller) {
     /** Opens the section and studies the surface as it is. */
     begin() {
       section.open = true;
-      section.scrollIntoView({ block: "start" });
+      section.scrollIntoView({ block: "nearest" });
       section.querySelector("summary")?.focus();
       run();
     },

@@ -44,6 +44,8 @@ pub struct Trend {
 
 /// Relative error of what is right up to roundoff and the conditioning of the sums.
 const ROUNDOFF: f64 = 1e-9;
+/// A change by so much of ∫H² is that of a quantity that settles.
+const RELIABLE: f64 = 0.1;
 /// Order below which errors do not fall.
 const LEAST_ORDER: f64 = 0.5;
 
@@ -94,13 +96,14 @@ pub(super) fn trends(rows: &[Resolution], exact: Option<Exact>, p: f64) -> Vec<T
 }
 
 /// ∫(H² − K) by fits on the finest mesh, and how far it may be off: as much as the last
-/// refinement changed it.
+/// refinement changed it. Where that is much it is no estimate.
 fn fitted_difference(rows: &[Resolution]) -> Option<(f64, f64)> {
     let [.., before, last] = rows else {
         return None;
     };
     let of = |row: &Resolution| row.fitted - row.gauss;
-    Some((of(last), (of(last) - of(before)).abs()))
+    let (value, change) = (of(last), (of(last) - of(before)).abs());
+    (change < RELIABLE * last.fitted).then_some((value, change))
 }
 
 /// `estimate` stands in for a smooth value that is not known, with its error; `size` is what

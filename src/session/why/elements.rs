@@ -65,6 +65,15 @@ pub(super) fn sharpest(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<Sharpest> {
     })
 }
 
+/// The vertex with the largest |H|.
+pub(super) fn most_curved(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<u32> {
+    let curvature = curvature::pointwise_mean_curvature(mesh, x);
+    let size = |v: &usize| curvature[*v].abs();
+    (0..x.len())
+        .max_by(|a, b| size(a).total_cmp(&size(b)))
+        .map(|v| v as u32)
+}
+
 /// Interior edges with a vertex that moves whose four points lie on a circle: two ends each.
 pub(super) fn cocircular_edges(
     mesh: &HalfedgeMesh,

@@ -176,6 +176,17 @@ impl Remedy {
         Self::new(RemedyId::Regularise, label)
     }
 
+    /// What a closed surface is faired by: nothing holds it, and flows of sixth order inflate
+    /// it besides.
+    pub(super) fn regularise_and_diffuse() -> Self {
+        let label = Text::plain("Regularise and use surface diffusion");
+        Self {
+            id: RemedyId::Regularise,
+            label,
+            ..Self::other_flow(FlowName::SurfaceDiffusion)
+        }
+    }
+
     pub(super) fn regularise_each_step() -> Self {
         let change = Change {
             regularise: Some(Mode::Nonlinear),

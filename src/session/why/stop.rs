@@ -40,7 +40,12 @@ impl Work {
         );
         let larger = SMOOTH.into_iter().find(|&one| epsilon < one);
         let is_patch = self.options.free.is_some() && !self.options.prefill;
+        // Where all quadrilaterals are planar that is a local minimum of this energy, but not of
+        // the smooth one: a flow that does not go by angles leaves it.
+        let mesh = &self.document.polygons;
+        let is_closed = mesh.is_closed() && mesh.is_oriented();
         let diagnosis = Diagnosis::new(Kind::CocircularKink, sentence).with([
+            is_closed.then(|| Remedy::other_flow(FlowName::PWillmore)),
             larger.map(Remedy::larger_epsilon),
             is_patch.then(Remedy::prefill),
         ]);
@@ -52,8 +57,9 @@ impl Work {
         let last = self.last()?;
         let non_finite = matches!(self.failure, Some(FlowError::NonFiniteEnergy { .. }))
             && self.state.status == Status::Failed;
-        let energies = || self.recent().iter().map(|report| report.energy);
-        let least = energies().fold(last.objective_before, f64::min);
+        let energies = self.recent().iter();
+        let energies = energies.flat_map(|report| [report.objective_before, report.energy]);
+        let least = energies.fold(f64::INFINITY, f64::min);
         let rises = last.energy > (1.0 + RISEN) * least.abs().max(f64::MIN_POSITIVE);
         if !self.is_paper() || !(rises || non_finite) {
             return None;
@@ -108,14 +114,15 @@ impl Work {
         }
     }
 
-    pub(super) fn too_rough(&self, flow: &dyn Flow) -> Option<Diagnosis> {
+    pub(super) fn too_rough(&self) -> Option<Diagnosis> {
         let p = self.options.p;
         let stalled = self.state.status == Status::Stalled;
         if self.options.flow == FlowName::PWillmore && p > 2.0 && stalled {
-            let vertex = flow.refusal()?.vertex;
+            let (mesh, x) = (self.triangles(), &self.x);
+            let vertex = elements::most_curved(mesh, x)?;
             let sentence = Text::new(
-                "With p = {p} the sharpest points outweigh all others: even the shortest step \
-                 tried would carry vertex {vertex} too far.",
+                "With p = {p} the sharpest points outweigh all others, most of all vertex {vertex}: \
+                 even the shortest step tried would go too far.",
                 [("p", number(p)), ("vertex", vertex.to_string())],
             );
             let diagnosis = Diagnosis::new(Kind::TooRough, sentence).at_vertices([vertex]);
@@ -138,7 +145,8 @@ impl Work {
         let remedies = [
             (!self.options.prefill && self.options.free.is_some())
                 .then(|| Remedy::prefill().anew()),
-            self.can_regularise().map(Remedy::anew),
+            self.can_regularise()
+                .map(|_| Remedy::regularise_and_diffuse().anew()),
             Some(Remedy::other_flow(FlowName::SurfaceDiffusion).anew()),
         ];
         let diagnosis = Diagnosis::new(Kind::TooRough, sentence).at_vertices([vertex]);

@@ -18,6 +18,8 @@ use std::f64::consts::PI;
 const SINGULAR: f64 = 3.0;
 const NARROW: f64 = 1.5;
 const SHARPENED: f64 = 1.5;
+/// The bend of a ring of n edges is this over n: 2π √(√3/2).
+const RING: f64 = 5.85;
 /// Growth of the area that is a sign of a bubble.
 const BUBBLE: f64 = 4.0;
 /// A smallest angle below this, in degrees, and below half of that at the start.
@@ -103,21 +105,27 @@ impl Work {
         if !found.is_neck {
             return None;
         }
+        let edges = (RING / found.bend).floor();
         let values = [
             ("vertex", found.vertex.to_string()),
             // A thin neck bends about its axis only: 2|H| = 1/r.
             ("width", number(1.0 / found.mean_curvature)),
-            (
-                "edges",
-                number((2.0 * PI * 0.93 / found.bend).max(1.0).round()),
-            ),
+            ("edges", number(edges)),
         ];
-        let sentence = Text::new(
-            "The surface pinches off at vertex {vertex}: the neck there is {width} wide, with \
-             room for about {edges} edges around, and this flow shrinks a neck to nothing in \
-             finite time.",
-            values,
-        );
+        let sentence = if edges < 3.0 {
+            Text::new(
+                "The surface pinches off at vertex {vertex}: the neck there is {width} wide, too \
+                 thin for a ring of edges, and this flow shrinks a neck to nothing in finite time.",
+                values,
+            )
+        } else {
+            Text::new(
+                "The surface pinches off at vertex {vertex}: the neck there is {width} wide, with \
+                 room for {edges} edges around, and this flow shrinks a neck to nothing in finite \
+                 time.",
+                values,
+            )
+        };
         // An open surface keeps no volume; with its tangents held it does not become a neck.
         let clamped = (!self.document.polygons.is_closed())
             .then(|| Remedy::other_flow(FlowName::Circle).anew());
