@@ -20,7 +20,7 @@ use std::f64::consts::TAU;
 /// Least distance of the centre from the surface, in diagonals of its bounding box. What lies
 /// there is stretched over the whole picture and the rest is crowded where infinity goes: the
 /// digits lost there are as many as the distance has zeros. At this distance W still
-/// stays within 10⁻¹² of the sum of its angles (90,000 vertices; `tests/moebius.rs`).
+/// stays within 10⁻¹² of the sum of its angles (90,000 vertices; `tests/suite/moebius.rs`).
 const NEAREST: f64 = 1e-3;
 
 /// Largest distance of the centre from the middle, in the same unit: beyond, the surface is

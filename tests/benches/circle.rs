@@ -5,7 +5,7 @@
     reason = "a bench that fails has nothing to measure"
 )]
 
-#[path = "../support/clock.rs"]
+#[path = "../suite/support/clock.rs"]
 mod clock;
 
 use clock::clock;

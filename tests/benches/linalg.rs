@@ -8,9 +8,9 @@
     reason = "a bench that fails has nothing to measure"
 )]
 
-#[path = "../support/clock.rs"]
+#[path = "../suite/support/clock.rs"]
 mod clock;
-#[path = "../support/flap_matrix.rs"]
+#[path = "../suite/support/flap_matrix.rs"]
 mod flap_matrix;
 
 use clock::clock;

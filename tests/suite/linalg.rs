@@ -1,14 +1,10 @@
 //! Sparse solves against dense ones, on random matrices and on bending matrices of meshes.
 
 #![cfg(feature = "solver")]
-#![allow(clippy::unwrap_used, reason = "a test may fail here")]
 
-#[path = "support/flap_matrix.rs"]
-mod flap_matrix;
-
+use crate::support::flap_matrix::{FlapMesh, Uniform};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use flap_matrix::{FlapMesh, Uniform};
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -607,7 +603,7 @@ fn factorisations_reuse_their_memory() {
 fn products_run_their_simd_kernel() {
     assert!(simd_enabled());
     // The switch is a feature of the `gemm` this crate names: it must be faer's.
-    let lock = include_str!("../Cargo.lock");
+    let lock = include_str!("../../Cargo.lock");
     assert_eq!(lock.matches("name = \"gemm-common\"").count(), 1);
-    assert!(include_str!("../Cargo.toml").contains("\"wasm-simd128-enable\""));
+    assert!(include_str!("../../Cargo.toml").contains("\"wasm-simd128-enable\""));
 }

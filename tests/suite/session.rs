@@ -1,5 +1,4 @@
 //! The application without a browser.
-#![allow(missing_docs, reason = "tests")]
 
 use std::cell::RefCell;
 use std::rc::Rc;

@@ -1,12 +1,9 @@
 //! What must hold of the circle-angle energy on every mesh: derivatives, Möbius
 //! invariance, bounds, exact values, the smooth limit.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
-use support::*;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};
 use umbilic::flow::Flow;
@@ -215,7 +212,7 @@ fn moebius_transformations_and_relabelling_change_nothing() {
             face.rotate_left(f % 3);
             other.push_face(&face);
         }
-        let error = (energy(&support::surface(&other), boundary) - w).abs() / w;
+        let error = (energy(&crate::support::surface(&other), boundary) - w).abs() / w;
         assert!(error <= 1e-12, "{name}, relabelled: {error:.1e}");
     }
 }

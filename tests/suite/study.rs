@@ -1,5 +1,4 @@
 //! Refinement studies: orders on surfaces whose energies are known.
-#![allow(missing_docs, reason = "tests")]
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;

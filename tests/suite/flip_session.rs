@@ -1,6 +1,5 @@
 //! Edge flips in a session: steps and the way back, criteria side by side, samples with
 //! known ends, edits and their undoing.
-#![allow(missing_docs, reason = "tests")]
 
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions};

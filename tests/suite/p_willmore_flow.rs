@@ -1,12 +1,9 @@
 //! Outcomes of the p-Willmore flow.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::{DMat3, DVec3};
 use std::f64::consts::PI;
 use std::rc::Rc;
-use support::*;
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
 use umbilic::flow::p_willmore::PWillmoreFlow;

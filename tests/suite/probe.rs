@@ -1,11 +1,8 @@
 //! A vertex looked at closely, circles, and lines of curvature.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::surface;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
-use support::surface;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
 use umbilic::flow::options::FlowOptions;
@@ -94,7 +91,7 @@ fn vertices_add_up_to_the_surface() {
 #[test]
 fn angles_are_those_of_the_energy() {
     for (name, boundary) in [("torus", Boundary::Clamped), ("pipe", Boundary::Fixed)] {
-        let support::Surface { mesh, x, .. } =
+        let crate::support::Surface { mesh, x, .. } =
             surface(&shape::make(name, &[]).expect("a sample").soup);
         let energy = CircleEnergy::new(&mesh, boundary);
         let sum: f64 = mesh
@@ -222,7 +219,7 @@ fn errors(
     exact: impl Fn(DVec3) -> Option<([f64; 2], DVec3)>,
 ) -> [f64; 2] {
     let values: Vec<(String, f64)> = values.iter().map(|(n, v)| ((*n).to_owned(), *v)).collect();
-    let support::Surface { mesh, x, .. } =
+    let crate::support::Surface { mesh, x, .. } =
         surface(&shape::make(name, &values).expect("a sample").soup);
     let found = principal_directions(&mesh, &x, |_| true);
     let mut worst = [0.0f64; 2];
@@ -358,7 +355,7 @@ fn umbilics_have_no_directions() {
 #[test]
 fn edges_along_lines_of_curvature_are_aligned() {
     let share = |name: &str| {
-        let support::Surface { mesh, x, .. } =
+        let crate::support::Surface { mesh, x, .. } =
             surface(&shape::make(name, &[]).expect("a sample").soup);
         let at = principal_directions(&mesh, &x, |_| true);
         let (aligned, edges) = aligned_edges(&mesh, &x, &at, measure::bounding_diagonal(&x), 5.0);

@@ -1,6 +1,5 @@
 //! Why did this happen: each kind is brought about, its element is really there, and the first
 //! remedy helps.
-#![allow(missing_docs, reason = "tests")]
 
 use glam::DVec3;
 use umbilic::flow::Status;

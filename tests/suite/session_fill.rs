@@ -1,5 +1,4 @@
 //! Filling as a session does it: the free set, cancelling, undoing.
-#![allow(missing_docs, reason = "tests")]
 
 use std::ops::ControlFlow;
 use umbilic::flow::Status;

@@ -1,9 +1,6 @@
 //! Default settings on real meshes: no rise, no NaN, next to no triangle turned over.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
-use support::*;
+use crate::support::*;
 use umbilic::flow::Flow;
 use umbilic::flow::circle::CircleFlow;
 use umbilic::flow::options::FlowOptions;

@@ -1,10 +1,7 @@
 //! Möbius inversion: what it leaves, what it changes, what it refuses.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::{Surface, surface};
 use glam::DVec3;
-use support::{Surface, surface};
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
 use umbilic::energy::p_willmore::integrated_power;

@@ -1,13 +1,10 @@
 //! The p-Willmore functional: exact gradients, closed forms, and readings of the printed
 //! paper that do not hold.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::DVec3;
 use std::f64::consts::PI;
 use std::rc::Rc;
-use support::*;
 use umbilic::energy::p_willmore::{Evaluation, Helfrich, PWillmore, integrated_power};
 use umbilic::energy::total_curvature;
 use umbilic::geometry::measure;

@@ -1,5 +1,4 @@
 //! Flows beside each other in a session: the same start, step by step, to their rest.
-#![allow(missing_docs, reason = "tests")]
 
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions};

@@ -1,13 +1,10 @@
 //! Holes filled and surfaces blended, then faired by a flow: Figures 5.2, 5.3 and 5.5 of
 //! Xu & Zhang, and closed forms.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::DVec3;
 use std::ops::ControlFlow;
 use std::rc::Rc;
-use support::*;
 use umbilic::energy::circle::Boundary;
 use umbilic::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use umbilic::flow::curvature::CurvatureFlow;

@@ -1,12 +1,9 @@
 //! Energy, gradient, K and the paper's scheme against independent numbers: inversion at
 //! 50 digits, differences, a dense solve in high precision (`tests/reference`).
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::DVec3;
 use std::sync::Arc;
-use support::*;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::star::StarMatrix;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};

@@ -1,7 +1,9 @@
 //! What several test files share.
-#![allow(dead_code, reason = "each test file uses a part of it")]
-#![allow(unreachable_pub, reason = "each test file is a crate of its own")]
+#![allow(dead_code, reason = "benches use a part of it")]
+#![allow(unreachable_pub, reason = "a program has no public interface")]
 #![allow(missing_docs, reason = "names say it; this is test code")]
+
+pub mod flap_matrix;
 
 use glam::DVec3;
 use std::path::PathBuf;

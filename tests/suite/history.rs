@@ -1,6 +1,5 @@
 //! Looking around in a run: any walk through its steps shows what the straight run showed, to
 //! the last bit.
-#![allow(missing_docs, reason = "tests")]
 
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions, Integrator};

@@ -1,12 +1,9 @@
 //! Hole filling and blending: topology to the letter, geometry against closed forms.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::DVec3;
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
-use support::*;
 use umbilic::geometry::measure;
 use umbilic::geometry::quality::{is_folded, triangle_quality};
 use umbilic::mesh::{Face, HalfedgeMesh};

@@ -1,11 +1,8 @@
 //! Half-edge connectivity: invariants, safe repairs, refusals.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::DVec3;
 use proptest::prelude::*;
-use support::*;
 use umbilic::geometry::measure;
 use umbilic::mesh::{MeshError, Vertex, build, shape, triangulate};
 use umbilic::soup::PolygonSoup;

@@ -1,12 +1,9 @@
 //! Flows by mean curvature and its derivatives.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::DVec3;
 use std::f64::consts::TAU;
 use std::rc::Rc;
-use support::*;
 use umbilic::energy::circle::Boundary;
 use umbilic::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use umbilic::flow::curvature::CurvatureFlow;

@@ -1,11 +1,8 @@
 //! The outcomes of the figures of Bobenko & Schröder, 2005, with default settings and in
 //! the paper's scheme.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::DVec3;
-use support::*;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
 use umbilic::flow::circle::CircleFlow;
@@ -202,7 +199,7 @@ fn forward_euler_is_stable_below_its_limit_only() {
 #[test]
 fn figure_8_torus() {
     let torus = sample("coarse-torus", &[]);
-    // 764.397: independent of the code, by inversion in `tests/shapes.rs`.
+    // 764.397: independent of the code, by inversion in `shapes`.
     assert!((energy_of(&torus, Boundary::Free) - 764.397).abs() < 1e-3);
     let found = run(&torus, FlowOptions::default(), 30);
     println!(

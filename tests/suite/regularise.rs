@@ -1,11 +1,8 @@
 //! Conformal regularisation of meshes at rest, and readings of the printed paper that fail.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::DVec3;
 use std::rc::Rc;
-use support::*;
 use umbilic::energy::conformal::{conformal_distortion, reference_angles};
 use umbilic::geometry::measure;
 use umbilic::mesh::shape;

@@ -1,15 +1,12 @@
 //! Edge flips of Brink & Alboul: exact reductions, the greedy optimiser against a search of
 //! all edges, and the conjecture of the paper, which is false.
-#![allow(missing_docs, reason = "tests")]
 #![allow(
     clippy::excessive_precision,
     reason = "as they were computed, to 20 digits"
 )]
 
-mod support;
-
+use crate::support::*;
 use glam::DVec3;
-use support::*;
 use umbilic::energy::circle::angle::{Smoothing, diamond_angle};
 use umbilic::energy::circle::{Boundary, CircleEnergy};
 use umbilic::geometry::measure;

@@ -1,5 +1,4 @@
 //! Subdivision as an edit: what it does to the surface, to selections, and its undoing.
-#![allow(missing_docs, reason = "tests")]
 
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::session::{Session, SubdivideOptions, SubdivisionScheme};

@@ -1,11 +1,8 @@
 //! Differential operators by quadratic fits: closed forms, identities, orders of convergence.
-#![allow(missing_docs, reason = "tests")]
 
-mod support;
-
+use crate::support::*;
 use glam::DVec3;
 use std::f64::consts::TAU;
-use support::*;
 use umbilic::mesh::shape;
 use umbilic::operator::FittedOperators;
 use umbilic::soup::PolygonSoup;

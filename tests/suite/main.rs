@@ -1,0 +1,34 @@
+//! Tests of the solver: one program, since a program each would take minutes to link.
+#![allow(missing_docs, reason = "tests")]
+#![allow(clippy::unwrap_used, reason = "a test may fail here")]
+
+mod support;
+
+mod beside_session;
+mod circle_figures;
+mod circle_invariants;
+mod circle_reference;
+mod curvature_flows;
+mod fill;
+mod fitted_operators;
+mod flip_session;
+mod flips;
+mod history;
+mod io;
+mod linalg;
+mod mesh;
+mod modelling;
+mod moebius;
+mod p_willmore_energy;
+mod p_willmore_flow;
+mod probe;
+mod property_io;
+mod real_meshes;
+mod regularise;
+mod session;
+mod session_fill;
+mod session_subdivide;
+mod shaders;
+mod shapes;
+mod study;
+mod why;
