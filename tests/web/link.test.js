@@ -172,6 +172,12 @@ test("regions come back whole, however they lie, and nonsense is passed over", (
   }
 });
 
+test("a region must not make a browser set aside gigabytes", () => {
+  // A run of 2²⁵ vertices, in five bytes.
+  const bytes = String.fromCharCode(0, 0x80, 0x80, 0x80, 0x10);
+  assert.ok(decodeRegion(`r${btoa(bytes).replace(/=+$/, "")}`) === undefined);
+});
+
 test("a region that no link can hold is left out, and that is said", () => {
   const scattered = Array.from({ length: 60_000 }, (_, i) => 2 * i);
   assert.equal(encodeRegion(scattered), null);

@@ -51,6 +51,14 @@ async function hostPage(body) {
     <main><h1>Host</h1>${body}</main></html>`,
   );
   const opened = await site.blank();
+  // As browsers do to pages in pages of others.
+  await opened.page.addInitScript(() => {
+    Object.defineProperty(globalThis, "localStorage", {
+      get: () => {
+        throw new DOMException("denied", "SecurityError");
+      },
+    });
+  });
   await opened.page.goto(host.url + name);
   return opened;
 }
