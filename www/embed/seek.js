@@ -1,36 +1,30 @@
 // @ts-check
-// To any step, forwards or backwards, by what the page can do anyway.
+// To any step, forwards or backwards.
 
 /** @import { PageState } from "../state.js" */
 
 /**
  * @typedef {object} Moves
- * @property {() => Promise<unknown>} back
- * @property {() => Promise<unknown>} reset
+ * @property {(step: number) => Promise<unknown>} seek  to a stored step
  * @property {() => Promise<unknown>} pause
  * @property {(step: number) => Promise<unknown>} runTo  starts only
  * @property {() => Promise<unknown>} still  nothing runs any more
  */
 
 /**
- * Back step by step where that is the shorter way and can be done, else anew from the start:
- * the same steps give the same surface.
+ * To the nearest stored step that is not beyond, and on from there: the same steps give the
+ * same surface.
  * @param {Moves} moves
  * @param {() => Readonly<PageState>} get
  * @param {number} step  less if the flow ends before
  */
 export async function seek(moves, get, step) {
   await moves.pause();
-  const at = () => get().reading?.step ?? 0;
-  if (step < at() && at() - step <= step) {
-    while (at() > step && get().reading?.canStepBack) {
-      const before = at();
-      await moves.back();
-      if (at() >= before) break;
-    }
-  }
-  if (step < at()) await moves.reset();
-  if (step > at()) {
+  const { timeline } = get();
+  if (!timeline) return;
+  const { start, first, last } = timeline;
+  await moves.seek(step < first ? start : Math.min(step, last));
+  if (step > (get().reading?.step ?? 0)) {
     await moves.runTo(step);
     await moves.still();
   }
