@@ -263,7 +263,7 @@ mod tests {
     fn maps_of_contrast_are_told_apart_by_the_colour_blind() {
         for sight in &SIGHT {
             for map in [CONTRAST, SIGNED_CONTRAST] {
-                // Sixteen classes, each five times what is just noticed from the next.
+                // Sixteen classes, each twice what is just noticed from the next, or more.
                 let bar = lab(map, 16, sight);
                 for (i, pair) in bar.windows(2).enumerate() {
                     let apart = difference(pair[0], pair[1]);
