@@ -66,7 +66,12 @@ test("the main thread is free while two large panes step, coloured by their dist
   // long by itself is long every time.
   /** @type {Task[]} */
   let long = [];
-  for (let round = 1; round <= 3; round += 1) {
+  for (let round = 1; round <= 6; round += 1) {
+    // From the start each time: the flow comes to rest soon.
+    if (round > 1) await button(page, "Reset").click();
+    await page.waitForFunction(() =>
+      /step 0,/.test(document.querySelector("#own-caption")?.textContent ?? ""),
+    );
     const began = await page.evaluate(() => performance.now());
     const [before] = await steps();
     await button(page, "Play").click();
@@ -74,7 +79,7 @@ test("the main thread is free while two large panes step, coloured by their dist
       (step) =>
         Number(/step (\d+)/.exec(document.querySelector("#own-caption")?.textContent ?? "")?.[1]) >=
         step,
-      before + 4,
+      before + 2,
     );
     await button(page, "Pause").click();
     await button(page, "Play").waitFor();
@@ -83,7 +88,7 @@ test("the main thread is free while two large panes step, coloured by their dist
     context.diagnostic(`round ${round}: ${said || "none"}`);
     const [a, b] = await steps();
     assert.equal(a, b);
-    assert.ok(a >= before + 4);
+    assert.ok(a >= before + 2);
     if (long.length === 0) break;
   }
   assert.deepEqual(long, [], "tasks longer than 50 ms");
