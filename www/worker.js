@@ -78,7 +78,7 @@ function frame(state) {
   const look = wanted && session.look(wanted);
   const transfer = [positions.buffer, flippedTriangles.buffer, ...buffersOf(colours)];
   transfer.push(...buffersOf(look));
-  for (const pane of panes) transfer.push(...buffersOf(pane), ...buffersOf(pane.field));
+  for (const pane of panes) transfer.push(...buffersOf(pane));
   const message = { type: "frame", run, state, reports: untold, positions, field: colours };
   const timeline = session.timeline();
   page.postMessage({ ...message, flippedTriangles, panes, curves, jump, look, timeline }, transfer);
