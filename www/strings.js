@@ -69,6 +69,98 @@ export const german = {
   "Remeshing the patches": "Flicken neu vernetzen",
   "Flipping edges": "Kanten flippen",
   "Measuring the surface": "Fläche vermessen",
+  "Following the recipe": "Rezept ausführen",
+  "Writing the stored steps": "Gespeicherte Schritte schreiben",
+
+  // History under the buttons
+  History: "Verlauf",
+  "Play history backwards": "Verlauf rückwärts abspielen",
+  "Play history forwards": "Verlauf vorwärts abspielen",
+  "Steps a second": "Schritte je Sekunde",
+  "Step {step} of {last}": "Schritt {step} von {last}",
+  Branches: "Zweige",
+  "1 branch": "1 Zweig",
+  "{count} branches": "{count} Zweige",
+  "Branch from step {from} ({steps} steps, energy {energy})":
+    "Zweig ab Schritt {from} ({steps} Schritte, Energie {energy})",
+
+  // Why it stopped, and what helps
+  "Why?": "Warum?",
+  Show: "Zeigen",
+  "Marks the place on the surface and turns it to the front":
+    "Markiert die Stelle auf der Fläche und dreht sie nach vorn",
+  "Fill holes": "Löcher füllen",
+  "Use fixed boundary": "Festen Rand verwenden",
+  "Free what the flow frees": "Freigeben, was der Fluss freigibt",
+  "Use the circle-angle Willmore flow": "Willmore-Fluss der Kreiswinkel verwenden",
+  "Use the p-Willmore flow": "p-Willmore-Fluss verwenden",
+  "Use mean-curvature flow": "Fluss nach der mittleren Krümmung verwenden",
+  "Use surface diffusion": "Oberflächendiffusion verwenden",
+  "Use Willmore flow": "Willmore-Fluss verwenden",
+  "Use mean-curvature variation": "Variation der mittleren Krümmung verwenden",
+  "Use the recommended scheme": "Empfohlenes Schema verwenden",
+  "More steps": "Weitere Schritte",
+  "Go {} steps back": "{} Schritte zurückgehen",
+  "Set τ to {}": "τ auf {} setzen",
+  "Choose τ automatically": "τ automatisch wählen",
+  "Set ε to {}": "ε auf {} setzen",
+  "Begin from a smooth first guess": "Von einem glatten ersten Ansatz ausgehen",
+  "Smooth with p = {} first": "Zuerst mit p = {} glätten",
+  "Keep the area": "Flächeninhalt festhalten",
+  "Keep the volume": "Volumen festhalten",
+  "Keep area and volume": "Flächeninhalt und Volumen festhalten",
+  "Keep only the volume": "Nur das Volumen festhalten",
+  "Regularise the mesh and go on": "Netz regularisieren und weitermachen",
+  "Regularise after each step": "Nach jedem Schritt regularisieren",
+  "Subdivide the mesh and go on": "Netz unterteilen und weitermachen",
+  "Flip edges and go on": "Kanten flippen und weitermachen",
+  "the edge flips": "die Kantenflips",
+  "At {} edges the four points of both triangles lie on one circle; there the energy has the tip of a cone, and with angle smoothing ε = {} no step descends from it.":
+    "An {} Kanten liegen die vier Punkte beider Dreiecke auf einem Kreis; dort hat die Energie eine Kegelspitze, und mit der Winkelglättung ε = {} führt kein Schritt von ihr hinab.",
+  "The energy rises, from {} to {}: the matrix of the step is indefinite for steps longer than τ = {}, so that errors are amplified; vertex {} moved by {} edge lengths in the last step.":
+    "Die Energie steigt, von {} auf {}: Für Schritte über τ = {} ist die Matrix des Schritts indefinit, sodass sich Fehler verstärken; Ecke {} bewegte sich im letzten Schritt um {} Kantenlängen.",
+  "The energy rises, from {} to {}: this scheme does not test for descent, and steps of τ = {} are too long for it; vertex {} moved by {} edge lengths in the last one.":
+    "Die Energie steigt, von {} auf {}: Dieses Schema prüft nicht, ob sie fällt, und Schritte mit τ = {} sind dafür zu lang; Ecke {} bewegte sich im letzten um {} Kantenlängen.",
+  "About vertex {} the surface has collapsed so far that no quadratic surface fits it, and curvatures by fits are what this flow goes by.":
+    "Um Ecke {} ist die Fläche so weit zusammengefallen, dass sich ihr keine quadratische Fläche anpassen lässt, und nach Krümmungen aus solchen Anpassungen richtet sich dieser Fluss.",
+  "With p = {} the sharpest points outweigh all others: even the shortest step tried would carry vertex {} too far.":
+    "Mit p = {} überwiegen die schärfsten Stellen alle anderen: Selbst der kürzeste versuchte Schritt würde Ecke {} zu weit tragen.",
+  "After {} steps vertices are still to move by up to {} edge lengths: the start is too rough for a flow of sixth order; the last step moved vertex {} most.":
+    "Nach {} Schritten sollen sich Ecken noch immer um bis zu {} Kantenlängen bewegen: Der Anfang ist zu rau für einen Fluss sechster Ordnung; der letzte Schritt bewegte Ecke {} am weitesten.",
+  "Every step tried was refused: even the last and shortest would move vertex {} by more than half an edge.":
+    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Ecke {} um mehr als eine halbe Kante bewegen.",
+  "Every step tried was refused: even the last and shortest would turn face {} by more than 60°.":
+    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Facette {} um mehr als 60° drehen.",
+  "Every step tried was refused: even the last and shortest would make a sliver of face {}.":
+    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Facette {} zum Splitter machen.",
+  "Every step tried was refused: area and volume cannot both be kept by a small move of this surface, which would move vertex {} most.":
+    "Jeder versuchte Schritt wurde abgelehnt: Mit einer kleinen Bewegung dieser Fläche lassen sich Flächeninhalt und Volumen nicht beide festhalten; am weitesten würde sich Ecke {} bewegen.",
+  "Every step tried was refused: none lowers the energy, not even the last and shortest, which would move vertex {} most.":
+    "Jeder versuchte Schritt wurde abgelehnt: Keiner senkt die Energie, auch nicht der letzte und kürzeste, der Ecke {} am weitesten bewegen würde.",
+  "Nothing is wrong: after {} steps the energy still falls, by {} % in the last one, which moved vertex {} most.":
+    "Es ist alles in Ordnung: Nach {} Schritten fällt die Energie noch, um {} % im letzten, der Ecke {} am weitesten bewegte.",
+  "After {} steps the surface is not at rest; the last one moved vertex {} most.":
+    "Nach {} Schritten ist die Fläche nicht in Ruhe; der letzte bewegte Ecke {} am weitesten.",
+  "Nothing is wrong: in step {} a longer trial, which would have moved vertex {} most, was refused, and τ = {} taken, for which the energy falls.":
+    "Es ist alles in Ordnung: In Schritt {} wurde ein längerer Versuch, der Ecke {} am weitesten bewegt hätte, abgelehnt und τ = {} genommen, womit die Energie fällt.",
+  "Nothing is wrong: in step {} {} longer trials, the last of which would have moved vertex {} most, were refused, and τ = {} taken, for which the energy falls.":
+    "Es ist alles in Ordnung: In Schritt {} wurden {} längere Versuche, deren letzter Ecke {} am weitesten bewegt hätte, abgelehnt und τ = {} genommen, womit die Energie fällt.",
+  "∫|H|^p falls as the surface grows, for every exponent above 2: with p = {} its area is {} times that at the start, and it never comes to rest.":
+    "Für jeden Exponenten über 2 fällt ∫|H|^p, wenn die Fläche wächst: Mit p = {} ist ihr Inhalt das {}-Fache dessen am Anfang, und sie kommt nie zur Ruhe.",
+  "∫|H|^p falls as the surface shrinks, for every exponent below 2: with p = {} its area is 1/{} of that at the start, and it vanishes in finite time.":
+    "Für jeden Exponenten unter 2 fällt ∫|H|^p, wenn die Fläche schrumpft: Mit p = {} ist ihr Inhalt 1/{} dessen am Anfang, und sie verschwindet in endlicher Zeit.",
+  "The surface pinches off at vertex {}: the neck there is {} wide, with room for about {} edges around, and this flow shrinks a neck to nothing in finite time.":
+    "Die Fläche schnürt sich bei Ecke {} ab: Der Hals dort ist {} breit, mit Platz für etwa {} Kanten ringsum, und dieser Fluss zieht einen Hals in endlicher Zeit ganz zusammen.",
+  "The surface has swollen to {} times its area, as ∫H² does not depend on size, and its mesh is worn out by that: the smallest angle of face {} is {}°.":
+    "Die Fläche ist auf das {}-Fache ihres Inhalts angeschwollen, da ∫H² nicht von der Größe abhängt, und das hat ihr Netz verschlissen: Der kleinste Winkel von Facette {} ist {}°.",
+  "The energy is {}, and no smooth surface of this topology has less than {}: the mesh is too coarse to notice what bends between its vertices, most of all at vertex {}.":
+    "Die Energie ist {}, und keine glatte Fläche dieser Topologie hat weniger als {}: Das Netz ist zu grob, um zu bemerken, was sich zwischen seinen Ecken krümmt, am meisten bei Ecke {}.",
+  "Face {} is folded over, against its neighbours: about it normals and curvatures mean nothing, and steps are short or go astray.":
+    "Facette {} ist gegen ihre Nachbarn umgeklappt: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.",
+  "{} faces are folded over, against their neighbours, the first of them face {}: about them normals and curvatures mean nothing, and steps are short or go astray.":
+    "{} Facetten sind gegen ihre Nachbarn umgeklappt, als erste Facette {}: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.",
+  "The mesh degenerates: the smallest angle of face {} is {}°, and at the start no angle was below {}°; steps can be no longer than such a face allows.":
+    "Das Netz entartet: Der kleinste Winkel von Facette {} ist {}°, und am Anfang lag kein Winkel unter {}°; Schritte können nicht länger sein, als eine solche Facette erlaubt.",
 
   // Figure that is shown, and the gallery
   Figure: "Abbildung",
@@ -89,8 +181,8 @@ export const german = {
   Sample: "Beispiel",
   "Open mesh…": "Netz öffnen …",
   "Open mesh": "Netz öffnen",
-  "OBJ, OFF, PLY, STL<span>, or drop it</span>":
-    "OBJ, OFF, PLY, STL<span>, oder hier ablegen</span>",
+  "OBJ, OFF, PLY, STL, recipe<span>, or drop it</span>":
+    "OBJ, OFF, PLY, STL, Rezept<span>, oder hier ablegen</span>",
   Flow: "Fluss",
   Boundary: "Rand",
   "Colour by": "Färben nach",
@@ -286,6 +378,218 @@ export const german = {
   "{count} step": "{count} Schritt",
   "{count} steps": "{count} Schritte",
 
+  // Möbius inversion, subdivision
+  "Möbius inversion": "Möbius-Inversion",
+  "Centre of the inversion": "Zentrum der Inversion",
+  "x ↦ c + r² (x − c)/|x − c|². Drag the centre c over the picture, or focus it and use the arrow keys, with Page up and Page down away from you and towards you. Circles stay circles, their angles stay, and so does W.":
+    "x ↦ c + r² (x − c)/|x − c|². Ziehen Sie das Zentrum c über das Bild, oder geben Sie ihm den Fokus und benutzen Sie die Pfeiltasten, dazu Bild ↑ und Bild ↓ von Ihnen weg und zu Ihnen hin. Kreise bleiben Kreise, ihre Winkel bleiben, und auch W bleibt.",
+  "Centre, from the middle of the surface in diagonals of its box":
+    "Zentrum, von der Mitte der Fläche aus in Diagonalen ihres Hüllquaders",
+  "at {x}, {y}, {z}": "bei {x}, {y}, {z}",
+  "Before and after the inversion": "Vor und nach der Inversion",
+  Before: "Vorher",
+  After: "Nachher",
+  Change: "Änderung",
+  Cancel: "Abbrechen",
+  "W of interior vertices": "W der inneren Ecken",
+  "W closed at infinity": "W, im Unendlichen geschlossen",
+  "∫H² dA": "∫H² dA",
+  "W changes by {share} of the sum of all angles, rounding; no vertex’s by more than {most}.":
+    "W ändert sich um {share} der Summe aller Winkel, nur durch Rundung; an keiner Ecke um mehr als {most}.",
+  "∫H² dA stays on smooth closed surfaces; on a mesh it changes with its triangles.":
+    "∫H² dA bleibt auf glatten geschlossenen Flächen gleich; auf einem Netz ändert es sich mit dessen Dreiecken.",
+  "With the boundary closed by a vertex at infinity W is not invariant: the inversion takes infinity to a point. ∫H² dA changes by what ∫K dA does.":
+    "Schließt eine Ecke im Unendlichen den Rand, so ist W nicht invariant: Die Inversion bringt das Unendliche in einen Punkt. ∫H² dA ändert sich um so viel wie ∫K dA.",
+  "A reflection follows, so that normals point where they did.":
+    "Eine Spiegelung folgt, damit die Normalen zur selben Seite zeigen wie zuvor.",
+  "The centre is inside: outside and inside change places, and normals still point out.":
+    "Das Zentrum liegt innen: Außen und Innen vertauschen sich, und die Normalen zeigen weiterhin nach außen.",
+  "The size of the surface is kept.": "Die Größe der Fläche bleibt.",
+  "the inversion": "die Inversion",
+  "The surface is inverted; W has changed by {change}. Undo brings the one before back.":
+    "Die Fläche ist invertiert; W hat sich um {change} geändert. „Rückgängig“ bringt die vorige zurück.",
+  "the centre is more than {} times the size of the surface away":
+    "das Zentrum ist um mehr als das {}-Fache der Größe der Fläche entfernt",
+  "From so far an inversion looks like doing nothing: choose a centre nearer by.":
+    "Von so weit her sieht eine Inversion aus, als täte sie nichts: Wählen Sie ein näheres Zentrum.",
+  "the centre is {} % of the size of the surface away from it, and needs {} %":
+    "das Zentrum ist um {} % der Größe der Fläche von ihr entfernt, nötig sind {} %",
+  "A point of the surface at the centre would go to infinity: move the centre off it.":
+    "Ein Punkt der Fläche im Zentrum ginge ins Unendliche: Rücken Sie das Zentrum von ihr weg.",
+  "A centre has three.": "Ein Zentrum hat drei.",
+  "{} coordinates are given": "{} Koordinaten sind angegeben",
+  "Each triangle becomes four": "Aus jedem Dreieck werden vier",
+  "How to subdivide": "Art der Unterteilung",
+  "same surface": "dieselbe Fläche",
+  "smoother, by Loop": "glatter, nach Loop",
+  "a subdivision": "eine Unterteilung",
+  "Subdivided into {count} triangles; Undo takes it back.":
+    "In {count} Dreiecke unterteilt; „Rückgängig“ nimmt es zurück.",
+  "the finer mesh would have {} faces": "das feinere Netz hätte {} Facetten",
+  "No more than {} are made.": "Mehr als {} werden nicht gemacht.",
+
+  // Comparison of flows
+  "Compare flows": "Flüsse vergleichen",
+  "Up to four panes from the same start, stepping together. Each does as A, the flow chosen above, except for what is set here.":
+    "Bis zu vier Teilfenster vom selben Anfang aus, die gemeinsam Schritte machen. Jedes tut dasselbe wie A, der oben gewählte Fluss, außer in dem, was hier eingestellt ist.",
+  "Add a pane": "Teilfenster hinzufügen",
+  "Ready-made comparison": "Vergleich aus einer Vorlage",
+  "Ready-made…": "Vorlagen …",
+  "ε = 0.1 against 0.01": "ε = 0.1 gegen 0.01",
+  "Recommended scheme against the paper’s": "Empfohlenes Schema gegen das der Arbeit",
+  "p-Willmore: p = 1, 2, 3, 4": "p-Willmore: p = 1, 2, 3, 4",
+  "p-Willmore: regularised, and not": "p-Willmore: regularisiert und nicht",
+  "Four flows by mean curvature": "Vier Flüsse nach der mittleren Krümmung",
+  "Willmore flow: circle angles, p-Willmore": "Willmore-Fluss: Kreiswinkel, p-Willmore",
+  "Pane {pane}": "Teilfenster {pane}",
+  "Remove pane {pane}": "Teilfenster {pane} entfernen",
+  "Area and volume": "Flächeninhalt und Volumen",
+  "Smoothing ε": "Glättung ε",
+  "First guess": "Erster Ansatz",
+  "The start as it is": "Der Anfang, wie er ist",
+  automatic: "automatisch",
+  "Flip A and B": "A und B wechseln",
+  "One in the place of the other ( B )": "Eines am Platz des anderen ( B )",
+  "Flip panes A and B in place; <kbd>Esc</kbd> side by side":
+    "Teilfenster A und B am selben Platz wechseln; <kbd>Esc</kbd> nebeneinander",
+  "Side by side": "Nebeneinander",
+  "All panes side by side.": "Alle Teilfenster nebeneinander.",
+  "In place: {caption}": "Am selben Platz: {caption}",
+  "There is no pane to flip to yet: add one under “Compare”.":
+    "Noch gibt es kein Teilfenster zum Wechseln: Fügen Sie unter „Flüsse vergleichen“ eines hinzu.",
+  "Close panes": "Teilfenster schließen",
+  "In lockstep": "Im Gleichschritt",
+  "By step": "Nach Schritten",
+  "By time": "Nach der Zeit",
+  "By step all step at once; by time the one that is behind goes next.":
+    "Nach Schritten machen alle zugleich einen Schritt; nach der Zeit ist an der Reihe, wer zurückliegt.",
+  "By time is for flows whose times have one unit; these have {units}.":
+    "Nach der Zeit geht es nur bei Flüssen, deren Zeiten dieselbe Einheit haben; diese haben {units}.",
+  "Times of these flows have different units: the panes now go by step.":
+    "Die Zeiten dieser Flüsse haben verschiedene Einheiten: Die Teilfenster gehen jetzt nach Schritten.",
+  "length{power}": "Länge{power}",
+  Colours: "Farben",
+  "As chosen above": "Wie oben gewählt",
+  "Distance to {pane}": "Abstand zu {pane}",
+  "All curves": "Alle Kurven",
+  "Plot with a curve a pane; the same numbers are in the table below it":
+    "Je Teilfenster eine Kurve; dieselben Zahlen stehen in der Tabelle darunter",
+  Quantity: "Messgröße",
+  "Each flow’s own energy": "Eigene Energie jedes Flusses",
+  "∫H² dA, for all alike": "∫H² dA, für alle gleich",
+  "Smallest angle, degrees": "Kleinster Winkel in Grad",
+  "The Willmore energy ∫H² dA by cotangents, the same for every flow: 4π for a sphere.":
+    "Die Willmore-Energie ∫H² dA mit Kotangensgewichten, für jeden Fluss dieselbe: 4π für eine Sphäre.",
+  "These flows have different energies: compare their course, and values by ∫H² dA.":
+    "Diese Flüsse haben verschiedene Energien: Vergleichen Sie deren Verlauf, Werte aber nach ∫H² dA.",
+  Steps: "Schritte",
+  "Plotted numbers of all panes": "Zahlen aller Kurven",
+  "A column a pane": "Eine Spalte je Teilfenster",
+  "{value} at {time}": "{value} bei {time}",
+  "step {step}, energy {energy}, t = {time}": "Schritt {step}, Energie {energy}, t = {time}",
+  "p-Willmore, p = {p}": "p-Willmore, p = {p}",
+  "automatic time step": "automatischer Zeitschritt",
+  "recommended scheme": "empfohlenes Schema",
+  "the paper’s scheme": "Schema der Arbeit",
+  "nothing kept": "nichts fest",
+  "{kept} kept": "{kept} fest",
+  regularised: "regularisiert",
+  "regularised linearly": "linear regularisiert",
+  "regularisation ε = {value}": "Regularisierung ε = {value}",
+  "smooth first guess": "glatter erster Ansatz",
+  "no first guess": "ohne ersten Ansatz",
+  "sharpened at the end": "am Ende geschärft",
+  "not sharpened": "nicht geschärft",
+  "semi-implicit": "semi-implizit",
+  "forward Euler": "explizites Euler-Verfahren",
+  "backward Euler": "implizites Euler-Verfahren",
+  "mass: {value}": "Masse: {value}",
+  "loading…": "wird geladen …",
+  "at the step limit": "an der Schrittgrenze",
+  "failed: {reason}": "gescheitert: {reason}",
+  "Pane {pane}: {stage}": "Teilfenster {pane}: {stage}",
+  "Pane {pane}: {reason}": "Teilfenster {pane}: {reason}",
+  "Waiting for pane {pane}": "Warten auf Teilfenster {pane}",
+  "Edge flips change the mesh itself: the panes beside it were closed.":
+    "Kantenflips verändern das Netz selbst: Die Teilfenster daneben wurden geschlossen.",
+  "No pane can step on; Reset takes all back to the start.":
+    "Kein Teilfenster kann weitere Schritte machen; „Anfang“ bringt alle zum Anfang zurück.",
+  "Its solver stopped: {reason}": "Sein Löser ist stehen geblieben: {reason}",
+  "it was ended": "er wurde beendet",
+  "The solver of pane {pane} stopped ({reason}); a new one stands at step {step}. The other panes go on.":
+    "Der Löser von Teilfenster {pane} ist stehen geblieben ({reason}); ein neuer steht bei Schritt {step}. Die anderen Teilfenster machen weiter.",
+  "Play or Step takes the pane along again; Remove closes it.":
+    "„Start“ oder „Schritt“ nimmt das Teilfenster wieder mit; „Entfernen“ schließt es.",
+  "The solver of pane {pane} could not be started again ({reason}).":
+    "Der Löser von Teilfenster {pane} konnte nicht neu gestartet werden ({reason}).",
+  "Reset tries once more; the other panes go on without it.":
+    "„Anfang“ versucht es noch einmal; die anderen Teilfenster machen ohne es weiter.",
+
+  // Looking closer
+  "Look closer": "Genauer hinsehen",
+  "Pick a vertex": "Ecke auswählen",
+  "Vertex number": "Nummer der Ecke",
+  number: "Nummer",
+  None: "Keine",
+  "Click on the surface, or type a number; with the button focused, arrow keys walk to the neighbour seen there.":
+    "Klicken Sie auf die Fläche, oder geben Sie eine Nummer ein; hat die Schaltfläche den Fokus, führen die Pfeiltasten zum Nachbarn, der in ihrer Richtung zu sehen ist.",
+  "There is no vertex {vertex}.": "Es gibt keine Ecke {vertex}.",
+  "The vertex": "Die Ecke",
+  Position: "Lage",
+  Valence: "Valenz",
+  Σβ: "Σβ",
+  "Wᵢ = Σβ − 2π": "Wᵢ = Σβ − 2π",
+  "not part of the energy": "nicht Teil der Energie",
+  "Kᵢ, angle defect": "Kᵢ, Winkeldefekt",
+  "H, pointwise": "H, punktweise",
+  "K, pointwise": "K, punktweise",
+  "κ₁, κ₂ by a fit": "κ₁, κ₂ durch Anpassung",
+  "Area, a third": "Flächeninhalt, ein Drittel",
+  Circumradii: "Umkreisradien",
+  "A boundary vertex: at its boundary edges stands β₂, against the line through a vertex at infinity.":
+    "Eine Randecke: An ihren Randkanten steht β₂, der Winkel gegen die Gerade durch eine Ecke im Unendlichen.",
+  "A boundary vertex: its {count} boundary edges have one circle only and no β, and Wᵢ is no part of the energy under this boundary condition.":
+    "Eine Randecke: Ihre {count} Randkanten haben nur einen Kreis und keinen Winkel β, und Wᵢ gehört bei dieser Randbedingung nicht zur Energie.",
+  "Edges, and the angles β of the circumcircles that meet there":
+    "Kanten und die Winkel β der Umkreise, die sich dort treffen",
+  "To vertex": "Zu Ecke",
+  "Go to vertex {neighbour}": "Weiter zu Ecke {neighbour}",
+  Length: "Länge",
+  none: "keiner",
+  "Circumcircles of all triangles": "Umkreise aller Dreiecke",
+  "{drawn} circles of {total} triangles.": "{drawn} Umkreise von {total} Dreiecken.",
+  "{drawn} of {total} circles, evenly chosen: of more than 6000 triangles only a part.":
+    "{drawn} von {total} Umkreisen, gleichmäßig ausgewählt: bei mehr als 6000 Dreiecken nur ein Teil.",
+  "{leftOut} larger than the surface are left out.":
+    "Größer als die Fläche und deshalb weggelassen: {leftOut}.",
+  "Lines of curvature": "Krümmungslinien",
+  "κ₁, the larger": "κ₁, die größere",
+  "κ₂, the smaller": "κ₂, die kleinere",
+  "{drawn} of {total} vertices.": "{drawn} von {total} Ecken.",
+  "{drawn} of {total} vertices: of more than 20000 only a part.":
+    "{drawn} von {total} Ecken: bei mehr als 20\u202f000 nur ein Teil.",
+  "At umbilics, κ₁ − κ₂ below 5 % of √(κ₁² + κ₂²), there are no directions.":
+    "In Nabelpunkten, κ₁ − κ₂ unter 5 % von √(κ₁² + κ₂²), gibt es keine Richtungen.",
+  "{share} of the edges lie within 5° of a line of curvature; 11 % do by chance.":
+    "{share} der Kanten weichen höchstens 5° von einer Krümmungslinie ab; zufällig wären es 11 %.",
+  Histogram: "Histogramm",
+  "Histogram of the colours": "Histogramm der Farben",
+  "Choose what to colour by, and its values are counted here.":
+    "Wählen Sie, wonach gefärbt wird; die Werte werden hier gezählt.",
+  "{label}: dashed are the ends of the colours.": "{label}: gestrichelt die Enden der Farben.",
+  "Histogram of {label}: {count} vertices from {least} to {most}":
+    "Histogramm, {label}: {count} Ecken von {least} bis {most}",
+  "The values that colour the surface": "Die Werte, nach denen die Fläche gefärbt ist",
+  Least: "Kleinster Wert",
+  Greatest: "Größter Wert",
+  "Mean over vertices": "Mittel über die Ecken",
+  "Colours, symmetric about 0": "Farben, symmetrisch um 0",
+  "Colours, 2nd to 98th percentile": "Farben, 2. bis 98. Perzentil",
+  "Bars as numbers": "Balken als Zahlen",
+  "Vertices by value": "Ecken nach Wert",
+  From: "Von",
+  To: "Bis",
+
   // Energy and readings
   Energy: "Energie",
   "W = Σ W<sub>i</sub> <span>(as printed)</span>":
@@ -329,6 +633,127 @@ export const german = {
   "not orientable": "nicht orientierbar",
   "none enclosed": "keines umschlossen",
   "{volume} (reduced {reduced})": "{volume} (reduziert {reduced})",
+
+  // Energy and equation in symbols
+  "Energy and equation": "Energie und Gleichung",
+  Equation: "Gleichung",
+  "Symbols, as they are now": "Formelzeichen und ihre Werte jetzt",
+  "step size": "Schrittweite",
+  "without a unit": "ohne Einheit",
+  "W in section 2, K in eq. (1), the step in section 4":
+    "W in Abschnitt 2, K in Gl. (1), der Schritt in Abschnitt 4",
+  "angle between the circumcircles of the triangles at edge ij":
+    "Winkel zwischen den Umkreisen der Dreiecke an der Kante ij",
+  "rounds off the cone of an angle at 0": "rundet den Kegel ab, den ein Winkel bei 0 hat",
+  "mass of a vertex": "Masse einer Ecke",
+  area: "Flächeninhalt",
+  "K of eq. (1) as it is, with K x = ∇E": "K aus Gl. (1), wie es ist, mit K x = ∇E",
+  "K of eq. (1), with K x = ∇E, made semi-definite star by star":
+    "K aus Gl. (1), mit K x = ∇E, Stern für Stern semidefinit gemacht",
+  "mean edge length at the start": "mittlere Kantenlänge am Anfang",
+  "which vertices": "welche Ecken",
+  "interior vertices count": "die inneren Ecken zählen",
+  "a vertex at infinity closes each loop": "eine Ecke im Unendlichen schließt jede Randkurve",
+  "a vertex at infinity closes each loop; the boundary is held":
+    "eine Ecke im Unendlichen schließt jede Randkurve; der Rand wird festgehalten",
+  "the flow in theorem 3.2, eqs. (5)–(7); kept area and volume in problem 3.5; the paper’s step in problem 5.1. Its W^p, with Y = 2H, is 2^p E.":
+    "der Fluss in Theorem 3.2, Gl. (5)–(7); fester Flächeninhalt und festes Volumen in Problem 3.5; der Schritt der Arbeit in Problem 5.1. Ihr W^p, mit Y = 2H, ist 2^p E.",
+  exponent: "Exponent",
+  "mean curvature, (κ₁ + κ₂)/2, positive on a sphere":
+    "mittlere Krümmung, (κ₁ + κ₂)/2, positiv auf einer Sphäre",
+  "spontaneous curvature": "spontane Krümmung",
+  "tension, per ∫(2H)² dA": "Spannung, bezogen auf ∫(2H)² dA",
+  "pressure, per ∫(2H)² dA": "Druck, bezogen auf ∫(2H)² dA",
+  "tension that keeps the area, per E": "Spannung, die den Flächeninhalt festhält, bezogen auf E",
+  "pressure that keeps or leads the volume, per E":
+    "Druck, der das Volumen festhält oder führt, bezogen auf E",
+  "cotangent Laplacian; C = p max(1, p − 1) |2H|^(p−2)/m on its diagonal":
+    "Kotangens-Laplace-Operator; C diagonal, mit p max(1, p − 1) |2H|^(p−2)/m",
+  "onto the vertex normals": "Projektion auf die Normalen der Ecken",
+  "√(A/4π) at the start": "√(A/4π) am Anfang",
+  "of the conformal penalty after each step (problem 5.3)":
+    "des konformen Strafterms nach jedem Schritt (Problem 5.3)",
+  "eq. (3.6), with H of the opposite sign": "Gl. (3.6), H mit umgekehrtem Vorzeichen",
+  "F in (1.1), V in (3.1) and (3.8), with H and ◇ of the opposite sign":
+    "F in (1.1), V in (3.1) und (3.8), H und ◇ mit umgekehrtem Vorzeichen",
+  "the step in section 4": "der Schritt in Abschnitt 4",
+  "mean curvature by quadratic fits, positive on a sphere":
+    "mittlere Krümmung durch quadratische Anpassung, positiv auf einer Sphäre",
+  "Gaussian curvature": "Gaußsche Krümmung",
+  "gradient with the other curvature along each principal direction":
+    "Gradient, längs jeder Hauptkrümmungsrichtung mit der anderen Hauptkrümmung",
+  "outward normal": "äußere Normale",
+  "linear in the next φ: one factor of each product is new":
+    "linear im nächsten φ: In jedem Produkt ist ein Faktor neu",
+  "share of the step: no vertex moves by more than half an edge":
+    "Anteil des Schritts: Keine Ecke bewegt sich um mehr als eine halbe Kante",
+  "without a unit; ℓ² is the area of a free patch":
+    "ohne Einheit; ℓ² ist der Inhalt eines freien Flickens",
+  "eq. (1)": "Gl. (1)",
+  "eqs. (2) and (4), with its third term β of jkiv, as it must be":
+    "Gl. (2) und (4), darin als dritter Term β zu jkiv, wie es sein muss",
+  "eq. (5)": "Gl. (5)",
+  "an edge, with apexes k and l": "eine Kante, ihr gegenüber die Ecken k und l",
+  "angle between circumcircles, of four vertices in order":
+    "Winkel zwischen Umkreisen, zu vier Ecken in dieser Reihenfolge",
+  "area of a triangle": "Flächeninhalt eines Dreiecks",
+  "the middles of (i, j) and (k, l)": "die Mittelpunkte von (i, j) und (k, l)",
+  "the vertices beyond ik, il, jk and jl": "die Ecken jenseits von ik, il, jk und jl",
+  "what the last flip gained": "was der letzte Flip gewann",
+  "area now": "Flächeninhalt jetzt",
+  "Willmore energy now": "Willmore-Energie jetzt",
+
+  // Refinement study
+  "Refinement study": "Verfeinerungsstudie",
+  "The same surface at several resolutions, each with half the edge length of the one before: do its energies tend to those of the smooth surface? The flow goes on meanwhile.":
+    "Dieselbe Fläche in mehreren Auflösungen, jede mit halb so langen Kanten wie die vorige: Streben ihre Energien gegen die der glatten Fläche? Der Fluss läuft derweil weiter.",
+  Surface: "Fläche",
+  "The sample, at its start": "Das Beispiel an seinem Anfang",
+  "The surface as it is now": "Die Fläche, wie sie jetzt ist",
+  "Run the study": "Studie ausführen",
+  "Preparing the surface…": "Die Fläche wird vorbereitet …",
+  "Measuring resolution {level}…": "Auflösung {level} wird vermessen …",
+  "Done.": "Fertig.",
+  "Cancelled.": "Abgebrochen.",
+  "The study stopped unexpectedly ({reason}).":
+    "Die Studie ist unerwartet stehen geblieben ({reason}).",
+  "The smooth shape, sampled anew at each resolution; {most} vertices at most.":
+    "Die glatte Form, in jeder Auflösung neu abgetastet; höchstens {most} Ecken.",
+  "The polyhedron, its faces split into four each time; {most} vertices at most.":
+    "Das Polyeder, jedes Mal jede Facette in vier geteilt; höchstens {most} Ecken.",
+  "The limit surface of Loop’s scheme with this mesh as its control mesh, which lies a little inside: edges split at their midpoints would get no closer to a smooth surface. {most} vertices at most.":
+    "Die Grenzfläche der Unterteilung nach Loop mit diesem Netz als Kontrollnetz; sie liegt ein wenig innerhalb: In ihren Mittelpunkten geteilte Kanten kämen einer glatten Fläche nicht näher. Höchstens {most} Ecken.",
+  "Energies at each resolution, with their observed orders":
+    "Energien in jeder Auflösung, mit den beobachteten Ordnungen",
+  "order {order}": "Ordnung {order}",
+  "Errors against edge length, both logarithmic; the same numbers are in the table above":
+    "Fehler über der Kantenlänge, beide logarithmisch; dieselben Zahlen stehen in der Tabelle darüber",
+  "The area": "Der Flächeninhalt",
+  "∫H² by cotangents": "∫H² mit Kotangensgewichten",
+  "∫H² by quadratic fits": "∫H² durch quadratische Anpassung",
+  "{name} is right at every resolution, up to roundoff.":
+    "{name} stimmt in jeder Auflösung, bis auf Rundung.",
+  "{name} tends to the smooth value {smooth}; observed order {order}.":
+    "{name} strebt gegen den glatten Wert {smooth}; beobachtete Ordnung {order}.",
+  "{name} tends to ∫(H²−K) dA, {smooth} by quadratic fits on the finest mesh.":
+    "{name} strebt gegen ∫(H²−K) dA, durch quadratische Anpassung auf dem feinsten Netz {smooth}.",
+  "{name} settles; observed order {order}.":
+    "{name} strebt gegen einen festen Wert; beobachtete Ordnung {order}.",
+  "{name} does not tend to the smooth value {smooth}, but to about {ratio} times it.":
+    "{name} strebt nicht gegen den glatten Wert {smooth}, sondern gegen etwa das {ratio}-Fache davon.",
+  "{name} settles, but not at the smooth value {smooth}.":
+    "{name} strebt gegen einen festen Wert, aber nicht gegen den glatten Wert {smooth}.",
+  "{name} does not settle: each refinement changes it as much as the one before.":
+    "{name} strebt gegen keinen festen Wert: Jede Verfeinerung ändert daran so viel wie die vorige.",
+  "Of {name} two resolutions tell no more.": "{name}: Zwei Auflösungen sagen nicht mehr.",
+  "The curvature of a polyhedron sits in its edges: split faces resolve them ever more sharply, and every Willmore energy grows like 1/h.":
+    "Die Krümmung eines Polyeders sitzt in seinen Kanten: Geteilte Facetten lösen sie immer schärfer auf, und jede Willmore-Energie wächst wie 1/h.",
+  "The circle-angle energy tends to the smooth one only where the edges follow the lines of curvature in a right-angled lattice. On other lattices its limit is larger, and where triangles are not Delaunay it has none (Bobenko and Schröder 2005, section 2). Compare it between steps, not between meshes.":
+    "Die Energie der Kreiswinkel strebt nur dort gegen die glatte, wo die Kanten in einem rechtwinkligen Gitter den Krümmungslinien folgen. Auf anderen Gittern ist ihr Grenzwert größer, und wo Dreiecke nicht Delaunay sind, hat sie keinen (Bobenko und Schröder 2005, Abschnitt 2). Vergleichen Sie sie zwischen Schritten, nicht zwischen Netzen.",
+  "That values converge on given meshes does not make minimisers converge: minimising any piecewise-linear Willmore energy proposed so far fails to converge to a solution of the smooth problem (Chen, Yu, Brogan, Kusner, Yang and Zigerelli, arXiv 1901.09990).":
+    "Dass Werte auf gegebenen Netzen konvergieren, lässt Minimierer noch nicht konvergieren: Für keine der bisher vorgeschlagenen stückweise linearen Willmore-Energien konvergiert die Minimierung gegen eine Lösung des glatten Problems (Chen, Yu, Brogan, Kusner, Yang und Zigerelli, arXiv 1901.09990).",
+  "no study has begun": "es hat keine Studie begonnen",
+  "Say what is to be studied.": "Geben Sie an, was untersucht werden soll.",
 
   // Goal and method
   "Goal and method": "Ziel und Verfahren",
@@ -398,6 +823,84 @@ export const german = {
   "There is no picture to save.": "Es gibt kein Bild zu sichern.",
   "Save the mesh.": "Sichern Sie das Netz.",
 
+  // Recipes, films and stored steps
+  "Recipe, JSON": "Rezept, JSON",
+  "The recipe gives the energy that it promised, to the last bit.":
+    "Das Rezept ergibt die Energie, die es versprach, bis auf das letzte Bit.",
+  "The recipe promised the energy {expected}; here it is {got}.":
+    "Das Rezept versprach die Energie {expected}; hier ist sie {got}.",
+  "This recipe is for the mesh “{name}”. Open that file now; the recipe follows.":
+    "Dieses Rezept gehört zum Netz „{name}“. Öffnen Sie nun diese Datei; das Rezept folgt.",
+  "This is not the mesh “{name}” of the recipe: its contents differ.":
+    "Das ist nicht das Netz „{name}“ des Rezepts: Sein Inhalt ist ein anderer.",
+  "A recipe of this surface cannot be made: where its mesh came from is not known any more.":
+    "Ein Rezept dieser Fläche lässt sich nicht machen: Woher ihr Netz kam, ist nicht mehr bekannt.",
+  "Open the mesh or choose the sample again; what is done from then on can be told.":
+    "Öffnen Sie das Netz oder wählen Sie das Beispiel noch einmal; was von da an geschieht, lässt sich festhalten.",
+  "how this surface came about is not known: its positions were put in place after the solver was lost":
+    "wie diese Fläche entstand, ist nicht bekannt: Ihre Lagen wurden eingesetzt, nachdem der Löser verloren gegangen war",
+  "Go back to the start with Reset, or load the mesh again.":
+    "Gehen Sie mit „Anfang“ zum Anfang zurück, oder laden Sie das Netz neu.",
+  "Record a film or all steps": "Film oder alle Schritte aufnehmen",
+  "A film is what the picture shows while it is recorded: a flow that runs, the history that plays, a turn of the surface. Of several pictures it is the first.":
+    "Ein Film ist, was das Bild während der Aufnahme zeigt: einen Fluss, der läuft, den Verlauf, der abgespielt wird, eine Drehung der Fläche. Von mehreren Bildern ist es das erste.",
+  "Record film": "Film aufnehmen",
+  "Stop and save": "Beenden und sichern",
+  "This browser cannot record films. “Picture, PNG” and the steps can be saved.":
+    "Dieser Browser kann keine Filme aufnehmen. „Bild, PNG“ und die Schritte lassen sich sichern.",
+  "The browser stopped recording.": "Der Browser hat die Aufnahme abgebrochen.",
+  "What was recorded until then is saved.": "Was bis dahin aufgenommen war, wird gesichert.",
+  "Each step as": "Jeder Schritt als",
+  Every: "Alle",
+  "1 mesh, about {size} before compression; 1 GB at most.":
+    "1 Netz, unkomprimiert etwa {size}; höchstens 1 GB.",
+  "{meshes} meshes, about {size} before compression; 1 GB at most.":
+    "{meshes} Netze, unkomprimiert etwa {size}; höchstens 1 GB.",
+  "Save all steps (ZIP)": "Alle Schritte sichern (ZIP)",
+  "there is no branch {}": "es gibt keinen Zweig {}",
+  "Branches are forgotten, the oldest first, when there are many.":
+    "Zweige werden vergessen, die ältesten zuerst, wenn es viele sind.",
+
+  // Sharing and embedding
+  "The link carries the sample or the name of the mesh, the flow and its parameters, the region, the step, the camera and the colours, and the energy to check them by. It does not carry the theme, messages or what was undone.":
+    "Der Link enthält das Beispiel oder den Namen des Netzes, den Fluss und seine Parameter, den Bereich, den Schritt, die Kamera und die Farben, dazu die Energie zur Probe. Er enthält weder das Farbschema noch Meldungen noch, was rückgängig gemacht wurde.",
+  "The surface was edited by hand. The link does not carry that: send the mesh along, saved with Download.":
+    "Die Fläche wurde von Hand bearbeitet. Das enthält der Link nicht: Schicken Sie das Netz mit, gesichert mit „Herunterladen“.",
+  "The mesh itself is not in the link: send the file along.":
+    "Das Netz selbst ist nicht im Link: Schicken Sie die Datei mit.",
+  "The mesh itself is not in the link: send the file along. It is recognised by its SHA-256.":
+    "Das Netz selbst ist nicht im Link: Schicken Sie die Datei mit. Sie wird an ihrem SHA-256 erkannt.",
+  "The painted region is too large for a link; it is not in it.":
+    "Der gemalte Bereich ist zu groß für einen Link; er ist nicht darin.",
+  "Copy link": "Link kopieren",
+  "The link is copied.": "Der Link ist kopiert.",
+  "Embed as": "Einbetten als",
+  "&lt;umbilic-surface&gt;": "&lt;umbilic-surface&gt;",
+  "&lt;iframe&gt;": "&lt;iframe&gt;",
+  Size: "Größe",
+  "Copy embed code": "Code zum Einbetten kopieren",
+  "The code is copied.": "Der Code ist kopiert.",
+  "Text to copy": "Text zum Kopieren",
+  "The browser does not let the page copy: the text is selected, copy it with Ctrl+C.":
+    "Der Browser lässt die Seite nicht kopieren: Der Text ist ausgewählt, kopieren Sie ihn mit Strg+C.",
+  "Umbilic: {name}": "Umbilic: {name}",
+  "Full page": "Ganze Seite",
+  "Open this scene in the whole page": "Diese Szene in der ganzen Seite öffnen",
+  "There is no mesh yet.": "Es gibt noch kein Netz.",
+  "There is no request “{type}”.": "Es gibt keine Anfrage „{type}“.",
+  "Known are {known}.": "Bekannt sind {known}.",
+  "There is nothing called “{word}” to set.": "Es gibt nichts zu setzen, das „{word}“ heißt.",
+  "Known are the words of a link: {words}.": "Bekannt sind die Wörter eines Links: {words}.",
+  "“{word}” cannot be “{text}”.": "„{word}“ kann nicht „{text}“ sein.",
+  "Copy a link from the page to see how its words are written.":
+    "Kopieren Sie einen Link von der Seite, um zu sehen, wie seine Wörter geschrieben werden.",
+  "A step is a whole number from 0 on, not “{step}”.":
+    "Ein Schritt ist eine ganze Zahl ab 0, nicht „{step}“.",
+  "There is no format “{format}”.": "Es gibt kein Format „{format}“.",
+  "Known are {formats}.": "Bekannt sind {formats}.",
+  "A mesh is sent as `name`, with its extension, and `bytes`, an ArrayBuffer.":
+    "Ein Netz wird geschickt als `name`, mit seiner Endung, und `bytes`, ein ArrayBuffer.",
+
   // Help
   "An <em>umbilic</em> is a point of a surface where both principal curvatures agree. The Willmore energy measures how far a surface is from being umbilic everywhere; the flow moves the mesh so that it falls.":
     "Ein <em>umbilischer Punkt</em> oder Nabelpunkt ist ein Punkt einer Fläche, in dem beide Hauptkrümmungen übereinstimmen. Die Willmore-Energie misst, wie weit eine Fläche davon entfernt ist, überall umbilisch zu sein; der Fluss bewegt das Netz so, dass sie fällt.",
@@ -462,6 +965,28 @@ export const german = {
     "Dieser Link zeigt das Netz „{mesh}“, eine Datei auf dem Rechner seines Verfassers.",
   "Open that file here; the scene then follows.":
     "Öffnen Sie diese Datei hier; die Szene folgt dann.",
+  "There is no figure “{id}”.": "Es gibt keine Abbildung „{id}“.",
+  "The button Figures shows those there are.":
+    "Die Schaltfläche „Abbildungen“ zeigt, welche es gibt.",
+  "“{name}” is not the file of the link, which shows “{mesh}”; it is opened all the same.":
+    "„{name}“ ist nicht die Datei des Links, der „{mesh}“ zeigt; geöffnet wird sie trotzdem.",
+  "The scene is as it was sent: {symbol} = {here}.":
+    "Die Szene ist so, wie sie verschickt wurde: {symbol} = {here}.",
+  "The scene is as it was sent to six digits: {symbol} = {here}, {apart} from the {sent} of the link.":
+    "Die Szene ist auf sechs Stellen so, wie sie verschickt wurde: {symbol} = {here}, um {apart} neben dem Wert {sent} des Links.",
+  "The scene is not as it was sent: {symbol} = {here} at step {step}, where the link says {sent}; that is {apart} off.":
+    "Die Szene ist nicht so, wie sie verschickt wurde: {symbol} = {here} bei Schritt {step}, wo der Link {sent} angibt; das ist um {apart} daneben.",
+  "The link shows step {step}; here the flow ends at step {here}.":
+    "Der Link zeigt Schritt {step}; hier endet der Fluss bei Schritt {here}.",
+  "The mesh is not the file of the link.": "Das Netz ist nicht die Datei des Links.",
+  "Perhaps the file is not the one the link was made with.":
+    "Vielleicht ist die Datei nicht die, mit der der Link gemacht wurde.",
+  "The link was made by version {theirs} of the solver; this is version {ours}.":
+    "Der Link stammt von Version {theirs} des Lösers; dies ist Version {ours}.",
+  "The same version should give the same numbers; please report this, with the link.":
+    "Dieselbe Version sollte dieselben Zahlen ergeben; bitte melden Sie das, mit dem Link.",
+  "A new version is ready: reload the page to use it.":
+    "Eine neue Version liegt bereit: Laden Sie die Seite neu, um sie zu benutzen.",
   "The solver stopped unexpectedly ({reason}); a new one goes on from step {step}.":
     "Der Löser ist unerwartet stehen geblieben ({reason}); ein neuer macht ab Schritt {step} weiter.",
   "If it was short of memory, close other tabs or use a mesh with fewer faces.":
@@ -852,8 +1377,9 @@ export const german = {
     "Angehalten nach {} Schritten: Dreieck {} ist entartet; vielleicht schnürt sich ein Hals ab, oder es bildet sich eine Blase. Gehen Sie einige Schritte zurück.",
   "Stopped after {} steps: the largest face is {} times the mean, and the mesh no longer resolves the surface. Go back a few steps; a finer mesh helps":
     "Angehalten nach {} Schritten: Die größte Facette ist {}-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf. Gehen Sie einige Schritte zurück; ein feineres Netz hilft",
-  "Stalled after {} steps: every step tried was refused, the last because {}; {}":
-    "Stecken geblieben nach {} Schritten: Jeder versuchte Schritt wurde abgelehnt, der letzte, weil {}; {}",
+  "Stalled after {} steps: every step tried was refused{}; {}":
+    "Stecken geblieben nach {} Schritten: Jeder versuchte Schritt wurde abgelehnt{}; {}",
+  ", the last because {}": ", der letzte, weil {}",
   "Stalled after {} steps: only ever smaller steps lower the energy, which is not at rest; {}":
     "Stecken geblieben nach {} Schritten: Nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; {}",
   "Newton’s method does not converge, or a face would turn over":
@@ -864,6 +1390,7 @@ export const german = {
     "sich die Nebenbedingungen nicht zugleich erfüllen lassen",
   "the energy is not finite": "die Energie nicht endlich ist",
   "the energy would rise": "die Energie steigen würde",
+  "faces would fold over": "Facetten umklappen würden",
   "a face would turn by more than 60°": "eine Facette sich um mehr als 60° drehen würde",
   "a face would become a sliver": "eine Facette zum Splitter würde",
   "conformal regularisation or a finer mesh helps":
@@ -1001,6 +1528,10 @@ export const german = {
   "{} coordinates do not fit {} vertices": "{} Koordinaten passen nicht zu {} Ecken",
   "Load the mesh again.": "Laden Sie das Netz neu.",
   "there is no edit to undo": "es gibt nichts rückgängig zu machen",
+  "edge flips hold the positions, which a regularisation would move":
+    "Kantenflips halten die Lagen fest, die eine Regularisierung verschieben würde",
+  "Choose another flow, and regularise then.":
+    "Wählen Sie einen anderen Fluss, und regularisieren Sie dann.",
   "A fill or edge flips can be undone once they are done.":
     "Ein Füllen oder Kantenflips lassen sich rückgängig machen, sobald sie geschehen sind.",
   "It is 1 or more, or absent for all that gain anything.":
