@@ -4,7 +4,10 @@
 // are `{1}`, `{2}`, …. `tests/web/language.test.js` says what is missing and what is left over.
 //
 // Words: mesh Netz, vertex Ecke, edge Kante, face Facette, surface Fläche, boundary loop
-// Randkurve, flow Fluss, clamped eingespannt, sample Beispiel, readings Messwerte.
+// Randkurve, flow Fluss, clamped eingespannt, sample Beispiel, readings Messwerte, pane
+// Teilfenster, recipe Rezept, history Verlauf, branch Zweig, circle angle Kreiswinkel,
+// circumcircle Umkreis, umbilic Nabelpunkt, fit Anpassung, first guess erster Ansatz, keep
+// beibehalten, hold festhalten, refuse ablehnen.
 
 /** @type {Readonly<Record<string, string>>} */
 export const german = {
@@ -106,13 +109,14 @@ export const german = {
   "Set ε to {}": "ε auf {} setzen",
   "Begin from a smooth first guess": "Von einem glatten ersten Ansatz ausgehen",
   "Smooth with p = {} first": "Zuerst mit p = {} glätten",
-  "Keep the area": "Flächeninhalt festhalten",
-  "Keep the volume": "Volumen festhalten",
-  "Keep area and volume": "Flächeninhalt und Volumen festhalten",
-  "Keep only the volume": "Nur das Volumen festhalten",
+  "Keep the area": "Flächeninhalt beibehalten",
+  "Keep the volume": "Volumen beibehalten",
+  "Keep area and volume": "Flächeninhalt und Volumen beibehalten",
+  "Keep only the volume": "Nur das Volumen beibehalten",
   "Regularise the mesh and go on": "Netz regularisieren und weitermachen",
   "Regularise after each step": "Nach jedem Schritt regularisieren",
   "Subdivide the mesh and go on": "Netz unterteilen und weitermachen",
+  "Flip edges": "Kanten flippen",
   "Flip edges and go on": "Kanten flippen und weitermachen",
   "the edge flips": "die Kantenflips",
   "At {} edges the four points of both triangles lie on one circle; there the energy has the tip of a cone, and with angle smoothing ε = {} no step descends from it.":
@@ -134,7 +138,7 @@ export const german = {
   "Every step tried was refused: even the last and shortest would make a sliver of face {}.":
     "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Facette {} zum Splitter machen.",
   "Every step tried was refused: area and volume cannot both be kept by a small move of this surface, which would move vertex {} most.":
-    "Jeder versuchte Schritt wurde abgelehnt: Mit einer kleinen Bewegung dieser Fläche lassen sich Flächeninhalt und Volumen nicht beide festhalten; am weitesten würde sich Ecke {} bewegen.",
+    "Jeder versuchte Schritt wurde abgelehnt: Mit einer kleinen Bewegung dieser Fläche lassen sich Flächeninhalt und Volumen nicht beide einhalten; am weitesten würde sich Ecke {} bewegen.",
   "Every step tried was refused: none lowers the energy, not even the last and shortest, which would move vertex {} most.":
     "Jeder versuchte Schritt wurde abgelehnt: Keiner senkt die Energie, auch nicht der letzte und kürzeste, der Ecke {} am weitesten bewegen würde.",
   "Nothing is wrong: after {} steps the energy still falls, by {} % in the last one, which moved vertex {} most.":
@@ -213,7 +217,7 @@ export const german = {
   "Exponent p": "Exponent p",
   "0: mean-curvature flow; 2: Willmore flow; above 2 free surfaces grow.":
     "0: Fluss nach der mittleren Krümmung; 2: Willmore-Fluss; über 2 wachsen freie Flächen.",
-  Keep: "Erhalten",
+  Keep: "Beibehalten",
   Area: "Flächeninhalt",
   Volume: "Volumen",
   "Lead the reduced volume to": "Reduziertes Volumen führen auf",
@@ -331,8 +335,8 @@ export const german = {
   "Counterexamples by angle": "Gegenbeispiele nach dem Winkel",
   Angle: "Winkel",
   Drawn: "Gezogen",
-  Against: "Dagegen",
-  Share: "Anteil",
+  Against: "Gegen",
+  Share: "Teilen",
   "{total} random tetrahedra, {against} against: {share} ({areaOnly} lower only the area, {localisedOnly} only the localised energy).":
     "{total} zufällige Tetraeder, {against} dagegen: {share} ({areaOnly} senken nur den Flächeninhalt, {localisedOnly} nur die lokalisierte Energie).",
 
@@ -395,7 +399,7 @@ export const german = {
   "W closed at infinity": "W, im Unendlichen geschlossen",
   "∫H² dA": "∫H² dA",
   "W changes by {share} of the sum of all angles, rounding; no vertex’s by more than {most}.":
-    "W ändert sich um {share} der Summe aller Winkel, nur durch Rundung; an keiner Ecke um mehr als {most}.",
+    "W ändert sich um das {share}-Fache der Summe aller Winkel, durch Rundung; an keiner Ecke um mehr als {most}.",
   "∫H² dA stays on smooth closed surfaces; on a mesh it changes with its triangles.":
     "∫H² dA bleibt auf glatten geschlossenen Flächen gleich; auf einem Netz ändert es sich mit dessen Dreiecken.",
   "With the boundary closed by a vertex at infinity W is not invariant: the inversion takes infinity to a point. ∫H² dA changes by what ∫K dA does.":
@@ -409,9 +413,9 @@ export const german = {
   "The surface is inverted; W has changed by {change}. Undo brings the one before back.":
     "Die Fläche ist invertiert; W hat sich um {change} geändert. „Rückgängig“ bringt die vorige zurück.",
   "the centre is more than {} times the size of the surface away":
-    "das Zentrum ist um mehr als das {}-Fache der Größe der Fläche entfernt",
+    "das Zentrum ist weiter als das {}-Fache der Größe der Fläche entfernt",
   "From so far an inversion looks like doing nothing: choose a centre nearer by.":
-    "Von so weit her sieht eine Inversion aus, als täte sie nichts: Wählen Sie ein näheres Zentrum.",
+    "Aus solcher Ferne scheint eine Inversion nichts zu tun: Wählen Sie ein näheres Zentrum.",
   "the centre is {} % of the size of the surface away from it, and needs {} %":
     "das Zentrum ist um {} % der Größe der Fläche von ihr entfernt, nötig sind {} %",
   "A point of the surface at the centre would go to infinity: move the centre off it.":
@@ -431,7 +435,7 @@ export const german = {
   // Comparison of flows
   "Compare flows": "Flüsse vergleichen",
   "Up to four panes from the same start, stepping together. Each does as A, the flow chosen above, except for what is set here.":
-    "Bis zu vier Teilfenster vom selben Anfang aus, die gemeinsam Schritte machen. Jedes tut dasselbe wie A, der oben gewählte Fluss, außer in dem, was hier eingestellt ist.",
+    "Bis zu vier Teilfenster mit demselben Anfang, die gemeinsam Schritte machen. Jedes tut dasselbe wie A, der oben gewählte Fluss, bis auf das, was hier eingestellt ist.",
   "Add a pane": "Teilfenster hinzufügen",
   "Ready-made comparison": "Vergleich aus einer Vorlage",
   "Ready-made…": "Vorlagen …",
@@ -448,13 +452,13 @@ export const german = {
   "First guess": "Erster Ansatz",
   "The start as it is": "Der Anfang, wie er ist",
   automatic: "automatisch",
-  "Flip A and B": "A und B wechseln",
-  "One in the place of the other ( B )": "Eines am Platz des anderen ( B )",
+  "Flip A and B": "Zwischen A und B wechseln",
+  "One in the place of the other ( B )": "Eines anstelle des anderen ( B )",
   "Flip panes A and B in place; <kbd>Esc</kbd> side by side":
-    "Teilfenster A und B am selben Platz wechseln; <kbd>Esc</kbd> nebeneinander",
+    "Am selben Platz zwischen Teilfenster A und B wechseln; <kbd>Esc</kbd> nebeneinander",
   "Side by side": "Nebeneinander",
   "All panes side by side.": "Alle Teilfenster nebeneinander.",
-  "In place: {caption}": "Am selben Platz: {caption}",
+  "In place: {caption}": "Jetzt zu sehen: {caption}",
   "There is no pane to flip to yet: add one under “Compare”.":
     "Noch gibt es kein Teilfenster zum Wechseln: Fügen Sie unter „Flüsse vergleichen“ eines hinzu.",
   "Close panes": "Teilfenster schließen",
@@ -462,7 +466,7 @@ export const german = {
   "By step": "Nach Schritten",
   "By time": "Nach der Zeit",
   "By step all step at once; by time the one that is behind goes next.":
-    "Nach Schritten machen alle zugleich einen Schritt; nach der Zeit ist an der Reihe, wer zurückliegt.",
+    "Nach Schritten machen alle zugleich einen Schritt; nach der Zeit ist jeweils das an der Reihe, das zurückliegt.",
   "By time is for flows whose times have one unit; these have {units}.":
     "Nach der Zeit geht es nur bei Flüssen, deren Zeiten dieselbe Einheit haben; diese haben {units}.",
   "Times of these flows have different units: the panes now go by step.":
@@ -576,7 +580,7 @@ export const german = {
   "Histogram of the colours": "Histogramm der Farben",
   "Choose what to colour by, and its values are counted here.":
     "Wählen Sie, wonach gefärbt wird; die Werte werden hier gezählt.",
-  "{label}: dashed are the ends of the colours.": "{label}: gestrichelt die Enden der Farben.",
+  "{label}: dashed are the ends of the colours.": "{label}: gestrichelt die Enden der Farbskala.",
   "Histogram of {label}: {count} vertices from {least} to {most}":
     "Histogramm, {label}: {count} Ecken von {least} bis {most}",
   "The values that colour the surface": "Die Werte, nach denen die Fläche gefärbt ist",
@@ -612,7 +616,7 @@ export const german = {
   "With spontaneous curvature, tension or pressure the first number is Canham and Helfrich’s, ∫(H − H₀)² dA + ¼(σA − PV). The second number is ∫|H|<sup>p</sup> compared with that of a round sphere of the same area, for which it is 1. The reduced volume compares the volume with that sphere’s.":
     "Mit spontaner Krümmung, Spannung oder Druck ist die erste Zahl die von Canham und Helfrich, ∫(H − H₀)² dA + ¼(σA − PV). Die zweite Zahl vergleicht ∫|H|<sup>p</sup> mit dem einer runden Sphäre gleichen Flächeninhalts, für die sie 1 ist. Das reduzierte Volumen vergleicht das Volumen mit dem dieser Sphäre.",
   "W adds, over every vertex, the angles between the circumcircles of neighbouring triangles, less 2π. It has no unit, is never negative, does not change under Möbius transformations, and is zero exactly when the vertices lie on a sphere as a convex, Delaunay mesh.":
-    "W summiert über jede Ecke die Winkel zwischen den Umkreisen benachbarter Dreiecke, weniger 2π. Es hat keine Einheit, ist nie negativ, ändert sich nicht unter Möbiustransformationen und ist genau dann null, wenn die Ecken als konvexes Delaunay-Netz auf einer Sphäre liegen.",
+    "W addiert für jede Ecke die Winkel zwischen den Umkreisen benachbarter Dreiecke, abzüglich 2π. Es hat keine Einheit, ist nie negativ, ändert sich nicht unter Möbiustransformationen und ist genau dann null, wenn die Ecken als konvexes Delaunay-Netz auf einer Sphäre liegen.",
   "On meshes whose edges follow the lines of curvature, half of it tends to the Willmore energy ∫(H²−K) dA as the mesh is refined. On other meshes W/2 is larger, by a factor that depends on the triangles; compare it only with other states of the same mesh.":
     "Auf Netzen, deren Kanten den Krümmungslinien folgen, strebt die Hälfte davon bei Verfeinerung gegen die Willmore-Energie ∫(H²−K) dA. Auf anderen Netzen ist W/2 größer, um einen Faktor, der von den Dreiecken abhängt; vergleichbar ist es nur mit anderen Zuständen desselben Netzes.",
   "Plot of energy against step number; the same numbers are in the table below it":
@@ -637,7 +641,7 @@ export const german = {
   // Energy and equation in symbols
   "Energy and equation": "Energie und Gleichung",
   Equation: "Gleichung",
-  "Symbols, as they are now": "Formelzeichen und ihre Werte jetzt",
+  "Symbols, as they are now": "Formelzeichen mit ihren jetzigen Werten",
   "step size": "Schrittweite",
   "without a unit": "ohne Einheit",
   "W in section 2, K in eq. (1), the step in section 4":
@@ -647,7 +651,7 @@ export const german = {
   "rounds off the cone of an angle at 0": "rundet den Kegel ab, den ein Winkel bei 0 hat",
   "mass of a vertex": "Masse einer Ecke",
   area: "Flächeninhalt",
-  "K of eq. (1) as it is, with K x = ∇E": "K aus Gl. (1), wie es ist, mit K x = ∇E",
+  "K of eq. (1) as it is, with K x = ∇E": "K aus Gl. (1), unverändert, mit K x = ∇E",
   "K of eq. (1), with K x = ∇E, made semi-definite star by star":
     "K aus Gl. (1), mit K x = ∇E, Stern für Stern semidefinit gemacht",
   "mean edge length at the start": "mittlere Kantenlänge am Anfang",
@@ -664,15 +668,15 @@ export const german = {
   "spontaneous curvature": "spontane Krümmung",
   "tension, per ∫(2H)² dA": "Spannung, bezogen auf ∫(2H)² dA",
   "pressure, per ∫(2H)² dA": "Druck, bezogen auf ∫(2H)² dA",
-  "tension that keeps the area, per E": "Spannung, die den Flächeninhalt festhält, bezogen auf E",
+  "tension that keeps the area, per E": "Spannung, die den Flächeninhalt erhält, bezogen auf E",
   "pressure that keeps or leads the volume, per E":
-    "Druck, der das Volumen festhält oder führt, bezogen auf E",
+    "Druck, der das Volumen erhält oder führt, bezogen auf E",
   "cotangent Laplacian; C = p max(1, p − 1) |2H|^(p−2)/m on its diagonal":
     "Kotangens-Laplace-Operator; C diagonal, mit p max(1, p − 1) |2H|^(p−2)/m",
   "onto the vertex normals": "Projektion auf die Normalen der Ecken",
   "√(A/4π) at the start": "√(A/4π) am Anfang",
   "of the conformal penalty after each step (problem 5.3)":
-    "des konformen Strafterms nach jedem Schritt (Problem 5.3)",
+    "Parameter des konformen Strafterms nach jedem Schritt (Problem 5.3)",
   "eq. (3.6), with H of the opposite sign": "Gl. (3.6), H mit umgekehrtem Vorzeichen",
   "F in (1.1), V in (3.1) and (3.8), with H and ◇ of the opposite sign":
     "F in (1.1), V in (3.1) und (3.8), H und ◇ mit umgekehrtem Vorzeichen",
@@ -751,14 +755,14 @@ export const german = {
   "The circle-angle energy tends to the smooth one only where the edges follow the lines of curvature in a right-angled lattice. On other lattices its limit is larger, and where triangles are not Delaunay it has none (Bobenko and Schröder 2005, section 2). Compare it between steps, not between meshes.":
     "Die Energie der Kreiswinkel strebt nur dort gegen die glatte, wo die Kanten in einem rechtwinkligen Gitter den Krümmungslinien folgen. Auf anderen Gittern ist ihr Grenzwert größer, und wo Dreiecke nicht Delaunay sind, hat sie keinen (Bobenko und Schröder 2005, Abschnitt 2). Vergleichen Sie sie zwischen Schritten, nicht zwischen Netzen.",
   "That values converge on given meshes does not make minimisers converge: minimising any piecewise-linear Willmore energy proposed so far fails to converge to a solution of the smooth problem (Chen, Yu, Brogan, Kusner, Yang and Zigerelli, arXiv 1901.09990).":
-    "Dass Werte auf gegebenen Netzen konvergieren, lässt Minimierer noch nicht konvergieren: Für keine der bisher vorgeschlagenen stückweise linearen Willmore-Energien konvergiert die Minimierung gegen eine Lösung des glatten Problems (Chen, Yu, Brogan, Kusner, Yang und Zigerelli, arXiv 1901.09990).",
+    "Aus der Konvergenz der Werte auf gegebenen Netzen folgt nicht die der Minimierer: Für keine der bisher vorgeschlagenen stückweise linearen Willmore-Energien konvergiert die Minimierung gegen eine Lösung des glatten Problems (Chen, Yu, Brogan, Kusner, Yang und Zigerelli, arXiv 1901.09990).",
   "no study has begun": "es hat keine Studie begonnen",
   "Say what is to be studied.": "Geben Sie an, was untersucht werden soll.",
 
   // Goal and method
   "Goal and method": "Ziel und Verfahren",
   Goal: "Ziel",
-  "Relax towards a minimum": "Auf ein Minimum zu entspannen",
+  "Relax towards a minimum": "Zu einem Minimum hin entspannen",
   "Smooth by a set amount": "Um ein festes Maß glätten",
   "Smooth away detail below L": "Einzelheiten unter L glätten",
   "L = {edges} mean edge lengths = {length}": "L = {edges} mittlere Kantenlängen = {length}",
@@ -777,7 +781,7 @@ export const german = {
   "L-BFGS": "L-BFGS",
   Mass: "Masse",
   Uniform: "Gleichmäßig",
-  "Vertex area": "Fläche je Ecke",
+  "Vertex area": "Inhalt je Ecke",
   "Angle smoothing ε": "Winkelglättung ε",
   "Circle angles β are rounded to √(β²+ε²) − ε. 0.1 never sticks; 0.01 or less lets edges align with curvature.":
     "Kreiswinkel β werden zu √(β²+ε²) − ε gerundet. 0.1 bleibt nie stecken; mit 0.01 oder weniger richten sich Kanten nach der Krümmung aus.",
@@ -792,12 +796,12 @@ export const german = {
   "Canham–Helfrich, with p = 2 only: ∫(2H − 2H₀)² dA + σA − PV. L is the radius of the sphere with the area at the start.":
     "Canham–Helfrich, nur mit p = 2: ∫(2H − 2H₀)² dA + σA − PV. L ist der Radius der Sphäre, die den Flächeninhalt des Anfangs hat.",
   "Step limit": "Schrittgrenze",
-  "Use recommended values": "Empfohlene Werte nehmen",
+  "Use recommended values": "Empfohlene Werte verwenden",
 
   // View, saving
   View: "Ansicht",
   Shading: "Schattierung",
-  Smooth: "Weich",
+  Smooth: "Glatt",
   Flat: "Je Facette",
   Theme: "Farbschema",
   "As the system": "Wie das System",
@@ -834,7 +838,7 @@ export const german = {
   "This is not the mesh “{name}” of the recipe: its contents differ.":
     "Das ist nicht das Netz „{name}“ des Rezepts: Sein Inhalt ist ein anderer.",
   "A recipe of this surface cannot be made: where its mesh came from is not known any more.":
-    "Ein Rezept dieser Fläche lässt sich nicht machen: Woher ihr Netz kam, ist nicht mehr bekannt.",
+    "Von dieser Fläche lässt sich kein Rezept machen: Woher ihr Netz kam, ist nicht mehr bekannt.",
   "Open the mesh or choose the sample again; what is done from then on can be told.":
     "Öffnen Sie das Netz oder wählen Sie das Beispiel noch einmal; was von da an geschieht, lässt sich festhalten.",
   "how this surface came about is not known: its positions were put in place after the solver was lost":
@@ -889,7 +893,8 @@ export const german = {
   "There is no mesh yet.": "Es gibt noch kein Netz.",
   "There is no request “{type}”.": "Es gibt keine Anfrage „{type}“.",
   "Known are {known}.": "Bekannt sind {known}.",
-  "There is nothing called “{word}” to set.": "Es gibt nichts zu setzen, das „{word}“ heißt.",
+  "There is nothing called “{word}” to set.":
+    "Es gibt nichts namens „{word}“, das sich setzen ließe.",
   "Known are the words of a link: {words}.": "Bekannt sind die Wörter eines Links: {words}.",
   "“{word}” cannot be “{text}”.": "„{word}“ kann nicht „{text}“ sein.",
   "Copy a link from the page to see how its words are written.":
@@ -1032,7 +1037,7 @@ export const german = {
   "Vesicle, deflated": "Vesikel mit weniger Volumen",
   "Area kept, the volume is led down to 0.6 of the ball’s: a biconcave disc, as a red blood cell (p-Willmore, figure 6).":
     "Bei festem Flächeninhalt wird das Volumen auf 0.6 der Kugel gesenkt: eine bikonkave Scheibe, wie ein rotes Blutkörperchen (p-Willmore, Abbildung 6).",
-  "Blob, deflated": "Klecks mit weniger Volumen",
+  "Blob, deflated": "Klumpen mit weniger Volumen",
   "Without any symmetry at the start it ends as a biconcave disc too, an elliptical one (p-Willmore, figure 6).":
     "Ohne jede Symmetrie am Anfang endet auch er als bikonkave Scheibe, als elliptische (p-Willmore, Abbildung 6).",
   "Letter C": "Buchstabe C",
@@ -1106,7 +1111,7 @@ export const german = {
     "Geschlossen und einseitig: Sie hat kein Volumen, aber eine Energie.",
   "Saddle, boundary free": "Sattel, Rand frei",
   "Set free it becomes a flat, convex piece of the plane; with its boundary fixed it stays a saddle (figure 7).":
-    "Freigelassen wird er zu einem konvexen Stück der Ebene; mit festem Rand bleibt er ein Sattel (Abbildung 7).",
+    "Mit freiem Rand wird er zu einem konvexen Stück der Ebene; mit festem bleibt er ein Sattel (Abbildung 7).",
   "Surface with four handles": "Fläche mit vier Henkeln",
   "Its handles round off; ∫H² tends below 8π (p-Willmore, figure 8).":
     "Ihre Henkel runden sich; ∫H² strebt unter 8π (p-Willmore, Abbildung 8).",
@@ -1152,12 +1157,12 @@ export const german = {
   "Almost immediately the vertices flow to the surface of a geometric torus.":
     "Fast sofort fließen die Ecken auf einen geometrischen Torus.",
   "τ = 0.01: W within 5 % of 57 after 100 steps, less than 2.5 % off a torus":
-    "τ = 0.01: W nach 100 Schritten auf 5 % bei 57, weniger als 2.5 % neben einem Torus",
+    "τ = 0.01: W nach 100 Schritten auf 5 % genau 57, ein Torus auf 2.5 %",
   "Coarse torus fattens": "Grober Torus wird dicker",
   "Subsequent evolution aligns edges with the curvature directions and fattens the torus.":
     "Im weiteren Verlauf richten sich Kanten nach den Krümmungsrichtungen aus, und der Torus wird dicker.",
   "τ = 0.003, 1000 steps: R/r from 2.13 to 2.04 (±0.02), less than 1.5 % off a torus":
-    "τ = 0.003, 1000 Schritte: R/r von 2.13 auf 2.04 (±0.02), weniger als 1.5 % neben einem Torus",
+    "τ = 0.003, 1000 Schritte: R/r von 2.13 auf 2.04 (±0.02), ein Torus auf 1.5 %",
   "Pipe between two circles": "Rohr zwischen zwei Kreisen",
   "A pipe with circular boundary loops evolves as the torus does, to a fat pipe.":
     "Ein Rohr mit kreisförmigen Randkurven entwickelt sich wie der Torus, zu einem dicken Rohr.",
@@ -1171,19 +1176,19 @@ export const german = {
   "A marked region of the Egea model is restored, its surroundings held.":
     "Ein markierter Bereich des Egea-Modells wird wiederhergestellt, seine Umgebung festgehalten.",
   "Another shape, a scarred stone: W within 2 % of 6.408, where the undamaged stone comes to rest, in 20 steps":
-    "Eine andere Form, ein Stein mit Narbe: W in 20 Schritten auf 2 % bei 6.408, wo der unbeschädigte Stein zur Ruhe kommt",
+    "Eine andere Form, ein Stein mit Narbe: W in 20 Schritten auf 2 % genau 6.408, wo der unbeschädigte Stein zur Ruhe kommt",
   "Scan smoothed by {} steps": "Scan in {} Schritten geglättet",
   "A scan of 37,000 vertices with 88 boundary loops loses its noise; shown after {} steps.":
     "Ein Scan mit 37\u202f000 Ecken und 88 Randkurven verliert sein Rauschen; gezeigt nach {} Schritten.",
   "A made scan with 88 loops and 38,000 vertices: distance to the clean surface below {} of the noise":
-    "Ein erzeugter Scan mit 88 Randkurven und 38\u202f000 Ecken: Abstand zur sauberen Fläche unter dem {}-Fachen des Rauschens",
+    "Ein künstlicher Scan mit 88 Randkurven und 38\u202f000 Ecken: Abstand zur sauberen Fläche unter dem {}-Fachen des Rauschens",
   "A made scan with 88 loops and 38,000 vertices, whose features begin to go: distance to the clean surface below {} of the noise":
-    "Ein erzeugter Scan mit 88 Randkurven und 38\u202f000 Ecken, dessen Merkmale zu schwinden beginnen: Abstand zur sauberen Fläche unter dem {}-Fachen des Rauschens",
+    "Ein künstlicher Scan mit 88 Randkurven und 38\u202f000 Ecken, dessen Merkmale zu schwinden beginnen: Abstand zur sauberen Fläche unter dem {}-Fachen des Rauschens",
   "Area kept, p = 2": "Flächeninhalt fest, p = 2",
   "A cow of 23,400 triangles rounds off, its area all but unchanged.":
     "Eine Kuh aus 23\u202f400 Dreiecken rundet sich, ihr Flächeninhalt fast unverändert.",
   "Another shape, a bumpy sphere: ∫H² within 0.6 % of 4π, a sphere to 1e-3, area to 1e-8":
-    "Eine andere Form, eine beulige Sphäre: ∫H² auf 0.6 % bei 4π, eine Sphäre auf 1e-3, Inhalt auf 1e-8",
+    "Eine andere Form, eine beulige Sphäre: ∫H² auf 0.6 % genau 4π, eine Sphäre auf 1e-3, Inhalt auf 1e-8",
   "Letter C, p = {}": "Buchstabe C, p = {}",
   "Under p = 0, mean-curvature flow, the letter C shrinks.":
     "Mit p = 0, dem Fluss nach der mittleren Krümmung, schrumpft der Buchstabe C.",
@@ -1192,7 +1197,7 @@ export const german = {
   "Under p = 2 the letter C becomes a round sphere.":
     "Mit p = 2 wird der Buchstabe C zur runden Sphäre.",
   "∫H² within 1 % of a sphere's after at most {} steps":
-    "∫H² auf 1 % bei dem einer Sphäre nach höchstens {} Schritten",
+    "∫H² auf 1 % genau das einer Sphäre nach höchstens {} Schritten",
   "Under p = 4 the letter C grows without end.": "Mit p = 4 wächst der Buchstabe C ohne Ende.",
   "Area above 1.8 times after at most {} steps":
     "Flächeninhalt mehr als das 1.8-Fache nach höchstens {} Schritten",
@@ -1208,7 +1213,7 @@ export const german = {
   "A deformed torus flows to the Clifford torus, the global minimum.":
     "Ein verformter Torus fließt zum Clifford-Torus, dem globalen Minimum.",
   "A thin torus: ∫H² within 1.6 % of 2π², reduced volume within 1.2 % of 0.7116":
-    "Ein dünner Torus: ∫H² auf 1.6 % bei 2π², reduziertes Volumen auf 1.2 % bei 0.7116",
+    "Ein dünner Torus: ∫H² auf 1.6 % genau 2π², reduziertes Volumen auf 1.2 % genau 0.7116",
   "Torus knot, area and volume kept": "Torusknoten, Inhalt und Volumen fest",
   "A (3,4)-torus knot relaxes, area and volume kept, and stays nearly isometric.":
     "Ein (3,4)-Torusknoten entspannt sich bei festem Inhalt und Volumen und bleibt beinahe isometrisch.",
@@ -1218,10 +1223,10 @@ export const german = {
   "A rabbit, area and volume kept, becomes a biconcave disc as a red blood cell.":
     "Ein Hase mit festem Inhalt und Volumen wird zur bikonkaven Scheibe wie ein rotes Blutkörperchen.",
   "Another shape, a spheroid, led to v = 0.6: ∫H² within 1.2 % of 1.95568·4π, the axisymmetric minimiser":
-    "Eine andere Form, ein Rotationsellipsoid, auf v = 0.6 geführt: ∫H² auf 1.2 % bei 1.95568·4π, dem rotationssymmetrischen Minimum",
-  "Biconcave disc from a blob": "Bikonkave Scheibe aus einem Klecks",
+    "Eine andere Form, ein Rotationsellipsoid, auf v = 0.6 geführt: ∫H² auf 1.2 % genau 1.95568·4π, das rotationssymmetrische Minimum",
+  "Biconcave disc from a blob": "Bikonkave Scheibe aus einem Klumpen",
   "Another shape, a blob without symmetry, led to v = 0.6: ∫H² within 1.2 % of 1.95568·4π, the axisymmetric minimiser":
-    "Eine andere Form, ein Klecks ohne Symmetrie, auf v = 0.6 geführt: ∫H² auf 1.2 % bei 1.95568·4π, dem rotationssymmetrischen Minimum",
+    "Eine andere Form, ein Klumpen ohne Symmetrie, auf v = 0.6 geführt: ∫H² auf 1.2 % genau 1.95568·4π, das rotationssymmetrische Minimum",
   "One pass of linear regularisation": "Ein Durchgang linearer Regularisierung",
   "One linear pass improves a statue of 483,000 triangles.":
     "Ein linearer Durchgang verbessert eine Statue aus 483\u202f000 Dreiecken.",
@@ -1246,7 +1251,7 @@ export const german = {
   "The energy decreases in every case and appears to converge with refinement.":
     "Die Energie fällt in jedem Fall und scheint bei Verfeinerung zu konvergieren.",
   "Another shape, an ellipsoid on three meshes: at one time the energies come closer by a factor of 3 to 5":
-    "Eine andere Form, ein Ellipsoid auf drei Netzen: Zur selben Zeit rücken die Energien um einen Faktor 3 bis 5 zusammen",
+    "Eine andere Form, ein Ellipsoid auf drei Netzen: Zur selben Zeit rücken die Energien um das 3- bis 5-Fache zusammen",
   "One step, then regularisation": "Ein Schritt, dann Regularisierung",
   "One step of the flow and two nonlinear passes remesh an armadillo all but unseen.":
     "Ein Schritt des Flusses und zwei nichtlineare Durchgänge vernetzen ein Gürteltier fast unmerklich neu.",
@@ -1271,7 +1276,7 @@ export const german = {
   "By area or localised energy a face reaches a lower W than by the Willmore energy.":
     "Nach Flächeninhalt oder lokalisierter Energie erreicht ein Gesicht ein kleineres W als nach der Willmore-Energie.",
   "A made face: W by area and by localised energy below W by itself":
-    "Ein erzeugtes Gesicht: W nach Inhalt und nach lokalisierter Energie unter W nach sich selbst",
+    "Ein künstliches Gesicht: W nach Inhalt und nach lokalisierter Energie unter W nach sich selbst",
   "On this face flips by the Willmore energy end lower. Which end is lower depends on the mesh: each is only a local minimum.":
     "Auf diesem Gesicht enden Flips nach der Willmore-Energie tiefer. Welches Ende tiefer liegt, hängt vom Netz ab: Jedes ist nur ein lokales Minimum.",
   "Area and localised energy fall together and so does W.":
@@ -1321,16 +1326,17 @@ export const german = {
   stepLimit: "an der Schrittgrenze",
   running: "läuft",
   ready: "bereit",
-  "W {}π → {} in {} steps, off the sphere {}": "W {}π → {} in {} Schritten, neben der Sphäre {}",
+  "W {}π → {} in {} steps, off the sphere {}":
+    "W {}π → {} in {} Schritten, Abweichung von der Sphäre {}",
   "W {} after {} steps, {}": "W {} nach {} Schritten, {}",
   "W {} → {}, out of plane {}": "W {} → {}, aus der Ebene {}",
-  "W {} → {}, off a torus {} %": "W {} → {}, neben einem Torus {} %",
-  "R/r {} → {}, off a torus {} %": "R/r {} → {}, neben einem Torus {} %",
+  "W {} → {}, off a torus {} %": "W {} → {}, Abweichung vom Torus {} %",
+  "R/r {} → {}, off a torus {} %": "R/r {} → {}, Abweichung vom Torus {} %",
   "W {} → {}": "W {} → {}",
   "no clean surface to compare": "keine saubere Fläche zum Vergleich",
   "W {} → {}, distance × {}": "W {} → {}, Abstand × {}",
-  "off {} → {} in {} steps, {}": "daneben {} → {} in {} Schritten, {}",
-  "off {}, jump {} in {} steps, {}": "daneben {}, Sprung {} in {} Schritten, {}",
+  "off {} → {} in {} steps, {}": "Abweichung {} → {} in {} Schritten, {}",
+  "off {}, jump {} in {} steps, {}": "Abweichung {}, Sprung {} in {} Schritten, {}",
   "{} loops left, {} in {} steps, jump {}": "{} Randkurven übrig, {} in {} Schritten, Sprung {}",
   "not measurable": "nicht messbar",
   "mean-curvature {}, surface-diffusion {}, willmore {}, mmcv {}":
@@ -1343,7 +1349,7 @@ export const german = {
   "not regularised": "nicht regularisiert",
   "inverted {} → {}, angle {}° → {}°, distortion {} → {}, moved {} %, volume {} %":
     "umgeklappt {} → {}, Winkel {}° → {}°, Verzerrung {} → {}, bewegt {} %, Volumen {} %",
-  "∫H² = {}·4π, off {}, drift {}": "∫H² = {}·4π, daneben {}, Drift {}",
+  "∫H² = {}·4π, off {}, drift {}": "∫H² = {}·4π, Abweichung {}, Drift {}",
   "area × {}, ∫|H|^p = {} of the sphere's, {}": "Inhalt × {}, ∫|H|^p = {} von dem der Sphäre, {}",
   "∫H² = {}·2π², v = {}": "∫H² = {}·2π², v = {}",
   "∫H² = {}·4π at v = {}, {}": "∫H² = {}·4π bei v = {}, {}",
@@ -1351,7 +1357,7 @@ export const german = {
   "one mesh only": "nur ein Netz",
   "{}: ratio {}": "{}: Verhältnis {}",
   "{}: ratio {}, not at one time": "{}: Verhältnis {}, nicht zur selben Zeit",
-  "off {}, drift {}, {} steps, {}": "daneben {}, Drift {}, {} Schritte, {}",
+  "off {}, drift {}, {} steps, {}": "Abweichung {}, Drift {}, {} Schritte, {}",
 
   // The solver: why a flow stopped
   "Newton's method did not converge in this step.":
@@ -1524,7 +1530,7 @@ export const german = {
     "Öffnen Sie zuerst ein Netz oder wählen Sie ein Beispiel.",
   "there is no field `{}`": "es gibt kein Feld `{}`",
   "no flow has been chosen yet": "es ist noch kein Fluss gewählt",
-  "Configure one before asking for a field.": "Wählen Sie einen, bevor Sie nach einem Feld fragen.",
+  "Configure one before asking for a field.": "Wählen Sie einen, bevor Sie ein Feld abfragen.",
   "{} coordinates do not fit {} vertices": "{} Koordinaten passen nicht zu {} Ecken",
   "Load the mesh again.": "Laden Sie das Netz neu.",
   "there is no edit to undo": "es gibt nichts rückgängig zu machen",
