@@ -4,7 +4,10 @@
 // are `{1}`, `{2}`, …. `tests/web/language.test.js` says what is missing and what is left over.
 //
 // Words: mesh Netz, vertex Ecke, edge Kante, face Facette, surface Fläche, boundary loop
-// Randkurve, flow Fluss, clamped eingespannt, sample Beispiel, readings Messwerte.
+// Randkurve, flow Fluss, clamped eingespannt, sample Beispiel, readings Messwerte, pane
+// Teilfenster, recipe Rezept, history Verlauf, branch Zweig, circle angle Kreiswinkel,
+// circumcircle Umkreis, umbilic Nabelpunkt, fit Anpassung, first guess erster Ansatz, keep
+// beibehalten, hold festhalten, refuse ablehnen.
 
 /** @type {Readonly<Record<string, string>>} */
 export const german = {
@@ -69,6 +72,99 @@ export const german = {
   "Remeshing the patches": "Flicken neu vernetzen",
   "Flipping edges": "Kanten flippen",
   "Measuring the surface": "Fläche vermessen",
+  "Following the recipe": "Rezept ausführen",
+  "Writing the stored steps": "Gespeicherte Schritte schreiben",
+
+  // History under the buttons
+  History: "Verlauf",
+  "Play history backwards": "Verlauf rückwärts abspielen",
+  "Play history forwards": "Verlauf vorwärts abspielen",
+  "Steps a second": "Schritte je Sekunde",
+  "Step {step} of {last}": "Schritt {step} von {last}",
+  Branches: "Zweige",
+  "1 branch": "1 Zweig",
+  "{count} branches": "{count} Zweige",
+  "Branch from step {from} ({steps} steps, energy {energy})":
+    "Zweig ab Schritt {from} ({steps} Schritte, Energie {energy})",
+
+  // Why it stopped, and what helps
+  "Why?": "Warum?",
+  Show: "Zeigen",
+  "Marks the place on the surface and turns it to the front":
+    "Markiert die Stelle auf der Fläche und dreht sie nach vorn",
+  "Fill holes": "Löcher füllen",
+  "Use fixed boundary": "Festen Rand verwenden",
+  "Free what the flow frees": "Freigeben, was der Fluss freigibt",
+  "Use the circle-angle Willmore flow": "Willmore-Fluss der Kreiswinkel verwenden",
+  "Use the p-Willmore flow": "p-Willmore-Fluss verwenden",
+  "Use mean-curvature flow": "Fluss nach der mittleren Krümmung verwenden",
+  "Use surface diffusion": "Oberflächendiffusion verwenden",
+  "Use Willmore flow": "Willmore-Fluss verwenden",
+  "Use mean-curvature variation": "Variation der mittleren Krümmung verwenden",
+  "Use the recommended scheme": "Empfohlenes Schema verwenden",
+  "More steps": "Weitere Schritte",
+  "Go {} steps back": "{} Schritte zurückgehen",
+  "Set τ to {}": "τ auf {} setzen",
+  "Choose τ automatically": "τ automatisch wählen",
+  "Set ε to {}": "ε auf {} setzen",
+  "Begin from a smooth first guess": "Von einem glatten ersten Ansatz ausgehen",
+  "Smooth with p = {} first": "Zuerst mit p = {} glätten",
+  "Keep the area": "Flächeninhalt beibehalten",
+  "Keep the volume": "Volumen beibehalten",
+  "Keep area and volume": "Flächeninhalt und Volumen beibehalten",
+  "Keep only the volume": "Nur das Volumen beibehalten",
+  "Regularise the mesh and go on": "Netz regularisieren und weitermachen",
+  "Regularise after each step": "Nach jedem Schritt regularisieren",
+  "Subdivide the mesh and go on": "Netz unterteilen und weitermachen",
+  "Flip edges": "Kanten flippen",
+  "Flip edges and go on": "Kanten flippen und weitermachen",
+  "the edge flips": "die Kantenflips",
+  "At {} edges the four points of both triangles lie on one circle; there the energy has the tip of a cone, and with angle smoothing ε = {} no step descends from it.":
+    "An {} Kanten liegen die vier Punkte beider Dreiecke auf einem Kreis; dort hat die Energie eine Kegelspitze, und mit der Winkelglättung ε = {} führt kein Schritt von ihr hinab.",
+  "The energy rises, from {} to {}: the matrix of the step is indefinite for steps longer than τ = {}, so that errors are amplified; vertex {} moved by {} edge lengths in the last step.":
+    "Die Energie steigt, von {} auf {}: Für Schritte über τ = {} ist die Matrix des Schritts indefinit, sodass sich Fehler verstärken; Ecke {} bewegte sich im letzten Schritt um {} Kantenlängen.",
+  "The energy rises, from {} to {}: this scheme does not test for descent, and steps of τ = {} are too long for it; vertex {} moved by {} edge lengths in the last one.":
+    "Die Energie steigt, von {} auf {}: Dieses Schema prüft nicht, ob sie fällt, und Schritte mit τ = {} sind dafür zu lang; Ecke {} bewegte sich im letzten um {} Kantenlängen.",
+  "About vertex {} the surface has collapsed so far that no quadratic surface fits it, and curvatures by fits are what this flow goes by.":
+    "Um Ecke {} ist die Fläche so weit zusammengefallen, dass sich ihr keine quadratische Fläche anpassen lässt, und nach Krümmungen aus solchen Anpassungen richtet sich dieser Fluss.",
+  "With p = {} the sharpest points outweigh all others: even the shortest step tried would carry vertex {} too far.":
+    "Mit p = {} überwiegen die schärfsten Stellen alle anderen: Selbst der kürzeste versuchte Schritt würde Ecke {} zu weit tragen.",
+  "After {} steps vertices are still to move by up to {} edge lengths: the start is too rough for a flow of sixth order; the last step moved vertex {} most.":
+    "Nach {} Schritten sollen sich Ecken noch immer um bis zu {} Kantenlängen bewegen: Der Anfang ist zu rau für einen Fluss sechster Ordnung; der letzte Schritt bewegte Ecke {} am weitesten.",
+  "Every step tried was refused: even the last and shortest would move vertex {} by more than half an edge.":
+    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Ecke {} um mehr als eine halbe Kante bewegen.",
+  "Every step tried was refused: even the last and shortest would turn face {} by more than 60°.":
+    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Facette {} um mehr als 60° drehen.",
+  "Every step tried was refused: even the last and shortest would make a sliver of face {}.":
+    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Facette {} zum Splitter machen.",
+  "Every step tried was refused: area and volume cannot both be kept by a small move of this surface, which would move vertex {} most.":
+    "Jeder versuchte Schritt wurde abgelehnt: Mit einer kleinen Bewegung dieser Fläche lassen sich Flächeninhalt und Volumen nicht beide einhalten; am weitesten würde sich Ecke {} bewegen.",
+  "Every step tried was refused: none lowers the energy, not even the last and shortest, which would move vertex {} most.":
+    "Jeder versuchte Schritt wurde abgelehnt: Keiner senkt die Energie, auch nicht der letzte und kürzeste, der Ecke {} am weitesten bewegen würde.",
+  "Nothing is wrong: after {} steps the energy still falls, by {} % in the last one, which moved vertex {} most.":
+    "Es ist alles in Ordnung: Nach {} Schritten fällt die Energie noch, um {} % im letzten, der Ecke {} am weitesten bewegte.",
+  "After {} steps the surface is not at rest; the last one moved vertex {} most.":
+    "Nach {} Schritten ist die Fläche nicht in Ruhe; der letzte bewegte Ecke {} am weitesten.",
+  "Nothing is wrong: in step {} a longer trial, which would have moved vertex {} most, was refused, and τ = {} taken, for which the energy falls.":
+    "Es ist alles in Ordnung: In Schritt {} wurde ein längerer Versuch, der Ecke {} am weitesten bewegt hätte, abgelehnt und τ = {} genommen, womit die Energie fällt.",
+  "Nothing is wrong: in step {} {} longer trials, the last of which would have moved vertex {} most, were refused, and τ = {} taken, for which the energy falls.":
+    "Es ist alles in Ordnung: In Schritt {} wurden {} längere Versuche, deren letzter Ecke {} am weitesten bewegt hätte, abgelehnt und τ = {} genommen, womit die Energie fällt.",
+  "∫|H|^p falls as the surface grows, for every exponent above 2: with p = {} its area is {} times that at the start, and it never comes to rest.":
+    "Für jeden Exponenten über 2 fällt ∫|H|^p, wenn die Fläche wächst: Mit p = {} ist ihr Inhalt das {}-Fache dessen am Anfang, und sie kommt nie zur Ruhe.",
+  "∫|H|^p falls as the surface shrinks, for every exponent below 2: with p = {} its area is 1/{} of that at the start, and it vanishes in finite time.":
+    "Für jeden Exponenten unter 2 fällt ∫|H|^p, wenn die Fläche schrumpft: Mit p = {} ist ihr Inhalt 1/{} dessen am Anfang, und sie verschwindet in endlicher Zeit.",
+  "The surface pinches off at vertex {}: the neck there is {} wide, with room for about {} edges around, and this flow shrinks a neck to nothing in finite time.":
+    "Die Fläche schnürt sich bei Ecke {} ab: Der Hals dort ist {} breit, mit Platz für etwa {} Kanten ringsum, und dieser Fluss zieht einen Hals in endlicher Zeit ganz zusammen.",
+  "The surface has swollen to {} times its area, as ∫H² does not depend on size, and its mesh is worn out by that: the smallest angle of face {} is {}°.":
+    "Die Fläche ist auf das {}-Fache ihres Inhalts angeschwollen, da ∫H² nicht von der Größe abhängt, und das hat ihr Netz verschlissen: Der kleinste Winkel von Facette {} ist {}°.",
+  "The energy is {}, and no smooth surface of this topology has less than {}: the mesh is too coarse to notice what bends between its vertices, most of all at vertex {}.":
+    "Die Energie ist {}, und keine glatte Fläche dieser Topologie hat weniger als {}: Das Netz ist zu grob, um zu bemerken, was sich zwischen seinen Ecken krümmt, am meisten bei Ecke {}.",
+  "Face {} is folded over, against its neighbours: about it normals and curvatures mean nothing, and steps are short or go astray.":
+    "Facette {} ist gegen ihre Nachbarn umgeklappt: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.",
+  "{} faces are folded over, against their neighbours, the first of them face {}: about them normals and curvatures mean nothing, and steps are short or go astray.":
+    "{} Facetten sind gegen ihre Nachbarn umgeklappt, als erste Facette {}: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.",
+  "The mesh degenerates: the smallest angle of face {} is {}°, and at the start no angle was below {}°; steps can be no longer than such a face allows.":
+    "Das Netz entartet: Der kleinste Winkel von Facette {} ist {}°, und am Anfang lag kein Winkel unter {}°; Schritte können nicht länger sein, als eine solche Facette erlaubt.",
 
   // Figure that is shown, and the gallery
   Figure: "Abbildung",
@@ -89,8 +185,8 @@ export const german = {
   Sample: "Beispiel",
   "Open mesh…": "Netz öffnen …",
   "Open mesh": "Netz öffnen",
-  "OBJ, OFF, PLY, STL<span>, or drop it</span>":
-    "OBJ, OFF, PLY, STL<span>, oder hier ablegen</span>",
+  "OBJ, OFF, PLY, STL, recipe<span>, or drop it</span>":
+    "OBJ, OFF, PLY, STL, Rezept<span>, oder hier ablegen</span>",
   Flow: "Fluss",
   Boundary: "Rand",
   "Colour by": "Färben nach",
@@ -121,7 +217,7 @@ export const german = {
   "Exponent p": "Exponent p",
   "0: mean-curvature flow; 2: Willmore flow; above 2 free surfaces grow.":
     "0: Fluss nach der mittleren Krümmung; 2: Willmore-Fluss; über 2 wachsen freie Flächen.",
-  Keep: "Erhalten",
+  Keep: "Beibehalten",
   Area: "Flächeninhalt",
   Volume: "Volumen",
   "Lead the reduced volume to": "Reduziertes Volumen führen auf",
@@ -239,8 +335,8 @@ export const german = {
   "Counterexamples by angle": "Gegenbeispiele nach dem Winkel",
   Angle: "Winkel",
   Drawn: "Gezogen",
-  Against: "Dagegen",
-  Share: "Anteil",
+  Against: "Gegen",
+  Share: "Teilen",
   "{total} random tetrahedra, {against} against: {share} ({areaOnly} lower only the area, {localisedOnly} only the localised energy).":
     "{total} zufällige Tetraeder, {against} dagegen: {share} ({areaOnly} senken nur den Flächeninhalt, {localisedOnly} nur die lokalisierte Energie).",
 
@@ -286,6 +382,218 @@ export const german = {
   "{count} step": "{count} Schritt",
   "{count} steps": "{count} Schritte",
 
+  // Möbius inversion, subdivision
+  "Möbius inversion": "Möbius-Inversion",
+  "Centre of the inversion": "Zentrum der Inversion",
+  "x ↦ c + r² (x − c)/|x − c|². Drag the centre c over the picture, or focus it and use the arrow keys, with Page up and Page down away from you and towards you. Circles stay circles, their angles stay, and so does W.":
+    "x ↦ c + r² (x − c)/|x − c|². Ziehen Sie das Zentrum c über das Bild, oder geben Sie ihm den Fokus und benutzen Sie die Pfeiltasten, dazu Bild ↑ und Bild ↓ von Ihnen weg und zu Ihnen hin. Kreise bleiben Kreise, ihre Winkel bleiben, und auch W bleibt.",
+  "Centre, from the middle of the surface in diagonals of its box":
+    "Zentrum, von der Mitte der Fläche aus in Diagonalen ihres Hüllquaders",
+  "at {x}, {y}, {z}": "bei {x}, {y}, {z}",
+  "Before and after the inversion": "Vor und nach der Inversion",
+  Before: "Vorher",
+  After: "Nachher",
+  Change: "Änderung",
+  Cancel: "Abbrechen",
+  "W of interior vertices": "W der inneren Ecken",
+  "W closed at infinity": "W, im Unendlichen geschlossen",
+  "∫H² dA": "∫H² dA",
+  "W changes by {share} of the sum of all angles, rounding; no vertex’s by more than {most}.":
+    "W ändert sich um das {share}-Fache der Summe aller Winkel, durch Rundung; an keiner Ecke um mehr als {most}.",
+  "∫H² dA stays on smooth closed surfaces; on a mesh it changes with its triangles.":
+    "∫H² dA bleibt auf glatten geschlossenen Flächen gleich; auf einem Netz ändert es sich mit dessen Dreiecken.",
+  "With the boundary closed by a vertex at infinity W is not invariant: the inversion takes infinity to a point. ∫H² dA changes by what ∫K dA does.":
+    "Schließt eine Ecke im Unendlichen den Rand, so ist W nicht invariant: Die Inversion bringt das Unendliche in einen Punkt. ∫H² dA ändert sich um so viel wie ∫K dA.",
+  "A reflection follows, so that normals point where they did.":
+    "Eine Spiegelung folgt, damit die Normalen zur selben Seite zeigen wie zuvor.",
+  "The centre is inside: outside and inside change places, and normals still point out.":
+    "Das Zentrum liegt innen: Außen und Innen vertauschen sich, und die Normalen zeigen weiterhin nach außen.",
+  "The size of the surface is kept.": "Die Größe der Fläche bleibt.",
+  "the inversion": "die Inversion",
+  "The surface is inverted; W has changed by {change}. Undo brings the one before back.":
+    "Die Fläche ist invertiert; W hat sich um {change} geändert. „Rückgängig“ bringt die vorige zurück.",
+  "the centre is more than {} times the size of the surface away":
+    "das Zentrum ist weiter als das {}-Fache der Größe der Fläche entfernt",
+  "From so far an inversion looks like doing nothing: choose a centre nearer by.":
+    "Aus solcher Ferne scheint eine Inversion nichts zu tun: Wählen Sie ein näheres Zentrum.",
+  "the centre is {} % of the size of the surface away from it, and needs {} %":
+    "das Zentrum ist um {} % der Größe der Fläche von ihr entfernt, nötig sind {} %",
+  "A point of the surface at the centre would go to infinity: move the centre off it.":
+    "Ein Punkt der Fläche im Zentrum ginge ins Unendliche: Rücken Sie das Zentrum von ihr weg.",
+  "A centre has three.": "Ein Zentrum hat drei.",
+  "{} coordinates are given": "{} Koordinaten sind angegeben",
+  "Each triangle becomes four": "Aus jedem Dreieck werden vier",
+  "How to subdivide": "Art der Unterteilung",
+  "same surface": "dieselbe Fläche",
+  "smoother, by Loop": "glatter, nach Loop",
+  "a subdivision": "eine Unterteilung",
+  "Subdivided into {count} triangles; Undo takes it back.":
+    "In {count} Dreiecke unterteilt; „Rückgängig“ nimmt es zurück.",
+  "the finer mesh would have {} faces": "das feinere Netz hätte {} Facetten",
+  "No more than {} are made.": "Mehr als {} werden nicht gemacht.",
+
+  // Comparison of flows
+  "Compare flows": "Flüsse vergleichen",
+  "Up to four panes from the same start, stepping together. Each does as A, the flow chosen above, except for what is set here.":
+    "Bis zu vier Teilfenster mit demselben Anfang, die gemeinsam Schritte machen. Jedes tut dasselbe wie A, der oben gewählte Fluss, bis auf das, was hier eingestellt ist.",
+  "Add a pane": "Teilfenster hinzufügen",
+  "Ready-made comparison": "Vergleich aus einer Vorlage",
+  "Ready-made…": "Vorlagen …",
+  "ε = 0.1 against 0.01": "ε = 0.1 gegen 0.01",
+  "Recommended scheme against the paper’s": "Empfohlenes Schema gegen das der Arbeit",
+  "p-Willmore: p = 1, 2, 3, 4": "p-Willmore: p = 1, 2, 3, 4",
+  "p-Willmore: regularised, and not": "p-Willmore: regularisiert und nicht",
+  "Four flows by mean curvature": "Vier Flüsse nach der mittleren Krümmung",
+  "Willmore flow: circle angles, p-Willmore": "Willmore-Fluss: Kreiswinkel, p-Willmore",
+  "Pane {pane}": "Teilfenster {pane}",
+  "Remove pane {pane}": "Teilfenster {pane} entfernen",
+  "Area and volume": "Flächeninhalt und Volumen",
+  "Smoothing ε": "Glättung ε",
+  "First guess": "Erster Ansatz",
+  "The start as it is": "Der Anfang, wie er ist",
+  automatic: "automatisch",
+  "Flip A and B": "Zwischen A und B wechseln",
+  "One in the place of the other ( B )": "Eines anstelle des anderen ( B )",
+  "Flip panes A and B in place; <kbd>Esc</kbd> side by side":
+    "Am selben Platz zwischen Teilfenster A und B wechseln; <kbd>Esc</kbd> nebeneinander",
+  "Side by side": "Nebeneinander",
+  "All panes side by side.": "Alle Teilfenster nebeneinander.",
+  "In place: {caption}": "Jetzt zu sehen: {caption}",
+  "There is no pane to flip to yet: add one under “Compare”.":
+    "Noch gibt es kein Teilfenster zum Wechseln: Fügen Sie unter „Flüsse vergleichen“ eines hinzu.",
+  "Close panes": "Teilfenster schließen",
+  "In lockstep": "Im Gleichschritt",
+  "By step": "Nach Schritten",
+  "By time": "Nach der Zeit",
+  "By step all step at once; by time the one that is behind goes next.":
+    "Nach Schritten machen alle zugleich einen Schritt; nach der Zeit ist jeweils das an der Reihe, das zurückliegt.",
+  "By time is for flows whose times have one unit; these have {units}.":
+    "Nach der Zeit geht es nur bei Flüssen, deren Zeiten dieselbe Einheit haben; diese haben {units}.",
+  "Times of these flows have different units: the panes now go by step.":
+    "Die Zeiten dieser Flüsse haben verschiedene Einheiten: Die Teilfenster gehen jetzt nach Schritten.",
+  "length{power}": "Länge{power}",
+  Colours: "Farben",
+  "As chosen above": "Wie oben gewählt",
+  "Distance to {pane}": "Abstand zu {pane}",
+  "All curves": "Alle Kurven",
+  "Plot with a curve a pane; the same numbers are in the table below it":
+    "Je Teilfenster eine Kurve; dieselben Zahlen stehen in der Tabelle darunter",
+  Quantity: "Messgröße",
+  "Each flow’s own energy": "Eigene Energie jedes Flusses",
+  "∫H² dA, for all alike": "∫H² dA, für alle gleich",
+  "Smallest angle, degrees": "Kleinster Winkel in Grad",
+  "The Willmore energy ∫H² dA by cotangents, the same for every flow: 4π for a sphere.":
+    "Die Willmore-Energie ∫H² dA mit Kotangensgewichten, für jeden Fluss dieselbe: 4π für eine Sphäre.",
+  "These flows have different energies: compare their course, and values by ∫H² dA.":
+    "Diese Flüsse haben verschiedene Energien: Vergleichen Sie deren Verlauf, Werte aber nach ∫H² dA.",
+  Steps: "Schritte",
+  "Plotted numbers of all panes": "Zahlen aller Kurven",
+  "A column a pane": "Eine Spalte je Teilfenster",
+  "{value} at {time}": "{value} bei {time}",
+  "step {step}, energy {energy}, t = {time}": "Schritt {step}, Energie {energy}, t = {time}",
+  "p-Willmore, p = {p}": "p-Willmore, p = {p}",
+  "automatic time step": "automatischer Zeitschritt",
+  "recommended scheme": "empfohlenes Schema",
+  "the paper’s scheme": "Schema der Arbeit",
+  "nothing kept": "nichts fest",
+  "{kept} kept": "{kept} fest",
+  regularised: "regularisiert",
+  "regularised linearly": "linear regularisiert",
+  "regularisation ε = {value}": "Regularisierung ε = {value}",
+  "smooth first guess": "glatter erster Ansatz",
+  "no first guess": "ohne ersten Ansatz",
+  "sharpened at the end": "am Ende geschärft",
+  "not sharpened": "nicht geschärft",
+  "semi-implicit": "semi-implizit",
+  "forward Euler": "explizites Euler-Verfahren",
+  "backward Euler": "implizites Euler-Verfahren",
+  "mass: {value}": "Masse: {value}",
+  "loading…": "wird geladen …",
+  "at the step limit": "an der Schrittgrenze",
+  "failed: {reason}": "gescheitert: {reason}",
+  "Pane {pane}: {stage}": "Teilfenster {pane}: {stage}",
+  "Pane {pane}: {reason}": "Teilfenster {pane}: {reason}",
+  "Waiting for pane {pane}": "Warten auf Teilfenster {pane}",
+  "Edge flips change the mesh itself: the panes beside it were closed.":
+    "Kantenflips verändern das Netz selbst: Die Teilfenster daneben wurden geschlossen.",
+  "No pane can step on; Reset takes all back to the start.":
+    "Kein Teilfenster kann weitere Schritte machen; „Anfang“ bringt alle zum Anfang zurück.",
+  "Its solver stopped: {reason}": "Sein Löser ist stehen geblieben: {reason}",
+  "it was ended": "er wurde beendet",
+  "The solver of pane {pane} stopped ({reason}); a new one stands at step {step}. The other panes go on.":
+    "Der Löser von Teilfenster {pane} ist stehen geblieben ({reason}); ein neuer steht bei Schritt {step}. Die anderen Teilfenster machen weiter.",
+  "Play or Step takes the pane along again; Remove closes it.":
+    "„Start“ oder „Schritt“ nimmt das Teilfenster wieder mit; „Entfernen“ schließt es.",
+  "The solver of pane {pane} could not be started again ({reason}).":
+    "Der Löser von Teilfenster {pane} konnte nicht neu gestartet werden ({reason}).",
+  "Reset tries once more; the other panes go on without it.":
+    "„Anfang“ versucht es noch einmal; die anderen Teilfenster machen ohne es weiter.",
+
+  // Looking closer
+  "Look closer": "Genauer hinsehen",
+  "Pick a vertex": "Ecke auswählen",
+  "Vertex number": "Nummer der Ecke",
+  number: "Nummer",
+  None: "Keine",
+  "Click on the surface, or type a number; with the button focused, arrow keys walk to the neighbour seen there.":
+    "Klicken Sie auf die Fläche, oder geben Sie eine Nummer ein; hat die Schaltfläche den Fokus, führen die Pfeiltasten zum Nachbarn, der in ihrer Richtung zu sehen ist.",
+  "There is no vertex {vertex}.": "Es gibt keine Ecke {vertex}.",
+  "The vertex": "Die Ecke",
+  Position: "Lage",
+  Valence: "Valenz",
+  Σβ: "Σβ",
+  "Wᵢ = Σβ − 2π": "Wᵢ = Σβ − 2π",
+  "not part of the energy": "nicht Teil der Energie",
+  "Kᵢ, angle defect": "Kᵢ, Winkeldefekt",
+  "H, pointwise": "H, punktweise",
+  "K, pointwise": "K, punktweise",
+  "κ₁, κ₂ by a fit": "κ₁, κ₂ durch Anpassung",
+  "Area, a third": "Flächeninhalt, ein Drittel",
+  Circumradii: "Umkreisradien",
+  "A boundary vertex: at its boundary edges stands β₂, against the line through a vertex at infinity.":
+    "Eine Randecke: An ihren Randkanten steht β₂, der Winkel gegen die Gerade durch eine Ecke im Unendlichen.",
+  "A boundary vertex: its {count} boundary edges have one circle only and no β, and Wᵢ is no part of the energy under this boundary condition.":
+    "Eine Randecke: Ihre {count} Randkanten haben nur einen Kreis und keinen Winkel β, und Wᵢ gehört bei dieser Randbedingung nicht zur Energie.",
+  "Edges, and the angles β of the circumcircles that meet there":
+    "Kanten und die Winkel β der Umkreise, die sich dort treffen",
+  "To vertex": "Zu Ecke",
+  "Go to vertex {neighbour}": "Weiter zu Ecke {neighbour}",
+  Length: "Länge",
+  none: "keiner",
+  "Circumcircles of all triangles": "Umkreise aller Dreiecke",
+  "{drawn} circles of {total} triangles.": "{drawn} Umkreise von {total} Dreiecken.",
+  "{drawn} of {total} circles, evenly chosen: of more than 6000 triangles only a part.":
+    "{drawn} von {total} Umkreisen, gleichmäßig ausgewählt: bei mehr als 6000 Dreiecken nur ein Teil.",
+  "{leftOut} larger than the surface are left out.":
+    "Größer als die Fläche und deshalb weggelassen: {leftOut}.",
+  "Lines of curvature": "Krümmungslinien",
+  "κ₁, the larger": "κ₁, die größere",
+  "κ₂, the smaller": "κ₂, die kleinere",
+  "{drawn} of {total} vertices.": "{drawn} von {total} Ecken.",
+  "{drawn} of {total} vertices: of more than 20000 only a part.":
+    "{drawn} von {total} Ecken: bei mehr als 20\u202f000 nur ein Teil.",
+  "At umbilics, κ₁ − κ₂ below 5 % of √(κ₁² + κ₂²), there are no directions.":
+    "In Nabelpunkten, κ₁ − κ₂ unter 5 % von √(κ₁² + κ₂²), gibt es keine Richtungen.",
+  "{share} of the edges lie within 5° of a line of curvature; 11 % do by chance.":
+    "{share} der Kanten weichen höchstens 5° von einer Krümmungslinie ab; zufällig wären es 11 %.",
+  Histogram: "Histogramm",
+  "Histogram of the colours": "Histogramm der Farben",
+  "Choose what to colour by, and its values are counted here.":
+    "Wählen Sie, wonach gefärbt wird; die Werte werden hier gezählt.",
+  "{label}: dashed are the ends of the colours.": "{label}: gestrichelt die Enden der Farbskala.",
+  "Histogram of {label}: {count} vertices from {least} to {most}":
+    "Histogramm, {label}: {count} Ecken von {least} bis {most}",
+  "The values that colour the surface": "Die Werte, nach denen die Fläche gefärbt ist",
+  Least: "Kleinster Wert",
+  Greatest: "Größter Wert",
+  "Mean over vertices": "Mittel über die Ecken",
+  "Colours, symmetric about 0": "Farben, symmetrisch um 0",
+  "Colours, 2nd to 98th percentile": "Farben, 2. bis 98. Perzentil",
+  "Bars as numbers": "Balken als Zahlen",
+  "Vertices by value": "Ecken nach Wert",
+  From: "Von",
+  To: "Bis",
+
   // Energy and readings
   Energy: "Energie",
   "W = Σ W<sub>i</sub> <span>(as printed)</span>":
@@ -308,7 +616,7 @@ export const german = {
   "With spontaneous curvature, tension or pressure the first number is Canham and Helfrich’s, ∫(H − H₀)² dA + ¼(σA − PV). The second number is ∫|H|<sup>p</sup> compared with that of a round sphere of the same area, for which it is 1. The reduced volume compares the volume with that sphere’s.":
     "Mit spontaner Krümmung, Spannung oder Druck ist die erste Zahl die von Canham und Helfrich, ∫(H − H₀)² dA + ¼(σA − PV). Die zweite Zahl vergleicht ∫|H|<sup>p</sup> mit dem einer runden Sphäre gleichen Flächeninhalts, für die sie 1 ist. Das reduzierte Volumen vergleicht das Volumen mit dem dieser Sphäre.",
   "W adds, over every vertex, the angles between the circumcircles of neighbouring triangles, less 2π. It has no unit, is never negative, does not change under Möbius transformations, and is zero exactly when the vertices lie on a sphere as a convex, Delaunay mesh.":
-    "W summiert über jede Ecke die Winkel zwischen den Umkreisen benachbarter Dreiecke, weniger 2π. Es hat keine Einheit, ist nie negativ, ändert sich nicht unter Möbiustransformationen und ist genau dann null, wenn die Ecken als konvexes Delaunay-Netz auf einer Sphäre liegen.",
+    "W addiert für jede Ecke die Winkel zwischen den Umkreisen benachbarter Dreiecke, abzüglich 2π. Es hat keine Einheit, ist nie negativ, ändert sich nicht unter Möbiustransformationen und ist genau dann null, wenn die Ecken als konvexes Delaunay-Netz auf einer Sphäre liegen.",
   "On meshes whose edges follow the lines of curvature, half of it tends to the Willmore energy ∫(H²−K) dA as the mesh is refined. On other meshes W/2 is larger, by a factor that depends on the triangles; compare it only with other states of the same mesh.":
     "Auf Netzen, deren Kanten den Krümmungslinien folgen, strebt die Hälfte davon bei Verfeinerung gegen die Willmore-Energie ∫(H²−K) dA. Auf anderen Netzen ist W/2 größer, um einen Faktor, der von den Dreiecken abhängt; vergleichbar ist es nur mit anderen Zuständen desselben Netzes.",
   "Plot of energy against step number; the same numbers are in the table below it":
@@ -330,10 +638,131 @@ export const german = {
   "none enclosed": "keines umschlossen",
   "{volume} (reduced {reduced})": "{volume} (reduziert {reduced})",
 
+  // Energy and equation in symbols
+  "Energy and equation": "Energie und Gleichung",
+  Equation: "Gleichung",
+  "Symbols, as they are now": "Formelzeichen mit ihren jetzigen Werten",
+  "step size": "Schrittweite",
+  "without a unit": "ohne Einheit",
+  "W in section 2, K in eq. (1), the step in section 4":
+    "W in Abschnitt 2, K in Gl. (1), der Schritt in Abschnitt 4",
+  "angle between the circumcircles of the triangles at edge ij":
+    "Winkel zwischen den Umkreisen der Dreiecke an der Kante ij",
+  "rounds off the cone of an angle at 0": "rundet den Kegel ab, den ein Winkel bei 0 hat",
+  "mass of a vertex": "Masse einer Ecke",
+  area: "Flächeninhalt",
+  "K of eq. (1) as it is, with K x = ∇E": "K aus Gl. (1), unverändert, mit K x = ∇E",
+  "K of eq. (1), with K x = ∇E, made semi-definite star by star":
+    "K aus Gl. (1), mit K x = ∇E, Stern für Stern semidefinit gemacht",
+  "mean edge length at the start": "mittlere Kantenlänge am Anfang",
+  "which vertices": "welche Ecken",
+  "interior vertices count": "die inneren Ecken zählen",
+  "a vertex at infinity closes each loop": "eine Ecke im Unendlichen schließt jede Randkurve",
+  "a vertex at infinity closes each loop; the boundary is held":
+    "eine Ecke im Unendlichen schließt jede Randkurve; der Rand wird festgehalten",
+  "the flow in theorem 3.2, eqs. (5)–(7); kept area and volume in problem 3.5; the paper’s step in problem 5.1. Its W^p, with Y = 2H, is 2^p E.":
+    "der Fluss in Theorem 3.2, Gl. (5)–(7); fester Flächeninhalt und festes Volumen in Problem 3.5; der Schritt der Arbeit in Problem 5.1. Ihr W^p, mit Y = 2H, ist 2^p E.",
+  exponent: "Exponent",
+  "mean curvature, (κ₁ + κ₂)/2, positive on a sphere":
+    "mittlere Krümmung, (κ₁ + κ₂)/2, positiv auf einer Sphäre",
+  "spontaneous curvature": "spontane Krümmung",
+  "tension, per ∫(2H)² dA": "Spannung, bezogen auf ∫(2H)² dA",
+  "pressure, per ∫(2H)² dA": "Druck, bezogen auf ∫(2H)² dA",
+  "tension that keeps the area, per E": "Spannung, die den Flächeninhalt erhält, bezogen auf E",
+  "pressure that keeps or leads the volume, per E":
+    "Druck, der das Volumen erhält oder führt, bezogen auf E",
+  "cotangent Laplacian; C = p max(1, p − 1) |2H|^(p−2)/m on its diagonal":
+    "Kotangens-Laplace-Operator; C diagonal, mit p max(1, p − 1) |2H|^(p−2)/m",
+  "onto the vertex normals": "Projektion auf die Normalen der Ecken",
+  "√(A/4π) at the start": "√(A/4π) am Anfang",
+  "of the conformal penalty after each step (problem 5.3)":
+    "Parameter des konformen Strafterms nach jedem Schritt (Problem 5.3)",
+  "eq. (3.6), with H of the opposite sign": "Gl. (3.6), H mit umgekehrtem Vorzeichen",
+  "F in (1.1), V in (3.1) and (3.8), with H and ◇ of the opposite sign":
+    "F in (1.1), V in (3.1) und (3.8), H und ◇ mit umgekehrtem Vorzeichen",
+  "the step in section 4": "der Schritt in Abschnitt 4",
+  "mean curvature by quadratic fits, positive on a sphere":
+    "mittlere Krümmung durch quadratische Anpassung, positiv auf einer Sphäre",
+  "Gaussian curvature": "Gaußsche Krümmung",
+  "gradient with the other curvature along each principal direction":
+    "Gradient, längs jeder Hauptkrümmungsrichtung mit der anderen Hauptkrümmung",
+  "outward normal": "äußere Normale",
+  "linear in the next φ: one factor of each product is new":
+    "linear im nächsten φ: In jedem Produkt ist ein Faktor neu",
+  "share of the step: no vertex moves by more than half an edge":
+    "Anteil des Schritts: Keine Ecke bewegt sich um mehr als eine halbe Kante",
+  "without a unit; ℓ² is the area of a free patch":
+    "ohne Einheit; ℓ² ist der Inhalt eines freien Flickens",
+  "eq. (1)": "Gl. (1)",
+  "eqs. (2) and (4), with its third term β of jkiv, as it must be":
+    "Gl. (2) und (4), darin als dritter Term β zu jkiv, wie es sein muss",
+  "eq. (5)": "Gl. (5)",
+  "an edge, with apexes k and l": "eine Kante, ihr gegenüber die Ecken k und l",
+  "angle between circumcircles, of four vertices in order":
+    "Winkel zwischen Umkreisen, zu vier Ecken in dieser Reihenfolge",
+  "area of a triangle": "Flächeninhalt eines Dreiecks",
+  "the middles of (i, j) and (k, l)": "die Mittelpunkte von (i, j) und (k, l)",
+  "the vertices beyond ik, il, jk and jl": "die Ecken jenseits von ik, il, jk und jl",
+  "what the last flip gained": "was der letzte Flip gewann",
+  "area now": "Flächeninhalt jetzt",
+  "Willmore energy now": "Willmore-Energie jetzt",
+
+  // Refinement study
+  "Refinement study": "Verfeinerungsstudie",
+  "The same surface at several resolutions, each with half the edge length of the one before: do its energies tend to those of the smooth surface? The flow goes on meanwhile.":
+    "Dieselbe Fläche in mehreren Auflösungen, jede mit halb so langen Kanten wie die vorige: Streben ihre Energien gegen die der glatten Fläche? Der Fluss läuft derweil weiter.",
+  Surface: "Fläche",
+  "The sample, at its start": "Das Beispiel an seinem Anfang",
+  "The surface as it is now": "Die Fläche, wie sie jetzt ist",
+  "Run the study": "Studie ausführen",
+  "Preparing the surface…": "Die Fläche wird vorbereitet …",
+  "Measuring resolution {level}…": "Auflösung {level} wird vermessen …",
+  "Done.": "Fertig.",
+  "Cancelled.": "Abgebrochen.",
+  "The study stopped unexpectedly ({reason}).":
+    "Die Studie ist unerwartet stehen geblieben ({reason}).",
+  "The smooth shape, sampled anew at each resolution; {most} vertices at most.":
+    "Die glatte Form, in jeder Auflösung neu abgetastet; höchstens {most} Ecken.",
+  "The polyhedron, its faces split into four each time; {most} vertices at most.":
+    "Das Polyeder, jedes Mal jede Facette in vier geteilt; höchstens {most} Ecken.",
+  "The limit surface of Loop’s scheme with this mesh as its control mesh, which lies a little inside: edges split at their midpoints would get no closer to a smooth surface. {most} vertices at most.":
+    "Die Grenzfläche der Unterteilung nach Loop mit diesem Netz als Kontrollnetz; sie liegt ein wenig innerhalb: In ihren Mittelpunkten geteilte Kanten kämen einer glatten Fläche nicht näher. Höchstens {most} Ecken.",
+  "Energies at each resolution, with their observed orders":
+    "Energien in jeder Auflösung, mit den beobachteten Ordnungen",
+  "order {order}": "Ordnung {order}",
+  "Errors against edge length, both logarithmic; the same numbers are in the table above":
+    "Fehler über der Kantenlänge, beide logarithmisch; dieselben Zahlen stehen in der Tabelle darüber",
+  "The area": "Der Flächeninhalt",
+  "∫H² by cotangents": "∫H² mit Kotangensgewichten",
+  "∫H² by quadratic fits": "∫H² durch quadratische Anpassung",
+  "{name} is right at every resolution, up to roundoff.":
+    "{name} stimmt in jeder Auflösung, bis auf Rundung.",
+  "{name} tends to the smooth value {smooth}; observed order {order}.":
+    "{name} strebt gegen den glatten Wert {smooth}; beobachtete Ordnung {order}.",
+  "{name} tends to ∫(H²−K) dA, {smooth} by quadratic fits on the finest mesh.":
+    "{name} strebt gegen ∫(H²−K) dA, durch quadratische Anpassung auf dem feinsten Netz {smooth}.",
+  "{name} settles; observed order {order}.":
+    "{name} strebt gegen einen festen Wert; beobachtete Ordnung {order}.",
+  "{name} does not tend to the smooth value {smooth}, but to about {ratio} times it.":
+    "{name} strebt nicht gegen den glatten Wert {smooth}, sondern gegen etwa das {ratio}-Fache davon.",
+  "{name} settles, but not at the smooth value {smooth}.":
+    "{name} strebt gegen einen festen Wert, aber nicht gegen den glatten Wert {smooth}.",
+  "{name} does not settle: each refinement changes it as much as the one before.":
+    "{name} strebt gegen keinen festen Wert: Jede Verfeinerung ändert daran so viel wie die vorige.",
+  "Of {name} two resolutions tell no more.": "{name}: Zwei Auflösungen sagen nicht mehr.",
+  "The curvature of a polyhedron sits in its edges: split faces resolve them ever more sharply, and every Willmore energy grows like 1/h.":
+    "Die Krümmung eines Polyeders sitzt in seinen Kanten: Geteilte Facetten lösen sie immer schärfer auf, und jede Willmore-Energie wächst wie 1/h.",
+  "The circle-angle energy tends to the smooth one only where the edges follow the lines of curvature in a right-angled lattice. On other lattices its limit is larger, and where triangles are not Delaunay it has none (Bobenko and Schröder 2005, section 2). Compare it between steps, not between meshes.":
+    "Die Energie der Kreiswinkel strebt nur dort gegen die glatte, wo die Kanten in einem rechtwinkligen Gitter den Krümmungslinien folgen. Auf anderen Gittern ist ihr Grenzwert größer, und wo Dreiecke nicht Delaunay sind, hat sie keinen (Bobenko und Schröder 2005, Abschnitt 2). Vergleichen Sie sie zwischen Schritten, nicht zwischen Netzen.",
+  "That values converge on given meshes does not make minimisers converge: minimising any piecewise-linear Willmore energy proposed so far fails to converge to a solution of the smooth problem (Chen, Yu, Brogan, Kusner, Yang and Zigerelli, arXiv 1901.09990).":
+    "Aus der Konvergenz der Werte auf gegebenen Netzen folgt nicht die der Minimierer: Für keine der bisher vorgeschlagenen stückweise linearen Willmore-Energien konvergiert die Minimierung gegen eine Lösung des glatten Problems (Chen, Yu, Brogan, Kusner, Yang und Zigerelli, arXiv 1901.09990).",
+  "no study has begun": "es hat keine Studie begonnen",
+  "Say what is to be studied.": "Geben Sie an, was untersucht werden soll.",
+
   // Goal and method
   "Goal and method": "Ziel und Verfahren",
   Goal: "Ziel",
-  "Relax towards a minimum": "Auf ein Minimum zu entspannen",
+  "Relax towards a minimum": "Zu einem Minimum hin entspannen",
   "Smooth by a set amount": "Um ein festes Maß glätten",
   "Smooth away detail below L": "Einzelheiten unter L glätten",
   "L = {edges} mean edge lengths = {length}": "L = {edges} mittlere Kantenlängen = {length}",
@@ -352,7 +781,7 @@ export const german = {
   "L-BFGS": "L-BFGS",
   Mass: "Masse",
   Uniform: "Gleichmäßig",
-  "Vertex area": "Fläche je Ecke",
+  "Vertex area": "Inhalt je Ecke",
   "Angle smoothing ε": "Winkelglättung ε",
   "Circle angles β are rounded to √(β²+ε²) − ε. 0.1 never sticks; 0.01 or less lets edges align with curvature.":
     "Kreiswinkel β werden zu √(β²+ε²) − ε gerundet. 0.1 bleibt nie stecken; mit 0.01 oder weniger richten sich Kanten nach der Krümmung aus.",
@@ -367,12 +796,12 @@ export const german = {
   "Canham–Helfrich, with p = 2 only: ∫(2H − 2H₀)² dA + σA − PV. L is the radius of the sphere with the area at the start.":
     "Canham–Helfrich, nur mit p = 2: ∫(2H − 2H₀)² dA + σA − PV. L ist der Radius der Sphäre, die den Flächeninhalt des Anfangs hat.",
   "Step limit": "Schrittgrenze",
-  "Use recommended values": "Empfohlene Werte nehmen",
+  "Use recommended values": "Empfohlene Werte verwenden",
 
   // View, saving
   View: "Ansicht",
   Shading: "Schattierung",
-  Smooth: "Weich",
+  Smooth: "Glatt",
   Flat: "Je Facette",
   Theme: "Farbschema",
   "As the system": "Wie das System",
@@ -397,6 +826,85 @@ export const german = {
   "Picture, PNG": "Bild, PNG",
   "There is no picture to save.": "Es gibt kein Bild zu sichern.",
   "Save the mesh.": "Sichern Sie das Netz.",
+
+  // Recipes, films and stored steps
+  "Recipe, JSON": "Rezept, JSON",
+  "The recipe gives the energy that it promised, to the last bit.":
+    "Das Rezept ergibt die Energie, die es versprach, bis auf das letzte Bit.",
+  "The recipe promised the energy {expected}; here it is {got}.":
+    "Das Rezept versprach die Energie {expected}; hier ist sie {got}.",
+  "This recipe is for the mesh “{name}”. Open that file now; the recipe follows.":
+    "Dieses Rezept gehört zum Netz „{name}“. Öffnen Sie nun diese Datei; das Rezept folgt.",
+  "This is not the mesh “{name}” of the recipe: its contents differ.":
+    "Das ist nicht das Netz „{name}“ des Rezepts: Sein Inhalt ist ein anderer.",
+  "A recipe of this surface cannot be made: where its mesh came from is not known any more.":
+    "Von dieser Fläche lässt sich kein Rezept machen: Woher ihr Netz kam, ist nicht mehr bekannt.",
+  "Open the mesh or choose the sample again; what is done from then on can be told.":
+    "Öffnen Sie das Netz oder wählen Sie das Beispiel noch einmal; was von da an geschieht, lässt sich festhalten.",
+  "how this surface came about is not known: its positions were put in place after the solver was lost":
+    "wie diese Fläche entstand, ist nicht bekannt: Ihre Lagen wurden eingesetzt, nachdem der Löser verloren gegangen war",
+  "Go back to the start with Reset, or load the mesh again.":
+    "Gehen Sie mit „Anfang“ zum Anfang zurück, oder laden Sie das Netz neu.",
+  "Record a film or all steps": "Film oder alle Schritte aufnehmen",
+  "A film is what the picture shows while it is recorded: a flow that runs, the history that plays, a turn of the surface. Of several pictures it is the first.":
+    "Ein Film ist, was das Bild während der Aufnahme zeigt: einen Fluss, der läuft, den Verlauf, der abgespielt wird, eine Drehung der Fläche. Von mehreren Bildern ist es das erste.",
+  "Record film": "Film aufnehmen",
+  "Stop and save": "Beenden und sichern",
+  "This browser cannot record films. “Picture, PNG” and the steps can be saved.":
+    "Dieser Browser kann keine Filme aufnehmen. „Bild, PNG“ und die Schritte lassen sich sichern.",
+  "The browser stopped recording.": "Der Browser hat die Aufnahme abgebrochen.",
+  "What was recorded until then is saved.": "Was bis dahin aufgenommen war, wird gesichert.",
+  "Each step as": "Jeder Schritt als",
+  Every: "Alle",
+  "1 mesh, about {size} before compression; 1 GB at most.":
+    "1 Netz, unkomprimiert etwa {size}; höchstens 1 GB.",
+  "{meshes} meshes, about {size} before compression; 1 GB at most.":
+    "{meshes} Netze, unkomprimiert etwa {size}; höchstens 1 GB.",
+  "Save all steps (ZIP)": "Alle Schritte sichern (ZIP)",
+  "there is no branch {}": "es gibt keinen Zweig {}",
+  "Branches are forgotten, the oldest first, when there are many.":
+    "Zweige werden vergessen, die ältesten zuerst, wenn es viele sind.",
+
+  // Sharing and embedding
+  "The link carries the sample or the name of the mesh, the flow and its parameters, the region, the step, the camera and the colours, and the energy to check them by. It does not carry the theme, messages or what was undone.":
+    "Der Link enthält das Beispiel oder den Namen des Netzes, den Fluss und seine Parameter, den Bereich, den Schritt, die Kamera und die Farben, dazu die Energie zur Probe. Er enthält weder das Farbschema noch Meldungen noch, was rückgängig gemacht wurde.",
+  "The surface was edited by hand. The link does not carry that: send the mesh along, saved with Download.":
+    "Die Fläche wurde von Hand bearbeitet. Das enthält der Link nicht: Schicken Sie das Netz mit, gesichert mit „Herunterladen“.",
+  "The mesh itself is not in the link: send the file along.":
+    "Das Netz selbst ist nicht im Link: Schicken Sie die Datei mit.",
+  "The mesh itself is not in the link: send the file along. It is recognised by its SHA-256.":
+    "Das Netz selbst ist nicht im Link: Schicken Sie die Datei mit. Sie wird an ihrem SHA-256 erkannt.",
+  "The painted region is too large for a link; it is not in it.":
+    "Der gemalte Bereich ist zu groß für einen Link; er ist nicht darin.",
+  "Copy link": "Link kopieren",
+  "The link is copied.": "Der Link ist kopiert.",
+  "Embed as": "Einbetten als",
+  "&lt;umbilic-surface&gt;": "&lt;umbilic-surface&gt;",
+  "&lt;iframe&gt;": "&lt;iframe&gt;",
+  Size: "Größe",
+  "Copy embed code": "Code zum Einbetten kopieren",
+  "The code is copied.": "Der Code ist kopiert.",
+  "Text to copy": "Text zum Kopieren",
+  "The browser does not let the page copy: the text is selected, copy it with Ctrl+C.":
+    "Der Browser lässt die Seite nicht kopieren: Der Text ist ausgewählt, kopieren Sie ihn mit Strg+C.",
+  "Umbilic: {name}": "Umbilic: {name}",
+  "Full page": "Ganze Seite",
+  "Open this scene in the whole page": "Diese Szene in der ganzen Seite öffnen",
+  "There is no mesh yet.": "Es gibt noch kein Netz.",
+  "There is no request “{type}”.": "Es gibt keine Anfrage „{type}“.",
+  "Known are {known}.": "Bekannt sind {known}.",
+  "There is nothing called “{word}” to set.":
+    "Es gibt nichts namens „{word}“, das sich setzen ließe.",
+  "Known are the words of a link: {words}.": "Bekannt sind die Wörter eines Links: {words}.",
+  "“{word}” cannot be “{text}”.": "„{word}“ kann nicht „{text}“ sein.",
+  "Copy a link from the page to see how its words are written.":
+    "Kopieren Sie einen Link von der Seite, um zu sehen, wie seine Wörter geschrieben werden.",
+  "A step is a whole number from 0 on, not “{step}”.":
+    "Ein Schritt ist eine ganze Zahl ab 0, nicht „{step}“.",
+  "There is no format “{format}”.": "Es gibt kein Format „{format}“.",
+  "Known are {formats}.": "Bekannt sind {formats}.",
+  "A mesh is sent as `name`, with its extension, and `bytes`, an ArrayBuffer.":
+    "Ein Netz wird geschickt als `name`, mit seiner Endung, und `bytes`, ein ArrayBuffer.",
 
   // Help
   "An <em>umbilic</em> is a point of a surface where both principal curvatures agree. The Willmore energy measures how far a surface is from being umbilic everywhere; the flow moves the mesh so that it falls.":
@@ -462,6 +970,28 @@ export const german = {
     "Dieser Link zeigt das Netz „{mesh}“, eine Datei auf dem Rechner seines Verfassers.",
   "Open that file here; the scene then follows.":
     "Öffnen Sie diese Datei hier; die Szene folgt dann.",
+  "There is no figure “{id}”.": "Es gibt keine Abbildung „{id}“.",
+  "The button Figures shows those there are.":
+    "Die Schaltfläche „Abbildungen“ zeigt, welche es gibt.",
+  "“{name}” is not the file of the link, which shows “{mesh}”; it is opened all the same.":
+    "„{name}“ ist nicht die Datei des Links, der „{mesh}“ zeigt; geöffnet wird sie trotzdem.",
+  "The scene is as it was sent: {symbol} = {here}.":
+    "Die Szene ist so, wie sie verschickt wurde: {symbol} = {here}.",
+  "The scene is as it was sent to six digits: {symbol} = {here}, {apart} from the {sent} of the link.":
+    "Die Szene ist auf sechs Stellen so, wie sie verschickt wurde: {symbol} = {here}, um {apart} neben dem Wert {sent} des Links.",
+  "The scene is not as it was sent: {symbol} = {here} at step {step}, where the link says {sent}; that is {apart} off.":
+    "Die Szene ist nicht so, wie sie verschickt wurde: {symbol} = {here} bei Schritt {step}, wo der Link {sent} angibt; das ist um {apart} daneben.",
+  "The link shows step {step}; here the flow ends at step {here}.":
+    "Der Link zeigt Schritt {step}; hier endet der Fluss bei Schritt {here}.",
+  "The mesh is not the file of the link.": "Das Netz ist nicht die Datei des Links.",
+  "Perhaps the file is not the one the link was made with.":
+    "Vielleicht ist die Datei nicht die, mit der der Link gemacht wurde.",
+  "The link was made by version {theirs} of the solver; this is version {ours}.":
+    "Der Link stammt von Version {theirs} des Lösers; dies ist Version {ours}.",
+  "The same version should give the same numbers; please report this, with the link.":
+    "Dieselbe Version sollte dieselben Zahlen ergeben; bitte melden Sie das, mit dem Link.",
+  "A new version is ready: reload the page to use it.":
+    "Eine neue Version liegt bereit: Laden Sie die Seite neu, um sie zu benutzen.",
   "The solver stopped unexpectedly ({reason}); a new one goes on from step {step}.":
     "Der Löser ist unerwartet stehen geblieben ({reason}); ein neuer macht ab Schritt {step} weiter.",
   "If it was short of memory, close other tabs or use a mesh with fewer faces.":
@@ -507,7 +1037,7 @@ export const german = {
   "Vesicle, deflated": "Vesikel mit weniger Volumen",
   "Area kept, the volume is led down to 0.6 of the ball’s: a biconcave disc, as a red blood cell (p-Willmore, figure 6).":
     "Bei festem Flächeninhalt wird das Volumen auf 0.6 der Kugel gesenkt: eine bikonkave Scheibe, wie ein rotes Blutkörperchen (p-Willmore, Abbildung 6).",
-  "Blob, deflated": "Klecks mit weniger Volumen",
+  "Blob, deflated": "Klumpen mit weniger Volumen",
   "Without any symmetry at the start it ends as a biconcave disc too, an elliptical one (p-Willmore, figure 6).":
     "Ohne jede Symmetrie am Anfang endet auch er als bikonkave Scheibe, als elliptische (p-Willmore, Abbildung 6).",
   "Letter C": "Buchstabe C",
@@ -581,7 +1111,7 @@ export const german = {
     "Geschlossen und einseitig: Sie hat kein Volumen, aber eine Energie.",
   "Saddle, boundary free": "Sattel, Rand frei",
   "Set free it becomes a flat, convex piece of the plane; with its boundary fixed it stays a saddle (figure 7).":
-    "Freigelassen wird er zu einem konvexen Stück der Ebene; mit festem Rand bleibt er ein Sattel (Abbildung 7).",
+    "Mit freiem Rand wird er zu einem konvexen Stück der Ebene; mit festem bleibt er ein Sattel (Abbildung 7).",
   "Surface with four handles": "Fläche mit vier Henkeln",
   "Its handles round off; ∫H² tends below 8π (p-Willmore, figure 8).":
     "Ihre Henkel runden sich; ∫H² strebt unter 8π (p-Willmore, Abbildung 8).",
@@ -627,12 +1157,12 @@ export const german = {
   "Almost immediately the vertices flow to the surface of a geometric torus.":
     "Fast sofort fließen die Ecken auf einen geometrischen Torus.",
   "τ = 0.01: W within 5 % of 57 after 100 steps, less than 2.5 % off a torus":
-    "τ = 0.01: W nach 100 Schritten auf 5 % bei 57, weniger als 2.5 % neben einem Torus",
+    "τ = 0.01: W nach 100 Schritten auf 5 % genau 57, ein Torus auf 2.5 %",
   "Coarse torus fattens": "Grober Torus wird dicker",
   "Subsequent evolution aligns edges with the curvature directions and fattens the torus.":
     "Im weiteren Verlauf richten sich Kanten nach den Krümmungsrichtungen aus, und der Torus wird dicker.",
   "τ = 0.003, 1000 steps: R/r from 2.13 to 2.04 (±0.02), less than 1.5 % off a torus":
-    "τ = 0.003, 1000 Schritte: R/r von 2.13 auf 2.04 (±0.02), weniger als 1.5 % neben einem Torus",
+    "τ = 0.003, 1000 Schritte: R/r von 2.13 auf 2.04 (±0.02), ein Torus auf 1.5 %",
   "Pipe between two circles": "Rohr zwischen zwei Kreisen",
   "A pipe with circular boundary loops evolves as the torus does, to a fat pipe.":
     "Ein Rohr mit kreisförmigen Randkurven entwickelt sich wie der Torus, zu einem dicken Rohr.",
@@ -646,19 +1176,19 @@ export const german = {
   "A marked region of the Egea model is restored, its surroundings held.":
     "Ein markierter Bereich des Egea-Modells wird wiederhergestellt, seine Umgebung festgehalten.",
   "Another shape, a scarred stone: W within 2 % of 6.408, where the undamaged stone comes to rest, in 20 steps":
-    "Eine andere Form, ein Stein mit Narbe: W in 20 Schritten auf 2 % bei 6.408, wo der unbeschädigte Stein zur Ruhe kommt",
+    "Eine andere Form, ein Stein mit Narbe: W in 20 Schritten auf 2 % genau 6.408, wo der unbeschädigte Stein zur Ruhe kommt",
   "Scan smoothed by {} steps": "Scan in {} Schritten geglättet",
   "A scan of 37,000 vertices with 88 boundary loops loses its noise; shown after {} steps.":
     "Ein Scan mit 37\u202f000 Ecken und 88 Randkurven verliert sein Rauschen; gezeigt nach {} Schritten.",
   "A made scan with 88 loops and 38,000 vertices: distance to the clean surface below {} of the noise":
-    "Ein erzeugter Scan mit 88 Randkurven und 38\u202f000 Ecken: Abstand zur sauberen Fläche unter dem {}-Fachen des Rauschens",
+    "Ein künstlicher Scan mit 88 Randkurven und 38\u202f000 Ecken: Abstand zur sauberen Fläche unter dem {}-Fachen des Rauschens",
   "A made scan with 88 loops and 38,000 vertices, whose features begin to go: distance to the clean surface below {} of the noise":
-    "Ein erzeugter Scan mit 88 Randkurven und 38\u202f000 Ecken, dessen Merkmale zu schwinden beginnen: Abstand zur sauberen Fläche unter dem {}-Fachen des Rauschens",
+    "Ein künstlicher Scan mit 88 Randkurven und 38\u202f000 Ecken, dessen Merkmale zu schwinden beginnen: Abstand zur sauberen Fläche unter dem {}-Fachen des Rauschens",
   "Area kept, p = 2": "Flächeninhalt fest, p = 2",
   "A cow of 23,400 triangles rounds off, its area all but unchanged.":
     "Eine Kuh aus 23\u202f400 Dreiecken rundet sich, ihr Flächeninhalt fast unverändert.",
   "Another shape, a bumpy sphere: ∫H² within 0.6 % of 4π, a sphere to 1e-3, area to 1e-8":
-    "Eine andere Form, eine beulige Sphäre: ∫H² auf 0.6 % bei 4π, eine Sphäre auf 1e-3, Inhalt auf 1e-8",
+    "Eine andere Form, eine beulige Sphäre: ∫H² auf 0.6 % genau 4π, eine Sphäre auf 1e-3, Inhalt auf 1e-8",
   "Letter C, p = {}": "Buchstabe C, p = {}",
   "Under p = 0, mean-curvature flow, the letter C shrinks.":
     "Mit p = 0, dem Fluss nach der mittleren Krümmung, schrumpft der Buchstabe C.",
@@ -667,7 +1197,7 @@ export const german = {
   "Under p = 2 the letter C becomes a round sphere.":
     "Mit p = 2 wird der Buchstabe C zur runden Sphäre.",
   "∫H² within 1 % of a sphere's after at most {} steps":
-    "∫H² auf 1 % bei dem einer Sphäre nach höchstens {} Schritten",
+    "∫H² auf 1 % genau das einer Sphäre nach höchstens {} Schritten",
   "Under p = 4 the letter C grows without end.": "Mit p = 4 wächst der Buchstabe C ohne Ende.",
   "Area above 1.8 times after at most {} steps":
     "Flächeninhalt mehr als das 1.8-Fache nach höchstens {} Schritten",
@@ -683,7 +1213,7 @@ export const german = {
   "A deformed torus flows to the Clifford torus, the global minimum.":
     "Ein verformter Torus fließt zum Clifford-Torus, dem globalen Minimum.",
   "A thin torus: ∫H² within 1.6 % of 2π², reduced volume within 1.2 % of 0.7116":
-    "Ein dünner Torus: ∫H² auf 1.6 % bei 2π², reduziertes Volumen auf 1.2 % bei 0.7116",
+    "Ein dünner Torus: ∫H² auf 1.6 % genau 2π², reduziertes Volumen auf 1.2 % genau 0.7116",
   "Torus knot, area and volume kept": "Torusknoten, Inhalt und Volumen fest",
   "A (3,4)-torus knot relaxes, area and volume kept, and stays nearly isometric.":
     "Ein (3,4)-Torusknoten entspannt sich bei festem Inhalt und Volumen und bleibt beinahe isometrisch.",
@@ -693,10 +1223,10 @@ export const german = {
   "A rabbit, area and volume kept, becomes a biconcave disc as a red blood cell.":
     "Ein Hase mit festem Inhalt und Volumen wird zur bikonkaven Scheibe wie ein rotes Blutkörperchen.",
   "Another shape, a spheroid, led to v = 0.6: ∫H² within 1.2 % of 1.95568·4π, the axisymmetric minimiser":
-    "Eine andere Form, ein Rotationsellipsoid, auf v = 0.6 geführt: ∫H² auf 1.2 % bei 1.95568·4π, dem rotationssymmetrischen Minimum",
-  "Biconcave disc from a blob": "Bikonkave Scheibe aus einem Klecks",
+    "Eine andere Form, ein Rotationsellipsoid, auf v = 0.6 geführt: ∫H² auf 1.2 % genau 1.95568·4π, das rotationssymmetrische Minimum",
+  "Biconcave disc from a blob": "Bikonkave Scheibe aus einem Klumpen",
   "Another shape, a blob without symmetry, led to v = 0.6: ∫H² within 1.2 % of 1.95568·4π, the axisymmetric minimiser":
-    "Eine andere Form, ein Klecks ohne Symmetrie, auf v = 0.6 geführt: ∫H² auf 1.2 % bei 1.95568·4π, dem rotationssymmetrischen Minimum",
+    "Eine andere Form, ein Klumpen ohne Symmetrie, auf v = 0.6 geführt: ∫H² auf 1.2 % genau 1.95568·4π, das rotationssymmetrische Minimum",
   "One pass of linear regularisation": "Ein Durchgang linearer Regularisierung",
   "One linear pass improves a statue of 483,000 triangles.":
     "Ein linearer Durchgang verbessert eine Statue aus 483\u202f000 Dreiecken.",
@@ -721,7 +1251,7 @@ export const german = {
   "The energy decreases in every case and appears to converge with refinement.":
     "Die Energie fällt in jedem Fall und scheint bei Verfeinerung zu konvergieren.",
   "Another shape, an ellipsoid on three meshes: at one time the energies come closer by a factor of 3 to 5":
-    "Eine andere Form, ein Ellipsoid auf drei Netzen: Zur selben Zeit rücken die Energien um einen Faktor 3 bis 5 zusammen",
+    "Eine andere Form, ein Ellipsoid auf drei Netzen: Zur selben Zeit rücken die Energien um das 3- bis 5-Fache zusammen",
   "One step, then regularisation": "Ein Schritt, dann Regularisierung",
   "One step of the flow and two nonlinear passes remesh an armadillo all but unseen.":
     "Ein Schritt des Flusses und zwei nichtlineare Durchgänge vernetzen ein Gürteltier fast unmerklich neu.",
@@ -746,7 +1276,7 @@ export const german = {
   "By area or localised energy a face reaches a lower W than by the Willmore energy.":
     "Nach Flächeninhalt oder lokalisierter Energie erreicht ein Gesicht ein kleineres W als nach der Willmore-Energie.",
   "A made face: W by area and by localised energy below W by itself":
-    "Ein erzeugtes Gesicht: W nach Inhalt und nach lokalisierter Energie unter W nach sich selbst",
+    "Ein künstliches Gesicht: W nach Inhalt und nach lokalisierter Energie unter W nach sich selbst",
   "On this face flips by the Willmore energy end lower. Which end is lower depends on the mesh: each is only a local minimum.":
     "Auf diesem Gesicht enden Flips nach der Willmore-Energie tiefer. Welches Ende tiefer liegt, hängt vom Netz ab: Jedes ist nur ein lokales Minimum.",
   "Area and localised energy fall together and so does W.":
@@ -796,16 +1326,17 @@ export const german = {
   stepLimit: "an der Schrittgrenze",
   running: "läuft",
   ready: "bereit",
-  "W {}π → {} in {} steps, off the sphere {}": "W {}π → {} in {} Schritten, neben der Sphäre {}",
+  "W {}π → {} in {} steps, off the sphere {}":
+    "W {}π → {} in {} Schritten, Abweichung von der Sphäre {}",
   "W {} after {} steps, {}": "W {} nach {} Schritten, {}",
   "W {} → {}, out of plane {}": "W {} → {}, aus der Ebene {}",
-  "W {} → {}, off a torus {} %": "W {} → {}, neben einem Torus {} %",
-  "R/r {} → {}, off a torus {} %": "R/r {} → {}, neben einem Torus {} %",
+  "W {} → {}, off a torus {} %": "W {} → {}, Abweichung vom Torus {} %",
+  "R/r {} → {}, off a torus {} %": "R/r {} → {}, Abweichung vom Torus {} %",
   "W {} → {}": "W {} → {}",
   "no clean surface to compare": "keine saubere Fläche zum Vergleich",
   "W {} → {}, distance × {}": "W {} → {}, Abstand × {}",
-  "off {} → {} in {} steps, {}": "daneben {} → {} in {} Schritten, {}",
-  "off {}, jump {} in {} steps, {}": "daneben {}, Sprung {} in {} Schritten, {}",
+  "off {} → {} in {} steps, {}": "Abweichung {} → {} in {} Schritten, {}",
+  "off {}, jump {} in {} steps, {}": "Abweichung {}, Sprung {} in {} Schritten, {}",
   "{} loops left, {} in {} steps, jump {}": "{} Randkurven übrig, {} in {} Schritten, Sprung {}",
   "not measurable": "nicht messbar",
   "mean-curvature {}, surface-diffusion {}, willmore {}, mmcv {}":
@@ -818,7 +1349,7 @@ export const german = {
   "not regularised": "nicht regularisiert",
   "inverted {} → {}, angle {}° → {}°, distortion {} → {}, moved {} %, volume {} %":
     "umgeklappt {} → {}, Winkel {}° → {}°, Verzerrung {} → {}, bewegt {} %, Volumen {} %",
-  "∫H² = {}·4π, off {}, drift {}": "∫H² = {}·4π, daneben {}, Drift {}",
+  "∫H² = {}·4π, off {}, drift {}": "∫H² = {}·4π, Abweichung {}, Drift {}",
   "area × {}, ∫|H|^p = {} of the sphere's, {}": "Inhalt × {}, ∫|H|^p = {} von dem der Sphäre, {}",
   "∫H² = {}·2π², v = {}": "∫H² = {}·2π², v = {}",
   "∫H² = {}·4π at v = {}, {}": "∫H² = {}·4π bei v = {}, {}",
@@ -826,7 +1357,7 @@ export const german = {
   "one mesh only": "nur ein Netz",
   "{}: ratio {}": "{}: Verhältnis {}",
   "{}: ratio {}, not at one time": "{}: Verhältnis {}, nicht zur selben Zeit",
-  "off {}, drift {}, {} steps, {}": "daneben {}, Drift {}, {} Schritte, {}",
+  "off {}, drift {}, {} steps, {}": "Abweichung {}, Drift {}, {} Schritte, {}",
 
   // The solver: why a flow stopped
   "Newton's method did not converge in this step.":
@@ -852,8 +1383,9 @@ export const german = {
     "Angehalten nach {} Schritten: Dreieck {} ist entartet; vielleicht schnürt sich ein Hals ab, oder es bildet sich eine Blase. Gehen Sie einige Schritte zurück.",
   "Stopped after {} steps: the largest face is {} times the mean, and the mesh no longer resolves the surface. Go back a few steps; a finer mesh helps":
     "Angehalten nach {} Schritten: Die größte Facette ist {}-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf. Gehen Sie einige Schritte zurück; ein feineres Netz hilft",
-  "Stalled after {} steps: every step tried was refused, the last because {}; {}":
-    "Stecken geblieben nach {} Schritten: Jeder versuchte Schritt wurde abgelehnt, der letzte, weil {}; {}",
+  "Stalled after {} steps: every step tried was refused{}; {}":
+    "Stecken geblieben nach {} Schritten: Jeder versuchte Schritt wurde abgelehnt{}; {}",
+  ", the last because {}": ", der letzte, weil {}",
   "Stalled after {} steps: only ever smaller steps lower the energy, which is not at rest; {}":
     "Stecken geblieben nach {} Schritten: Nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; {}",
   "Newton’s method does not converge, or a face would turn over":
@@ -864,6 +1396,7 @@ export const german = {
     "sich die Nebenbedingungen nicht zugleich erfüllen lassen",
   "the energy is not finite": "die Energie nicht endlich ist",
   "the energy would rise": "die Energie steigen würde",
+  "faces would fold over": "Facetten umklappen würden",
   "a face would turn by more than 60°": "eine Facette sich um mehr als 60° drehen würde",
   "a face would become a sliver": "eine Facette zum Splitter würde",
   "conformal regularisation or a finer mesh helps":
@@ -997,10 +1530,14 @@ export const german = {
     "Öffnen Sie zuerst ein Netz oder wählen Sie ein Beispiel.",
   "there is no field `{}`": "es gibt kein Feld `{}`",
   "no flow has been chosen yet": "es ist noch kein Fluss gewählt",
-  "Configure one before asking for a field.": "Wählen Sie einen, bevor Sie nach einem Feld fragen.",
+  "Configure one before asking for a field.": "Wählen Sie einen, bevor Sie ein Feld abfragen.",
   "{} coordinates do not fit {} vertices": "{} Koordinaten passen nicht zu {} Ecken",
   "Load the mesh again.": "Laden Sie das Netz neu.",
   "there is no edit to undo": "es gibt nichts rückgängig zu machen",
+  "edge flips hold the positions, which a regularisation would move":
+    "Kantenflips halten die Lagen fest, die eine Regularisierung verschieben würde",
+  "Choose another flow, and regularise then.":
+    "Wählen Sie einen anderen Fluss, und regularisieren Sie dann.",
   "A fill or edge flips can be undone once they are done.":
     "Ein Füllen oder Kantenflips lassen sich rückgängig machen, sobald sie geschehen sind.",
   "It is 1 or more, or absent for all that gain anything.":
