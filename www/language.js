@@ -39,10 +39,11 @@ export const t = (english, values = {}) => filled(translate(english), values);
 
 /**
  * A sentence that comes as data: from a table of labels, or from the solver with its numbers
- * in it.
+ * in it or beside it.
  * @param {string} english
+ * @param {Values} [values]
  */
-export const translated = (english) => translate(english);
+export const translated = (english, values = {}) => filled(translate(english), values);
 
 /**
  * Of two sentences the one that goes with a count, which is `{count}` in them.

@@ -127,8 +127,8 @@ export const german = {
     "Die Energie steigt, von {} auf {}: Dieses Schema prüft nicht, ob sie fällt, und Schritte mit τ = {} sind dafür zu lang; Ecke {} bewegte sich im letzten um {} Kantenlängen.",
   "About vertex {} the surface has collapsed so far that no quadratic surface fits it, and curvatures by fits are what this flow goes by.":
     "Um Ecke {} ist die Fläche so weit zusammengefallen, dass sich ihr keine quadratische Fläche anpassen lässt, und nach Krümmungen aus solchen Anpassungen richtet sich dieser Fluss.",
-  "With p = {} the sharpest points outweigh all others: even the shortest step tried would carry vertex {} too far.":
-    "Mit p = {} überwiegen die schärfsten Stellen alle anderen: Selbst der kürzeste versuchte Schritt würde Ecke {} zu weit tragen.",
+  "With p = {} the sharpest points outweigh all others, most of all vertex {}: even the shortest step tried would go too far.":
+    "Mit p = {} überwiegen die schärfsten Stellen alle anderen, am meisten Ecke {}: Selbst der kürzeste versuchte Schritt ginge zu weit.",
   "After {} steps vertices are still to move by up to {} edge lengths: the start is too rough for a flow of sixth order; the last step moved vertex {} most.":
     "Nach {} Schritten sollen sich Ecken noch immer um bis zu {} Kantenlängen bewegen: Der Anfang ist zu rau für einen Fluss sechster Ordnung; der letzte Schritt bewegte Ecke {} am weitesten.",
   "Every step tried was refused: even the last and shortest would move vertex {} by more than half an edge.":
@@ -153,8 +153,11 @@ export const german = {
     "Für jeden Exponenten über 2 fällt ∫|H|^p, wenn die Fläche wächst: Mit p = {} ist ihr Inhalt das {}-Fache dessen am Anfang, und sie kommt nie zur Ruhe.",
   "∫|H|^p falls as the surface shrinks, for every exponent below 2: with p = {} its area is 1/{} of that at the start, and it vanishes in finite time.":
     "Für jeden Exponenten unter 2 fällt ∫|H|^p, wenn die Fläche schrumpft: Mit p = {} ist ihr Inhalt 1/{} dessen am Anfang, und sie verschwindet in endlicher Zeit.",
-  "The surface pinches off at vertex {}: the neck there is {} wide, with room for about {} edges around, and this flow shrinks a neck to nothing in finite time.":
-    "Die Fläche schnürt sich bei Ecke {} ab: Der Hals dort ist {} breit, mit Platz für etwa {} Kanten ringsum, und dieser Fluss zieht einen Hals in endlicher Zeit ganz zusammen.",
+  "The surface pinches off at vertex {}: the neck there is {} wide, too thin for a ring of edges, and this flow shrinks a neck to nothing in finite time.":
+    "Die Fläche schnürt sich bei Ecke {} ab: Der Hals dort ist {} breit, zu dünn für einen Ring von Kanten, und dieser Fluss zieht einen Hals in endlicher Zeit ganz zusammen.",
+  "The surface pinches off at vertex {}: the neck there is {} wide, with room for {} edges around, and this flow shrinks a neck to nothing in finite time.":
+    "Die Fläche schnürt sich bei Ecke {} ab: Der Hals dort ist {} breit, mit Platz für {} Kanten ringsum, und dieser Fluss zieht einen Hals in endlicher Zeit ganz zusammen.",
+  "Regularise and use surface diffusion": "Regularisieren und Flächendiffusion nehmen",
   "The surface has swollen to {} times its area, as ∫H² does not depend on size, and its mesh is worn out by that: the smallest angle of face {} is {}°.":
     "Die Fläche ist auf das {}-Fache ihres Inhalts angeschwollen, da ∫H² nicht von der Größe abhängt, und das hat ihr Netz verschlissen: Der kleinste Winkel von Facette {} ist {}°.",
   "The energy is {}, and no smooth surface of this topology has less than {}: the mesh is too coarse to notice what bends between its vertices, most of all at vertex {}.":
@@ -337,6 +340,7 @@ export const german = {
   Drawn: "Gezogen",
   Against: "Gegen",
   Share: "Teilen",
+  Fraction: "Anteil",
   "{total} random tetrahedra, {against} against: {share} ({areaOnly} lower only the area, {localisedOnly} only the localised energy).":
     "{total} zufällige Tetraeder, {against} dagegen: {share} ({areaOnly} senken nur den Flächeninhalt, {localisedOnly} nur die lokalisierte Energie).",
 
@@ -459,7 +463,7 @@ export const german = {
   "Side by side": "Nebeneinander",
   "All panes side by side.": "Alle Teilfenster nebeneinander.",
   "In place: {caption}": "Jetzt zu sehen: {caption}",
-  "There is no pane to flip to yet: add one under “Compare”.":
+  "There is no pane to flip to yet: add one under “Compare flows”.":
     "Noch gibt es kein Teilfenster zum Wechseln: Fügen Sie unter „Flüsse vergleichen“ eines hinzu.",
   "Close panes": "Teilfenster schließen",
   "In lockstep": "Im Gleichschritt",
@@ -1799,4 +1803,42 @@ export const german = {
   "Switch on hardware acceleration in the browser's settings, or update the graphics driver.":
     "Schalten Sie in den Einstellungen des Browsers die Hardwarebeschleunigung ein, oder erneuern Sie den Grafiktreiber.",
   "Reload the page.": "Laden Sie die Seite neu.",
+
+  // Recipes that cannot be followed, and what is said of flows
+  "{label} ({why})": "{label} ({why})",
+  "closed surfaces only": "nur geschlossene Flächen",
+  "only where a part is held, or open": "nur wo ein Teil festgehalten oder die Fläche offen ist",
+  "rounds off the cone of an angle at 0; goes to 0 at the end":
+    "rundet den Kegel eines Winkels bei 0 ab; geht am Ende gegen 0",
+  "inverse of the Hessian, from the last steps":
+    "Inverse der Hesse-Matrix, aus den letzten Schritten",
+  "what the line search finds": "was die Liniensuche findet",
+  "No flow has been chosen yet.": "Es ist noch kein Fluss gewählt.",
+  "Choose one first.": "Wählen Sie zuerst einen.",
+  "The recipe is not JSON: line {} cannot be read.":
+    "Das Rezept ist kein JSON: Zeile {} ist nicht lesbar.",
+  "The recipe’s “{}” must be {}.": "„{}“ im Rezept muss so sein: {}.",
+  "The recipe needs the mesh {}.": "Das Rezept braucht das Netz {}.",
+  "Open it first.": "Öffnen Sie es zuerst.",
+  "The flow ends at step {} of {}: {}.": "Der Fluss endet bei Schritt {} von {}: {}.",
+  "the version, as text": "die Version, als Text",
+  "a list": "eine Liste",
+  "an object": "ein Objekt",
+  "a whole number from 0": "eine ganze Zahl ab 0",
+  "a whole number": "eine ganze Zahl",
+  'a list whose steps are {} in all, as "steps" says':
+    "eine Liste, deren Schritte zusammen {} sind, wie „steps“ sagt",
+  "a number or null": "eine Zahl oder null",
+  "a SHA-256": "ein SHA-256",
+  "a SHA-256, 64 digits from 0 to f": "ein SHA-256, 64 Ziffern von 0 bis f",
+  "the name of a shape": "der Name einer Form",
+  "an object of numbers": "ein Objekt aus Zahlen",
+  "the name of a file": "der Name einer Datei",
+  "an object of options": "ein Objekt aus Optionen",
+  "{ steps }, { regularise } or “anew”": "{ steps }, { regularise } oder „anew“",
+  "“adopt”, { fill }, { flip }, { subdivide } or { invert: [x, y, z] }":
+    "„adopt“, { fill }, { flip }, { subdivide } oder { invert: [x, y, z] }",
+  "left out: there is no such option": "weggelassen: Diese Option gibt es nicht",
+  "null or a list of vertex numbers": "null oder eine Liste von Eckennummern",
+  "another value: {} is not one of this option": "ein anderer Wert: {} ist keiner dieser Option",
 };

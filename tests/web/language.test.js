@@ -170,6 +170,25 @@ function working() {
   return found;
 }
 
+/** What is said of a recipe that cannot be followed. */
+function recipes() {
+  /** @type {Set<string>} */
+  const found = new Set();
+  for (const name of ["recipe.js", "recipe-schema.js"]) {
+    walk(syntax.get(path.join("www", name)), (node) => {
+      const isRefusal = node.type === "NewExpression" && node.callee.name === "BadRecipe";
+      const isCheck = node.type === "CallExpression" && node.callee.name === "check";
+      const parts = isRefusal ? node.arguments : isCheck ? node.arguments.slice(2) : [];
+      if (node.type === "Property" && node.key.name === "wanted") parts.push(node.value);
+      for (const part of parts) {
+        const text = literalOf(part);
+        if (text) found.add(text);
+      }
+    });
+  }
+  return found;
+}
+
 /**
  * Rust files whose strings no user of the page meets: assertions, shapes that only the command
  * line makes with parameters of its own, and what goes into files.
@@ -257,7 +276,7 @@ function instances(sentence) {
 
 const find = createFinder(german);
 const keyed = new Set([...spoken().found, ...tabled(), ...standing()]);
-const matched = new Set([...figured(), ...working(), ...solved()]);
+const matched = new Set([...figured(), ...working(), ...recipes(), ...solved()]);
 
 test("every sentence has its German", () => {
   const lacking = [...keyed].filter(

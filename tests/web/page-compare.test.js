@@ -33,6 +33,8 @@ async function untilCaptions(page, pattern) {
 async function table(page) {
   const details = page.locator("#comparison-data");
   if ((await details.getAttribute("open")) === null) await details.locator("summary").click();
+  // Filled once the table is seen to be open, a task later.
+  await page.locator("#comparison-rows tr").first().waitFor();
   return page
     .locator("#comparison-rows tr")
     .evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));

@@ -161,7 +161,7 @@ export function createCompare({ store, voice, enqueue, rest, configure, arrange 
     flip() {
       const { shown } = store.get().comparison;
       if (contest.isOpen()) store.update(on.compared, { shown: shown === 0 ? 1 : 0 });
-      else voice.answer(t("There is no pane to flip to yet: add one under “Compare”."));
+      else voice.answer(t("There is no pane to flip to yet: add one under “Compare flows”."));
     },
     sideBySide: () => store.update(on.compared, { shown: "side" }),
   };

@@ -6,7 +6,7 @@
 /** @import { Shown } from "./extra-pane.js" */
 
 import { isOver, letter, optionsOf } from "../comparison.js";
-import { t } from "../language.js";
+import { t, translated } from "../language.js";
 import { asText, choices, usualBoundary } from "../options.js";
 import { flowLabel } from "./curvature-form.js";
 import { formatNumber } from "./number.js";
@@ -31,12 +31,17 @@ function inWords(key, options) {
       return value === "paper" ? t("the paper’s scheme") : t("recommended scheme");
     case "boundary": {
       const id = options.boundary ?? usualBoundary(options.flow);
-      return choices.boundary.find((one) => one.id === id)?.label ?? id;
+      return translated(choices.boundary.find((one) => one.id === id)?.label ?? id);
     }
     case "keep":
       return value === "none"
         ? t("nothing kept")
-        : t("{kept} kept", { kept: value.replace(",", ", ") });
+        : t("{kept} kept", {
+            kept: value
+              .split(",")
+              .map((word) => translated(word))
+              .join(", "),
+          });
     case "regularise":
       if (value === "off") return t("not regularised");
       return value === "linear" ? t("regularised linearly") : t("regularised");
@@ -56,7 +61,7 @@ function inWords(key, options) {
         }[value] ?? value
       );
     case "mass":
-      return t("mass: {value}", { value });
+      return t("mass: {value}", { value: translated(value) });
     default:
       return `${key} = ${value}`;
   }

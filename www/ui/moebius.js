@@ -6,7 +6,7 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
-import { t } from "../language.js";
+import { t, translated } from "../language.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 
@@ -150,7 +150,10 @@ export function createMoebius(controller, canvas) {
   /** @param {any} error */
   function refuse(error) {
     isRefused = true;
-    setText(refusal, `${error?.message ?? error}. ${error?.hint ?? ""}`);
+    setText(
+      refusal,
+      `${translated(String(error?.message ?? error))}. ${translated(error?.hint ?? "")}`,
+    );
     refusal.hidden = false;
     keep.ariaDisabled = "true";
   }

@@ -7,7 +7,7 @@
 /** @import { Controller } from "../controller.js" */
 
 import { facing, vectorArea } from "../facing.js";
-import { t } from "../language.js";
+import { t, translated } from "../language.js";
 import { byId, setText } from "./element.js";
 
 /** Milliseconds of rest before it is asked why: steps taken one by one are not held up. */
@@ -95,12 +95,12 @@ export function createWhy(controller, messages, { camera, study }) {
     unmark();
     box.hidden = found === null;
     if (!found) return;
-    setText(sentence, t(found.sentence.template, found.sentence.values));
+    setText(sentence, translated(found.sentence.template, found.sentence.values));
     const elements = found.vertices.length + found.faces.length + found.edges.length;
     show.hidden = elements === 0;
     remedies.replaceChildren(
       ...found.remedies.map((remedy) =>
-        button(t(remedy.label.template, remedy.label.values), () => carryOut(remedy)),
+        button(translated(remedy.label.template, remedy.label.values), () => carryOut(remedy)),
       ),
     );
     disclose(!calm.includes(found.kind));
