@@ -1,13 +1,17 @@
 // @ts-check
 // The slides about Willmore flow.
 
-import "../embed.js";
 import { keepOffline } from "../offline.js";
 import { byId } from "../ui/element.js";
 import { formatNumber } from "../ui/number.js";
 import { createDeck } from "./deck.js";
 
 /** @typedef {HTMLElement & { play(): Promise<unknown>, pause(): Promise<unknown>, state(): Promise<{ phase: string, isWaiting: boolean }> }} Surface */
+
+// As any other page loads it: bundled with this one it would no longer know where it stands.
+// From here it is one folder up, in the sources as in what is built of them.
+const embed = "../embed.js";
+const element = import(/* @vite-ignore */ new URL(embed, import.meta.url).href);
 
 // As on the page itself, whose surfaces know nothing of these slides.
 try {
@@ -37,6 +41,7 @@ next.addEventListener("click", deck.next);
 
 /** Plays what stands in the slide, or pauses it. */
 async function toggle() {
+  await element;
   const surfaces = /** @type {Surface[]} */ ([...current.querySelectorAll("umbilic-surface")]);
   const states = await Promise.all(surfaces.map((surface) => surface.state()));
   const isPlaying = states.some(({ phase, isWaiting }) => phase === "running" || isWaiting);
