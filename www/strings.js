@@ -340,6 +340,9 @@ export const german = {
   Drawn: "Gezogen",
   Against: "Gegen",
   Share: "Teilen",
+  Understand: "Verstehen",
+  "Change the surface": "Die Fläche ändern",
+  "Show and keep": "Zeigen und sichern",
   Fraction: "Anteil",
   "{total} random tetrahedra, {against} against: {share} ({areaOnly} lower only the area, {localisedOnly} only the localised energy).":
     "{total} zufällige Tetraeder, {against} dagegen: {share} ({areaOnly} senken nur den Flächeninhalt, {localisedOnly} nur die lokalisierte Energie).",

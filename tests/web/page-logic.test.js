@@ -9,7 +9,7 @@ import { samples } from "../../www/samples.js";
 import { createStore, initial, transitions as to } from "../../www/state.js";
 import { fileName } from "../../www/ui/download.js";
 import { formatNumber } from "../../www/ui/number.js";
-import { grown, painted } from "../../www/ui/selection.js";
+import { grown, painted, rim } from "../../www/ui/selection.js";
 import { statusText } from "../../www/ui/status.js";
 
 /** @typedef {import("../../www/protocol.js").State} Reading */
@@ -213,4 +213,10 @@ test("as many edits can be undone as the solver keeps", () => {
   store.update(to.edited, source, /** @type {any} */ (mesh), earlier);
   const kept = store.get().earlier.map(({ what }) => what);
   assert.deepEqual(kept, ["1", "2", "3", "4", "5", "6", "7", "8"]);
+});
+
+test("the rim of a region is where one end of an edge is in it", () => {
+  const edges = Uint32Array.from([0, 1, 1, 2, 2, 3, 3, 0]);
+  assert.deepEqual([...rim(Uint8Array.from([1, 1, 0, 0]), edges)], [1, 2, 3, 0]);
+  assert.equal(rim(Uint8Array.from([1, 1, 1, 1]), edges).length, 0);
 });

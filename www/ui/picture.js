@@ -12,6 +12,7 @@ import { hasContrast, isDark } from "../state.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { overlayOf } from "./overlay.js";
+import { rim } from "./selection.js";
 
 /** @typedef {Awaited<ReturnType<typeof import("../viewer.js").createViewer>>} Viewer */
 
@@ -86,6 +87,12 @@ export function createPicture(controller, state, samples) {
   let view = null;
   /** @type {PageState["marks"]} */
   let marks = null;
+  /** The rim of the region, as last asked for. */
+  let ring = {
+    set: /** @type {Uint8Array | null} */ (null),
+    edges: new Uint32Array(),
+    found: new Uint32Array(),
+  };
   /** @type {Pane | null} what the viewer draws in place of the mesh */
   let pane = null;
   /** @type {PageState["camera"]} what the viewer has; it tells us of every change */
@@ -131,6 +138,7 @@ export function createPicture(controller, state, samples) {
     if (!pane && s.configured && s.configured.heldVertices !== held) {
       held = s.configured.heldVertices;
       viewer.setFixed(held);
+      drawMarks(viewer, s);
     }
     if (s.camera !== camera && s.camera) {
       camera = s.camera;
@@ -163,7 +171,22 @@ export function createPicture(controller, state, samples) {
   function drawMarks(opened, s) {
     if (s.marks || marks) opened.setMarked(s.marks?.triangles ?? new Uint32Array());
     marks = s.marks;
-    opened.setHighlight(marks?.edges ?? pane?.highlight ?? new Uint32Array());
+    opened.setHighlight(marks?.edges ?? pane?.highlight ?? regionRim(s, held));
+  }
+
+  /**
+   * Where a chosen region ends, while colours hide the tint of what is held.
+   * @param {Readonly<PageState>} s
+   * @param {Uint8Array | null} set
+   */
+  function regionRim(s, set) {
+    const isChosen = s.options.free !== null || s.options.fixed !== null;
+    if (!set || !mesh || !isChosen || !s.frame?.field) return new Uint32Array();
+    // The same for all frames of a run.
+    if (ring.set !== set || ring.edges !== mesh.wireEdges) {
+      ring = { set, edges: mesh.wireEdges, found: rim(set, mesh.wireEdges) };
+    }
+    return ring.found;
   }
 
   return {
@@ -214,7 +237,10 @@ export function createPicture(controller, state, samples) {
     /** @param {MouseEvent} event */
     pick: (event) => viewer?.pick(event) ?? null,
     /** What a brush is about to hold. @param {Uint8Array} now */
-    showHeld: (now) => viewer?.setFixed(now),
+    showHeld(now) {
+      viewer?.setFixed(now);
+      if (!pane) viewer?.setHighlight(regionRim(state(), now));
+    },
     /** @param {boolean} on  whether a drag paints and does not turn */
     brush: (on) => viewer?.rest(on),
     /** @param {ArrayLike<number>} point */

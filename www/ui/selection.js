@@ -33,3 +33,17 @@ export function grown(set, triangles, value) {
   }
   return next;
 }
+
+/**
+ * The edges between a set and its complement.
+ * @param {Uint8Array} set
+ * @param {Uint32Array} edges  two ends each
+ */
+export function rim(set, edges) {
+  /** @type {number[]} */
+  const found = [];
+  for (let e = 0; e < edges.length; e += 2) {
+    if (set[edges[e]] !== set[edges[e + 1]]) found.push(edges[e], edges[e + 1]);
+  }
+  return Uint32Array.from(found);
+}
