@@ -87,12 +87,9 @@ export function createPicture(controller, state, samples) {
   let view = null;
   /** @type {PageState["marks"]} */
   let marks = null;
-  /** The rim of the region, as last asked for. */
-  let ring = {
-    set: /** @type {Uint8Array | null} */ (null),
-    edges: new Uint32Array(),
-    found: new Uint32Array(),
-  };
+  // The rim of the region, as last asked for.
+  /** @type {{ set: Uint8Array | null, edges: Uint32Array, found: Uint32Array }} */
+  let ring = { set: null, edges: new Uint32Array(), found: new Uint32Array() };
   /** @type {Pane | null} what the viewer draws in place of the mesh */
   let pane = null;
   /** @type {PageState["camera"]} what the viewer has; it tells us of every change */
