@@ -40,8 +40,8 @@ async function englishLeft(page) {
     }
     return found;
   });
-  // Names of the solver's shapes are names.
-  return [...new Set(texts)].filter((text) => ENGLISH.test(text));
+  // Names of elements, and of the solver’s shapes, are names.
+  return [...new Set(texts)].filter((text) => ENGLISH.test(text.replace(/<[\w-]+>/g, "")));
 }
 
 /** @param {Page} page @param {string | RegExp} status @param {string} state */

@@ -41,7 +41,8 @@ export async function openPage(browser, options = {}) {
   page.on("crash", () => faults.push("the page crashed"));
   page.on("requestfailed", (request) => faults.push(`request failed: ${request.url()}`));
   page.on("console", (message) => {
-    if (message.type() === "error") faults.push(`console: ${message.text()}`);
+    if (message.type() === "error")
+      faults.push(`console: ${message.text()} ${message.location().url}`.trim());
   });
   return { page, faults, close: () => context.close() };
 }
