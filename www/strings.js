@@ -188,8 +188,9 @@ export const german = {
   Sample: "Beispiel",
   "Open mesh…": "Netz öffnen …",
   "Open mesh": "Netz öffnen",
-  "OBJ, OFF, PLY, STL, recipe<span>, or drop it</span>":
-    "OBJ, OFF, PLY, STL, Rezept<span>, oder hier ablegen</span>",
+  "OBJ, OFF, PLY, STL<span>, or drop it</span>": "OBJ, OFF, PLY, STL<span>, oder ablegen</span>",
+  "A recipe, saved here before, is opened in the same way":
+    "Ein hier gesichertes Rezept wird ebenso geöffnet",
   Flow: "Fluss",
   Boundary: "Rand",
   "Colour by": "Färben nach",

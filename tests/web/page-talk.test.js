@@ -40,8 +40,10 @@ async function englishLeft(page) {
     }
     return found;
   });
-  // Names of elements, and of the solver’s shapes, are names.
-  return [...new Set(texts)].filter((text) => ENGLISH.test(text.replace(/<[\w-]+>/g, "")));
+  // Names of elements, and of the solver’s shapes, are names, and titles of papers are titles.
+  return [...new Set(texts)].filter((text) =>
+    ENGLISH.test(text.replace(/<[\w-]+>|^.*\(\d{4}\): /g, "")),
+  );
 }
 
 /** @param {Page} page @param {string | RegExp} status @param {string} state */
@@ -312,11 +314,14 @@ test("a phone in one hand: the sheet leaves the picture room, and a swipe closes
         lowest: Math.max(...buttons.map((b) => b.getBoundingClientRect().bottom)),
         sideways: document.documentElement.scrollWidth - innerWidth,
         sheetSideways: sheet.scrollWidth - sheet.clientWidth,
+        // What is hidden from sight in the sheet must not make the page scroll.
+        downwards: document.documentElement.scrollHeight - innerHeight,
       };
     });
     assert.ok(measured.picture >= 0.4, JSON.stringify(measured));
     assert.ok(measured.buttons >= 44 && measured.lowest <= 844, JSON.stringify(measured));
     assert.deepEqual([measured.sideways, measured.sheetSideways], [0, 0], query);
+    assert.equal(measured.downwards, 0, query);
 
     const handle = await page.locator("#panel-handle").boundingBox();
     assert.ok(handle && handle.height >= 44);
