@@ -154,9 +154,7 @@ test("without a connection the page opens, draws and steps; versions do not mix"
     if (sizes.length === 1 && sizes[0] === files) break;
     assert.ok(Date.now() < end, `kept are ${sizes}, of ${files}`);
   }
-  // The browser fetches the icon of a tab by itself, past the service worker.
-  const own = faults.filter((fault) => !/\/icon-[^/]*\.svg$/.test(fault));
-  assert.deepEqual(own, []);
+  assert.deepEqual(faults, []);
   await close();
 });
 

@@ -18,7 +18,7 @@ import { formatNumber } from "./number.js";
  * @property {[Part, string, string][]} symbols  with what each is, and its value now
  */
 
-const paper = {
+export const paper = {
   circle: "A. I. Bobenko, P. Schröder, Discrete Willmore Flow (2005)",
   p: "A. Gruber, E. Aulisa, Computational p-Willmore Flow with Conformal Penalty (2020)",
   curvature: "G. Xu, Q. Zhang, Minimal Mean-Curvature-Variation Surfaces (2006)",

@@ -5,9 +5,12 @@
 /** @import { PageState } from "../state.js" */
 
 import { currentLanguage, languages, rememberLanguage } from "../language.js";
+import { writeLink } from "../link.js";
 
-/** Loads the page again, in this language. @param {string} language */
-function reload(language) {
+/** Loads the page again, in this language. @param {string} language @param {Readonly<PageState>} state */
+function reload(language, state) {
+  // The address follows the scene with a delay, which there is no time for now.
+  history.replaceState(null, "", writeLink(state));
   const kept = rememberLanguage(/** @type {keyof typeof languages} */ (language));
   const address = new URL(location.href);
   // What the address asks for goes before what is remembered.
@@ -16,9 +19,9 @@ function reload(language) {
   location.replace(address);
 }
 
-/** Whether the address alone brings everything back. @param {Readonly<PageState>} state */
-const isInAddress = ({ source, reading, earlier, figure }) =>
-  source?.kind === "sample" && reading?.step === 0 && earlier.length === 0 && !figure;
+/** Whether the address alone brings everything back, and at once. @param {Readonly<PageState>} state */
+const isInAddress = ({ source, reading, earlier }) =>
+  source?.kind === "sample" && reading?.step === 0 && earlier.length === 0;
 
 /** @param {() => Readonly<PageState>} state */
 export function createLanguageChoice(state) {
@@ -38,12 +41,14 @@ export function createLanguageChoice(state) {
     select.value = currentLanguage();
     select.addEventListener("change", () => {
       const isOther = select.value !== currentLanguage();
-      if (isOther && isInAddress(state())) return reload(select.value);
+      if (isOther && isInAddress(state())) return reload(select.value, state());
       for (const one of selects) one.value = select.value;
       for (const note of notes) note.hidden = !isOther;
     });
   }
   for (const note of notes) {
-    note.querySelector("button")?.addEventListener("click", () => reload(selects[0].value));
+    note
+      .querySelector("button")
+      ?.addEventListener("click", () => reload(selects[0].value, state()));
   }
 }

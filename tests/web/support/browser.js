@@ -37,12 +37,14 @@ export async function openPage(browser, options = {}) {
   const page = await context.newPage();
   /** @type {string[]} */
   const faults = [];
+  /** @param {string} fault @param {string} url  the browser fetches the icon of a tab by itself, and drops it */
+  const add = (fault, url) =>
+    /\/icon-[^/]*\.svg$/.test(url) || faults.push(`${fault} ${url}`.trim());
   page.on("pageerror", (error) => faults.push(`exception: ${error.message}`));
   page.on("crash", () => faults.push("the page crashed"));
-  page.on("requestfailed", (request) => faults.push(`request failed: ${request.url()}`));
+  page.on("requestfailed", (request) => add("request failed:", request.url()));
   page.on("console", (message) => {
-    if (message.type() === "error")
-      faults.push(`console: ${message.text()} ${message.location().url}`.trim());
+    if (message.type() === "error") add(`console: ${message.text()}`, message.location().url);
   });
   return { page, faults, close: () => context.close() };
 }
