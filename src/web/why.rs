@@ -1,7 +1,7 @@
 //! What `Session` says of itself: why it stands as it does, and what energies tend to.
 
 use super::fault::object;
-use super::session::{Session, from_js, indices, loaded, to_js};
+use super::session::{Session, from_js, indices, to_js};
 use crate::session::{Diagnosis, StudyOptions};
 use wasm_bindgen::prelude::*;
 
