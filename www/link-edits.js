@@ -40,8 +40,11 @@ function compact(flow) {
   for (const [key, value] of Object.entries(flow)) {
     const usual = /** @type {Record<string, unknown>} */ (defaults)[key];
     if (asText(value) === asText(usual)) continue;
-    told[key] = regions.includes(key) ? encodeRegion(/** @type {number[]} */ (value)) : value;
-    if (told[key] === null) return null;
+    told[key] = value;
+    if (!regions.includes(key)) continue;
+    const region = encodeRegion(/** @type {number[]} */ (value));
+    if (region === null) return null;
+    told[key] = region;
   }
   return told;
 }
