@@ -67,8 +67,9 @@ export function createArrival(controller, get, voice) {
   async function check(scene, isFile = true) {
     const asked = get().mesh;
     const state = await still();
-    const { source, mesh } = state;
-    const isScene = source?.kind === "sample" ? source.id === scene.sample : scene.mesh !== null;
+    const { origin, mesh } = state;
+    const isSample = origin !== null && "kind" in origin && origin.kind === "sample";
+    const isScene = isSample ? origin.id === scene.sample : scene.mesh !== null;
     // Refused, or overtaken by another mesh.
     if (!isScene || mesh !== asked) return;
     const said = verdict(scene, state, symbol(state), isFile);
@@ -90,7 +91,9 @@ export function createArrival(controller, get, voice) {
     async open(scene, file) {
       const isFile = await recognise(scene, file);
       const isNamed = scene.mesh !== null && file.name.replace(/\.[^.]+$/, "") === scene.mesh;
-      await controller.open(file, isFile || isNamed ? scene : {});
+      // What was done to another mesh means nothing on this one.
+      const own = isFile === false ? { ...scene, edits: null, path: null } : scene;
+      await controller.open(file, isFile || isNamed ? own : {});
       // Said now: what was said before a mesh was loaded is cleared with the mesh before.
       if (isFile === false) {
         voice.note(

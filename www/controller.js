@@ -5,19 +5,20 @@
 /** @import { Arrangement, Fault, FieldName, Frame, Loaded, Stopped } from "./protocol.js" */
 /** @import { Scene } from "./link.js" */
 /** @import { Options } from "./options.js" */
-/** @import { Marks, Source, Store, View } from "./state.js" */
+/** @import { Marks, Store, View } from "./state.js" */
 
 import { createCompare } from "./actions/compare.js";
 import { createContest } from "./actions/contest.js";
 import { createEdits } from "./actions/edits.js";
 import { createQuestions } from "./actions/questions.js";
 import { createSeeing } from "./actions/see.js";
-import { createTime } from "./actions/time.js";
+import { createTime, meshOf } from "./actions/time.js";
 import { createWhyActions } from "./actions/why.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { t, translated } from "./language.js";
 import { defaults, plainArrangement } from "./options.js";
+import { stepsIn } from "./recipe-schema.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
 import { transitions as to } from "./state.js";
@@ -94,22 +95,15 @@ export function createController(store, voice) {
     await contest.follow();
   }
 
-  /**
-   * @param {string} name  for the status line
-   * @param {Source} source
-   * @param {() => ReturnType<typeof solver.load>} ask
-   * @param {Options} options
-   * @param {Options} fallback  for a mesh that the options do not suit
-   * @param {Partial<Scene>} [scene]
-   * @param {import("./samples.js").Sample["fill"]} [fill]  of what is loaded, before it is shown
-   */
-  async function load(name, source, ask, options, fallback, scene = {}, fill = undefined) {
+  /** @param {import("./actions/time.js").Loading} loading */
+  async function load(loading) {
+    const { name, source, origin = source, ask, options, fallback, scene = {}, fill } = loading;
     await rest();
     store.update(to.loading, name);
     try {
       const mesh = fill ? await ask().then(() => filled(fill)) : await ask();
       voice.clear();
-      store.update(to.loaded, source, mesh);
+      store.update(to.loaded, source, mesh, origin);
       for (const warning of mesh.info.warnings) voice.note(warning);
       if (scene.camera) store.update(to.looked, scene.camera);
       compare.prepare(scene.comparison);
@@ -132,7 +126,17 @@ export function createController(store, voice) {
     }
     const steps = scene.comparison?.panes.map(({ step }) => step) ?? [];
     if (scene.figure) await showFigure(scene.figure).catch(report);
-    if (scene.step || steps.some(Boolean)) await run(scene.step ?? 0, steps);
+    if (scene.path) await follow(scene.path);
+    if ((scene.step && !scene.path) || steps.some(Boolean)) await run(scene.step ?? 0, steps);
+  }
+
+  /** Takes the steps of a path at one go. @param {import("./protocol.js").RecipeLeg[]} path */
+  async function follow(path) {
+    const { options: flow, arrangement } = store.get();
+    store.update(to.progress, { stage: "replay", fraction: 0 });
+    const told = { flow, path, steps: stepsIn(path) };
+    await solver.follow(told).finally(() => store.update(to.progress, null));
+    await arrange(arrangement);
   }
 
   /** The figure that a link belongs to, if its sample is the one shown. @param {string} id */
@@ -149,8 +153,15 @@ export function createController(store, voice) {
     const suggested = { ...defaults, ...sample.options };
     const options = { ...suggested, ...scene.options };
     const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
+    const { edits } = scene;
+    if (edits) {
+      const mesh = /** @type {import("./recipe.js").SampleMesh} */ (meshOf(source));
+      return time.replay({ mesh, edits }, null, { options, fallback: suggested, scene });
+    }
     const ask = () => solver.sample(sample.shape, sample.parameters);
-    return load(translated(sample.label), source, ask, options, suggested, scene, sample.fill);
+    const { fill } = sample;
+    const name = translated(sample.label);
+    return load({ name, source, ask, options, fallback: suggested, scene, fill });
   }
 
   /** @param {NonNullable<import("./samples.js").Sample["fill"]>} wanted @returns {Promise<Loaded>} */
@@ -257,10 +268,16 @@ export function createController(store, voice) {
         const { flow, boundary, p, keep, regularise } = store.get().options;
         const plain = { ...defaults, boundary };
         const options = { ...plain, flow, p, keep, regularise, ...scene.options };
-        const ask = () => solver.load(file.name, bytes);
         const hash = await sha256(bytes);
+        const { edits } = scene;
+        if (edits) {
+          const mesh = { name: file.name, sha256: hash, bytes: bytes.byteLength };
+          return time.replay({ mesh, edits }, bytes, { options, fallback: plain, scene });
+        }
+        const ask = () => solver.load(file.name, bytes);
         const own = { name, file: file.name, sha256: hash, bytes: bytes.byteLength };
-        return load(file.name, { kind: "file", ...own }, ask, options, plain, scene);
+        const source = /** @type {const} */ ({ kind: "file", ...own });
+        return load({ name: file.name, source, ask, options, fallback: plain, scene });
       }),
 
     play: () => alone(() => run(null)),

@@ -16,6 +16,8 @@
  * was copied elsewhere; `title`, what it shows, for whoever does not see it.
  */
 const own = ["mesh", "controls", "autoplay", "theme", "page", "title"];
+/** What is opened anew where one of these changes. */
+const again = ["mesh", "edits", "path", "controls", "autoplay", "theme", "page"];
 /** Global attributes that mean nothing here. */
 const global =
   /^(?:id|class|style|slot|part|lang|dir|hidden|tabindex|role|name|data-.*|aria-.*|on.*)$/;
@@ -273,7 +275,7 @@ class UmbilicSurface extends HTMLElement {
     const tell = (error) => this.#announce("error", error);
     const isNew = changed.some((name) => ["sample", "figure"].includes(name));
     const isGone = changed.some((name) => !own.includes(name) && !this.hasAttribute(name));
-    if (changed.some((name) => ["mesh", "controls", "autoplay", "theme", "page"].includes(name))) {
+    if (changed.some((name) => again.includes(name))) {
       this.#close();
       this.#open();
     } else if (isNew || (isGone && !this.hasAttribute("mesh"))) {

@@ -2,7 +2,7 @@
 // A set of vertices as a few characters of an address: run lengths where the vertices lie
 // together, else a bit for each, whichever is shorter; as base64 that an address may hold.
 
-/** No region of more characters is put into a link: mail and chat programs cut longer ones. */
+/** No region or other word of more characters is put into a link: mail and chat programs cut longer ones. */
 export const LONGEST = 6000;
 
 /** No vertex beyond: a link must not make a browser set aside gigabytes. */
@@ -70,11 +70,15 @@ function fromBits(bytes) {
 }
 
 /** @param {Uint8Array} bytes */
-function asBase64(bytes) {
+export function asBase64(bytes) {
   let text = "";
   for (const byte of bytes) text += String.fromCharCode(byte);
   return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
+
+/** @param {string} text @throws where it is none */
+export const fromBase64 = (text) =>
+  Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (one) => one.charCodeAt(0));
 
 /** @type {WeakMap<readonly number[], string | null>} the address is written at every frame */
 const known = new WeakMap();
@@ -103,8 +107,7 @@ export function decodeRegion(text) {
   const parts = /^([rb])([\w-]*)$/.exec(text);
   if (!parts || text.length > LONGEST) return undefined;
   try {
-    const base64 = parts[2].replaceAll("-", "+").replaceAll("_", "/");
-    const bytes = Uint8Array.from(atob(base64), (one) => one.charCodeAt(0));
+    const bytes = fromBase64(parts[2]);
     return parts[1] === "r" ? fromRunLengths(bytes) : fromBits(bytes);
   } catch {
     return undefined;

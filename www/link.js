@@ -7,6 +7,7 @@
 
 import { isReading } from "./link-check.js";
 import { readComparison, writeComparison } from "./link-comparison.js";
+import { beginning, decodeEdits, decodePath, encodePath } from "./link-edits.js";
 import { decodeRegion, encodeRegion } from "./link-region.js";
 import {
   arrangementReaders,
@@ -25,11 +26,13 @@ import { samples } from "./samples.js";
  * @property {string | null} mesh    name of that file's mesh
  * @property {string | null} hash    the first 16 digits of its SHA-256
  * @property {string | null} figure  id in `figures.js`; without a sample, all of that figure
+ * @property {import("./protocol.js").RecipeChapter[] | null} edits  of that mesh, by hand
  * @property {Partial<import("./options.js").Options>} options
  * @property {Partial<import("./protocol.js").Arrangement>} arrangement
  * @property {FieldName} colour
  * @property {import("./actions/compare.js").Linked | null} comparison
  * @property {number} step
+ * @property {import("./protocol.js").RecipeLeg[] | null} path  to it, where it is more than steps
  * @property {Float32Array | null} camera
  * @property {Partial<View>} view
  * @property {string | null} check    the energy at `step`, as it was when the link was written
@@ -73,6 +76,7 @@ export function readLink({ search, hash }) {
     if (vertices) region[key] = vertices;
   }
   const options = { ...understood(readers), ...region };
+  const step = Number(/^\d{1,7}$/.exec(words.get("step") ?? "")?.[0] ?? 0);
   const base = suggested(known ? asked : mesh || figure ? null : samples[0].id);
   const colour = choices.colour.find(({ id }) => id === words.get("colour"))?.id ?? "none";
   return {
@@ -80,11 +84,14 @@ export function readLink({ search, hash }) {
     mesh: known ? null : mesh,
     hash: known || !mesh ? null : digest,
     figure,
+    // Made of a sample that there is no more, they mean nothing.
+    edits: known || asked === null ? decodeEdits(words.get("edits")) : null,
     options,
     arrangement: understood(arrangementReaders),
     colour: /** @type {FieldName} */ (colour),
     comparison: readComparison(words, { ...base, ...options }),
-    step: Number(/^\d{1,7}$/.exec(words.get("step") ?? "")?.[0] ?? 0),
+    step,
+    path: decodePath(words.get("path"), step),
     camera: camera.length > 1 && camera.every(Number.isFinite) ? new Float32Array(camera) : null,
     view: {
       ...(shading === "flat" || shading === "smooth" ? { shading } : {}),
@@ -102,16 +109,18 @@ export function readLink({ search, hash }) {
  * @returns {string} the address's part from `#` on
  */
 export function writeLink(state) {
-  const { source, options, arrangement, colour, camera, reading, view, goal, figure, comparison } =
+  const { options, arrangement, colour, camera, reading, view, goal, figure, comparison, story } =
     state;
-  if (!source) return "";
+  const { from, edits } = beginning(state);
+  if (!from) return "";
   const words = new URLSearchParams();
-  if (source.kind === "sample") words.set("sample", source.id);
-  else words.set("mesh", source.name);
-  if (source.kind === "file" && source.sha256) words.set("hash", source.sha256.slice(0, 16));
-  if (source.kind === "sample" && source.id === figure?.sample) words.set("figure", figure.id);
+  if (from.kind === "sample") words.set("sample", from.id);
+  else words.set("mesh", from.name);
+  if (from.kind === "file" && from.sha256) words.set("hash", from.sha256.slice(0, 16));
+  if (edits !== null) words.set("edits", edits);
+  else if (from.kind === "sample" && from.id === figure?.sample) words.set("figure", figure.id);
   words.set("flow", options.flow);
-  const base = suggested(source.kind === "sample" ? source.id : null);
+  const base = suggested(from.kind === "sample" ? from.id : null);
   for (const key of /** @type {(keyof typeof options)[]} */ (Object.keys(readers))) {
     if (key !== "flow" && asText(options[key]) !== asText(base[key]))
       words.set(key, asText(options[key]));
@@ -141,6 +150,8 @@ export function writeLink(state) {
   if (camera) words.set("camera", [...camera].map((x) => +x.toPrecision(5)).join(","));
   const step = goal ?? reading?.step ?? 0;
   if (step > 0) words.set("step", String(step));
+  const path = story && encodePath(story.path, step);
+  if (path) words.set("path", path);
   // On the way to another step the energy there is not known yet. At the start it follows
   // from the rest of the link: `sharedLink` adds it there.
   if (step > 0 && step === reading?.step) addCheck(words, state);

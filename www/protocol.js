@@ -536,6 +536,7 @@
  * @property {CurvatureJump | null} jump  across the boundary of what moves
  * @property {Look | null} look      null where nothing is looked at more closely
  * @property {Timeline | null} timeline  null in a frame that the page makes itself
+ * @property {Story | null} [story]  null where it is not known; none while the flow runs
  */
 
 /**

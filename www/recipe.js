@@ -5,7 +5,20 @@
 
 /** @import { Arrangement, FlowOptions, RecipeChapter, RecipeLeg, State, Story } from "./protocol.js" */
 
-import { flowFault, isCount, isNumber, isObject } from "./recipe-schema.js";
+import {
+  BadRecipe,
+  check,
+  checkEdits,
+  checkFlow,
+  checkMesh,
+  checkPath,
+  isCount,
+  isHash,
+  isNumber,
+  isObject,
+  isPlain,
+  stepsIn,
+} from "./recipe-schema.js";
 
 /** @typedef {import("./pkg/solver/solver.js").Session} Session */
 
@@ -41,17 +54,6 @@ import { flowFault, isCount, isNumber, isObject } from "./recipe-schema.js";
 /** Of another version of the solver: the last bits may differ, and a flow carries that on. */
 export const TOLERANCE = 1e-6;
 
-/** A recipe that cannot be followed, told in the shape of a `Fault`. */
-class BadRecipe extends Error {
-  /** @param {string} message @param {string} [hint] */
-  constructor(message, hint = "Recipes are made by “Save as: Recipe”.") {
-    super(message);
-    this.kind = "BadRecipe";
-    this.hint = hint;
-    this.detail = {};
-  }
-}
-
 /** @param {State} state @returns {Result} */
 export const resultOf = ({ energy, area, volume, minAngleDegrees, time }) => ({
   ...{ energy, area, volume, minAngleDegrees, time },
@@ -69,26 +71,20 @@ export const resultOf = ({ energy, area, volume, minAngleDegrees, time }) => ({
  */
 export function makeRecipe({ version, mesh, story, arrangement, state, positions }) {
   if (!story.flow) throw new BadRecipe("No flow has been chosen yet.", "Choose one first.");
-  const steps = count(story.path);
-  const plain = story.path.length === 0 || (story.path.length === 1 && steps > 0);
   return {
     umbilic: version,
     mesh,
     ...(story.edits.length > 0 ? { edits: story.edits } : {}),
     flow: story.flow,
     ...(Object.keys(arrangement).length > 0 ? { arrangement } : {}),
-    steps,
-    ...(plain ? {} : { path: story.path }),
+    steps: stepsIn(story.path),
+    ...(isPlain(story.path) ? {} : { path: story.path }),
     result: { ...resultOf(state), ...(positions ? { positions } : {}) },
   };
 }
 
-/** Steps of a path. @param {readonly RecipeLeg[]} path */
-const count = (path) =>
-  path.reduce((sum, leg) => sum + (typeof leg === "object" && "steps" in leg ? leg.steps : 0), 0);
-
-/** @param {Recipe} recipe @returns {RecipeLeg[]} */
-const pathOf = ({ path, steps }) => path ?? (steps > 0 ? [{ steps }] : []);
+/** @param {Pick<Recipe, "steps" | "path">} recipe @returns {RecipeLeg[]} */
+export const pathOf = ({ path, steps }) => path ?? (steps > 0 ? [{ steps }] : []);
 
 /**
  * @param {string} text
@@ -108,15 +104,18 @@ export function readRecipe(text) {
   }
   check(isObject(recipe) && typeof recipe.umbilic === "string", "umbilic", "the version, as text");
   checkMesh(recipe.mesh);
-  check(recipe.edits === undefined || Array.isArray(recipe.edits), "edits", "a list");
-  for (const [n, edit] of (recipe.edits ?? []).entries()) checkChapter(edit, `edits[${n}]`);
+  if (recipe.edits !== undefined) checkEdits(recipe.edits);
   checkFlow(recipe.flow, "flow");
   const { arrangement = {}, steps, path, result } = recipe;
   check(isObject(arrangement), "arrangement", "an object");
   check(isCount(steps), "steps", "a whole number from 0");
   if (path !== undefined) {
-    checkPath(path, "path");
-    check(count(path) === steps, "path", `a list whose steps are ${steps} in all, as "steps" says`);
+    checkPath(path);
+    check(
+      stepsIn(path) === steps,
+      "path",
+      `a list whose steps are ${steps} in all, as "steps" says`,
+    );
   }
   check(isObject(result), "result", "an object");
   for (const key of ["energy", "area", "minAngleDegrees", "time"]) {
@@ -128,70 +127,13 @@ export function readRecipe(text) {
   return recipe;
 }
 
-/** @param {boolean} holds @param {string} key @param {string} wanted */
-function check(holds, key, wanted) {
-  if (!holds) throw new BadRecipe(`The recipe’s “${key}” must be ${wanted}.`);
-}
-
-/** @param {unknown} value */
-const isHash = (value) => typeof value === "string" && /^[0-9a-f]{64}$/.test(value);
-
-/** @param {any} mesh */
-function checkMesh(mesh) {
-  check(isObject(mesh), "mesh", "an object");
-  if ("shape" in mesh) {
-    check(typeof mesh.shape === "string", "mesh.shape", "the name of a shape");
-    const fits = isObject(mesh.parameters) && Object.values(mesh.parameters).every(isNumber);
-    check(fits, "mesh.parameters", "an object of numbers");
-    return;
-  }
-  check(typeof mesh.name === "string", "mesh.name", "the name of a file");
-  check(isHash(mesh.sha256), "mesh.sha256", "a SHA-256, 64 digits from 0 to f");
-  check(isCount(mesh.bytes), "mesh.bytes", "a whole number");
-}
-
-/** @param {any} flow @param {string} key */
-function checkFlow(flow, key) {
-  check(isObject(flow), key, "an object of options");
-  const fault = flowFault(flow);
-  if (fault) check(false, `${key}.${fault.key}`, fault.wanted);
-}
-
-/** @param {any} path @param {string} key */
-function checkPath(path, key) {
-  check(Array.isArray(path), key, "a list");
-  for (const [n, leg] of path.entries()) {
-    const known =
-      leg === "anew" ||
-      (isObject(leg) && isCount(leg.steps) && Object.keys(leg).length === 1) ||
-      (isObject(leg) && isObject(leg.regularise) && Object.keys(leg).length === 1);
-    check(known, `${key}[${n}]`, "{ steps }, { regularise } or “anew”");
-  }
-}
-
-/** @param {any} chapter @param {string} key */
-function checkChapter(chapter, key) {
-  check(isObject(chapter), key, "an object");
-  const { flow, path, edit } = chapter;
-  if (flow !== null) checkFlow(flow, `${key}.flow`);
-  checkPath(path, `${key}.path`);
-  const { fill, flip, subdivide, invert } = isObject(edit) ? edit : {};
-  const isCentre = Array.isArray(invert) && invert.length === 3 && invert.every(isNumber);
-  const known = edit === "adopt" || [fill, flip, subdivide].some(isObject) || isCentre;
-  check(
-    known,
-    `${key}.edit`,
-    "“adopt”, { fill }, { flip }, { subdivide } or { invert: [x, y, z] }",
-  );
-}
-
 /** Whether the recipe begins with a mesh of the author's. @param {Recipe["mesh"]} mesh @returns {mesh is FileMesh} */
 export const isOwn = (mesh) => "sha256" in mesh;
 
 /**
  * Loads the mesh and makes of it what the edits made.
  * @param {Session} session
- * @param {Recipe} recipe
+ * @param {Pick<Recipe, "mesh" | "edits">} recipe
  * @param {Uint8Array | null} bytes  of the mesh, where that is a file
  * @param {(share: number) => void} tell
  */
@@ -215,7 +157,7 @@ export function prepare(session, { mesh, edits = [] }, bytes, tell) {
 /**
  * Takes the steps of a recipe, its flow being configured.
  * @param {Session} session
- * @param {Recipe} recipe
+ * @param {Pick<Recipe, "flow" | "steps" | "path">} recipe
  * @param {(share: number) => void} tell
  */
 export const follow = (session, recipe, tell) => walk(session, recipe.flow, pathOf(recipe), tell);
@@ -227,7 +169,7 @@ export const follow = (session, recipe, tell) => walk(session, recipe.flow, path
  * @param {(share: number) => void} tell
  */
 function walk(session, flow, path, tell) {
-  const total = Math.max(count(path), 1);
+  const total = Math.max(stepsIn(path), 1);
   let done = 0;
   for (const leg of path) {
     if (leg === "anew") session.renew();

@@ -240,9 +240,9 @@ export function createSolver(listener) {
     branch: (branch) => move("branch", { branch }),
     /** @returns {Promise<{ story: Story, state: State, positions: Float32Array<ArrayBuffer> }>} */
     story: () => ask("story"),
-    /** @param {Recipe} recipe @param {ArrayBuffer | null} bytes  of its mesh */
+    /** @param {Pick<Recipe, "mesh" | "edits">} recipe @param {ArrayBuffer | null} bytes  of its mesh */
     prepare: (recipe, bytes) => make("prepare", { recipe, bytes }),
-    /** @param {Recipe} recipe @returns {Promise<State>} */
+    /** @param {Pick<Recipe, "flow" | "steps" | "path">} recipe @returns {Promise<State>} */
     follow: (recipe) => move("follow", { recipe }),
     /** @param {string} format @param {number} every @returns {Promise<Uint8Array<ArrayBuffer>>} ZIP */
     sequence: (format, every) => ask("sequence", { format, every }),

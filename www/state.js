@@ -2,7 +2,7 @@
 // What the page shows, as one frozen object, and the only functions that change it.
 // Transitions are pure: (state, …) → state. Parts read; the controller writes.
 
-/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Timeline, Wanted } from "./protocol.js" */
+/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Story, Timeline, Wanted } from "./protocol.js" */
 
 import { alone, begunAnew } from "./comparison.js";
 import { defaults, plainArrangement } from "./options.js";
@@ -49,6 +49,8 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {Source | null} source
  * @property {import("./recipe.js").Recipe["mesh"] | Source | null} origin  what was loaded before
  *   all edits; null where that is not known
+ * @property {Story | null} story  what was done to that until the flow last stood still; null
+ *   where that is not known
  * @property {Loaded | null} mesh
  * @property {{ positions: Float32Array, field: Field | null, flippedTriangles: Uint32Array, panes: readonly Pane[], curves: Curves | null, jump: CurvatureJump | null, look: Look | null } | null} frame
  * @property {Reading | null} reading
@@ -80,6 +82,7 @@ export const initial = Object.freeze({
   loadingName: null,
   source: null,
   origin: null,
+  story: null,
   mesh: null,
   frame: null,
   reading: null,
@@ -147,6 +150,9 @@ const firstFrame = (mesh) => ({
   look: null,
 });
 
+/** The same list of edits, as long as they are the same. @param {Story | null} story @param {Story | null} before */
+const withEdits = (story, before) => (story && before ? { ...story, edits: before.edits } : story);
+
 /** Edits that the session keeps to be undone. */
 const MOST_EDITS = 8;
 
@@ -160,14 +166,19 @@ export const transitions = {
   loading: (s, name) => ({ ...s, phase: "loading", loadingName: name, goal: null }),
 
   /** The mesh of before stays. @param {S} s @returns {S} */
-  refused: (s) => ({ ...s, phase: still(s.reading), loadingName: null, pausing: false }),
+  refused: (s) => ({
+    ...s,
+    phase: still(s.reading),
+    ...{ loadingName: null, pausing: false, progress: null },
+  }),
 
-  /** @param {S} s @param {Source} source @param {Loaded} mesh @returns {S} */
-  loaded: (s, source, mesh) => ({
+  /** @param {S} s @param {Source} source @param {Loaded} mesh @param {S["origin"]} [origin] @returns {S} */
+  loaded: (s, source, mesh, origin = source) => ({
     ...s,
     loadingName: null,
     source,
-    origin: source,
+    origin,
+    story: null,
     mesh,
     frame: firstFrame(mesh),
     reading: null,
@@ -192,6 +203,7 @@ export const transitions = {
   edited: (s, source, mesh, earlier) => ({
     ...s,
     source,
+    story: null,
     mesh,
     frame: firstFrame(mesh),
     reading: null,
@@ -203,9 +215,6 @@ export const transitions = {
     comparison: begunAnew(s.comparison),
     preview: null,
   }),
-
-  /** @param {S} s @param {S["origin"]} origin @returns {S} */
-  originated: (s, origin) => ({ ...s, origin }),
 
   /** @param {S} s @param {S["playing"]} playing @returns {S} */
   playing: (s, playing) => ({ ...s, playing }),
@@ -244,10 +253,11 @@ export const transitions = {
   /** @param {S} s @param {Frame} frame @returns {S} */
   frame: (
     s,
-    { state, reports, positions, field, flippedTriangles, panes, curves, jump, look, timeline },
+    { state, reports, positions, field, flippedTriangles, panes, curves, jump, look, ...more },
   ) => ({
     ...s,
-    timeline,
+    timeline: more.timeline,
+    story: more.story === undefined ? s.story : withEdits(more.story, s.story),
     phase: s.phase === "running" || s.phase === "loading" ? s.phase : still(state),
     reading: state,
     history: extended(s.history, state, reports),
@@ -299,8 +309,8 @@ export const transitions = {
     pausing: false,
     progress: null,
     earlier: [],
-    // The new solver has a mesh edited before as a file of its own.
-    origin: s.source === s.origin ? s.origin : null,
+    // The new solver has a mesh edited here as a file of its own.
+    origin: s.earlier.length === 0 ? s.origin : null,
   }),
 
   /** No solver any more. @param {S} s @returns {S} */

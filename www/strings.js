@@ -874,8 +874,10 @@ export const german = {
     "Zweige werden vergessen, die ältesten zuerst, wenn es viele sind.",
 
   // Sharing and embedding
-  "The link carries the sample or the name of the mesh, the flow and its parameters, the region, the step, the camera and the colours, and the energy to check them by. It does not carry the theme, messages or what was undone.":
-    "Der Link enthält das Beispiel oder den Namen des Netzes, den Fluss und seine Parameter, den Bereich, den Schritt, die Kamera und die Farben, dazu die Energie zur Probe. Er enthält weder das Farbschema noch Meldungen noch, was rückgängig gemacht wurde.",
+  "The link carries the sample or the name of the mesh, what was done to it by hand, the flow and its parameters, the region, the step, the camera and the colours, and the energy to check them by. It does not carry the theme, messages or what was undone.":
+    "Der Link enthält das Beispiel oder den Namen des Netzes, was von Hand daran getan wurde, den Fluss und seine Parameter, den Bereich, den Schritt, die Kamera und die Farben, dazu die Energie zur Probe. Er enthält weder das Farbschema noch Meldungen noch, was rückgängig gemacht wurde.",
+  "The edits are too large for a link: send the mesh along, saved with Download, or a recipe.":
+    "Die Bearbeitungen sind zu groß für einen Link: Schicken Sie das Netz mit, gesichert mit „Herunterladen“, oder ein Rezept.",
   "The surface was edited by hand. The link does not carry that: send the mesh along, saved with Download.":
     "Die Fläche wurde von Hand bearbeitet. Das enthält der Link nicht: Schicken Sie das Netz mit, gesichert mit „Herunterladen“.",
   "The mesh itself is not in the link: send the file along.":

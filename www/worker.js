@@ -80,10 +80,20 @@ function frame(state) {
   transfer.push(...buffersOf(look));
   for (const pane of panes) transfer.push(...buffersOf(pane));
   const message = { type: "frame", run, state, reports: untold, positions, field: colours };
-  const timeline = session.timeline();
-  page.postMessage({ ...message, flippedTriangles, panes, curves, jump, look, timeline }, transfer);
+  const rest = { timeline: session.timeline(), ...(running ? {} : { story: storyIfKnown() }) };
+  page.postMessage({ ...message, flippedTriangles, panes, curves, jump, look, ...rest }, transfer);
   untold = [];
   taken = false;
+}
+
+/** How the surface came about; null where positions came from outside. */
+function storyIfKnown() {
+  try {
+    return session.recipe();
+  } catch (error) {
+    if (isTrap(error)) throw error;
+    return null;
+  }
 }
 
 /**
@@ -146,8 +156,9 @@ const actions = {
   },
   pause() {
     const state = session.state();
-    if (running) frame(state);
+    const isMoving = running;
     running = false;
+    if (isMoving) frame(state);
     return state;
   },
   step: (request) =>
@@ -204,7 +215,17 @@ const actions = {
   }),
   prepare({ recipe, bytes }) {
     running = false;
-    prepare(session, recipe, bytes && new Uint8Array(bytes), replayed);
+    // Beside the one at hand, which stays where this comes to nothing.
+    const made = new Session();
+    try {
+      prepare(made, recipe, bytes && new Uint8Array(bytes), replayed);
+    } catch (error) {
+      if (!isTrap(error)) made.free();
+      throw error;
+    }
+    session.free();
+    session = made;
+    session.onProgress(tell);
     return session.loaded();
   },
   follow: ({ run, recipe }) =>

@@ -11,7 +11,10 @@ import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { openSession, packageVersion } from "../../www/cli/solver.js";
 import { sha256 } from "../../www/digest.js";
-import { makeRecipe } from "../../www/recipe.js";
+import { readLink, writeLink } from "../../www/link.js";
+import { defaults } from "../../www/options.js";
+import { follow, makeRecipe, prepare } from "../../www/recipe.js";
+import { initial } from "../../www/state.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 
 const program = fileURLToPath(new URL("../../www/cli.js", import.meta.url));
@@ -157,6 +160,44 @@ test("what differs is told, with exit code 4; of another version to a tolerance"
   assert.match(older.out, /to 0\.000001 \(made by version 0\.0\.1/);
   const far = { ...made.result, energy: energy * (1 + 1e-5) };
   assert.equal(changed({ umbilic: "0.0.1", result: far }).exit, 4);
+});
+
+test("edits of every kind go through a link, and give the same surface to the last bit", async () => {
+  const tubes = { shape: "tubes", parameters: { count: 2 } };
+  session.sample(tubes.shape, tubes.parameters);
+  session.fill({ loops: [0, 2], connect: true }, undefined);
+  session.configure({ flow: "mmcv" });
+  take(1);
+  session.adopt();
+  session.subdivide({ scheme: "linear" });
+  session.invert(new Float64Array([3.1, 0.2, -1 / 3]));
+  session.configure({ flow: "circle", epsilon: 0.03, free: [5, 6, 7, 40, 41] });
+  take(2);
+  session.adopt();
+  session.configure({ flow: "flips", criterion: "area" });
+  take(2);
+  session.adopt();
+  const options = /** @type {const} */ ({ ...defaults, flow: "circle" });
+  session.configure(options);
+  take(3);
+  session.seek(1);
+  take(1);
+  const story = session.recipe();
+  const { step, energy } = session.state();
+  const state = /** @type {any} */ ({
+    ...{ ...initial, story, options, reading: { step, energy, status: "running" } },
+    source: { kind: "file", name: "tubes" },
+    origin: { kind: "sample", id: "two-tubes" },
+  });
+  const { edits, path, ...scene } = readLink({ search: "", hash: writeLink(state) });
+  assert.deepEqual([edits, path, scene.step], [story.edits, story.path, step]);
+  const positions = new Float32Array(session.positions());
+  session.configure({ flow: "circle" });
+  prepare(session, { mesh: tubes, edits: edits ?? [] }, null, () => {});
+  session.configure(options);
+  follow(session, { flow: options, steps: step, path: path ?? [] }, () => {});
+  assert.equal(session.state().energy, energy);
+  assert.deepEqual(new Float32Array(session.positions()), positions);
 });
 
 test("a recipe that cannot be followed is refused, with the line or the key", async () => {

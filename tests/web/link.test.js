@@ -6,6 +6,7 @@ import { test } from "node:test";
 import { sha256 } from "../../www/digest.js";
 import { readLink, sharedLink, writeLink } from "../../www/link.js";
 import { compareEnergy, verdict } from "../../www/link-check.js";
+import { decodeEdits } from "../../www/link-edits.js";
 import { decodeRegion, encodeRegion, LONGEST } from "../../www/link-region.js";
 import { defaults } from "../../www/options.js";
 import { samples } from "../../www/samples.js";
@@ -191,16 +192,133 @@ test("a region that no link can hold is left out, and that is said", () => {
 });
 
 test("what a link lacks is said: a file, an edit by hand", () => {
-  const state = { ...randomState(1), earlier: [] };
+  const state = randomState(1);
   const options = { ...state.options, free: null, fixed: null };
-  const of = (/** @type {any} */ change) => missing({ ...state, options, ...change }).join(" ");
+  const of = (/** @type {any} */ change, origin = change.source) =>
+    missing({ ...state, options, origin, ...change }).join(" ");
   assert.equal(of({ source: { kind: "sample", id: "pipe" } }), "");
   assert.match(
     of({ source: { kind: "file", name: "a", sha256: "00" } }),
     /send the file along.*SHA-256/,
   );
   assert.doesNotMatch(of({ source: { kind: "file", name: "a", sha256: "" } }), /SHA-256/);
-  assert.match(of({ source: { kind: "file", name: "a" }, earlier: [{}] }), /edited by hand/);
+  assert.match(of({ source: { kind: "file", name: "a" } }, null), /edited by hand/);
+});
+
+/** What may have been done to a mesh. @param {number} seed */
+function randomStory(seed) {
+  const random = numbers(seed);
+  const { of, real, whole, maybe, yes } = chooser(random);
+  const path = () =>
+    Array.from({ length: whole(4) - 1 }, () =>
+      of([
+        "anew",
+        { steps: whole(99) },
+        { regularise: { mode: "linear", epsilon: real(1e-9, 1) } },
+      ]),
+    );
+  const edit = () =>
+    of([
+      "adopt",
+      { fill: { loops: of(["all", [0, 2]]), connect: yes(), maxVertices: whole(9999) } },
+      { flip: { criterion: "area", maxFlips: whole(99) } },
+      { subdivide: { scheme: of(["linear", "loop"]) } },
+      { invert: [real(0.1, 9), -real(0.1, 9), real(1e-9, 1)] },
+    ]);
+  const flow = () => ({
+    ...randomState(whole(1e6)).options,
+    free: maybe(someVertices(random, whole(200))),
+    fixed: maybe(someVertices(random, whole(200))),
+  });
+  const chapter = () => ({ flow: maybe(flow()), path: path(), edit: edit() });
+  return { edits: Array.from({ length: whole(4) }, chapter), flow: flow(), path: path() };
+}
+
+/** @param {any} story */
+const edited = (story, seed = 1) => ({
+  ...randomState(seed),
+  source: { kind: "file", name: "icosphere" },
+  origin: { kind: "sample", id: "icosahedron" },
+  story,
+});
+/** @param {string} hash */
+const wordsOf = (hash) => new URLSearchParams(hash.slice(1));
+
+test("what was done by hand comes back from a link as it was", () => {
+  let paths = 0;
+  for (let seed = 1; seed <= 500; seed += 1) {
+    const story = randomStory(seed);
+    const steps = story.path.map((/** @type {any} */ leg) => leg.steps ?? 0);
+    const step = steps.reduce((a, b) => a + b, 0);
+    const state = { ...edited(story, seed), reading: { step, energy: 1, status: "running" } };
+    const about = `seed ${seed}: ${writeLink(state).slice(0, 400)}`;
+    const scene = readLink({ search: "", hash: writeLink(state) });
+    assert.equal(scene.sample, "icosahedron", about);
+    assert.deepEqual(scene.edits, story.edits, about);
+    const isPlain = step > 0 || story.path.length === 0;
+    if (isPlain && steps.every(Boolean)) assert.equal(scene.path, null, about);
+    else assert.deepEqual(scene.path, story.path, about);
+    if (scene.path) paths += 1;
+    // On the way to a later step it is longer by what is left.
+    const later = readLink({ search: "", hash: writeLink({ ...state, goal: step + 7 }) });
+    if (scene.path) assert.deepEqual(later.path, [...story.path, { steps: 7 }], about);
+  }
+  assert.ok(paths > 100, `${paths} paths`);
+});
+
+test("of an unedited mesh no edits are written, not even those a sample is made with", () => {
+  const { edits, ...story } = randomStory(3);
+  const source = { kind: "sample", id: "icosahedron" };
+  const state = { ...edited({ ...story, edits: [edits[0]] }), source, origin: source };
+  assert.ok(!wordsOf(writeLink(state)).has("edits"));
+  const own = { kind: "file", name: "bunny", sha256: "ab".repeat(32) };
+  const words = wordsOf(writeLink({ ...edited({ ...story, edits }), origin: own }));
+  assert.deepEqual([words.get("mesh"), words.get("hash")], ["bunny", "ab".repeat(8)]);
+  assert.deepEqual(decodeEdits(words.get("edits")), edits);
+});
+
+test("edits that fit no link are left out, and that is said", () => {
+  const chapter = (/** @type {number[] | null} */ free) => ({
+    flow: { ...defaults, free },
+    path: [{ steps: 2 }],
+    edit: "adopt",
+  });
+  const story = (/** @type {any[]} */ edits) => ({ edits, flow: defaults, path: [] });
+  const scattered = Array.from({ length: 60_000 }, (_, i) => 2 * i);
+  const many = Array.from({ length: 200 }, () => chapter([1, 2, 3]));
+  for (const edits of [[chapter(scattered)], many]) {
+    const state = edited(story(edits));
+    const words = wordsOf(writeLink(state));
+    assert.deepEqual([words.has("edits"), words.get("mesh")], [false, "icosphere"]);
+    assert.match(missing(state).join(" "), /edits are too large for a link/);
+  }
+  const fits = edited(story(many.slice(0, 40)));
+  assert.ok((wordsOf(writeLink(fits)).get("edits") ?? "").length <= LONGEST);
+  assert.ok(wordsOf(writeLink(fits)).has("edits"));
+  assert.doesNotMatch(missing(fits).join(" "), /edit/);
+});
+
+test("edits that make no sense are passed over", () => {
+  const read = (/** @type {unknown} */ value, more = "") => {
+    const text = typeof value === "string" ? value : btoa(JSON.stringify(value)).replace(/=+$/, "");
+    return readLink({ search: "", hash: `#sample=icosahedron&edits=${text}${more}` });
+  };
+  const good = { flow: {}, path: [], edit: "adopt" };
+  assert.deepEqual(read([good]).edits, [{ ...good, flow: defaults }]);
+  for (const value of [
+    ...["", "%%", "e30", "A".repeat(7000), null, 7, {}, [null], [[]], ["adopt"]],
+    ...[[{ ...good, edit: "erase" }], [{ ...good, path: [{ steps: -1 }] }]],
+    ...[[{ ...good, flow: { p: "2" } }], [{ ...good, flow: { constructor: 1 } }]],
+    ...[[{ ...good, flow: { free: "x" } }], [{ path: [], edit: "adopt" }, 1]],
+  ]) {
+    assert.equal(read(value).edits, null, JSON.stringify(value).slice(0, 80));
+  }
+  const gone = readLink({ search: "", hash: `#sample=gone&edits=${btoa(JSON.stringify([good]))}` });
+  assert.equal(gone.edits, null, "of a sample that there is no more");
+  // A path must end where the link says.
+  const path = btoa(JSON.stringify([{ steps: 2 }, "anew", { steps: 3 }])).replace(/=+$/, "");
+  assert.equal(read([good], `&step=5&path=${path}`).path?.length, 3);
+  assert.equal(read([good], `&step=6&path=${path}`).path, null);
 });
 
 test("energies are compared to the last bit, or as far as they were written", () => {

@@ -7,8 +7,10 @@ import { figures } from "../../www/figures.js";
 import {
   button,
   choice,
+  download,
   energy,
   openMesh,
+  reading,
   surface,
   until,
   upload,
@@ -106,6 +108,69 @@ test("figure, region, border lines and axis are in the link, and the energy agre
   await close();
 });
 
+test("edits by hand are in the link, and done again where it is opened", async () => {
+  const { page, faults, close } = await site.open("sample=icosahedron", allowed);
+  /** @param {Page} on @param {number} from @param {number} to */
+  const take = async (on, from, to) => {
+    for (let step = from; step < to; step += 1) {
+      await button(on, "Step").click();
+      await until(on, `Paused at step ${step + 1}`);
+    }
+  };
+  await take(page, 0, 2);
+  await button(page, "Keep as new start").click();
+  await until(page, "Ready");
+  const before = Number(await reading(page, "Vertices"));
+  await button(page, "Subdivide").click();
+  await page
+    .getByRole("log")
+    .getByText(/^Subdivided into/)
+    .waitFor();
+  await until(page, "Ready");
+  await take(page, 0, 1);
+  const vertices = await reading(page, "Vertices");
+  assert.ok(Number(vertices) > 3 * before);
+  await openShare(page);
+  assert.equal(await page.locator("#share-lacks").isVisible(), false, "nothing is missing");
+  const link = await copied(page, "Copy link");
+  assert.equal(words(link).get("sample"), "icosahedron");
+  assert.ok((words(link).get("edits") ?? "").length < 400, link);
+
+  const second = await site.open(new URL(link).hash.slice(1), allowed);
+  await said(second.page, /^The scene is as it was sent: W = \d/);
+  assert.equal(await energy(second.page), await energy(page));
+  assert.equal(await reading(second.page, "Vertices"), vertices);
+  // What came with the link goes on with it, and into a recipe.
+  const { bytes } = await download(second.page, "Recipe, JSON");
+  const recipe = JSON.parse(bytes.toString("utf8"));
+  assert.deepEqual([recipe.mesh.sample, recipe.edits.length, recipe.steps], ["icosahedron", 2, 1]);
+  // A run that is more than steps is in the link as what it is.
+  await choice(second.page, "Flow").selectOption({ label: "p-Willmore" });
+  await until(second.page, "Ready");
+  await take(second.page, 0, 1);
+  await button(second.page, "Regularise the mesh now").click();
+  await second.page.waitForFunction(() => location.hash.includes("path="));
+  await take(second.page, 1, 2);
+  await openShare(second.page);
+  const longer = await copied(second.page, "Copy link");
+  const third = await site.open(new URL(longer).hash.slice(1));
+  await said(third.page, /^The scene is as it was sent: ∫H² = \d/);
+  assert.equal(await energy(third.page), await energy(second.page));
+
+  // Undone, they are out of it again.
+  const both = words(link).get("edits") ?? "";
+  await button(page, "Undo").click();
+  await page.waitForFunction((text) => !location.hash.includes(text), both);
+  assert.match(page.url(), /[&]edits=/);
+  await button(page, "Undo").click();
+  await page.waitForFunction(() => !location.hash.includes("edits="));
+  assert.equal(words(page.url()).get("sample"), "icosahedron");
+  for (const one of [faults, second.faults, third.faults]) assert.deepEqual(one, []);
+  await third.close();
+  await second.close();
+  await close();
+});
+
 test("an energy that does not come out is said, with what it may be", async () => {
   const { page, faults, close } = await site.open(
     "sample=icosahedron&step=1&check=90.1234567&version=0.0.9",
@@ -122,6 +187,10 @@ test("somebody's file is told apart by what is in it", async () => {
   await openMesh(page, "theirs.obj", mesh);
   await button(page, "Step").click();
   await until(page, "Paused at step 1");
+  await button(page, "Keep as new start").click();
+  await until(page, "Ready");
+  await button(page, "Step").click();
+  await until(page, "Paused at step 1");
   await openShare(page);
   await page
     .locator("#share-lacks")
@@ -129,7 +198,8 @@ test("somebody's file is told apart by what is in it", async () => {
     .waitFor();
   const link = await copied(page, "Copy link");
   assert.match(words(link).get("hash") ?? "", /^[\da-f]{16}$/);
-  assert.ok(link.length < 300, "and nothing of what is in it");
+  assert.match(link, /&edits=/);
+  assert.ok(link.length < 600, "and nothing of what is in it");
 
   const second = await site.blank();
   await second.page.goto(`${site.url}?msaa=1${new URL(link).hash}`);

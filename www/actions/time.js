@@ -6,25 +6,26 @@
 /** @import { Scene } from "../link.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Loaded } from "../protocol.js" */
-/** @import { Source } from "../state.js" */
+/** @import { PageState, Source } from "../state.js" */
 
 import { sha256 } from "../digest.js";
 import { t } from "../language.js";
 import { defaults, plainArrangement } from "../options.js";
-import { isOwn, makeRecipe, readRecipe } from "../recipe.js";
+import { isOwn, makeRecipe, pathOf, readRecipe } from "../recipe.js";
 import { samples } from "../samples.js";
 import { transitions as to } from "../state.js";
 
 /**
- * Loads a mesh with a flow, as the controller does.
- * @callback Load
- * @param {string} name
- * @param {Source} source
- * @param {() => Promise<Loaded>} ask
- * @param {Options} options
- * @param {Options} fallback
- * @param {Partial<Scene>} [scene]
- * @returns {Promise<void>}
+ * How a mesh is loaded.
+ * @typedef {object} Loading
+ * @property {string} name  for the status line
+ * @property {Source} source
+ * @property {NonNullable<PageState["origin"]>} [origin]  where that is not the source
+ * @property {() => Promise<Loaded>} ask
+ * @property {Options} options
+ * @property {Options} fallback  for a mesh that the options do not suit
+ * @property {Partial<Scene>} [scene]
+ * @property {import("../samples.js").Sample["fill"]} [fill]  of what is loaded, before it is shown
  */
 
 /** @param {unknown} value */
@@ -41,8 +42,8 @@ const sampleOf = (mesh) =>
           asKey(parameters) === asKey(mesh.parameters),
       );
 
-/** @param {Core & { load: Load }} core */
-export function createTime({ store, solver, voice, enqueue, rest, arrange, load }) {
+/** @param {Core & { load: (loading: Loading) => Promise<void> }} core */
+export function createTime({ store, solver, voice, enqueue, rest, load }) {
   /** @type {number | null} the latest step asked for, not sought yet */
   let wanted = null;
   let isSeeking = false;
@@ -103,32 +104,39 @@ export function createTime({ store, solver, voice, enqueue, rest, arrange, load 
   let awaited = null;
 
   /**
+   * Loads the mesh that a recipe or a link begins with, and makes of it what its edits made.
+   * @param {Pick<Recipe, "mesh" | "edits">} told
+   * @param {ArrayBuffer | null} bytes  of the mesh
+   * @param {Pick<Loading, "options" | "fallback" | "scene">} shown
+   */
+  function replay({ mesh, edits = [] }, bytes, shown) {
+    const sample = sampleOf(mesh);
+    const name = isOwn(mesh) ? mesh.name.replace(/\.[^.]+$/, "") : mesh.shape;
+    /** @type {NonNullable<PageState["origin"]>} */
+    const origin = isOwn(mesh)
+      ? { kind: "file", ...mesh, name, file: mesh.name }
+      : sample
+        ? { kind: "sample", id: sample.id }
+        : mesh;
+    // The page shows some samples filled.
+    const isWhole = edits.length === 0 && "kind" in origin && !sample?.fill;
+    /** @type {Source} */
+    const source = isWhole ? origin : { kind: "file", name };
+    const ask = () => solver.prepare({ mesh, edits }, bytes);
+    return load({ name, source, origin, ask, ...shown });
+  }
+
+  /**
    * @param {Recipe} recipe
    * @param {ArrayBuffer | null} bytes  of its mesh
    */
   async function followRecipe(recipe, bytes) {
-    const { mesh, edits = [] } = recipe;
-    const sample = sampleOf(mesh);
-    const base = isOwn(mesh) ? mesh.name.replace(/\.[^.]+$/, "") : mesh.shape;
-    /** @type {Source} */
-    const source =
-      sample && edits.length === 0
-        ? { kind: "sample", id: sample.id }
-        : {
-            kind: "file",
-            name: base,
-            ...(isOwn(mesh) ? { ...mesh, name: base, file: mesh.name } : {}),
-          };
     const options = { ...defaults, ...recipe.flow };
     const arrangement = { ...plainArrangement, ...recipe.arrangement };
-    const ask = () => solver.prepare(recipe, bytes);
-    await load(base, source, ask, options, options, { arrangement });
-    store.update(to.originated, mesh);
-    if (!store.get().reading) return;
-    store.update(to.progress, { stage: "replay", fraction: 0 });
-    await solver.follow(recipe).finally(() => store.update(to.progress, null));
-    await arrange(arrangement);
+    const scene = { arrangement, path: pathOf(recipe) };
+    await replay(recipe, bytes, { options, fallback: options, scene });
     const { reading } = store.get();
+    if (!reading) return;
     const same = reading?.energy === recipe.result.energy;
     voice.answer(
       same
@@ -249,11 +257,11 @@ export function createTime({ store, solver, voice, enqueue, rest, arrange, load 
       return true;
     },
   };
-  return { stop, actions };
+  return { stop, replay, actions };
 }
 
 /** What was loaded, as a recipe tells it. @param {Source} source @returns {Recipe["mesh"] | null} */
-function meshOf(source) {
+export function meshOf(source) {
   if (source.kind === "sample") {
     const sample = samples.find(({ id }) => id === source.id);
     if (!sample) return null;

@@ -5,6 +5,7 @@
 
 import { t } from "../language.js";
 import { sharedLink } from "../link.js";
+import { beginning } from "../link-edits.js";
 import { encodeRegion } from "../link-region.js";
 import { byId, setText } from "./element.js";
 
@@ -47,17 +48,23 @@ export function elementCode(page, hash, [width, height]) {
 }
 
 /** @param {Readonly<PageState>} state @returns {string[]} sentences on what a link to it lacks */
-export function missing({ source, options, earlier }) {
+export function missing(state) {
+  const { source, origin, options, story } = state;
   const lacks = [];
-  if (earlier.length > 0) {
+  const { from, edits } = beginning(state);
+  if (source !== origin && edits === null && story?.edits.length !== 0) {
     lacks.push(
-      t(
-        "The surface was edited by hand. The link does not carry that: send the mesh along, saved with Download.",
-      ),
+      story && origin
+        ? t(
+            "The edits are too large for a link: send the mesh along, saved with Download, or a recipe.",
+          )
+        : t(
+            "The surface was edited by hand. The link does not carry that: send the mesh along, saved with Download.",
+          ),
     );
-  } else if (source?.kind === "file") {
+  } else if (from?.kind === "file") {
     lacks.push(
-      source.sha256
+      from.sha256
         ? t(
             "The mesh itself is not in the link: send the file along. It is recognised by its SHA-256.",
           )
@@ -121,9 +128,7 @@ export function createShare() {
     /** @param {Readonly<PageState>} now */
     update(now) {
       const same =
-        state?.source === now.source &&
-        state.options === now.options &&
-        state.earlier === now.earlier;
+        state?.source === now.source && state.options === now.options && state.story === now.story;
       state = now;
       if (same) return;
       const sentences = missing(now);
