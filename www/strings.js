@@ -381,6 +381,8 @@ export const german = {
   "Brush size": "Pinselgröße",
   "Grow by a ring": "Um einen Ring wachsen",
   Shrink: "Schrumpfen",
+  "Hold the boundary": "Rand festhalten",
+  "Shrink then holds a ring more at a time": "Schrumpfen hält dann jedes Mal einen Ring mehr fest",
   "As the flow has it": "Wie beim Fluss üblich",
   "{free} of {all} vertices move.": "{free} von {all} Ecken bewegen sich.",
   "Flows and flips then begin here": "Flüsse und Flips beginnen dann hier",

@@ -255,3 +255,26 @@ test("a region is painted, grown, flowed and let go", async () => {
   assert.deepEqual(faults, []);
   await close();
 });
+
+test("the boundary is held, and rings of it one by one", async () => {
+  const { page, faults, close } = await site.open("sample=pipe&boundary=free");
+  const count = page.locator("#region-count");
+  await page.locator("#region > summary").click();
+  await count.getByText("792 of 792 vertices move.").waitFor();
+  await button(page, "Hold the boundary").click();
+  await count.getByText("744 of 792 vertices move.").waitFor();
+  await until(page, "Ready");
+  await button(page, "Shrink").click();
+  await count.getByText("696 of 792 vertices move.").waitFor();
+  await until(page, "Ready");
+  await page.waitForFunction(() => /[#&]free=/.test(location.hash));
+  await button(page, "Step").click();
+  await until(page, "Paused at step 1");
+  assert.deepEqual(faults, []);
+  await close();
+  // There is none to hold on a closed surface.
+  const closed = await site.open("sample=icosahedron");
+  await closed.page.locator("#region > summary").click();
+  assert.equal(await button(closed.page, "Hold the boundary").isVisible(), false);
+  await closed.close();
+});

@@ -23,6 +23,7 @@ export function createRegion(controller, canvas) {
   const brush = byId("brush", HTMLButtonElement);
   const mode = byId("brush-mode", HTMLSelectElement);
   const radius = byId("brush-radius", HTMLInputElement);
+  const holdBoundary = byId("hold-boundary", HTMLButtonElement);
   const count = byId("region-count", HTMLElement);
 
   /** @type {Readonly<PageState> | null} */
@@ -98,6 +99,13 @@ export function createRegion(controller, canvas) {
   }
   byId("grow", HTMLButtonElement).addEventListener("click", () => spread(0));
   byId("shrink", HTMLButtonElement).addEventListener("click", () => spread(1));
+  holdBoundary.addEventListener("click", () => {
+    if (!state?.mesh) return;
+    for (const v of state.mesh.boundaryEdges) held[v] = 1;
+    untouched = false;
+    show();
+    commit();
+  });
   byId("free-all", HTMLButtonElement).addEventListener("click", () => {
     held = new Uint8Array(held.length);
     untouched = true;
@@ -111,6 +119,7 @@ export function createRegion(controller, canvas) {
       state = now;
       section.hidden = ["p-willmore", "flips"].includes(now.options.flow) || !now.mesh;
       if (section.hidden && isOn()) take(false);
+      holdBoundary.hidden = !now.mesh || now.mesh.boundaryEdges.length === 0;
       if (painting || now.configured === configured) return;
       configured = now.configured;
       held = Uint8Array.from(configured?.heldVertices ?? []);
