@@ -89,6 +89,8 @@ export function createMoebius(controller, canvas) {
   const handle = byId("inversion-centre", HTMLButtonElement);
   const where = byId("moebius-where", HTMLElement);
   const rows = byId("moebius-rows", HTMLElement);
+  const help = byId("help-open", HTMLElement);
+  const toggle = byId("panel-toggle", HTMLElement);
   const note = byId("moebius-note", HTMLElement);
   const refusal = byId("moebius-refusal", HTMLElement);
   const keep = byId("moebius-keep", HTMLButtonElement);
@@ -110,11 +112,18 @@ export function createMoebius(controller, canvas) {
   const isOn = () => section.open && !section.hidden;
   const point = () => centre.map((value, axis) => box.middle[axis] + box.size * value);
 
-  /** @param {{ x: number, y: number }} at  the nearest place in reach */
-  const within = ({ x, y }) => ({
-    x: Math.min(Math.max(x, MARGIN), surface.clientWidth - MARGIN),
-    y: Math.min(Math.max(y, MARGIN), surface.clientHeight - MARGIN),
-  });
+  /** @param {{ x: number, y: number }} at  the nearest place in reach: under no button */
+  function within({ x, y }) {
+    const picture = surface.getBoundingClientRect();
+    const above = help.getBoundingClientRect().bottom - picture.top;
+    // On a phone this one floats at the bottom.
+    const floating = toggle.getBoundingClientRect().top - picture.top;
+    const below = floating > picture.height / 2 ? floating : picture.height;
+    return {
+      x: Math.min(Math.max(x, MARGIN), picture.width - MARGIN),
+      y: Math.min(Math.max(y, Math.max(above, 0) + MARGIN), below - MARGIN),
+    };
+  }
 
   /** Above the surface to the right, as it is seen, or nearer to the eye where there is no room. */
   function first() {
@@ -206,6 +215,11 @@ export function createMoebius(controller, canvas) {
   function close() {
     section.open = false;
   }
+
+  // The picture is drawn in its new size first.
+  new ResizeObserver(() =>
+    requestAnimationFrame(() => requestAnimationFrame(() => isOn() && place())),
+  ).observe(surface);
 
   section.addEventListener("toggle", () => {
     if (isOn()) centre = first();
