@@ -17,21 +17,16 @@ import {
   untilDrawn,
   useSite,
 } from "./support/app.js";
+import {
+  durations,
+  lastingLongTasks,
+  longTasks,
+  now,
+  watchLongTasks,
+} from "./support/long-tasks.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 
 const site = useSite();
-
-/** @typedef {{ start: number, duration: number }} Task  in milliseconds */
-
-/** Long tasks since the page began. @param {import("playwright-core").Page} page @returns {Promise<Task[]>} */
-const longTasks = (page) => page.evaluate(() => /** @type {any} */ (globalThis).longTasks);
-
-/** @param {import("playwright-core").Page} page @returns {Promise<number>} */
-const now = (page) => page.evaluate(() => performance.now());
-
-/** @param {Task[]} tasks */
-const durations = (tasks) =>
-  tasks.map(({ duration }) => `${duration.toFixed(0)} ms`).join(", ") || "none";
 
 /** Turns the surface by dragging. @param {import("playwright-core").Page} page */
 async function orbit(page) {
@@ -46,16 +41,7 @@ async function orbit(page) {
 
 test("the main thread is free while a large mesh flows and is turned", async (context) => {
   const { page, faults, close } = await site.blank({ viewport: { width: 800, height: 500 } });
-  await page.addInitScript(() => {
-    /** @type {Task[]} */
-    const tasks = [];
-    Object.assign(globalThis, { longTasks: tasks });
-    new PerformanceObserver((list) => {
-      for (const { startTime, duration } of list.getEntries()) {
-        tasks.push({ start: startTime, duration });
-      }
-    }).observe({ type: "longtask", buffered: true });
-  });
+  await watchLongTasks(page);
   await page.goto(`${site.url}?msaa=1`);
   await untilDrawn(page);
   const opening = await now(page);
@@ -74,32 +60,27 @@ test("the main thread is free while a large mesh flows and is turned", async (co
   await page.getByRole("img", { name: /^Colours:/ }).waitFor();
   await untilDrawn(page);
 
-  // On a busy machine a task may be long because it had to wait for its turn: what is
-  // long by itself is long every time.
-  /** @type {Task[]} */
-  let long = [];
-  for (let round = 1; round <= 3; round += 1) {
-    const began = await now(page);
-    const before = Number(await reading(page, "Step"));
-    await button(page, "Play").click();
-    await orbit(page);
-    await page.waitForFunction(
-      (step) => Number(document.querySelector("[data-reading=step]")?.textContent) >= step,
-      before + 2,
-    );
-    await orbit(page);
-    await button(page, "Pause").click();
-    await button(page, "Play").waitFor();
-    long = (await longTasks(page)).filter(({ start }) => start >= began);
-    context.diagnostic(`round ${round}, stepping and turning: ${durations(long)}`);
-    if (round === 1) {
-      const all = await longTasks(page);
-      context.diagnostic(`first picture: ${durations(all.filter(({ start }) => start < opening))}`);
-      const load = all.filter(({ start }) => start >= opening && start < began);
-      context.diagnostic(`opening the mesh: ${durations(load)}`);
-    }
-    if (long.length === 0) break;
-  }
+  const opened = await now(page);
+  const all = await longTasks(page);
+  context.diagnostic(`first picture: ${durations(all.filter(({ start }) => start < opening))}`);
+  const load = all.filter(({ start }) => start >= opening && start < opened);
+  context.diagnostic(`opening the mesh: ${durations(load)}`);
+  const long = await lastingLongTasks(
+    page,
+    async () => {
+      const before = Number(await reading(page, "Step"));
+      await button(page, "Play").click();
+      await orbit(page);
+      await page.waitForFunction(
+        (step) => Number(document.querySelector("[data-reading=step]")?.textContent) >= step,
+        before + 2,
+      );
+      await orbit(page);
+      await button(page, "Pause").click();
+      await button(page, "Play").waitFor();
+    },
+    (text) => context.diagnostic(`stepping and turning, ${text}`),
+  );
   assert.deepEqual(long, [], "tasks longer than 50 ms");
   assert.deepEqual(faults, []);
   await close();
