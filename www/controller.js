@@ -49,8 +49,15 @@ export function createController(store, voice) {
       })),
   });
 
+  /** The frame of a flow whose options are not told yet; null while none is configured. @type {Frame[] | null} */
+  let untold = null;
+
   /** @param {Frame} frame */
   function onFrame(frame) {
+    if (untold) {
+      untold.push(frame);
+      return;
+    }
     if (contest.holds(frame)) return;
     store.update(to.frame, frame);
     for (const text of frame.reports.flatMap(({ warnings }) => warnings)) voice.note(text);
@@ -91,7 +98,14 @@ export function createController(store, voice) {
 
   /** Goes back to the start. @param {Options} options */
   async function configure(options) {
-    store.update(to.configured, options, await solver.configure(options));
+    // Its frame comes before its answer; nobody is to take its energy for that of the flow before.
+    /** @type {Frame[]} */
+    const frames = [];
+    untold = frames;
+    const configured = await solver.configure(options).finally(() => {
+      untold = null;
+    });
+    store.update(to.configured, options, configured, frames.at(-1));
     await contest.follow();
   }
 

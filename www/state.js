@@ -234,15 +234,18 @@ export const transitions = {
   /** @param {S} s @param {Inverted | null} preview @returns {S} */
   previewed: (s, preview) => ({ ...s, preview }),
 
-  /** @param {S} s @param {S["options"]} options @param {Configured} configured @returns {S} */
-  configured: (s, options, configured) => ({
-    ...s,
-    phase: still(configured.state),
-    options,
-    configured,
-    reading: configured.state,
-    history: extended(s.history, configured.state, []),
-  }),
+  /** @param {S} s @param {S["options"]} options @param {Configured} configured @param {Frame} [frame] @returns {S} */
+  configured: (s, options, configured, frame) => {
+    const state = {
+      ...s,
+      phase: still(configured.state),
+      options,
+      configured,
+      reading: configured.state,
+      history: extended(s.history, configured.state, []),
+    };
+    return frame ? transitions.frame(state, frame) : state;
+  },
 
   /** @param {S} s @param {number | null} goal @returns {S} */
   started: (s, goal) => ({ ...s, phase: "running", pausing: false, goal }),

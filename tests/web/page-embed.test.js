@@ -140,6 +140,19 @@ test("the element plays, steps, seeks, is set, and gives its mesh away", async (
     element.setAttribute("shading", "flat");
   });
   await heard(page, "frame", ({ flow, step }) => flow === "circle" && step === 0);
+  // Each flow has an energy of its own, and no frame tells that of another.
+  const starts = await page.evaluate(() =>
+    /** @type {any} */ (globalThis).told
+      .filter((/** @type {any} */ [type, { step }]) => type === "frame" && step === 0)
+      .map((/** @type {any} */ [, { flow, energy }]) => [flow, energy]),
+  );
+  assert.deepEqual(starts.slice(-2), [
+    ["p-willmore", set.energy],
+    ["circle", ready.energy],
+  ]);
+  for (const [flow, energy] of starts) {
+    assert.equal(energy, flow === "circle" ? ready.energy : set.energy);
+  }
 
   const playing = await call(page, "play");
   assert.equal(playing.phase, "running");
