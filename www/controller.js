@@ -21,7 +21,7 @@ import { defaults, plainArrangement } from "./options.js";
 import { stepsIn } from "./recipe-schema.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
-import { transitions as to } from "./state.js";
+import { goesOn, transitions as to } from "./state.js";
 import { formatCount } from "./ui/number.js";
 
 /**
@@ -96,13 +96,16 @@ export function createController(store, voice) {
     else store.update(to.stopped, await solver.pause());
   }
 
-  /** Goes back to the start. @param {Options} options */
-  async function configure(options) {
+  /**
+   * @param {Options} options
+   * @param {"configure" | "continueWith"} [way]  back to the start, or on from where it stands
+   */
+  async function configure(options, way = "configure") {
     // Its frame comes before its answer; nobody is to take its energy for that of the flow before.
     /** @type {Frame[]} */
     const frames = [];
     untold = frames;
-    const configured = await solver.configure(options).finally(() => {
+    const configured = await solver[way](options).finally(() => {
       untold = null;
     });
     store.update(to.configured, options, configured, frames.at(-1));
@@ -320,12 +323,22 @@ export function createController(store, voice) {
         hint: "",
       })),
 
-    /** @param {Partial<Options>} change */
-    configure: (change) =>
+    /**
+     * Whether a change of the flow goes on from the step that is shown; null: where it is not
+     * the last one.
+     * @param {boolean | null} goesOn
+     */
+    goOn: (goesOn) => store.update(to.goingOn, goesOn),
+    /**
+     * @param {Partial<Options>} change
+     * @param {{ fromStart?: boolean }} [how]
+     */
+    configure: (change, { fromStart = false } = {}) =>
       enqueue(async () => {
         await rest();
-        const { options: before, reading } = store.get();
+        const { options: before, reading, timeline } = store.get();
         const options = { ...before, ...change };
+        const way = !fromStart && goesOn(store.get(), options.flow) ? "continueWith" : "configure";
         try {
           if (before.flow === "flips" && options.flow !== "flips" && reading && reading.step > 0) {
             // The point of better edges is what is done with them next.
@@ -336,7 +349,12 @@ export function createController(store, voice) {
                 "The flow starts from the mesh with its edges flipped; Undo brings the one before back.",
               ),
             );
-          } else await configure(options);
+          } else await configure(options, way);
+          if (way === "continueWith" && timeline && timeline.at < timeline.last) {
+            voice.note(
+              t("The flow goes on from there; the steps that were to come are kept as a branch."),
+            );
+          }
         } catch (error) {
           // Told again, so that the form shows what is in force.
           store.update((state) => ({ ...state, options: { ...before } }));

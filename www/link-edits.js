@@ -56,6 +56,26 @@ function whole(flow) {
   return all;
 }
 
+/** @param {RecipeLeg} leg @returns {leg is { flow: FlowOptions }} */
+const isFlow = (leg) => typeof leg === "object" && "flow" in leg;
+
+/** @param {RecipeLeg} leg */
+function compactLeg(leg) {
+  if (!isFlow(leg)) return leg;
+  const flow = compact(leg.flow);
+  return flow && { flow };
+}
+
+/** @param {readonly RecipeLeg[]} path @returns {unknown[] | null} null where a region fits no link */
+function compactPath(path) {
+  const told = path.map(compactLeg);
+  return told.includes(null) ? null : told;
+}
+
+/** @param {any} path  as it is in a link */
+const wholePath = (path) =>
+  path.map((/** @type {any} */ leg) => (isFlow(leg) ? { flow: whole(leg.flow) } : leg));
+
 /** @type {WeakMap<readonly RecipeChapter[], string | null>} the address is written at every frame */
 const known = new WeakMap();
 
@@ -63,8 +83,14 @@ const known = new WeakMap();
 function encodeEdits(chapters) {
   const before = known.get(chapters);
   if (before !== undefined) return before;
-  const told = chapters.map(({ flow, ...rest }) => ({ flow: flow && compact(flow), ...rest }));
-  const fits = told.every(({ flow }, n) => flow !== null || chapters[n].flow === null);
+  const told = chapters.map(({ flow, path, ...rest }) => ({
+    flow: flow && compact(flow),
+    path: compactPath(path),
+    ...rest,
+  }));
+  const fits = told.every(
+    ({ flow, path }, n) => path !== null && (flow !== null || chapters[n].flow === null),
+  );
   const text = fits ? encode(told) : null;
   known.set(chapters, text);
   return text;
@@ -73,10 +99,21 @@ function encodeEdits(chapters) {
 /** @param {string | null} text @returns {RecipeChapter[] | null} */
 export const decodeEdits = (text) =>
   decode(text, (chapters) => {
-    for (const chapter of chapters) if (chapter.flow !== null) chapter.flow = whole(chapter.flow);
+    for (const chapter of chapters) {
+      if (chapter.flow !== null) chapter.flow = whole(chapter.flow);
+      chapter.path = wholePath(chapter.path);
+    }
     checkEdits(chapters);
     return chapters;
   });
+
+/**
+ * The options that a path began with, where others followed on the way.
+ * @param {import("./protocol.js").Story} story
+ * @returns {import("./options.js").Options | null}
+ */
+export const firstOptions = ({ flow, path }) =>
+  flow && path.some(isFlow) ? { ...defaults, ...flow } : null;
 
 /**
  * @param {readonly RecipeLeg[]} path  as it was when the flow last stood still
@@ -84,12 +121,15 @@ export const decodeEdits = (text) =>
  */
 export function encodePath(path, step) {
   const more = step - stepsIn(path);
-  return isPlain(path) || more < 0 ? null : encode(more > 0 ? [...path, { steps: more }] : path);
+  if (isPlain(path) || more < 0) return null;
+  const told = compactPath(path);
+  return told && encode(more > 0 ? [...told, { steps: more }] : told);
 }
 
 /** @param {string | null} text @param {number} step @returns {RecipeLeg[] | null} */
 export const decodePath = (text, step) =>
-  decode(text, (path) => {
+  decode(text, (told) => {
+    const path = wholePath(told);
     checkPath(path);
     return stepsIn(path) === step ? path : null;
   });

@@ -7,7 +7,7 @@
 
 import { isReading } from "./link-check.js";
 import { readComparison, writeComparison } from "./link-comparison.js";
-import { beginning, decodeEdits, decodePath, encodePath } from "./link-edits.js";
+import { beginning, decodeEdits, decodePath, encodePath, firstOptions } from "./link-edits.js";
 import { decodeRegion, encodeRegion } from "./link-region.js";
 import {
   arrangementReaders,
@@ -109,8 +109,10 @@ export function readLink({ search, hash }) {
  * @returns {string} the address's part from `#` on
  */
 export function writeLink(state) {
-  const { options, arrangement, colour, camera, reading, view, goal, figure, comparison, story } =
-    state;
+  const { arrangement, colour, camera, reading, view, goal, figure, comparison, story } = state;
+  const step = goal ?? reading?.step ?? 0;
+  const path = story && encodePath(story.path, step);
+  const options = (path && firstOptions(story)) || state.options;
   const { from, edits } = beginning(state);
   if (!from) return "";
   const words = new URLSearchParams();
@@ -148,9 +150,7 @@ export function writeLink(state) {
   if (!view.boundary) words.set("border", "false");
   if (view.scale !== "auto") words.set("scale", view.scale);
   if (camera) words.set("camera", [...camera].map((x) => +x.toPrecision(5)).join(","));
-  const step = goal ?? reading?.step ?? 0;
   if (step > 0) words.set("step", String(step));
-  const path = story && encodePath(story.path, step);
   if (path) words.set("path", path);
   // On the way to another step the energy there is not known yet. At the start it follows
   // from the rest of the link: `sharedLink` adds it there.

@@ -23,6 +23,7 @@ import { createEquations } from "./ui/equations.js";
 import { createFlipPlots } from "./ui/flip-plots.js";
 import { createFlipsForm } from "./ui/flips-form.js";
 import { createGallery } from "./ui/gallery.js";
+import { createGoingOn } from "./ui/going-on.js";
 import { createHistogram } from "./ui/histogram.js";
 import { createHoles } from "./ui/holes.js";
 import { createKeys } from "./ui/keys.js";
@@ -83,6 +84,7 @@ const embedding = isEmbedded(location)
 const parts = [
   createTransport(controller),
   createScrubber(controller),
+  createGoingOn(controller),
   createStatus(),
   createWhy(controller, messages, { camera: picture.camera, study: study.begin }),
   createChoices(controller),

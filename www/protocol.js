@@ -322,7 +322,7 @@
  */
 
 /**
- * What `configure` answers.
+ * What `configure` and `continueWith` answer.
  * @typedef {object} Configured
  * @property {number} freeVertices
  * @property {number} meanEdgeLength   h
@@ -488,7 +488,7 @@
  * @property {{ id: number, from: number, last: number, energy: number }[]} branches  oldest first
  */
 
-/** @typedef {{ steps: number } | { regularise: RegulariseOptions } | 'anew'} RecipeLeg */
+/** @typedef {{ steps: number } | { regularise: RegulariseOptions } | { flow: FlowOptions } | 'anew'} RecipeLeg */
 
 /**
  * A run, and what made another mesh of its end.
@@ -537,19 +537,22 @@
  * @property {Look | null} look      null where nothing is looked at more closely
  * @property {Timeline | null} timeline  null in a frame that the page makes itself
  * @property {Story | null} [story]  null where it is not known; none while the flow runs
+ * @property {{ options: FlowOptions, configured: Configured }} [flow]  that stands there, where the
+ *   page knows of another
  */
 
 /**
  * Requests to the worker: `{ id, type, … }`. Each is answered by exactly one
  * `{ id, ok }` or `{ id, error: Fault }`; `configure`, `run`, `step`, `back`, `reset` and
  * `restore` also cause `frame` events, and `run` ends with one `stopped` event unless it is paused.
- * `configure` goes back to the start.
+ * `configure` goes back to the start, `continueWith` goes on from the surface as it is.
  *
  * | type        | fields                        | ok                          |
  * | ----------- | ----------------------------- | --------------------------- |
  * | `load`      | `name`, `bytes: ArrayBuffer`  | `Loaded`                    |
  * | `sample`    | `name`, `parameters`          | `Loaded`                    |
  * | `configure` | `options: FlowOptions`, `run` | `Configured`                |
+ * | `continueWith` | `options: FlowOptions`, `run` | `Configured`: step, time and history go on; what was to come becomes a branch |
  * | `run`       | `run`, `until: number | null` | `true`, at once; pauses by itself at step `until`; otherwise edge flips take a step a frame |
  * | `pause`     |                               | `State`, after the current step |
  * | `step`      | `run`                         | `StepReport \| null`: null when there was none to take |

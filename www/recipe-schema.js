@@ -88,11 +88,15 @@ export function checkFlow(flow, key) {
 export function checkPath(path, key = "path") {
   check(Array.isArray(path), key, "a list");
   for (const [n, leg] of path.entries()) {
+    if (isObject(leg) && isObject(leg.flow) && Object.keys(leg).length === 1) {
+      checkFlow(leg.flow, `${key}[${n}].flow`);
+      continue;
+    }
     const known =
       leg === "anew" ||
       (isObject(leg) && isCount(leg.steps) && Object.keys(leg).length === 1) ||
       (isObject(leg) && isObject(leg.regularise) && Object.keys(leg).length === 1);
-    check(known, `${key}[${n}]`, "{ steps }, { regularise } or “anew”");
+    check(known, `${key}[${n}]`, "{ steps }, { regularise }, { flow } or “anew”");
   }
 }
 

@@ -44,7 +44,7 @@ import {
  * @property {string} umbilic      the version it was made with
  * @property {SampleMesh | FileMesh} mesh
  * @property {RecipeChapter[]} [edits]  what made another mesh of it, oldest first
- * @property {FlowOptions} flow    all of them
+ * @property {FlowOptions} flow    all of them, as the flow began
  * @property {Partial<Arrangement>} [arrangement]  where it is not the plain one
  * @property {number} steps
  * @property {RecipeLeg[]} [path]  where it is more than so many steps
@@ -174,6 +174,7 @@ function walk(session, flow, path, tell) {
   for (const leg of path) {
     if (leg === "anew") session.renew();
     else if ("regularise" in leg) session.regularise(leg.regularise);
+    else if ("flow" in leg) session.continueWith(leg.flow);
     else {
       if (flow.flow === "flips") {
         // One by one or all at once, they are the same.

@@ -87,6 +87,7 @@ export function createSolver(listener) {
   /** @param {Frame} frame */
   function take(frame) {
     const { step, time } = frame.state;
+    options = frame.flow?.options ?? options;
     last = { positions: frame.positions, step, time };
     listener.onFrame(frame);
     // Only when the page has had its turn to draw may the next one come.
@@ -159,6 +160,12 @@ export function createSolver(listener) {
     /** @param {FlowOptions} wanted @returns {Promise<Configured>} */
     async configure(wanted) {
       const configured = await move("configure", { options: wanted });
+      options = wanted;
+      return configured;
+    },
+    /** From the surface as it is. @param {FlowOptions} wanted @returns {Promise<Configured>} */
+    async continueWith(wanted) {
+      const configured = await move("continueWith", { options: wanted });
       options = wanted;
       return configured;
     },

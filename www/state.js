@@ -5,7 +5,7 @@
 /** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Story, Timeline, Wanted } from "./protocol.js" */
 
 import { alone, begunAnew } from "./comparison.js";
-import { defaults, plainArrangement } from "./options.js";
+import { byCurvature, defaults, plainArrangement } from "./options.js";
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'running' | 'paused' | 'failed'} Phase */
 
@@ -56,6 +56,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {Reading | null} reading
  * @property {readonly Sample[]} history  from the start to the present step
  * @property {Timeline | null} timeline
+ * @property {boolean | null} goingOn  as chosen for this run; see `goesOn`
  * @property {-1 | 0 | 1} playing         which way stored steps are played, 0 for not
  * @property {Readonly<Required<FlowOptions>>} options
  * @property {Configured | null} configured
@@ -88,6 +89,7 @@ export const initial = Object.freeze({
   reading: null,
   history: [],
   timeline: null,
+  goingOn: null,
   playing: 0,
   options: defaults,
   configured: null,
@@ -184,6 +186,7 @@ export const transitions = {
     reading: null,
     history: [],
     timeline: null,
+    goingOn: null,
     configured: null,
     earlier: [],
     marks: null,
@@ -209,6 +212,7 @@ export const transitions = {
     reading: null,
     history: [],
     timeline: null,
+    goingOn: null,
     configured: null,
     earlier: earlier.slice(-MOST_EDITS),
     marks: null,
@@ -233,6 +237,9 @@ export const transitions = {
 
   /** @param {S} s @param {Inverted | null} preview @returns {S} */
   previewed: (s, preview) => ({ ...s, preview }),
+
+  /** @param {S} s @param {S["goingOn"]} goingOn @returns {S} */
+  goingOn: (s, goingOn) => ({ ...s, goingOn }),
 
   /** @param {S} s @param {S["options"]} options @param {Configured} configured @param {Frame} [frame] @returns {S} */
   configured: (s, options, configured, frame) => {
@@ -259,7 +266,11 @@ export const transitions = {
     { state, reports, positions, field, flippedTriangles, panes, curves, jump, look, ...more },
   ) => ({
     ...s,
+    // Another flow may have stood at a moment that was gone back to.
+    ...(more.flow ? { ...more.flow, options: { ...defaults, ...more.flow.options } } : {}),
     timeline: more.timeline,
+    // A run that has not begun can be changed as one likes.
+    goingOn: (more.timeline?.stored ?? 0) > 1 ? s.goingOn : null,
     story: more.story === undefined ? s.story : withEdits(more.story, s.story),
     phase: s.phase === "running" || s.phase === "loading" ? s.phase : still(state),
     reading: state,
@@ -319,6 +330,23 @@ export const transitions = {
   /** No solver any more. @param {S} s @returns {S} */
   failed: (s) => ({ ...s, phase: "failed", pausing: false, goal: null, progress: null }),
 };
+
+/** @param {S} s  whether there is a step from which a change of the flow could go on */
+export const canGoOn = ({ options, timeline, comparison, arrangement }) =>
+  timeline !== null &&
+  timeline.stored > 1 &&
+  options.flow !== "flips" &&
+  comparison.rivals.length === 0 &&
+  !(arrangement.compare === "flows" && byCurvature.includes(options.flow));
+
+/**
+ * Whether a change of the flow goes on from the step that is shown, and not back to the start:
+ * as was chosen, else where somebody has looked back to it.
+ * @param {S} s
+ * @param {S["options"]["flow"]} [flow]  that is changed to
+ */
+export const goesOn = (s, flow = s.options.flow) =>
+  canGoOn(s) && flow !== "flips" && (s.goingOn ?? (s.timeline?.at ?? 0) < (s.timeline?.last ?? 0));
 
 /** @param {S} s whether the surface is shown on a dark ground */
 export const isDark = ({ view }) =>

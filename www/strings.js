@@ -86,6 +86,12 @@ export const german = {
   "{count} branches": "{count} Zweige",
   "Branch from step {from} ({steps} steps, energy {energy})":
     "Zweig ab Schritt {from} ({steps} Schritte, Energie {energy})",
+  "Change the flow from here on": "Den Fluss von hier an ändern",
+  "A change goes on from step {step}.": "Eine Änderung geht von Schritt {step} aus weiter.",
+  "A change goes on from step {step}; the steps after it are kept as a branch.":
+    "Eine Änderung geht von Schritt {step} aus weiter; die Schritte danach bleiben als Zweig.",
+  "The flow goes on from there; the steps that were to come are kept as a branch.":
+    "Der Fluss geht von dort aus weiter; die Schritte, die danach kamen, bleiben als Zweig.",
 
   // Why it stopped, and what helps
   "Why?": "Warum?",
@@ -886,6 +892,8 @@ export const german = {
     "Das Netz selbst ist nicht im Link: Schicken Sie die Datei mit.",
   "The mesh itself is not in the link: send the file along. It is recognised by its SHA-256.":
     "Das Netz selbst ist nicht im Link: Schicken Sie die Datei mit. Sie wird an ihrem SHA-256 erkannt.",
+  "What was changed on the way is too large for a link: send a recipe, saved with Download.":
+    "Was unterwegs geändert wurde, ist zu groß für einen Link: Geben Sie ein Rezept weiter, mit „Herunterladen“ gespeichert.",
   "The painted region is too large for a link; it is not in it.":
     "Der gemalte Bereich ist zu groß für einen Link; er ist nicht darin.",
   "Copy link": "Link kopieren",
@@ -1548,6 +1556,10 @@ export const german = {
   "there is no edit to undo": "es gibt nichts rückgängig zu machen",
   "edge flips hold the positions, which a regularisation would move":
     "Kantenflips halten die Lagen fest, die eine Regularisierung verschieben würde",
+  "edge flips, and flows beside each other, go from the mesh itself":
+    "Kantenflips und Flüsse nebeneinander gehen vom Netz selbst aus",
+  "Keep the surface as a new start, or change the flow from the start.":
+    "Behalten Sie die Fläche als neuen Anfang, oder ändern Sie den Fluss vom Anfang an.",
   "Choose another flow, and regularise then.":
     "Wählen Sie einen anderen Fluss, und regularisieren Sie dann.",
   "A fill or edge flips can be undone once they are done.":
@@ -1843,7 +1855,8 @@ export const german = {
   "an object of numbers": "ein Objekt aus Zahlen",
   "the name of a file": "der Name einer Datei",
   "an object of options": "ein Objekt aus Optionen",
-  "{ steps }, { regularise } or “anew”": "{ steps }, { regularise } oder „anew“",
+  "{ steps }, { regularise }, { flow } or “anew”":
+    "{ steps }, { regularise }, { flow } oder „anew“",
   "“adopt”, { fill }, { flip }, { subdivide } or { invert: [x, y, z] }":
     "„adopt“, { fill }, { flip }, { subdivide } oder { invert: [x, y, z] }",
   "left out: there is no such option": "weggelassen: Diese Option gibt es nicht",

@@ -2,7 +2,7 @@
 // The solver's side: one session, a table of what may be asked of it, and a run loop
 // that lets messages in after every step.
 
-/** @import { Fault, FieldName, Pane, Request, State, StepReport, Wanted } from "./protocol.js" */
+/** @import { Configured, Fault, FieldName, Pane, Request, State, StepReport, Wanted } from "./protocol.js" */
 
 import init, { Session } from "./pkg/solver/solver.js";
 import { follow, prepare } from "./recipe.js";
@@ -25,6 +25,8 @@ let until = null;
 let taken = true;
 /** Whether each step is to be seen: edge flips are far faster than any screen. */
 let paced = false;
+/** The flow whose options the page knows. */
+let toldFlow = 0;
 /** Work shorter than this says nothing of its progress. */
 const PATIENCE = 500;
 let nextProgress = 0;
@@ -80,11 +82,27 @@ function frame(state) {
   transfer.push(...buffersOf(look));
   for (const pane of panes) transfer.push(...buffersOf(pane));
   const message = { type: "frame", run, state, reports: untold, positions, field: colours };
-  const rest = { timeline: session.timeline(), ...(running ? {} : { story: storyIfKnown() }) };
+  const rest = {
+    timeline: session.timeline(),
+    ...(running ? {} : { story: storyIfKnown() }),
+    ...flowIfAnother(),
+  };
   page.postMessage({ ...message, flippedTriangles, panes, curves, jump, look, ...rest }, transfer);
   untold = [];
   taken = false;
 }
+
+/** The flow that stands where the session does, if it is not the one the page knows of. */
+function flowIfAnother() {
+  const number = session.flowNumber();
+  if (number === toldFlow) return {};
+  toldFlow = number;
+  const options = session.options();
+  return options ? { flow: { options, configured: whole(session.configured()) } } : {};
+}
+
+/** @param {Omit<Configured, "heldVertices">} configured @returns {Configured} */
+const whole = (configured) => ({ ...configured, heldVertices: session.heldVertices() });
 
 /** How the surface came about; null where positions came from outside. */
 function storyIfKnown() {
@@ -143,7 +161,14 @@ const actions = {
     moved(request.run, () => {
       const configured = session.configure(request.options);
       paced = request.options.flow === "flips";
-      return { ...configured, heldVertices: session.heldVertices() };
+      toldFlow = session.flowNumber();
+      return whole(configured);
+    }),
+  continueWith: (request) =>
+    moved(request.run, () => {
+      const configured = session.continueWith(request.options);
+      toldFlow = session.flowNumber();
+      return whole(configured);
     }),
   run(request) {
     run = request.run;

@@ -43,21 +43,22 @@ fn name_of(flow: FlowName) -> Option<&'static str> {
 impl Work {
     /// Starts the other flows and lets them catch up, or ends them.
     pub(super) fn run_beside(&mut self, wanted: bool) {
-        if !wanted || name_of(self.options.flow).is_none() || self.flow.is_none() {
+        if !wanted || name_of(self.options().flow).is_none() || self.flow.is_none() {
             self.beside.clear();
             return;
         }
         if !self.beside.is_empty() {
             return;
         }
-        for (flow, _) in FLOWS.into_iter().filter(|(f, _)| *f != self.options.flow) {
+        let own = self.options().flow;
+        for (flow, _) in FLOWS.into_iter().filter(|(f, _)| *f != own) {
             let mut other = Self::new(self.document.clone(), self.document.start.clone());
             let options = FlowOptions {
                 flow,
                 // A step of one order means nothing to another.
                 dt: None,
                 tau: None,
-                ..self.options.clone()
+                ..self.options().clone()
             };
             // What the chosen flow takes, the others take.
             if other.configure(options, None).is_ok() {
@@ -135,14 +136,14 @@ impl Work {
             .iter()
             .flat_map(|(flow, name)| {
                 works()
-                    .filter(|work| work.options.flow == *flow)
+                    .filter(|work| work.options().flow == *flow)
                     .map(|work| pane(name, work))
             })
             .collect();
         // That of the chosen flow: where another breaks, it may go out of the scale.
         let range = panes
             .iter()
-            .find(|pane| Some(pane.name) == name_of(self.options.flow))
+            .find(|pane| Some(pane.name) == name_of(self.options().flow))
             .and_then(|pane| pane.field.as_ref().map(|f| (f.low, f.high)));
         for field in panes.iter_mut().filter_map(|pane| pane.field.as_mut()) {
             (field.low, field.high) = range.unwrap_or((field.low, field.high));

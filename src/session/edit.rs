@@ -57,7 +57,7 @@ impl Session {
         let Some(before) = self.work.take() else {
             return Err(Fault::no_mesh());
         };
-        let mut options = before.options.clone();
+        let mut options = before.options().clone();
         if document.free.is_some() || document.fixed.is_some() {
             options = FlowOptions {
                 free: None,
@@ -67,7 +67,7 @@ impl Session {
         }
         let x = document.start.clone();
         let mut work = Work::new(document, x);
-        work.options = options;
+        work.begin_course(options);
         work.arrangement = before.arrangement;
         work.origin = before.origin_of(name);
         self.work = Some(work);

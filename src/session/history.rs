@@ -1,12 +1,15 @@
 //! The moments of a run: the path to the present one, what comes after it, and the branches
 //! that leave it. Bounded in number and in memory.
 
+use super::course::Course;
 use super::readings::State;
+use crate::flow::options::FlowOptions;
 use crate::flow::{Pace, StepReport};
 use crate::remesh::static_pass::Settings;
 use glam::DVec3;
 use serde::Serialize;
 use std::collections::VecDeque;
+use std::rc::Rc;
 
 /// Bytes at most: a wasm heap of 4 GiB also holds the factor.
 const MAX_BYTES: usize = 192 << 20;
@@ -17,7 +20,7 @@ const MAX_BRANCHES: usize = 8;
 pub(super) type MomentId = u64;
 
 /// How a moment came about from the one before it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Act {
     pub(super) deed: Deed,
     /// Whether the flow was made anew for it and knew nothing of earlier steps.
@@ -25,10 +28,12 @@ pub(super) struct Act {
 }
 
 /// What leads from a moment to the next.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Deed {
     Step,
     Regularise(Settings),
+    /// From here on a flow of these options.
+    Flow(Rc<FlowOptions>),
 }
 
 /// All of a run that changes from step to step.
@@ -36,6 +41,8 @@ pub(super) struct Moment {
     pub(super) id: MomentId,
     /// Positions, where the flow moves any.
     pub(super) x: Option<Vec<DVec3>>,
+    /// The flow that stood there, and how far it was.
+    pub(super) course: Rc<Course>,
     pub(super) pace: Pace,
     pub(super) state: State,
     /// Faces that folded over in the step that led here.
@@ -48,6 +55,7 @@ impl Moment {
     pub(super) fn new(
         id: MomentId,
         x: Option<Vec<DVec3>>,
+        course: Rc<Course>,
         pace: Pace,
         state: State,
         flipped: Vec<u32>,
@@ -55,6 +63,7 @@ impl Moment {
         Self {
             id,
             x,
+            course,
             pace,
             state,
             flipped,
@@ -188,6 +197,24 @@ impl History {
         !self.past.is_empty()
     }
 
+    /// Whether any moment but the present one is stored.
+    pub(super) fn has_moments(&self) -> bool {
+        self.can_go_back() || !self.future.is_empty()
+    }
+
+    /// Whether a change of the flow led to the present moment, and nothing came of it.
+    pub(super) fn ends_with_new_flow(&self) -> bool {
+        let last = self.acts.last().map(|act| &act.deed);
+        matches!(last, Some(Deed::Flow(_))) && self.future.is_empty() && self.can_go_back()
+    }
+
+    /// Forgets what is stored to come.
+    pub(super) fn drop_future(&mut self) {
+        for moment in self.future.drain(..) {
+            self.bytes -= moment.bytes();
+        }
+    }
+
     /// The step after the present one that is stored.
     pub(super) fn next_step(&self) -> Option<usize> {
         self.future.last().map(|moment| moment.state.step)
@@ -234,6 +261,7 @@ impl History {
         let (fork, from) = (before.id, before.state.step);
         self.bytes += before.bytes();
         self.past.push_back(before);
+        let deed = act.deed.clone();
         self.acts.push(act);
         self.reports.extend(report);
         if x.is_some() {
@@ -247,14 +275,14 @@ impl History {
         }
         self.last_id += 1;
         self.here = self.last_id;
-        self.recognise(fork, act.deed, x, now);
+        self.recognise(fork, &deed, x, now);
         self.forget();
     }
 
     /// Gives the present moment the name of one that is the same.
-    fn recognise(&mut self, fork: MomentId, deed: Deed, x: Option<&[DVec3]>, now: &State) {
+    fn recognise(&mut self, fork: MomentId, deed: &Deed, x: Option<&[DVec3]>, now: &State) {
         let is_same = |m: &Moment| {
-            m.came.as_ref().is_some_and(|(act, _)| act.deed == deed)
+            m.came.as_ref().is_some_and(|(act, _)| act.deed == *deed)
                 && (m.state.step, m.state.time) == (now.step, now.time)
                 && m.x.as_deref() == x
         };
@@ -331,7 +359,7 @@ impl History {
         };
         live.came = self.acts.pop().map(|act| match act.deed {
             Deed::Step => (act, self.reports.pop()),
-            Deed::Regularise(_) => (act, None),
+            Deed::Regularise(_) | Deed::Flow(_) => (act, None),
         });
         self.bytes = self.bytes + live.bytes() - previous.bytes();
         self.future.push(live);
@@ -418,6 +446,7 @@ mod tests {
         Moment::new(
             history.here(),
             Some(x),
+            Rc::default(),
             Pace::Flips(step),
             state,
             Vec::new(),

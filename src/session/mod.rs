@@ -5,6 +5,7 @@
 
 mod beside;
 mod conjecture;
+mod course;
 mod document;
 mod edit;
 mod fault;
@@ -264,7 +265,7 @@ impl Session {
     /// # Errors
     /// As [`configure`](Self::configure).
     pub fn reset(&mut self) -> Result<State, Fault> {
-        let options = self.work()?.options.clone();
+        let options = self.work()?.options().clone();
         Ok(self.configure(options)?.state)
     }
 

@@ -174,7 +174,7 @@ impl Work {
     ) -> Pane {
         let finer = subdivided(mesh, &self.x, self.arrangement.subdivide);
         let (drawn, x) = finer.as_ref().map_or((mesh, &*self.x), |(m, x)| (m, x));
-        let boundary = self.options.boundary.unwrap_or_default();
+        let boundary = self.options().boundary.unwrap_or_default();
         Pane {
             name,
             standing: None,

@@ -78,7 +78,7 @@ impl Work {
             return None;
         }
         let (v, i) = (Vertex(vertex), vertex as usize);
-        let boundary = self.options.boundary.unwrap_or_default();
+        let boundary = self.options().boundary.unwrap_or_default();
         let is_boundary = mesh.is_boundary_vertex(v);
         let spokes: Vec<_> = mesh.star(v).collect();
         let edges: Vec<ProbedEdge> = spokes

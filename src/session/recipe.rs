@@ -22,6 +22,8 @@ pub enum Leg {
     Regularise(Settings),
     /// The flow is made anew where it stands: it knows nothing of earlier steps.
     Anew,
+    /// From here on another flow, or the same with other parameters.
+    Flow(FlowOptions),
 }
 
 /// What made another mesh of the one at hand.
@@ -56,7 +58,7 @@ pub struct Chapter {
 pub struct Recipe {
     /// What made the mesh of the one that was loaded, oldest first.
     pub edits: Vec<Chapter>,
-    /// Options of the flow; absent where none was chosen.
+    /// Options of the flow it began with; absent where none was chosen.
     pub flow: Option<FlowOptions>,
     /// What was done since.
     pub path: Vec<Leg>,
@@ -86,14 +88,10 @@ impl Session {
 }
 
 impl Work {
-    /// The options; a selection that the mesh itself suggests is left out.
+    /// The options that the run began with.
     fn told_options(&self) -> Option<FlowOptions> {
         self.flow.as_ref()?;
-        let mut options = self.options.clone();
-        if options.free == self.document.free && options.fixed == self.document.fixed {
-            (options.free, options.fixed) = (None, None);
-        }
-        Some(options)
+        Some(self.as_given(&self.first.options))
     }
 
     fn legs(&self) -> Vec<Leg> {
@@ -106,10 +104,11 @@ impl Work {
             if act.anew {
                 legs.push(Leg::Anew);
             }
-            match (act.deed, legs.last_mut()) {
+            match (&act.deed, legs.last_mut()) {
                 (Deed::Step, Some(Leg::Steps(count))) => *count += 1,
                 (Deed::Step, _) => legs.push(Leg::Steps(1)),
-                (Deed::Regularise(settings), _) => legs.push(Leg::Regularise(settings)),
+                (Deed::Regularise(settings), _) => legs.push(Leg::Regularise(*settings)),
+                (Deed::Flow(options), _) => legs.push(Leg::Flow(FlowOptions::clone(options))),
             }
         }
         legs

@@ -75,8 +75,8 @@ impl Work {
                 .map(|chosen| refined(chosen, n_old, &parents, belongs))
         };
         // An edge with one end held moved with its other end, so its midpoint moves.
-        let free = of(&self.options.free, |a, b| a || b);
-        let fixed = of(&self.options.fixed, |a, b| a && b);
+        let free = of(&self.options().free, |a, b| a || b);
+        let fixed = of(&self.options().fixed, |a, b| a && b);
         let document = Document {
             triangles: triangulated(&polygons, &finer.positions)?,
             polygons,

@@ -8,7 +8,8 @@ use super::fault::Fault;
 use super::history::{Moment, MomentId, Timeline};
 use super::readings::State;
 use super::work::Work;
-use crate::flow::{self, Pace};
+use crate::flow::{Flow, Pace};
+use std::rc::Rc;
 
 /// What belongs to the moment that is shown, where the flow stands at another.
 pub(super) struct Shown {
@@ -93,7 +94,8 @@ impl Work {
     fn present_moment(&self) -> Option<Moment> {
         let flipped = self.folded().to_vec();
         let (id, pace) = (self.history.here(), self.pace()?);
-        Some(Moment::new(id, None, pace, self.state.clone(), flipped))
+        let (course, state) = (Rc::clone(&self.course), self.state.clone());
+        Some(Moment::new(id, None, course, pace, state, flipped))
     }
 
     fn moves_positions(&self) -> bool {
@@ -117,6 +119,7 @@ impl Work {
         if let Some(x) = moment.x {
             self.x = x;
         }
+        self.course = moment.course;
         self.state = moment.state;
         self.state.can_step_back = self.history.can_go_back();
         self.shown = Some(Shown {
@@ -125,13 +128,24 @@ impl Work {
         });
     }
 
-    /// After a change of what is shown: flips are replayed, and what stands beside follows.
+    /// After a change of what is shown: flips are replayed, the flow is the one that stood
+    /// there, and what stands beside follows.
     fn settle(&mut self) {
         let pace = self.pace();
+        if !Rc::ptr_eq(&self.course, &self.flow_of) {
+            // It started before; if memory is short now, the next step will say so.
+            if let (Some(pace), Ok(mut flow)) = (pace, self.started()) {
+                flow.set_pace(pace);
+                self.flow = Some(flow);
+                self.flow_of = Rc::clone(&self.course);
+            }
+            // A step from here makes it anew, as everywhere else that was gone to.
+            self.flow_at = MomentId::MAX;
+        }
         if let (Some(pace), Some(flow)) = (pace, &mut self.flow)
             && let Some(flips) = flow.flips_mut()
         {
-            flow::Flow::set_pace(flips, pace);
+            Flow::set_pace(flips, pace);
             let readings = flips.readings();
             // Criteria may have joined since.
             if self
@@ -154,6 +168,14 @@ impl Work {
             self.settle();
         }
         self.state.clone()
+    }
+
+    /// One stored moment on, if there is one.
+    pub(super) fn forth(&mut self) {
+        if self.history.next_step().is_some() {
+            self.exchange(|history, live| history.forth(live));
+            self.settle();
+        }
     }
 
     pub(super) fn seek(&mut self, step: usize) -> State {
@@ -202,17 +224,15 @@ impl Work {
     /// Makes the flow ready to compute from what is shown.
     ///
     /// # Errors
-    /// As [`flow::start`], if memory is short; nothing has changed.
+    /// As [`flow::start`](crate::flow::start), if memory is short; nothing has changed.
     pub(super) fn stand_here(&mut self) -> Result<(), Fault> {
         let Some(pace) = self.pace().filter(|_| self.flow_at != self.history.here()) else {
             return Ok(());
         };
-        let (document, options) = (&self.document, self.options.clone());
-        let mut start = document.start.clone();
-        let mut flow = flow::start(&document.triangles, &document.polygons, &mut start, options)?;
+        let mut flow = self.started()?;
         flow.set_pace(pace);
-        flow.set_progress(self.progress.clone());
         self.flow = Some(flow);
+        self.flow_of = Rc::clone(&self.course);
         self.flow_at = self.history.here();
         self.anew = true;
         Ok(())

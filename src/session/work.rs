@@ -1,5 +1,6 @@
 //! A document with its flow: what a session does once a mesh is loaded.
 
+use super::course::Course;
 use super::document::Document;
 use super::fault::Fault;
 use super::field::{Field, FieldName};
@@ -20,6 +21,7 @@ use crate::remesh::static_pass::{self, Outcome, Settings};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 use serde::Serialize;
+use std::rc::Rc;
 
 /// What a configuration amounts to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -40,8 +42,15 @@ pub struct Configured {
 /// A document with its flow.
 pub(super) struct Work {
     pub(super) document: Document,
-    pub(super) options: FlowOptions,
+    /// The course that the run began with.
+    pub(super) first: Rc<Course>,
+    /// Courses so far.
+    pub(super) flows: u32,
+    /// That of the moment which is shown.
+    pub(super) course: Rc<Course>,
     pub(super) flow: Option<Box<dyn Flow>>,
+    /// The course that `flow` is of.
+    pub(super) flow_of: Rc<Course>,
     pub(super) x: Vec<DVec3>,
     pub(super) state: State,
     pub(super) history: History,
@@ -67,8 +76,11 @@ impl Work {
     pub(super) fn new(document: Document, x: Vec<DVec3>) -> Self {
         Self {
             document,
-            options: FlowOptions::default(),
+            first: Rc::default(),
+            flows: 0,
+            course: Rc::default(),
             flow: None,
+            flow_of: Rc::default(),
             x,
             state: State::default(),
             history: History::default(),
@@ -106,13 +118,10 @@ impl Work {
 
     pub(super) fn configure(
         &mut self,
-        mut options: FlowOptions,
+        options: FlowOptions,
         progress: Option<Progress>,
     ) -> Result<Configured, Fault> {
-        if options.free.is_none() && options.fixed.is_none() {
-            options.free.clone_from(&self.document.free);
-            options.fixed.clone_from(&self.document.fixed);
-        }
+        let options = self.with_selection(options);
         let mut x = self.document.start.clone();
         let (triangles, polygons) = (&self.document.triangles, &self.document.polygons);
         // Kept until the new one is sure; gone before its factor is allocated, in the first
@@ -128,9 +137,7 @@ impl Work {
         drop(old);
         flow.set_progress(progress.clone());
         self.progress = progress;
-        let h = flow.mean_edge_length();
-        let (free_vertices, dt, tau) = (flow.n_free(), flow.dt(), flow.tau());
-        self.options = options;
+        self.begin_course(options);
         self.x = x;
         self.begin_history();
         self.failure = None;
@@ -139,13 +146,7 @@ impl Work {
         self.beside.clear();
         self.arrange(self.arrangement);
         self.read_state();
-        Ok(Configured {
-            free_vertices,
-            mean_edge_length: h,
-            dt,
-            tau,
-            state: self.state.clone(),
-        })
+        self.configured().ok_or_else(Fault::no_mesh)
     }
 
     pub(super) fn info(&self) -> Info {
@@ -182,7 +183,7 @@ impl Work {
             }
             _ => None,
         };
-        let boundary = self.options.boundary.unwrap_or_default();
+        let boundary = self.options().boundary.unwrap_or_default();
         Ok(Field::compute(
             name,
             self.triangles(),
@@ -202,7 +203,12 @@ impl Work {
     }
 
     /// Takes note that `deed` led from `before` to what is there now.
-    fn follow(&mut self, before: Option<Moment>, deed: Deed, report: Option<&StepReport>) {
+    pub(super) fn follow(
+        &mut self,
+        before: Option<Moment>,
+        deed: Deed,
+        report: Option<&StepReport>,
+    ) {
         let Some(before) = before else { return };
         let act = Act {
             deed,
@@ -331,7 +337,7 @@ impl Work {
     }
 
     /// Readings of the current positions, where no step has just told them.
-    fn read_state(&mut self) {
+    pub(super) fn read_state(&mut self) {
         let Some(flow) = &mut self.flow else { return };
         let reading = flow.reading(&self.x);
         self.state.energy = reading.energy;
@@ -360,14 +366,11 @@ impl Suspended {
     pub(super) fn resume(self, progress: Option<Progress>) -> Work {
         let Self { mut work, pace } = self;
         let Some(pace) = pace else { return work };
-        let (document, options) = (&work.document, work.options.clone());
-        let mut start = document.start.clone();
+        work.progress = progress;
         // It started from here before; if memory is short now, the next step will say so.
-        if let Ok(mut flow) =
-            flow::start(&document.triangles, &document.polygons, &mut start, options)
-        {
+        if let Ok(mut flow) = work.started() {
             flow.set_pace(pace);
-            flow.set_progress(progress);
+            work.flow_of = Rc::clone(&work.course);
             work.flow = Some(flow);
             work.flow_at = work.history.here();
             work.anew = true;

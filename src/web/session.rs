@@ -192,6 +192,42 @@ impl Session {
         Ok(to_js(&self.0.configure(options)?))
     }
 
+    /// Goes on from the surface as it is with other options: `Configured`. Step, time and
+    /// history go on too; what was stored to come becomes a branch.
+    ///
+    /// # Errors
+    /// As `configure`, and where edge flips or flows beside each other go from the mesh itself.
+    #[wasm_bindgen(js_name = continueWith)]
+    pub fn continue_with(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
+        let options: FlowOptions = from_js(options)?;
+        Ok(to_js(&self.0.continue_with(options)?))
+    }
+
+    /// Which of the flows chosen for this mesh stood where the session stands.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    #[wasm_bindgen(js_name = flowNumber)]
+    pub fn flow_number(&self) -> Result<u32, JsValue> {
+        Ok(self.0.flow_number()?)
+    }
+
+    /// `FlowOptions` in force where the session stands; null before `configure`.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    pub fn options(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&self.0.options()?))
+    }
+
+    /// `Configured` by those; null before `configure`.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    pub fn configured(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&self.0.configured()?))
+    }
+
     /// Takes a step: `StepReport`, or null if there was none to take (see `state`).
     ///
     /// # Errors

@@ -1,28 +1,14 @@
 //! Looking around in a run: any walk through its steps shows what the straight run showed, to
 //! the last bit.
 
+use crate::support::session::{flowing, shown, with};
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions, Integrator};
 use umbilic::io::Format;
 use umbilic::remesh::Mode;
 use umbilic::session::{
-    Arrangement, Compare, Edit, FillOptions, FlipOptions, Leg, RegulariseOptions, Session, State,
+    Arrangement, Compare, Edit, FillOptions, FlipOptions, Leg, RegulariseOptions, Session,
 };
-
-fn with(sample: &str, values: &[(&str, f64)], options: FlowOptions) -> Session {
-    let mut session = Session::new();
-    let values: Vec<(String, f64)> = values.iter().map(|(n, v)| ((*n).into(), *v)).collect();
-    session.sample(sample, &values).expect("a sample");
-    session.configure(options).expect("options");
-    session
-}
-
-fn flowing(flow: FlowName) -> FlowOptions {
-    FlowOptions {
-        flow,
-        ..FlowOptions::default()
-    }
-}
 
 fn flips_a_step(session: &mut Session, flips_per_step: usize, compare: Compare) {
     let arrangement = Arrangement {
@@ -62,24 +48,6 @@ fn flows() -> Vec<(&'static str, Session)> {
         ),
         ("flips", flips),
     ]
-}
-
-type Shown = (Vec<u8>, State, Vec<(usize, u64)>, Vec<u32>);
-
-/// All that is shown, less what a clock told and whether there is a step before.
-fn shown(session: &Session) -> Shown {
-    let reports = session.reports().expect("reports");
-    let numbers = reports.iter().map(|r| (r.step, r.energy.to_bits()));
-    (
-        session.export(Format::Ply).expect("a file"),
-        State {
-            milliseconds: 0.0,
-            can_step_back: false,
-            ..session.state().expect("state")
-        },
-        numbers.collect(),
-        session.flipped_triangles().expect("triangles"),
-    )
 }
 
 /// Numbers that look random (Knuth's linear congruence).

@@ -8,6 +8,7 @@ mod beside_session;
 mod circle_figures;
 mod circle_invariants;
 mod circle_reference;
+mod course;
 mod curvature_flows;
 mod fill;
 mod fitted_operators;

@@ -209,12 +209,18 @@ test("what a link lacks is said: a file, an edit by hand", () => {
 function randomStory(seed) {
   const random = numbers(seed);
   const { of, real, whole, maybe, yes } = chooser(random);
+  const flow = () => ({
+    ...randomState(whole(1e6)).options,
+    free: maybe(someVertices(random, whole(200))),
+    fixed: maybe(someVertices(random, whole(200))),
+  });
   const path = () =>
     Array.from({ length: whole(4) - 1 }, () =>
       of([
         "anew",
         { steps: whole(99) },
         { regularise: { mode: "linear", epsilon: real(1e-9, 1) } },
+        { flow: flow() },
       ]),
     );
   const edit = () =>
@@ -225,11 +231,6 @@ function randomStory(seed) {
       { subdivide: { scheme: of(["linear", "loop"]) } },
       { invert: [real(0.1, 9), -real(0.1, 9), real(1e-9, 1)] },
     ]);
-  const flow = () => ({
-    ...randomState(whole(1e6)).options,
-    free: maybe(someVertices(random, whole(200))),
-    fixed: maybe(someVertices(random, whole(200))),
-  });
   const chapter = () => ({ flow: maybe(flow()), path: path(), edit: edit() });
   return { edits: Array.from({ length: whole(4) }, chapter), flow: flow(), path: path() };
 }
@@ -245,7 +246,7 @@ const edited = (story, seed = 1) => ({
 const wordsOf = (hash) => new URLSearchParams(hash.slice(1));
 
 test("what was done by hand comes back from a link as it was", () => {
-  let paths = 0;
+  let [paths, changed] = [0, 0];
   for (let seed = 1; seed <= 500; seed += 1) {
     const story = randomStory(seed);
     const steps = story.path.map((/** @type {any} */ leg) => leg.steps ?? 0);
@@ -259,11 +260,15 @@ test("what was done by hand comes back from a link as it was", () => {
     if (isPlain && steps.every(Boolean)) assert.equal(scene.path, null, about);
     else assert.deepEqual(scene.path, story.path, about);
     if (scene.path) paths += 1;
+    // Where the flow changed on the way, the link's own words are those it began with.
+    const changes = story.path.some((/** @type {any} */ leg) => leg.flow);
+    if (changes) assert.deepEqual({ ...defaults, ...scene.options }, story.flow, about);
+    changed += Number(changes);
     // On the way to a later step it is longer by what is left.
     const later = readLink({ search: "", hash: writeLink({ ...state, goal: step + 7 }) });
     if (scene.path) assert.deepEqual(later.path, [...story.path, { steps: 7 }], about);
   }
-  assert.ok(paths > 100, `${paths} paths`);
+  assert.ok(paths > 100 && changed > 50, `${paths} paths, ${changed} with another flow`);
 });
 
 test("of an unedited mesh no edits are written, not even those a sample is made with", () => {

@@ -153,6 +153,95 @@ test("steps are scrubbed, branched and played, on the keyboard too", async () =>
   await close();
 });
 
+test("the flow is changed on the way, and the way before stays", async () => {
+  const { page, faults, close } = await site.open("sample=bumpy-sphere");
+  await until(page, "Ready");
+  await take(page, 0, 4);
+  const plain = (await plotted(page)).map(([, , , value]) => value);
+  const goesOn = page.getByLabel("Change the flow from here on");
+  const note = page.locator("#method-form .change-note");
+  const notes = page.getByRole("log");
+  assert.equal(await goesOn.isChecked(), false, "at the end a change begins anew");
+  assert.equal(await note.textContent(), "A change takes the surface back to the start.");
+
+  // Whoever has looked back goes on from there.
+  await scrub(page, 2);
+  await page.locator("#go-on:checked").waitFor();
+  await page.locator("#method > summary").click();
+  assert.match((await note.textContent()) ?? "", /goes on from step 2; .* kept as a branch/);
+  await choice(page, "Scheme").selectOption("paper");
+  const branches = choice(page, "Branches");
+  await branches.waitFor();
+  await notes.getByText(/goes on from there/).waitFor();
+  assert.equal(await reading(page, "Step"), "2");
+  await take(page, 2, 1);
+  const other = await energy(page);
+  assert.notEqual(other, plain[3]);
+  assert.deepEqual(
+    (await plotted(page)).map(([, , , value]) => value),
+    [...plain.slice(0, 3), other],
+  );
+
+  // Switched to the way before and back, the form shows what is in force there.
+  const [, before] = await branches.locator("option").allTextContents();
+  assert.match(before, /^Branch from step 2 \(2 steps/);
+  await branches.selectOption({ label: before });
+  await untilStep(page, 4);
+  assert.equal(await energy(page), plain[4]);
+  assert.equal(await choice(page, "Scheme").inputValue(), "auto");
+  const [, after] = await branches.locator("option").allTextContents();
+  await branches.selectOption({ label: after });
+  await untilStep(page, 3);
+  assert.equal(await energy(page), other);
+  assert.equal(await choice(page, "Scheme").inputValue(), "paper");
+
+  // At the end of a path it is a choice; another flow has an energy of its own.
+  await goesOn.check();
+  await choice(page, "Flow").selectOption({ label: "p-Willmore" });
+  await page.locator("#p-willmore").waitFor();
+  await take(page, 3, 1);
+  const last = await energy(page);
+  assert.deepEqual(await accessibilityFaults(page), []);
+
+  // A link and a recipe hold all of it.
+  await page.waitForFunction(() => /step=4.*path=/.test(location.hash));
+  const link = await page.evaluate(() => location.hash);
+  assert.match(link, /^#sample=bumpy-sphere&flow=circle&/);
+  const { name, bytes } = await download(page, "Recipe, JSON");
+  const recipe = JSON.parse(bytes.toString("utf8"));
+  const legs = recipe.path.map((/** @type {any} */ leg) => leg.steps ?? leg.flow.flow);
+  assert.deepEqual(legs, [2, "circle", 1, "p-willmore", 1]);
+  const folder = mkdtempSync(path.join(tmpdir(), "umbilic-"));
+  try {
+    writeFileSync(path.join(folder, name), bytes);
+    const replayed = [program, "replay", path.join(folder, name), "--json"];
+    const result = spawnSync(process.execPath, replayed, { encoding: "utf8" });
+    assert.equal(result.status, 0, result.stdout + result.stderr);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+  const again = await site.open(link.slice(1));
+  await untilStep(again.page, 4);
+  assert.equal(await energy(again.page), last);
+  assert.equal(await choice(again.page, "Flow").inputValue(), "p-willmore");
+  await button(again.page, "Back").click();
+  await button(again.page, "Back").click();
+  await again.page.waitForFunction(
+    () => /** @type {HTMLSelectElement} */ (document.querySelector("#flow")).value === "circle",
+  );
+  assert.equal(await energy(again.page), other);
+  assert.deepEqual(again.faults, []);
+  await again.close();
+
+  // From the start again, with the flow in force.
+  await button(page, "Reset").click();
+  await untilStep(page, 0);
+  assert.equal(await choice(page, "Flow").inputValue(), "p-willmore");
+  assert.equal(await goesOn.isVisible(), false);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("a film is recorded, and all steps are saved as meshes", async () => {
   const { page, faults, close } = await site.open();
   await openMesh(page, "wavy.obj", obj(wavyTorus(24, 12)));

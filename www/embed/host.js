@@ -156,7 +156,7 @@ export function createEmbedding({ controller, get, still, openLink, messages, sn
     },
     async set({ words }) {
       const { options, arrangement, colour, camera, view, step, named } = readWords(words);
-      if (Object.keys(options).length > 0) await controller.configure(options);
+      if (Object.keys(options).length > 0) await controller.configure(options, { fromStart: true });
       if (Object.keys(arrangement).length > 0) await controller.arrange(arrangement);
       if (named.has("colour")) await controller.colour(colour);
       if (named.has("scale")) view.scale ??= "auto";

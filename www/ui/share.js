@@ -5,8 +5,9 @@
 
 import { t } from "../language.js";
 import { sharedLink } from "../link.js";
-import { beginning } from "../link-edits.js";
+import { beginning, encodePath } from "../link-edits.js";
 import { encodeRegion } from "../link-region.js";
+import { isPlain } from "../recipe-schema.js";
 import { byId, setText } from "./element.js";
 
 /** What stands before `#` in an address of the whole page. @param {{ href: string }} location */
@@ -49,7 +50,7 @@ export function elementCode(page, hash, [width, height]) {
 
 /** @param {Readonly<PageState>} state @returns {string[]} sentences on what a link to it lacks */
 export function missing(state) {
-  const { source, origin, options, story } = state;
+  const { source, origin, options, story, reading } = state;
   const lacks = [];
   const { from, edits } = beginning(state);
   if (source !== origin && edits === null && story?.edits.length !== 0) {
@@ -74,6 +75,11 @@ export function missing(state) {
   const region = options.free ?? options.fixed;
   if (region && encodeRegion(region) === null) {
     lacks.push(t("The painted region is too large for a link; it is not in it."));
+  }
+  if (story && !isPlain(story.path) && encodePath(story.path, reading?.step ?? 0) === null) {
+    lacks.push(
+      t("What was changed on the way is too large for a link: send a recipe, saved with Download."),
+    );
   }
   return lacks;
 }

@@ -14,16 +14,16 @@ const FEW: usize = 50_000;
 
 impl Work {
     pub(super) fn last(&self) -> Option<&StepReport> {
-        self.history.reports().last()
+        self.course_reports().last()
     }
 
     pub(super) fn recent(&self) -> &[StepReport] {
-        let reports = self.history.reports();
+        let reports = self.course_reports();
         &reports[reports.len().saturating_sub(WINDOW)..]
     }
 
     pub(super) fn is_paper(&self) -> bool {
-        self.options.scheme == Scheme::Paper
+        self.options().scheme == Scheme::Paper
     }
 
     /// Whether conformal regularisation takes this surface, and what it is called with.
@@ -34,13 +34,14 @@ impl Work {
 
     /// The p-Willmore flow's own regularisation, where it is off.
     pub(super) fn can_regularise_each_step(&self) -> Option<Remedy> {
-        let off = self.options.flow == FlowName::PWillmore && self.options.regularise == Mode::Off;
+        let off =
+            self.options().flow == FlowName::PWillmore && self.options().regularise == Mode::Off;
         off.then(|| Remedy::regularise_each_step().anew())
     }
 
     /// Whether the present surface can be the start of a finer one.
     pub(super) fn can_subdivide(&self) -> Option<Remedy> {
-        let whole = self.options.free.is_none() && self.options.fixed.is_none();
+        let whole = self.options().free.is_none() && self.options().fixed.is_none();
         (whole && self.x.len() < FEW).then(Remedy::subdivide)
     }
 
@@ -62,9 +63,9 @@ impl Work {
 
     /// A kept quantity more, of the p-Willmore flow.
     pub(super) fn can_keep(&self, wanted: &[Kept]) -> Option<Remedy> {
-        let kept = &self.options.keep;
+        let kept = &self.options().keep;
         let helps = wanted.iter().any(|one| !kept.contains(one));
-        (self.options.flow == FlowName::PWillmore && helps).then(|| Remedy::keep(wanted).anew())
+        (self.options().flow == FlowName::PWillmore && helps).then(|| Remedy::keep(wanted).anew())
     }
 
     /// The vertex that the last step moved most, and by how much.

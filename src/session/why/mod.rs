@@ -114,7 +114,7 @@ impl Work {
     fn why(&self) -> Option<Diagnosis> {
         let flow = self.flow.as_ref().filter(|flow| flow.flips().is_none())?;
         let status = self.state.status;
-        if status == Status::Ready && self.history.reports().is_empty() {
+        if status == Status::Ready && self.course_reports().is_empty() {
             return None;
         }
         if status == Status::Converged {

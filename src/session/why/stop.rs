@@ -20,15 +20,15 @@ const LOST: f64 = 2.0;
 
 impl Work {
     pub(super) fn cocircular(&self, flow: &dyn Flow) -> Option<Diagnosis> {
-        let at_start = self.state.status == Status::Stalled && self.history.reports().is_empty();
-        if !at_start || self.options.flow != FlowName::Circle {
+        let at_start = self.state.status == Status::Stalled && self.course_reports().is_empty();
+        if !at_start || self.options().flow != FlowName::Circle {
             return None;
         }
         let edges = elements::cocircular_edges(self.triangles(), &self.x, |v| flow.is_free(v));
         if edges.is_empty() {
             return None;
         }
-        let epsilon = self.options.epsilon;
+        let epsilon = self.options().epsilon;
         let sentence = Text::new(
             "At {count} edges the four points of both triangles lie on one circle; there the \
              energy has the tip of a cone, and with angle smoothing ε = {epsilon} no step \
@@ -39,7 +39,7 @@ impl Work {
             ],
         );
         let larger = SMOOTH.into_iter().find(|&one| epsilon < one);
-        let is_patch = self.options.free.is_some() && !self.options.prefill;
+        let is_patch = self.options().free.is_some() && !self.options().prefill;
         // Where all quadrilaterals are planar that is a local minimum of this energy, but not of
         // the smooth one: a flow that does not go by angles leaves it.
         let mesh = &self.document.polygons;
@@ -115,9 +115,9 @@ impl Work {
     }
 
     pub(super) fn too_rough(&self) -> Option<Diagnosis> {
-        let p = self.options.p;
+        let p = self.options().p;
         let stalled = self.state.status == Status::Stalled;
-        if self.options.flow == FlowName::PWillmore && p > 2.0 && stalled {
+        if self.options().flow == FlowName::PWillmore && p > 2.0 && stalled {
             let (mesh, x) = (self.triangles(), &self.x);
             let vertex = elements::most_curved(mesh, x)?;
             let sentence = Text::new(
@@ -130,7 +130,7 @@ impl Work {
         }
         let update = self.last()?.update.filter(|update| *update > LOST)?;
         let waits =
-            self.options.flow == FlowName::Mmcv && self.history.reports().len() > 2 * WINDOW;
+            self.options().flow == FlowName::Mmcv && self.course_reports().len() > 2 * WINDOW;
         let (vertex, _) = self.last_move().filter(|_| waits)?;
         let sentence = Text::new(
             "After {steps} steps vertices are still to move by up to {update} edge lengths: the \
@@ -143,7 +143,7 @@ impl Work {
             ],
         );
         let remedies = [
-            (!self.options.prefill && self.options.free.is_some())
+            (!self.options().prefill && self.options().free.is_some())
                 .then(|| Remedy::prefill().anew()),
             self.can_regularise()
                 .map(|_| Remedy::regularise_and_diffuse().anew()),
@@ -186,7 +186,7 @@ impl Work {
             _ => diagnosis.at_vertices([refusal.vertex]),
         };
         let remedies = [
-            (self.options.keep.len() > 1).then(Remedy::release_area),
+            (self.options().keep.len() > 1).then(Remedy::release_area),
             self.can_regularise(),
             self.can_go_back(),
         ];
@@ -216,7 +216,7 @@ impl Work {
             )
         };
         let diagnosis = Diagnosis::new(Kind::StepLimit, sentence).at_vertices([vertex]);
-        let fixed = self.options.tau.is_some() || self.options.dt.is_some();
+        let fixed = self.options().tau.is_some() || self.options().dt.is_some();
         let automatic = (fixed && !self.is_paper()).then(Remedy::automatic_step);
         Some(diagnosis.with([Some(Remedy::go_on()), automatic]))
     }

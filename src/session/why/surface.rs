@@ -38,8 +38,8 @@ impl Work {
     pub(super) fn scaling(&self) -> Option<Diagnosis> {
         let (start, now) = (self.start_area(), self.state.area);
         // Mean-curvature flow is the one of p = 0.
-        let p = match self.options.flow {
-            FlowName::PWillmore if self.options.keep.is_empty() => self.options.p,
+        let p = match self.options().flow {
+            FlowName::PWillmore if self.options().keep.is_empty() => self.options().p,
             FlowName::MeanCurvature if self.is_all_free() => 0.0,
             _ => return None,
         };
@@ -79,7 +79,7 @@ impl Work {
     /// Surface diffusion, in place of the flow by mean curvature.
     fn keeps_volume_instead(&self) -> Option<Remedy> {
         let flow = FlowName::SurfaceDiffusion;
-        (self.options.flow == FlowName::MeanCurvature).then(|| Remedy::other_flow(flow).anew())
+        (self.options().flow == FlowName::MeanCurvature).then(|| Remedy::other_flow(flow).anew())
     }
 
     fn start_area(&self) -> f64 {
@@ -92,9 +92,9 @@ impl Work {
 
     /// A neck of a few edges; less is asked of one that has stopped the flow.
     pub(super) fn pinch(&self, stopped: bool) -> Option<Diagnosis> {
-        let shrinks_necks = match self.options.flow {
+        let shrinks_necks = match self.options().flow {
             FlowName::MeanCurvature => true,
-            FlowName::PWillmore => self.options.p < 2.0,
+            FlowName::PWillmore => self.options().p < 2.0,
             // Flows of higher order do not, and what bends on their rough meshes are no necks.
             _ => false,
         };
@@ -142,9 +142,9 @@ impl Work {
     /// Where the energy does not depend on size nothing keeps a surface from swelling, and
     /// the mesh is worn out on the way.
     pub(super) fn inflating(&self) -> Option<Diagnosis> {
-        let is_scale_free = self.options.flow == FlowName::PWillmore
-            && self.options.p == 2.0
-            && self.options.keep.is_empty();
+        let is_scale_free = self.options().flow == FlowName::PWillmore
+            && self.options().p == 2.0
+            && self.options().keep.is_empty();
         let times = self.state.area / self.start_area();
         let (face, angle) = self.sliver()?;
         if !is_scale_free || times < BUBBLE {
@@ -186,8 +186,8 @@ impl Work {
             return None;
         }
         let least = if genus > 0 { 2.0 * PI * PI } else { 4.0 * PI };
-        let (energy, smooth, share) = match self.options.flow {
-            FlowName::PWillmore if self.options.p == 2.0 => (self.state.energy, least, HONEST),
+        let (energy, smooth, share) = match self.options().flow {
+            FlowName::PWillmore if self.options().p == 2.0 => (self.state.energy, least, HONEST),
             // ∫(H² − K) is ∫H² less 4π(1 − genus).
             FlowName::Circle if genus > 0 => {
                 let gauss = 4.0 * PI * (1.0 - genus as f64);
@@ -195,9 +195,9 @@ impl Work {
             }
             _ => return None,
         };
-        let plain = self.options.spontaneous_curvature == 0.0
-            && self.options.tension == 0.0
-            && self.options.pressure == 0.0;
+        let plain = self.options().spontaneous_curvature == 0.0
+            && self.options().tension == 0.0
+            && self.options().pressure == 0.0;
         if !plain || energy >= share * smooth {
             return None;
         }
@@ -223,7 +223,7 @@ impl Work {
         let lately = self.recent().iter().any(|report| report.flipped_faces > 0)
             || !flow.flipped_faces().is_empty();
         // Circle angles do not ask which way a face lies, and unfold what is folded.
-        let minds = lately || self.options.flow != FlowName::Circle;
+        let minds = lately || self.options().flow != FlowName::Circle;
         let &first = faces.first().filter(|_| minds)?;
         let values = [
             ("count", faces.len().to_string()),

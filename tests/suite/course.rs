@@ -1,0 +1,286 @@
+//! Going on with another flow: as from a new start, and the way back stays.
+
+use crate::support::session::{flowing, shown, with};
+use umbilic::flow::Status;
+use umbilic::flow::constraint::Kept;
+use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::io::Format;
+use umbilic::session::{Arrangement, Compare, Leg, RegulariseOptions, Session};
+
+/// Options that have nothing to do with each other, for a closed and for an open surface.
+fn changes() -> Vec<(Session, FlowOptions)> {
+    let bumpy = |options| with("bumpy-sphere", &[("level", 2.0)], options);
+    let patch = |options| with("four-bumps", &[("vertices", 31.0)], options);
+    let kept = FlowOptions {
+        keep: vec![Kept::Area, Kept::Volume],
+        ..flowing(FlowName::PWillmore)
+    };
+    let small = FlowOptions {
+        tau: Some(0.3),
+        ..flowing(FlowName::Circle)
+    };
+    let filled = FlowOptions {
+        prefill: true,
+        ..flowing(FlowName::Mmcv)
+    };
+    vec![
+        (bumpy(flowing(FlowName::Circle)), kept.clone()),
+        (bumpy(kept), flowing(FlowName::Circle)),
+        (bumpy(flowing(FlowName::Circle)), small),
+        (
+            bumpy(flowing(FlowName::Willmore)),
+            flowing(FlowName::PWillmore),
+        ),
+        (
+            patch(flowing(FlowName::MeanCurvature)),
+            flowing(FlowName::Mmcv),
+        ),
+        (patch(flowing(FlowName::SurfaceDiffusion)), filled),
+        (patch(flowing(FlowName::Mmcv)), flowing(FlowName::Circle)),
+    ]
+}
+
+/// The vertices and faces of a file, without the comment that names the step.
+fn mesh(session: &Session) -> String {
+    let file = session.export(Format::Obj).expect("a file");
+    let text = String::from_utf8(file).expect("text");
+    text.lines().filter(|line| !line.starts_with('#')).collect()
+}
+
+#[test]
+fn going_on_is_a_new_start_less_the_clock() {
+    for (mut session, options) in changes() {
+        let name = format!("{:?}", options.flow);
+        session.run(3).expect("steps");
+        let turned = session.state().expect("state");
+        let mut fresh = with_recipe_of(&session);
+        fresh.adopt().expect("kept");
+        let expected = fresh.configure(options.clone()).expect("options");
+        let configured = session.continue_with(options.clone()).expect("options");
+        assert_eq!(configured.free_vertices, expected.free_vertices, "{name}");
+        assert_eq!(configured.mean_edge_length, expected.mean_edge_length);
+        assert_eq!((configured.dt, configured.tau), (expected.dt, expected.tau));
+        assert_eq!(configured.state.energy, expected.state.energy, "{name}");
+        assert_eq!(configured.state.status, Status::Ready);
+        assert_eq!(
+            (configured.state.step, configured.state.time),
+            (3, turned.time)
+        );
+        assert!(
+            mesh(&session) == mesh(&fresh),
+            "{name}: a pre-fill moves both"
+        );
+        for _ in 0..4 {
+            let a = session.step().expect("a step").expect("there is one");
+            let b = fresh.step().expect("a step").expect("there is one");
+            assert_eq!(
+                (a.step, a.energy, a.dt),
+                (b.step + 3, b.energy, b.dt),
+                "{name}"
+            );
+            assert_eq!(a.volume, b.volume, "{name}");
+            let time = turned.time + b.time;
+            assert!(
+                (a.time - time).abs() <= 1e-12 * time,
+                "{name}: {} {time}",
+                a.time
+            );
+            assert!(mesh(&session) == mesh(&fresh), "{name}");
+        }
+        assert_eq!(session.options().expect("a mesh"), Some(options));
+    }
+}
+
+/// Another session that has done the same.
+fn with_recipe_of(session: &Session) -> Session {
+    let loaded = session.loaded().expect("a mesh");
+    let sample = loaded.name.as_str();
+    let values = if sample == "four-bumps" {
+        ("vertices", 31.0)
+    } else {
+        ("level", 2.0)
+    };
+    let recipe = session.recipe().expect("a recipe");
+    let mut other = with(sample, &[values], recipe.flow.expect("options"));
+    for leg in recipe.path {
+        match leg {
+            Leg::Steps(count) => drop(other.run(count).expect("steps")),
+            Leg::Regularise(settings) => drop(other.regularise(&settings).expect("regularised")),
+            Leg::Anew => other.renew().expect("renewed"),
+            Leg::Flow(options) => drop(other.continue_with(options).expect("options")),
+        }
+    }
+    other
+}
+
+#[test]
+fn what_was_to_come_becomes_a_branch_under_the_options_before() {
+    for (mut session, options) in changes() {
+        let name = format!("{:?}", options.flow);
+        let before = session.options().expect("a mesh").expect("options");
+        session.run(5).expect("steps");
+        let old = shown(&session);
+        session.seek(2).expect("sought");
+        let fork = shown(&session);
+        session.continue_with(options.clone()).expect("options");
+        let start = shown(&session);
+        let timeline = session.timeline().expect("a timeline");
+        assert_eq!((timeline.at, timeline.last), (2, 2), "{name}");
+        let branch = timeline.branches[0];
+        assert_eq!((branch.from, branch.last), (2, 5), "{name}");
+        session.run(2).expect("steps");
+        let new = shown(&session);
+        let gradient = session.field("gradient").expect("a field").expect("one");
+        // To the other way and back, by branches and by steps.
+        session.branch(branch.id).expect("a branch");
+        assert!(shown(&session) == old, "{name}");
+        assert_eq!(session.options().expect("a mesh").as_ref(), Some(&before));
+        let other = session.timeline().expect("a timeline").branches[0];
+        assert_eq!((other.from, other.last), (2, 4), "{name}");
+        session.branch(other.id).expect("a branch");
+        assert!(shown(&session) == new, "{name}");
+        assert_eq!(session.options().expect("a mesh").as_ref(), Some(&options));
+        // What is measured is measured by the flow that stood there.
+        let again = session.field("gradient").expect("a field").expect("one");
+        assert_eq!(again.values, gradient.values, "{name}");
+        session.back().expect("back");
+        session.back().expect("back");
+        assert!(shown(&session) == start, "{name}");
+        session.back().expect("back");
+        assert!(shown(&session) == fork, "{name}");
+        assert_eq!(session.options().expect("a mesh").as_ref(), Some(&before));
+        // Forth again, and on as if nobody had looked.
+        session.seek(4).expect("sought");
+        assert!(shown(&session) == new, "{name}");
+        let mut straight = with_recipe_of(&session);
+        assert!(shown(&straight) == new, "{name}");
+        session.run(2).expect("steps");
+        straight.renew().expect("renewed");
+        straight.run(2).expect("steps");
+        assert!(shown(&straight) == shown(&session), "{name}");
+        // A new start is one, with the options in force.
+        session.reset().expect("reset");
+        assert_eq!(session.options().expect("a mesh"), Some(options));
+        assert_eq!(session.recipe().expect("a recipe").path, []);
+    }
+}
+
+#[test]
+fn its_recipe_tells_each_flow_in_its_turn() {
+    let mut session = with("bumpy-sphere", &[("level", 2.0)], flowing(FlowName::Circle));
+    session.run(2).expect("steps");
+    let p_willmore = flowing(FlowName::PWillmore);
+    session.continue_with(p_willmore.clone()).expect("options");
+    session.run(3).expect("steps");
+    let settings = RegulariseOptions::default();
+    session.regularise(&settings).expect("regularised");
+    session
+        .continue_with(flowing(FlowName::Mmcv))
+        .expect("options");
+    session.run(1).expect("a step");
+    let recipe = session.recipe().expect("a recipe");
+    assert_eq!(recipe.flow, Some(flowing(FlowName::Circle)));
+    let expected = [
+        Leg::Steps(2),
+        Leg::Flow(p_willmore),
+        Leg::Steps(3),
+        Leg::Regularise(settings),
+        Leg::Flow(flowing(FlowName::Mmcv)),
+        Leg::Steps(1),
+    ];
+    assert_eq!(recipe.path, expected);
+    assert!(shown(&with_recipe_of(&session)) == shown(&session));
+    // So does an edit, and undoing it brings all of it back.
+    let before = shown(&session);
+    session.adopt().expect("kept");
+    let recipe = session.recipe().expect("a recipe");
+    let chapter = &recipe.edits[0];
+    assert_eq!(chapter.flow, Some(flowing(FlowName::Circle)));
+    assert_eq!(chapter.path, expected);
+    session.undo_edit().expect("undone");
+    assert!(shown(&session) == before);
+    assert_eq!(
+        session.options().expect("a mesh"),
+        Some(flowing(FlowName::Mmcv))
+    );
+    session.seek(1).expect("sought");
+    assert_eq!(
+        session.options().expect("a mesh"),
+        Some(flowing(FlowName::Circle))
+    );
+}
+
+#[test]
+fn a_second_thought_takes_the_place_of_the_first() {
+    let filled = FlowOptions {
+        prefill: true,
+        ..flowing(FlowName::Mmcv)
+    };
+    let mut session = with(
+        "four-bumps",
+        &[("vertices", 31.0)],
+        flowing(FlowName::Willmore),
+    );
+    session.run(2).expect("steps");
+    let fork = shown(&session);
+    session.continue_with(filled).expect("options");
+    let moved = shown(&session);
+    assert!(moved.0 != fork.0, "the pre-fill");
+    // One that comes to nothing takes nothing away.
+    let bad = FlowOptions {
+        free: Some(vec![1_000_000]),
+        ..flowing(FlowName::Mmcv)
+    };
+    session.continue_with(bad).expect_err("refused");
+    assert!(shown(&session) == moved);
+    assert_eq!(session.timeline().expect("a timeline").stored, 4);
+    session
+        .continue_with(flowing(FlowName::Mmcv))
+        .expect("options");
+    let timeline = session.timeline().expect("a timeline");
+    assert_eq!((timeline.stored, timeline.branches.len()), (4, 0));
+    assert_eq!(
+        session.recipe().expect("a recipe").path,
+        [Leg::Steps(2), Leg::Flow(flowing(FlowName::Mmcv))]
+    );
+    session.back().expect("back");
+    assert!(shown(&session) == fork);
+}
+
+#[test]
+fn what_goes_from_the_mesh_itself_is_refused_in_words() {
+    let mut session = with("sampled-torus", &[], flowing(FlowName::Flips));
+    session.run(1).expect("a flip");
+    let fault = session
+        .continue_with(flowing(FlowName::Circle))
+        .expect_err("refused");
+    assert_eq!(fault.kind, "WrongFlow");
+    session
+        .configure(flowing(FlowName::Willmore))
+        .expect("options");
+    // Nothing to go on from yet: the same as a configuration.
+    session
+        .continue_with(flowing(FlowName::Circle))
+        .expect("options");
+    assert_eq!(session.recipe().expect("a recipe").path, []);
+    session.run(1).expect("a step");
+    let before = shown(&session);
+    let fault = session
+        .continue_with(flowing(FlowName::Flips))
+        .expect_err("refused");
+    assert_eq!(fault.kind, "WrongFlow");
+    assert!(shown(&session) == before);
+    session
+        .configure(flowing(FlowName::Willmore))
+        .expect("options");
+    let arrangement = Arrangement {
+        compare: Compare::Flows,
+        ..Arrangement::default()
+    };
+    session.arrange(arrangement).expect("arranged");
+    session.run(1).expect("a step");
+    let fault = session
+        .continue_with(flowing(FlowName::Mmcv))
+        .expect_err("refused");
+    assert_eq!(fault.kind, "WrongFlow");
+}

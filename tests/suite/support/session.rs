@@ -1,0 +1,38 @@
+//! Sessions on samples, and all that one shows.
+
+use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::io::Format;
+use umbilic::session::{Session, State};
+
+pub fn with(sample: &str, values: &[(&str, f64)], options: FlowOptions) -> Session {
+    let mut session = Session::new();
+    let values: Vec<(String, f64)> = values.iter().map(|(n, v)| ((*n).into(), *v)).collect();
+    session.sample(sample, &values).expect("a sample");
+    session.configure(options).expect("options");
+    session
+}
+
+pub fn flowing(flow: FlowName) -> FlowOptions {
+    FlowOptions {
+        flow,
+        ..FlowOptions::default()
+    }
+}
+
+pub type Shown = (Vec<u8>, State, Vec<(usize, u64)>, Vec<u32>);
+
+/// All that is shown, less what a clock told and whether there is a step before.
+pub fn shown(session: &Session) -> Shown {
+    let reports = session.reports().expect("reports");
+    let numbers = reports.iter().map(|r| (r.step, r.energy.to_bits()));
+    (
+        session.export(Format::Ply).expect("a file"),
+        State {
+            milliseconds: 0.0,
+            can_step_back: false,
+            ..session.state().expect("state")
+        },
+        numbers.collect(),
+        session.flipped_triangles().expect("triangles"),
+    )
+}
