@@ -1,11 +1,13 @@
 //! Going on with another flow: as from a new start, and the way back stays.
 
-use crate::support::session::{flowing, shown, with};
+use crate::support::session::{Dice, flowing, shown, with};
 use umbilic::flow::Status;
 use umbilic::flow::constraint::Kept;
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
 use umbilic::io::Format;
-use umbilic::session::{Arrangement, Compare, Leg, RegulariseOptions, Session};
+use umbilic::session::{
+    Arrangement, Compare, Configured, DiagnosisKind, Leg, RegulariseOptions, Session,
+};
 
 /// Options that have nothing to do with each other, for a closed and for an open surface.
 fn changes() -> Vec<(Session, FlowOptions)> {
@@ -95,10 +97,10 @@ fn going_on_is_a_new_start_less_the_clock() {
 fn with_recipe_of(session: &Session) -> Session {
     let loaded = session.loaded().expect("a mesh");
     let sample = loaded.name.as_str();
-    let values = if sample == "four-bumps" {
-        ("vertices", 31.0)
-    } else {
-        ("level", 2.0)
+    let values = match loaded.positions.len() / 3 {
+        42 => ("level", 1.0),
+        162 => ("level", 2.0),
+        _ => ("vertices", 31.0),
     };
     let recipe = session.recipe().expect("a recipe");
     let mut other = with(sample, &[values], recipe.flow.expect("options"));
@@ -120,6 +122,11 @@ fn what_was_to_come_becomes_a_branch_under_the_options_before() {
         let before = session.options().expect("a mesh").expect("options");
         session.run(5).expect("steps");
         let old = shown(&session);
+        let gradient = |session: &Session| {
+            let field = session.field("gradient").expect("a field");
+            field.expect("one").values
+        };
+        let old_gradient = gradient(&session);
         session.seek(2).expect("sought");
         let fork = shown(&session);
         session.continue_with(options.clone()).expect("options");
@@ -130,19 +137,19 @@ fn what_was_to_come_becomes_a_branch_under_the_options_before() {
         assert_eq!((branch.from, branch.last), (2, 5), "{name}");
         session.run(2).expect("steps");
         let new = shown(&session);
-        let gradient = session.field("gradient").expect("a field").expect("one");
+        let new_gradient = gradient(&session);
         // To the other way and back, by branches and by steps.
         session.branch(branch.id).expect("a branch");
         assert!(shown(&session) == old, "{name}");
+        // What is measured is measured by the flow that stood there.
+        assert!(gradient(&session) == old_gradient, "{name}");
         assert_eq!(session.options().expect("a mesh").as_ref(), Some(&before));
         let other = session.timeline().expect("a timeline").branches[0];
         assert_eq!((other.from, other.last), (2, 4), "{name}");
         session.branch(other.id).expect("a branch");
         assert!(shown(&session) == new, "{name}");
         assert_eq!(session.options().expect("a mesh").as_ref(), Some(&options));
-        // What is measured is measured by the flow that stood there.
-        let again = session.field("gradient").expect("a field").expect("one");
-        assert_eq!(again.values, gradient.values, "{name}");
+        assert!(gradient(&session) == new_gradient, "{name}");
         session.back().expect("back");
         session.back().expect("back");
         assert!(shown(&session) == start, "{name}");
@@ -163,6 +170,125 @@ fn what_was_to_come_becomes_a_branch_under_the_options_before() {
         assert_eq!(session.options().expect("a mesh"), Some(options));
         assert_eq!(session.recipe().expect("a recipe").path, []);
     }
+}
+
+#[test]
+fn any_walk_is_done_again_by_its_recipe() {
+    let kept = FlowOptions {
+        keep: vec![Kept::Volume],
+        ..flowing(FlowName::PWillmore)
+    };
+    let flows = [flowing(FlowName::Circle), kept, flowing(FlowName::Willmore)];
+    let mut dice = Dice(7);
+    let (mut changed, mut turned) = (0, 0);
+    for _ in 0..6 {
+        let mut session = with("bumpy-sphere", &[("level", 1.0)], flows[0].clone());
+        for _ in 0..60 {
+            match dice.below(7) {
+                0..3 => drop(session.step().expect("a step")),
+                3 => drop(session.back().expect("back")),
+                4 => drop(session.seek(dice.below(12)).expect("sought")),
+                5 => {
+                    let options = flows[dice.below(flows.len())].clone();
+                    session.continue_with(options).expect("options");
+                    changed += 1;
+                }
+                _ => {
+                    let branches = session.timeline().expect("a timeline").branches;
+                    if !branches.is_empty() {
+                        let id = branches[dice.below(branches.len())].id;
+                        session.branch(id).expect("a branch");
+                        turned += 1;
+                    }
+                }
+            }
+            let again = with_recipe_of(&session);
+            assert!(shown(&again) == shown(&session));
+            assert_eq!(
+                again.options().expect("a mesh"),
+                session.options().expect("a mesh")
+            );
+            assert_eq!(
+                again.configured().expect("a mesh"),
+                session
+                    .configured()
+                    .expect("a mesh")
+                    .map(|found| Configured {
+                        state: again.state().expect("state"),
+                        ..found
+                    })
+            );
+        }
+    }
+    assert!(
+        changed > 10 && turned > 10,
+        "{changed} changes, {turned} turns"
+    );
+}
+
+#[test]
+fn what_is_kept_is_that_of_where_the_flow_began() {
+    let mut session = with("bumpy-sphere", &[("level", 2.0)], flowing(FlowName::Circle));
+    let volume = |session: &Session| session.state().expect("state").volume.expect("closed");
+    let of_the_mesh = volume(&session);
+    session.run(3).expect("steps");
+    let turned = volume(&session);
+    assert!(
+        (turned / of_the_mesh - 1.0).abs() > 1e-3,
+        "the first flow keeps none"
+    );
+    let kept = FlowOptions {
+        keep: vec![Kept::Volume],
+        max_steps: 6,
+        ..flowing(FlowName::PWillmore)
+    };
+    let found = session.continue_with(kept).expect("options");
+    let begun = (found.mean_edge_length, found.free_vertices);
+    session.run(2).expect("steps");
+    // Looked back to the other flow, it is made anew.
+    session.seek(1).expect("sought");
+    session.seek(5).expect("sought");
+    let configured = |session: &Session| {
+        let found = session.configured().expect("a mesh").expect("a flow");
+        (found.mean_edge_length, found.free_vertices)
+    };
+    assert_eq!(configured(&session), begun);
+    session.run(4).expect("steps");
+    let drift = (volume(&session) / turned - 1.0).abs();
+    assert!(drift <= 1e-8, "drift {drift:e}");
+    // Its budget of steps is its own.
+    let state = session.state().expect("state");
+    assert_eq!((state.step, state.status), (9, Status::StepLimit));
+}
+
+#[test]
+fn a_diagnosis_looks_at_the_steps_of_the_present_flow() {
+    let mut session = with("bumpy-sphere", &[("level", 2.0)], flowing(FlowName::Circle));
+    session.run(6).expect("steps");
+    let kind = |session: &Session| session.why().expect("a mesh").map(|found| found.kind);
+    assert_eq!(kind(&session), Some(DiagnosisKind::RejectedSteps));
+    let paper = FlowOptions {
+        scheme: Scheme::Paper,
+        ..flowing(FlowName::Circle)
+    };
+    session.continue_with(paper).expect("options");
+    assert_eq!(kind(&session), None, "nothing has happened yet");
+    // Of the paper's scheme, less energy at an earlier step means that it rises; not that of
+    // another flow.
+    session
+        .configure(flowing(FlowName::MeanCurvature))
+        .expect("options");
+    session.run(2).expect("steps");
+    let area = session.state().expect("state").energy;
+    let small = FlowOptions {
+        scheme: Scheme::Paper,
+        tau: Some(0.01),
+        ..flowing(FlowName::Circle)
+    };
+    session.continue_with(small).expect("options");
+    session.run(2).expect("steps");
+    assert!(session.state().expect("state").energy > 1.1 * area);
+    assert_eq!(kind(&session), None);
 }
 
 #[test]

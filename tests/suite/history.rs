@@ -1,7 +1,7 @@
 //! Looking around in a run: any walk through its steps shows what the straight run showed, to
 //! the last bit.
 
-use crate::support::session::{flowing, shown, with};
+use crate::support::session::{Dice, flowing, shown, with};
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions, Integrator};
 use umbilic::io::Format;
@@ -48,19 +48,6 @@ fn flows() -> Vec<(&'static str, Session)> {
         ),
         ("flips", flips),
     ]
-}
-
-/// Numbers that look random (Knuth's linear congruence).
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (self.0 >> 33) as usize % n
-    }
 }
 
 const STEPS: usize = 7;

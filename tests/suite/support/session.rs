@@ -36,3 +36,16 @@ pub fn shown(session: &Session) -> Shown {
         session.flipped_triangles().expect("triangles"),
     )
 }
+
+/// Numbers that look random (Knuth's linear congruence).
+pub struct Dice(pub u64);
+
+impl Dice {
+    pub fn below(&mut self, n: usize) -> usize {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 33) as usize % n
+    }
+}
