@@ -100,7 +100,7 @@ const parts = [
   createMethodForm(controller),
   createViewForm(controller, picture.fit),
   picture,
-  createMoebius(controller, picture),
+  createMoebius(controller, picture, pictured),
   createLook(controller, picture),
   createHistogram(picture.colours),
   createEquations(),

@@ -236,6 +236,9 @@ test("a lost solver costs its pane nothing, and the others go on", async () => {
   const after = await untilCaptions(page, /^A: .*step 3,.*\nB: .*step 3,.*\nC: .*step 3,/);
   assert.equal(page.workers().length, 3);
   assert.notDeepEqual(after, before);
+  // What does not fit under a small picture is in the panel.
+  const seen = await page.locator("#panes figcaption").allInnerTexts();
+  assert.match(seen[0], /^A · step 3, energy [\d.]+, t = [\d.e-]+$/);
   await button(page, "Dismiss").click();
   await button(page, "Panel").click();
   await page.locator("#comparison-data > summary").click();

@@ -108,6 +108,27 @@ test("an inversion changes the shape and not W, is kept and undone", async () =>
   await close();
 });
 
+test("the centre of an inversion is found a place when the picture comes late", async () => {
+  const { page, faults, close } = await site.blank();
+  let release = () => {};
+  const held = new Promise((resolve) => {
+    release = () => resolve(null);
+  });
+  await page.route(/viewer_bg[^/]*\.wasm$/, (route) => held.then(() => route.continue()));
+  await page.goto(`${site.url}?msaa=1#sample=coarse-torus`);
+  await until(page, "Ready");
+  await page.getByText("Möbius inversion").click();
+  const z = page.locator("#moebius").getByLabel("z", { exact: true });
+  assert.equal(await z.inputValue(), "0.62", "somewhere, until there is a picture");
+  const handle = page.locator("#inversion-centre");
+  assert.equal(await handle.isVisible(), false);
+  release();
+  await handle.waitFor();
+  assert.notEqual(await z.inputValue(), "0.62");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("a vertex is looked at, circles are drawn, equation and histogram tell of the flow", async () => {
   const { page, faults, close } = await site.open();
   const start = await stillPicture(page);

@@ -102,8 +102,11 @@ function standing({ reading, phase, reason }) {
   }
 }
 
-/** What stands under each pane. @param {Readonly<PageState>} state @returns {string[]} */
-export function captions({ options, reading, comparison }) {
+/**
+ * What stands under each pane, in parts: its letter, what it does, where it stands.
+ * @param {Readonly<PageState>} state
+ */
+export function captionParts({ options, reading, comparison }) {
   const { rivals } = comparison;
   const what = differences(
     options,
@@ -116,20 +119,22 @@ export function captions({ options, reading, comparison }) {
       energy: formatNumber(pane.reading.energy, 4),
       time: formatNumber(pane.reading.time, 3),
     };
-    return [
-      `${letter(n)}: ${what[n]}`,
+    const stands = [
       numbers ? t("step {step}, energy {energy}, t = {time}", numbers) : "",
       standing(pane),
-    ]
-      .filter(Boolean)
-      .join(" · ");
+    ];
+    const last = stands.filter(Boolean).map((text) => ` · ${text}`);
+    return [letter(n), `: ${what[n]}`, last.join("")];
   });
 }
+
+/** The same, whole. @param {Readonly<PageState>} state */
+export const captions = (state) => captionParts(state).map((parts) => parts.join(""));
 
 /** @param {Readonly<PageState>} state @returns {Shown[]} */
 export function rivalPictures(state) {
   const { mesh, comparison } = state;
-  const words = captions(state);
+  const words = captionParts(state);
   return comparison.rivals.flatMap(({ id, frame, configured }, n) =>
     mesh
       ? {

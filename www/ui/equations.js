@@ -364,6 +364,9 @@ export function statementOf(s) {
   return flow === "flips" ? flips(s) : byCurvature(s);
 }
 
+/** Of a formula that is too wide, by its usual size. */
+const SMALLEST = 0.75;
+
 export function createEquations() {
   const section = byId("equation", HTMLDetailsElement);
   const parts = byId("equation-parts", HTMLElement);
@@ -416,6 +419,17 @@ export function createEquations() {
       table,
       note,
     );
+    fit();
+  }
+
+  /** A formula that is a little too wide is set smaller, one that is far too wide scrolls. */
+  function fit() {
+    for (const scroll of parts.querySelectorAll(".formulae")) {
+      const region = /** @type {HTMLElement} */ (scroll);
+      region.style.fontSize = "";
+      const share = region.clientWidth / region.scrollWidth;
+      if (share < 1) region.style.fontSize = `${Math.max(share, SMALLEST)}em`;
+    }
   }
 
   function show() {

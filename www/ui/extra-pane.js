@@ -8,7 +8,6 @@
 /** @import { Viewer } from "./picture.js" */
 
 import { t } from "../language.js";
-import { setText } from "./element.js";
 import { styleOf } from "./picture.js";
 
 /**
@@ -16,7 +15,7 @@ import { styleOf } from "./picture.js";
  * @typedef {object} Shown
  * @property {string} key           of the pane it belongs to
  * @property {number} order         among the panes
- * @property {string} caption
+ * @property {readonly string[]} caption  in parts, see `setCaption`
  * @property {Drawable} drawable    connectivity, and the positions that the camera is set for
  * @property {Float32Array} positions
  * @property {Field | null} field
@@ -24,6 +23,22 @@ import { styleOf } from "./picture.js";
  * @property {Uint32Array} [marked]     triangles
  * @property {Uint8Array} [held]        1 where a vertex is held
  */
+
+/**
+ * One sentence in one part or three, of which a narrow pane leaves the middle one out.
+ * @param {HTMLElement} element @param {readonly string[]} parts
+ */
+export function setCaption(element, parts) {
+  if (element.textContent === parts.join("") && element.childElementCount === parts.length) return;
+  element.replaceChildren(
+    ...parts.map((text, n) => {
+      const span = document.createElement("span");
+      if (n === 1) span.className = "what";
+      span.textContent = text;
+      return span;
+    }),
+  );
+}
 
 export class ExtraPane {
   /** @type {Viewer | null} */
@@ -79,9 +94,9 @@ export class ExtraPane {
   update(state, shown) {
     this.#last = [state, shown];
     this.figure.style.order = String(shown.order);
-    setText(this.caption, shown.caption);
+    setCaption(this.caption, shown.caption);
     const name = state.mesh?.name ?? "–";
-    const label = t("Surface: {name}, {caption}", { name, caption: shown.caption });
+    const label = t("Surface: {name}, {caption}", { name, caption: shown.caption.join("") });
     if (this.canvas.ariaLabel !== label) this.canvas.ariaLabel = label;
     const viewer = this.#viewer;
     if (!viewer) return;

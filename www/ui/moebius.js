@@ -82,8 +82,12 @@ function noteOf({ before, after, angles, largestChange, mirrored }) {
   ].join(" ");
 }
 
-/** @param {Controller} controller @param {Canvas} canvas */
-export function createMoebius(controller, canvas) {
+/**
+ * @param {Controller} controller
+ * @param {Canvas} canvas
+ * @param {Promise<unknown>} pictured  settled once there is a picture to find a place in
+ */
+export function createMoebius(controller, canvas, pictured) {
   const section = byId("moebius", HTMLDetailsElement);
   const surface = byId("surface", HTMLCanvasElement);
   const handle = byId("inversion-centre", HTMLButtonElement);
@@ -108,6 +112,8 @@ export function createMoebius(controller, canvas) {
   let isStale = false;
   let isRefused = false;
   let isKeeping = false;
+  /** Whether the centre was chosen before there was a picture to choose it in. */
+  let isStandIn = false;
 
   const isOn = () => section.open && !section.hidden;
   const point = () => centre.map((value, axis) => box.middle[axis] + box.size * value);
@@ -129,6 +135,7 @@ export function createMoebius(controller, canvas) {
   function first() {
     const middle = canvas.project(box.middle);
     const right = middle && canvas.unproject({ ...middle, x: middle.x + 1 });
+    isStandIn = !middle || !right;
     if (!middle || !right) return [0, 0, FIRST];
     const pixel = Math.hypot(...right.map((value, axis) => value - box.middle[axis])) / box.size;
     const reach = FIRST / pixel;
@@ -241,6 +248,7 @@ export function createMoebius(controller, canvas) {
   });
   section.addEventListener("input", () => {
     if (!fields.every((field) => field.checkValidity() || field.validity.stepMismatch)) return;
+    isStandIn = false;
     centre = fields.map((field) => field.valueAsNumber);
     place();
     preview();
@@ -280,6 +288,12 @@ export function createMoebius(controller, canvas) {
     move(canvas.unproject({ x: seen.x + by[0], y: seen.y + by[1], depth: seen.depth * by[2] }));
   });
   new ResizeObserver(place).observe(surface);
+  pictured.then(() => {
+    if (!isOn()) return;
+    if (isStandIn) centre = first();
+    place();
+    preview();
+  });
 
   return {
     /** @param {Readonly<PageState>} now */

@@ -9,10 +9,10 @@
 
 import { t } from "../language.js";
 import { byCurvature } from "../options.js";
-import { captions, rivalPictures } from "./comparison-words.js";
+import { captionParts, rivalPictures } from "./comparison-words.js";
 import { flowLabel, jumpText } from "./curvature-form.js";
-import { byId, setText } from "./element.js";
-import { ExtraPane } from "./extra-pane.js";
+import { byId } from "./element.js";
+import { ExtraPane, setCaption } from "./extra-pane.js";
 import { criterionLabel } from "./flips-form.js";
 import { formatCount, formatNumber } from "./number.js";
 import { ownPane } from "./picture.js";
@@ -43,10 +43,10 @@ function captionOf(name, { reading, frame }) {
   return t("{label}: {flips}, area {area}, W {circle}", { ...values, flips });
 }
 
-/** @param {Readonly<PageState>} state @returns {{ own: string, ownOrder: number, others: Shown[] }} */
+/** @param {Readonly<PageState>} state @returns {{ own: readonly string[], ownOrder: number, others: Shown[] }} */
 function picturesOf(state) {
   if (state.comparison.rivals.length > 0) {
-    return { own: captions(state)[0], ownOrder: 0, others: rivalPictures(state) };
+    return { own: captionParts(state)[0], ownOrder: 0, others: rivalPictures(state) };
   }
   const own = ownPane(state);
   const others = (state.frame?.panes ?? [])
@@ -54,12 +54,12 @@ function picturesOf(state) {
     .map((pane) => ({
       key: pane.name,
       order: order.indexOf(pane.name),
-      caption: captionOf(pane.name, state),
+      caption: [captionOf(pane.name, state)],
       drawable: pane,
       ...pane,
     }));
   return {
-    own: own && others.length > 0 ? captionOf(own.name, state) : "",
+    own: own && others.length > 0 ? [captionOf(own.name, state)] : [],
     ownOrder: order.indexOf(own?.name ?? ""),
     others,
   };
@@ -105,10 +105,16 @@ export function createPanes(controller, samples) {
       }
       own.style.order = String(ownOrder);
       ownCaption.hidden = extra.length === 0;
-      if (extra.length > 0) setText(ownCaption, caption);
+      if (extra.length > 0) setCaption(ownCaption, caption);
       extra.forEach((one, n) => {
         one.update(state, others[n]);
       });
+      // Of three in two rows the last stands in the middle.
+      const figures = [own, ...extra.map(({ figure }) => figure)];
+      const last = Math.max(...figures.map(({ style }) => Number(style.order)));
+      for (const figure of figures) {
+        figure.classList.toggle("last", Number(figure.style.order) === last);
+      }
       arrange(state.comparison.shown);
     },
   };
