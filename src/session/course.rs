@@ -138,7 +138,7 @@ impl Work {
         self.flow_of = Rc::clone(&self.first);
     }
 
-    fn continue_with(&mut self, options: FlowOptions) -> Result<Configured, Fault> {
+    pub(super) fn continue_with(&mut self, options: FlowOptions) -> Result<Configured, Fault> {
         let is_flips = |options: &FlowOptions| options.flow == FlowName::Flips;
         if is_flips(self.options()) || is_flips(&options) || !self.beside.is_empty() {
             let message = "edge flips, and flows beside each other, go from the mesh itself";

@@ -260,12 +260,18 @@ impl Session {
         Ok(self.work_mut()?.back())
     }
 
-    /// Goes back to the start with the options in force.
+    /// Goes back to the start with the options in force. The steps stay stored, so that
+    /// [`seek`](Self::seek) undoes it.
     ///
     /// # Errors
     /// As [`configure`](Self::configure).
     pub fn reset(&mut self) -> Result<State, Fault> {
-        let options = self.work()?.options().clone();
+        let work = self.work_mut()?;
+        // Of positions from outside there is no way back to the start.
+        if work.history.has_moments() && !work.is_restored {
+            return work.rewind();
+        }
+        let options = work.options().clone();
         Ok(self.configure(options)?.state)
     }
 

@@ -178,6 +178,19 @@ impl Work {
         }
     }
 
+    /// To the start, also before a regularisation there, with the options in force.
+    pub(super) fn rewind(&mut self) -> Result<State, Fault> {
+        let options = self.options().clone();
+        while self.history.can_go_back() {
+            self.exchange(|history, live| history.back(live));
+        }
+        self.settle();
+        if *self.options() != options {
+            self.continue_with(options)?;
+        }
+        Ok(self.state.clone())
+    }
+
     pub(super) fn seek(&mut self, step: usize) -> State {
         let here = self.history.here();
         while self.state.step > step && self.history.can_go_back() {

@@ -212,7 +212,8 @@ impl Work {
         let Some(before) = before else { return };
         let act = Act {
             deed,
-            anew: std::mem::take(&mut self.anew),
+            // At the start there is nothing yet that it could have known.
+            anew: std::mem::take(&mut self.anew) && self.history.can_go_back(),
         };
         let x = before.x.is_some().then_some(&*self.x);
         self.history

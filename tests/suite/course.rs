@@ -165,10 +165,16 @@ fn what_was_to_come_becomes_a_branch_under_the_options_before() {
         straight.renew().expect("renewed");
         straight.run(2).expect("steps");
         assert!(shown(&straight) == shown(&session), "{name}");
-        // A new start is one, with the options in force.
+        // From the start again, with the options in force; what was done stays.
+        let end = shown(&session);
         session.reset().expect("reset");
+        assert_eq!(session.state().expect("state").step, 0);
         assert_eq!(session.options().expect("a mesh"), Some(options));
-        assert_eq!(session.recipe().expect("a recipe").path, []);
+        let branches = session.timeline().expect("a timeline").branches;
+        session
+            .branch(branches[branches.len() - 1].id)
+            .expect("a branch");
+        assert!(shown(&session) == end, "{name}");
     }
 }
 

@@ -191,6 +191,38 @@ fn a_regularisation_on_the_way_makes_a_branch_of_its_own() {
     assert_eq!(session.recipe().expect("a recipe").path, [Leg::Steps(2)]);
 }
 
+#[test]
+fn a_reset_goes_to_the_very_start_and_is_undone_by_seeking() {
+    for (name, mut session) in flows() {
+        let start = shown(&session);
+        if name == "p-willmore" {
+            let settings = RegulariseOptions::default();
+            session.regularise(&settings).expect("regularised");
+        }
+        session.run(3).expect("steps");
+        let end = shown(&session);
+        let path = session.recipe().expect("a recipe").path;
+        session.reset().expect("reset");
+        assert!(shown(&session) == start, "{name}");
+        assert_eq!(
+            session.recipe().expect("a recipe").path.len(),
+            usize::from(name == "flips")
+        );
+        session.seek(usize::MAX).expect("sought");
+        assert!(shown(&session) == end, "{name}");
+        // From there the steps are the same again, and are told as if nobody had looked.
+        session.reset().expect("reset");
+        if name == "p-willmore" {
+            let settings = RegulariseOptions::default();
+            session.regularise(&settings).expect("regularised");
+        }
+        session.run(3).expect("steps");
+        assert!(shown(&session) == end, "{name}");
+        assert_eq!(session.recipe().expect("a recipe").path, path, "{name}");
+        assert_eq!(session.timeline().expect("a timeline").branches, []);
+    }
+}
+
 /// The flow is left where it is while one looks back: even what it remembers of earlier steps.
 #[test]
 fn looking_back_does_not_disturb_a_flow_with_a_memory() {
