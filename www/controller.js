@@ -97,18 +97,30 @@ export function createController(store, voice) {
   }
 
   /**
+   * Asks for what changes the flow. Its frame comes before its answer, and nobody is to take
+   * its energy for that of the flow before.
+   * @template T
+   * @param {() => Promise<T>} ask
+   */
+  async function framed(ask) {
+    /** @type {Frame[]} */
+    const frames = [];
+    untold = frames;
+    const answer = await ask().finally(() => {
+      untold = null;
+    });
+    const frame = frames.at(-1);
+    if (frame) contest.holds(frame);
+    return { answer, frame };
+  }
+
+  /**
    * @param {Options} options
    * @param {"configure" | "continueWith"} [way]  back to the start, or on from where it stands
    */
   async function configure(options, way = "configure") {
-    // Its frame comes before its answer; nobody is to take its energy for that of the flow before.
-    /** @type {Frame[]} */
-    const frames = [];
-    untold = frames;
-    const configured = await solver[way](options).finally(() => {
-      untold = null;
-    });
-    store.update(to.configured, options, configured, frames.at(-1));
+    const { answer, frame } = await framed(() => solver[way](options));
+    store.update(to.configured, options, answer, frame);
     await contest.follow();
   }
 
@@ -242,7 +254,7 @@ export function createController(store, voice) {
 
   const contest = createContest({ store, solver, voice, report });
   /** @type {import("./actions/core.js").Core} */
-  const core = { store, solver, voice, enqueue, rest, configure, colour, arrange };
+  const core = { store, solver, voice, enqueue, rest, framed, configure, colour, arrange };
   const edits = createEdits(core);
   const compare = createCompare(core, contest);
   const time = createTime({ ...core, load });

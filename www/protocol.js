@@ -558,7 +558,8 @@
  * | `step`      | `run`                         | `StepReport \| null`: null when there was none to take |
  * | `regularise` | `options: RegulariseOptions`, `run` | `Regularised`       |
  * | `arrange`   | `arrangement`                 | `State`; a run goes on      |
- * | `adopt`, `undo` |                           | `Loaded`                    |
+ * | `adopt`     |                               | `Loaded`                    |
+ * | `undo`      | `run`                         | `Loaded`; the frame tells where the run stood, and its flow |
  * | `subdivide` | `options: { scheme: 'linear' \| 'loop' }` | `Loaded`       |
  * | `loops`     |                               | `BoundaryLoop[]`            |
  * | `fill`      | `options: FillOptions`, `run` | `{ filled: Filled, loaded: Loaded }` |

@@ -193,10 +193,10 @@ export function createSolver(listener) {
     adopt: () => edit("adopt"),
     /** Takes the last edit back. @returns {Promise<Loaded>} */
     async undo() {
-      const loaded = await ask("undo");
-      // Not what stands there now, which is where that mesh had come to.
-      origin = origins.pop() ?? origin;
+      // Its frame tells where that run had come to.
       last = null;
+      const loaded = await move("undo", {});
+      origin = origins.pop() ?? origin;
       return loaded;
     },
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */

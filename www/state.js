@@ -23,7 +23,11 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
 
 /**
  * What an edit was made of.
- * @typedef {{ source: Source, options: Readonly<Required<FlowOptions>>, what: string }} Earlier
+ * @typedef {object} Earlier
+ * @property {Source} source
+ * @property {Readonly<Required<FlowOptions>>} options
+ * @property {readonly Sample[]} history
+ * @property {string} what  for people
  */
 
 /**
@@ -219,6 +223,9 @@ export const transitions = {
     comparison: begunAnew(s.comparison),
     preview: null,
   }),
+
+  /** A run that was left. @param {S} s @param {S["history"]} history @param {Frame} frame @returns {S} */
+  resumed: (s, history, frame) => transitions.frame({ ...s, history }, frame),
 
   /** @param {S} s @param {S["playing"]} playing @returns {S} */
   playing: (s, playing) => ({ ...s, playing }),

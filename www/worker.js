@@ -201,7 +201,13 @@ const actions = {
     return state;
   },
   adopt: () => session.adopt(),
-  undo: () => session.undoEdit(),
+  undo: (request) =>
+    moved(request.run, () => {
+      const loaded = session.undoEdit();
+      toldFlow = 0;
+      paced = session.options()?.flow === "flips";
+      return loaded;
+    }),
   subdivide: ({ options }) => session.subdivide(options),
   loops: () => session.boundaryLoops(),
   fill(request) {

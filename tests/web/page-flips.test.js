@@ -198,6 +198,9 @@ test("a flow goes on from the flipped mesh, and Undo brings the old one back", a
   await page.waitForFunction(
     () => /** @type {HTMLSelectElement} */ (document.querySelector("#flow")).value === "flips",
   );
+  await until(page, /^Paused at step \d\d/);
+  assert.equal(await edges(page), flipped);
+  await button(page, "Reset").click();
   await until(page, "Ready");
   assert.equal(await edges(page), start);
   assert.equal(await button(page, "Undo").isVisible(), false);

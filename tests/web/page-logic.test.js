@@ -209,7 +209,8 @@ test("as many edits can be undone as the solver keeps", () => {
   const store = page();
   const { mesh, options } = store.get();
   const source = /** @type {const} */ ({ kind: "file", name: "icosphere" });
-  const earlier = Array.from({ length: 9 }, (_, n) => ({ source, options, what: String(n) }));
+  const edit = { source, options, history: [] };
+  const earlier = Array.from({ length: 9 }, (_, n) => ({ ...edit, what: String(n) }));
   store.update(to.edited, source, /** @type {any} */ (mesh), earlier);
   const kept = store.get().earlier.map(({ what }) => what);
   assert.deepEqual(kept, ["1", "2", "3", "4", "5", "6", "7", "8"]);

@@ -62,6 +62,11 @@ test("a mesh is opened, flows, and goes back", async () => {
   await until(page, "Ready");
   assert.equal(await energy(page), atStart);
   assert.equal((await plotted(page)).length, 1);
+  // Nothing is lost: the steps are still there to be shown.
+  await page.getByRole("slider", { name: "History", exact: true }).focus();
+  await page.keyboard.press("End");
+  await until(page, `Paused at step ${step + 1}`);
+  assert.equal((await plotted(page)).length, step + 2);
   assert.deepEqual(faults, []);
   await close();
 });
@@ -95,7 +100,9 @@ test("a run goes on until it converges, and says so", async () => {
   await until(page, /^Converged after \d+ steps$/);
   assert.ok((await energy(page)) < 1, `W = ${await energy(page)} is far from a round sphere's 0`);
   assert.equal(await button(page, "Play").isVisible(), true);
-  assert.equal((await plotted(page)).length, Number(await reading(page, "Step")) + 1);
+  const converged = (await page.locator("[role=status]").textContent()) ?? "";
+  const rows = await plotted(page);
+  assert.equal(rows.length, Number(await reading(page, "Step")) + 1);
 
   // Finer faces of the surface it came to, and the way back.
   const [low, faces] = [await energy(page), Number(await reading(page, "Faces"))];
@@ -109,6 +116,13 @@ test("a run goes on until it converges, and says so", async () => {
   await until(page, "Paused at step 1");
   await button(page, "Undo").click();
   await count.filter({ hasText: new RegExp(`^${faces}$`) }).waitFor();
+  // The run is back too, to be scrubbed and gone on with.
+  await until(page, converged);
+  assert.equal(await energy(page), low);
+  assert.deepEqual(await plotted(page), rows);
+  await button(page, "Back").click();
+  await until(page, `Paused at step ${rows.length - 2}`);
+  assert.equal(await energy(page), rows[rows.length - 2][3]);
   assert.deepEqual(faults, []);
   await close();
 });

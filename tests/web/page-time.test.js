@@ -233,11 +233,15 @@ test("the flow is changed on the way, and the way before stays", async () => {
   assert.deepEqual(again.faults, []);
   await again.close();
 
-  // From the start again, with the flow in force.
+  // From the start again, with the flow in force; what was done is a branch.
   await button(page, "Reset").click();
   await untilStep(page, 0);
   assert.equal(await choice(page, "Flow").inputValue(), "p-willmore");
-  assert.equal(await goesOn.isVisible(), false);
+  const kept = (await branches.locator("option").allTextContents()).at(-1) ?? "";
+  assert.match(kept, /^Branch from step 0 \(4 steps/);
+  await branches.selectOption({ label: kept });
+  await untilStep(page, 4);
+  assert.equal(await energy(page), last);
   assert.deepEqual(faults, []);
   await close();
 });

@@ -13,7 +13,9 @@ import { transitions as to } from "../state.js";
 export const stepsOf = (count) => plural(count, { one: "{count} step", other: "{count} steps" });
 
 /** @param {Core} core */
-export function createEdits({ store, solver, voice, enqueue, rest, configure, colour, arrange }) {
+export function createEdits(core) {
+  const { store, solver, voice, enqueue, rest, framed, configure, colour, arrange } = core;
+
   /**
    * Makes the surface as it is the start; `undo` takes that back.
    * @param {Options} options  that it goes on with
@@ -29,11 +31,11 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
    * @param {Options} [options]  those in force unless given
    */
   async function edited({ loaded, what }, options = store.get().options) {
-    const { source, options: before, earlier, mesh } = store.get();
+    const { source, options: before, earlier, history, mesh } = store.get();
     if (!source || !mesh) return;
     // No sample any more, and no file either: a link to it can only name it.
     const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
-    store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
+    store.update(to.edited, own, loaded, [...earlier, { source, options: before, history, what }]);
     await configure(options);
     await colour(store.get().colour);
   }
@@ -105,15 +107,20 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
           }),
         );
       }),
-    /** Takes the last edit back. */
+    /** Takes the last edit back: the run stands where it stood. */
     undo: () =>
       enqueue(async () => {
         await rest();
-        const { earlier } = store.get();
+        const { earlier, comparison } = store.get();
         const last = earlier.at(-1);
         if (!last) return;
-        store.update(to.edited, last.source, await solver.undo(), earlier.slice(0, -1));
-        await configure(last.options);
+        const { answer, frame } = await framed(() => solver.undo());
+        store.update(to.edited, last.source, answer, earlier.slice(0, -1));
+        // Panes beside it begin anew, and so does it.
+        if (frame && comparison.rivals.length === 0) {
+          store.update(to.resumed, last.history, frame);
+          await arrange({});
+        } else await configure(last.options);
         await colour(store.get().colour);
       }),
     /**
@@ -123,7 +130,7 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
     fill: (wanted) =>
       enqueue(async () => {
         await rest();
-        const { source, options: before, earlier, mesh } = store.get();
+        const { source, options: before, earlier, history, mesh } = store.get();
         if (!source || !mesh) return;
         store.update(to.progress, { stage: "fill", fraction: 0 });
         const { filled: outcome, loaded } = await solver
@@ -135,7 +142,10 @@ export function createEdits({ store, solver, voice, enqueue, rest, configure, co
           other: "the fill of {count} loops",
         });
         const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
-        store.update(to.edited, own, loaded, [...earlier, { source, options: before, what }]);
+        store.update(to.edited, own, loaded, [
+          ...earlier,
+          { source, options: before, history, what },
+        ]);
         for (const warning of outcome.warnings) voice.note(warning);
         const flow = byCurvature.includes(before.flow) ? before.flow : "mmcv";
         const free = loaded.free ? [...loaded.free] : null;
