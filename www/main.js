@@ -57,6 +57,7 @@ const controller = createController(store, messages);
 // Fewer samples a pixel draw faster where there is no graphics card.
 const msaa = new URLSearchParams(location.search).get("msaa") === "1" ? 1 : 4;
 const picture = createPicture(controller, store.get, msaa);
+const panes = createPanes(controller, picture, msaa);
 const help = createHelp();
 const arrival = createArrival(controller, store.get, messages);
 const gallery = createGallery(controller);
@@ -66,7 +67,7 @@ createPanel();
 createLanguageChoice(store.get);
 createLab(controller);
 createKeys(controller, store.get, help.open);
-createDownload(controller, store.get, picture.snapshot);
+createDownload(controller, store.get, panes.snapshot);
 /** A link to a mesh names it only; its scene waits for the user to open the file. */
 let awaited = readLink(location);
 // The page without a link shows its sample before the solver is there.
@@ -75,7 +76,7 @@ controller.view(awaited.view);
 const pictured = picture.start(isFirst ? samples[0].parameters.level : null);
 
 const { get } = store;
-const { snapshot } = picture;
+const { snapshot } = panes;
 const { still } = arrival;
 const embedding = isEmbedded(location)
   ? createEmbedding({ controller, get, still, openLink, messages, snapshot })
@@ -95,7 +96,7 @@ const parts = [
   createCurvatureForm(controller),
   createHoles(controller, picture.nearestEdge),
   createEditsForm(controller),
-  createRecord(controller, store.get, picture.snapshot),
+  createRecord(controller, store.get, panes),
   createRegion(controller, picture),
   createMethodForm(controller),
   createViewForm(controller, picture.fit),
@@ -104,7 +105,7 @@ const parts = [
   createLook(controller, picture),
   createHistogram(picture.colours),
   createEquations(),
-  createPanes(controller, msaa),
+  panes,
   createComparisonForm(controller),
   createComparisonPlot(controller),
   createColourBar(picture.colours, pictured),

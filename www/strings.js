@@ -862,7 +862,7 @@ export const german = {
   "Go back to the start with Reset, or load the mesh again.":
     "Gehen Sie mit „Anfang“ zum Anfang zurück, oder laden Sie das Netz neu.",
   "Record a film or all steps": "Film oder alle Schritte aufnehmen",
-  "A film is what the picture shows while it is recorded: a flow that runs, the history that plays, a turn of the surface. Of several pictures it is the first.":
+  "A film is what the picture shows while it is recorded: a flow that runs, the history that plays, a turn of the surface. Of several pictures it has all.":
     "Ein Film ist, was das Bild während der Aufnahme zeigt: einen Fluss, der läuft, den Verlauf, der abgespielt wird, eine Drehung der Fläche. Von mehreren Bildern ist es das erste.",
   "Record film": "Film aufnehmen",
   "Stop and save": "Beenden und sichern",

@@ -320,12 +320,26 @@ class SurfaceView {
    * @returns {Promise<Blob>}
    */
   snapshot() {
-    // WebGL forgets a picture once it is on the screen.
-    this.#viewer?.invalidate();
-    this.#draw();
+    this.#redrawn();
     return new Promise((resolve, reject) => {
       this.#canvas.toBlob((blob) => (blob ? resolve(blob) : reject(lostFault(t("no picture")))));
     });
+  }
+
+  /**
+   * Draws the picture, and copies it.
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} x @param {number} y @param {number} width @param {number} height
+   */
+  paint(context, x, y, width, height) {
+    this.#redrawn();
+    context.drawImage(this.#canvas, x, y, width, height);
+  }
+
+  /** A picture that can be read in this task: what is on the screen may be gone from the canvas. */
+  #redrawn() {
+    this.#viewer?.invalidate();
+    this.#draw();
   }
 
   /**

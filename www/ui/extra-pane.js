@@ -132,6 +132,11 @@ export class ExtraPane {
     this.#drawn = shown;
   }
 
+  /** @returns {import("./montage.js").Tile} */
+  tile() {
+    return { figure: this.figure, paint: (...place) => this.#viewer?.paint(...place) };
+  }
+
   close() {
     this.#isGone = true;
     this.#viewer?.destroy();

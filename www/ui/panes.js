@@ -14,6 +14,7 @@ import { flowLabel, jumpText } from "./curvature-form.js";
 import { byId } from "./element.js";
 import { ExtraPane, setCaption } from "./extra-pane.js";
 import { criterionLabel } from "./flips-form.js";
+import { createMontage } from "./montage.js";
 import { formatCount, formatNumber } from "./number.js";
 import { ownPane } from "./picture.js";
 
@@ -67,9 +68,10 @@ function picturesOf(state) {
 
 /**
  * @param {Controller} controller
+ * @param {Pick<ReturnType<typeof import("./picture.js").createPicture>, "paint" | "snapshot">} picture
  * @param {1 | 4} samples  of the pictures' smoothing
  */
-export function createPanes(controller, samples) {
+export function createPanes(controller, picture, samples) {
   const root = byId("panes", HTMLElement);
   const own = byId("own-pane", HTMLElement);
   const ownCaption = byId("own-caption", HTMLElement);
@@ -90,7 +92,19 @@ export function createPanes(controller, samples) {
     if (held) figures[shown === "side" ? 0 : shown]?.querySelector("canvas")?.focus();
   }
 
+  const montage = createMontage(root, () =>
+    [{ figure: own, paint: picture.paint }, ...extra.map((one) => one.tile())].filter(
+      ({ figure }) => getComputedStyle(figure).visibility === "visible",
+    ),
+  );
+
   return {
+    /** For all that is on the stage, where that is more than the surface. */
+    sheet: () => (extra.length > 0 ? montage.canvas() : null),
+    compose: montage.paint,
+    /** @returns {Promise<Blob | null>} */
+    snapshot: () => (extra.length > 0 ? montage.snapshot() : picture.snapshot()),
+
     /** @param {Readonly<PageState>} state */
     update(state) {
       const { own: caption, ownOrder, others } = picturesOf(state);

@@ -248,6 +248,8 @@ export function createPicture(controller, state, samples) {
     nearestEdge: (event, ends) => viewer?.nearestEdge(event, ends) ?? null,
     /** @returns {Promise<Blob | null>} */
     snapshot: async () => viewer?.snapshot() ?? null,
+    /** @type {import("./montage.js").Tile["paint"]} */
+    paint: (...place) => viewer?.paint(...place),
     /** @param {boolean} signed @param {number} count @returns {Uint8Array | null} rgb */
     colours: (signed, count) => viewer?.colourBar(signed, count) ?? null,
   };

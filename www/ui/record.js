@@ -28,13 +28,21 @@ const size = (bytes) => {
 };
 
 /**
+ * What is recorded.
+ * @typedef {object} Stage
+ * @property {() => Promise<Blob | null>} snapshot  draws the picture anew
+ * @property {() => HTMLCanvasElement | null} sheet  for all of several pictures; null where there is one
+ * @property {(sheet: HTMLCanvasElement) => void} compose  draws all of them
+ */
+
+/**
  * @param {Controller} controller
  * @param {() => Readonly<PageState>} state
- * @param {() => Promise<Blob | null>} snapshot  draws the picture anew
+ * @param {Stage} stage
  */
-export function createRecord(controller, state, snapshot) {
+export function createRecord(controller, state, stage) {
   const section = byId("record", HTMLDetailsElement);
-  createFilm(controller, state, snapshot);
+  const film = createFilm(controller, state, stage);
 
   const format = byId("sequence-format", HTMLSelectElement);
   const every = byId("sequence-every", HTMLInputElement);
@@ -82,6 +90,7 @@ export function createRecord(controller, state, snapshot) {
   return {
     /** @param {Readonly<PageState>} now */
     update(now) {
+      film.update();
       const usable = now.reading !== null && now.phase !== "loading" && now.phase !== "failed";
       button.ariaDisabled = String(!usable);
       if (!section.open || now.phase === "running" || now.playing !== 0) return;
@@ -96,9 +105,10 @@ export function createRecord(controller, state, snapshot) {
 /**
  * @param {Controller} controller
  * @param {() => Readonly<PageState>} state
- * @param {() => Promise<Blob | null>} snapshot
+ * @param {Stage} stage
+ * @returns {{ update: () => void }}
  */
-function createFilm(controller, state, snapshot) {
+function createFilm(controller, state, stage) {
   const button = byId("film", HTMLButtonElement);
   const elapsed = byId("film-time", HTMLElement);
   const note = byId("film-note", HTMLElement);
@@ -117,14 +127,33 @@ function createFilm(controller, state, snapshot) {
       t("This browser cannot record films. “Picture, PNG” and the steps can be saved."),
     );
     note.hidden = false;
-    return;
+    return { update() {} };
+  }
+
+  /** What is recorded where that is not the picture itself. @type {HTMLCanvasElement | null} */
+  let whole = null;
+  let isDue = false;
+
+  /** A canvas gives a frame when it is drawn. */
+  function draw() {
+    if (!whole) return void stage.snapshot().catch(() => {});
+    if (isDue) return;
+    isDue = true;
+    requestAnimationFrame(() => {
+      isDue = false;
+      // Those that stood beside the surface may be gone.
+      if (whole) stage.compose(whole);
+    });
   }
 
   function start() {
+    whole = stage.sheet();
+    // Not with an empty one.
+    if (whole) stage.compose(whole);
     /** @type {Blob[]} */
     const parts = [];
     const name = fileName(state(), type?.startsWith("video/webm") ? "webm" : "mp4");
-    const film = new MediaRecorder(canvas.captureStream(RATE), {
+    const film = new MediaRecorder((whole ?? canvas).captureStream(RATE), {
       mimeType: type,
       videoBitsPerSecond: QUALITY,
     });
@@ -144,14 +173,15 @@ function createFilm(controller, state, snapshot) {
       clearInterval(timer);
       for (const track of film.stream.getTracks()) track.stop();
       recorder = null;
+      whole = null;
       showState();
       if (parts.length > 0) save(new Blob(parts, { type: film.mimeType }), name);
     });
     // In parts, so that little is lost if the page is.
     film.start(1000);
     show();
-    // A canvas gives a frame when it is drawn: the film begins with what is there.
-    snapshot().catch(() => {});
+    // It begins with what is there.
+    draw();
   }
 
   function showState() {
@@ -163,7 +193,8 @@ function createFilm(controller, state, snapshot) {
   button.addEventListener("click", async () => {
     if (recorder) {
       // Ends with the picture as it is now, however long it has stood still.
-      await snapshot().catch(() => {});
+      if (whole) stage.compose(whole);
+      else await stage.snapshot().catch(() => {});
       recorder?.stop();
     } else {
       try {
@@ -174,4 +205,11 @@ function createFilm(controller, state, snapshot) {
     }
     showState();
   });
+
+  return {
+    /** What changes on the page may change the pictures. */
+    update() {
+      if (whole) draw();
+    },
+  };
 }
