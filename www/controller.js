@@ -10,6 +10,7 @@
 import { createCompare } from "./actions/compare.js";
 import { createContest } from "./actions/contest.js";
 import { createEdits } from "./actions/edits.js";
+import { createFraming } from "./actions/framing.js";
 import { createQuestions } from "./actions/questions.js";
 import { createSeeing } from "./actions/see.js";
 import { createTime, meshOf } from "./actions/time.js";
@@ -49,16 +50,9 @@ export function createController(store, voice) {
       })),
   });
 
-  /** The frame of a flow whose options are not told yet; null while none is configured. @type {Frame[] | null} */
-  let untold = null;
-
   /** @param {Frame} frame */
   function onFrame(frame) {
-    if (untold) {
-      untold.push(frame);
-      return;
-    }
-    if (contest.holds(frame)) return;
+    if (framing.holds(frame) || contest.holds(frame)) return;
     store.update(to.frame, frame);
     for (const text of frame.reports.flatMap(({ warnings }) => warnings)) voice.note(text);
   }
@@ -94,24 +88,6 @@ export function createController(store, voice) {
     store.update(to.pausing);
     if (contest.isPlaying()) await contest.pause();
     else store.update(to.stopped, await solver.pause());
-  }
-
-  /**
-   * Asks for what changes the flow. Its frame comes before its answer, and nobody is to take
-   * its energy for that of the flow before.
-   * @template T
-   * @param {() => Promise<T>} ask
-   */
-  async function framed(ask) {
-    /** @type {Frame[]} */
-    const frames = [];
-    untold = frames;
-    const answer = await ask().finally(() => {
-      untold = null;
-    });
-    const frame = frames.at(-1);
-    if (frame) contest.holds(frame);
-    return { answer, frame };
   }
 
   /**
@@ -253,6 +229,8 @@ export function createController(store, voice) {
   }
 
   const contest = createContest({ store, solver, voice, report });
+  const framing = createFraming(contest.holds);
+  const { framed } = framing;
   /** @type {import("./actions/core.js").Core} */
   const core = { store, solver, voice, enqueue, rest, framed, configure, colour, arrange };
   const edits = createEdits(core);
@@ -272,7 +250,15 @@ export function createController(store, voice) {
     ...createSeeing(core, edits.edited),
     ...time.actions,
     ...createWhyActions(core, edits, run),
-    begin: solver.begin,
+    /** Starts the solver, where that is allowed. @throws {Fault} where it is not */
+    begin() {
+      try {
+        solver.begin();
+      } catch (error) {
+        store.update(to.failed);
+        throw error;
+      }
+    },
 
     /** @param {string} id @param {Partial<Scene>} [scene] */
     sample: (id, scene = {}) => enqueue(() => loadSample(id, scene)),

@@ -7,7 +7,17 @@ import { t } from "./language.js";
 /** Milliseconds after the first picture until the rest of the site is fetched. */
 const CALM = 5000;
 
-const container = import.meta.env.PROD ? navigator.serviceWorker : undefined;
+/** @returns {ServiceWorkerContainer | undefined} */
+function containerIfAny() {
+  try {
+    return import.meta.env.PROD ? navigator.serviceWorker : undefined;
+  } catch {
+    // In a sandbox of no origin even asking is forbidden.
+    return undefined;
+  }
+}
+
+const container = containerIfAny();
 /** Whether this very page came from a worker, which another may replace. */
 const isKept = Boolean(container?.controller);
 

@@ -19,6 +19,24 @@ import { t } from "./language.js";
 /** What every request is answered with that a lost worker can no longer answer. */
 export const LOST = "SolverLost";
 
+/** @returns {Worker} @throws {Fault} */
+function begun() {
+  try {
+    return new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+  } catch (error) {
+    throw {
+      kind: "NoWorker",
+      message: t("The solver may not be started here: {reason}", {
+        reason: /** @type {Error} */ (error).message,
+      }),
+      hint: t(
+        "If this page is in a frame with `sandbox`, that needs `allow-same-origin` beside `allow-scripts`.",
+      ),
+      detail: {},
+    };
+  }
+}
+
 /** @param {Listener} listener */
 export function createSolver(listener) {
   /** @type {Worker | null} */
@@ -49,8 +67,9 @@ export function createSolver(listener) {
     listener.onCrashed(reason);
   }
 
+  /** @throws {Fault} where the page may start none */
   function start() {
-    const started = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    const started = begun();
     started.onmessage = ({ data }) => started === worker && receive(data);
     started.onerror = (event) => {
       if (started === worker) lost(event.message || t("it could not be loaded"));

@@ -93,6 +93,11 @@ export const german = {
   "The flow goes on from there; the steps that were to come are kept as a branch.":
     "Der Fluss geht von dort aus weiter; die Schritte, die danach kamen, bleiben als Zweig.",
 
+  "The solver may not be started here: {reason}":
+    "Der Löser darf hier nicht gestartet werden: {reason}",
+  "If this page is in a frame with `sandbox`, that needs `allow-same-origin` beside `allow-scripts`.":
+    "Steht diese Seite in einem Rahmen mit `sandbox`, so braucht der `allow-same-origin` neben `allow-scripts`.",
+
   // Why it stopped, and what helps
   "Why?": "Warum?",
   Show: "Zeigen",

@@ -228,6 +228,17 @@ test("a mesh of the embedding page is shown, and what cannot be had is said", as
   await close();
 });
 
+test("in a sandbox of no origin the page says what it lacks", async () => {
+  const { page, close } = await hostPage(
+    `<iframe title="Umbilic" sandbox="allow-scripts" src="${site.url}?msaa=1&embed#sample=pipe"></iframe>`,
+  );
+  const alert = inside(page).getByRole("alert");
+  await alert.getByText(/The solver may not be started here/).waitFor();
+  assert.match((await alert.textContent()) ?? "", /needs `allow-same-origin`/);
+  await inside(page).getByRole("status").getByText("The solver is not running").waitFor();
+  await close();
+});
+
 test("embedded, the page breaks no rule of accessibility, whatever its size", async () => {
   for (const [width, colorScheme] of /** @type {const} */ ([
     [960, "light"],
