@@ -8,7 +8,7 @@ const ATTRIBUTES = ["aria-label", "title", "placeholder", "alt"];
 /** Elements that are marks within a sentence, when nothing fills them later. */
 const MARKS = ["EM", "KBD", "SUB", "SUP", "STRONG", "CODE", "SPAN"];
 /** Not for people. */
-const SKIPPED = ["SCRIPT", "STYLE", "META", "LINK", "NOSCRIPT"];
+const SKIPPED = ["SCRIPT", "STYLE", "META", "LINK", "NOSCRIPT", "MATH"];
 
 const ELEMENT = 1;
 const TEXT = 3;
@@ -77,7 +77,9 @@ export function visitTexts(root, visit) {
   const offer = (english, put) => hasWords(english) && visit(english, put);
   /** @param {Element} element */
   function walk(element) {
-    if (SKIPPED.includes(element.nodeName)) return;
+    // Of MathML, browsers give names as they were written.
+    if (SKIPPED.includes(element.nodeName.toUpperCase())) return;
+    if (element.getAttribute("translate") === "no") return;
     for (const name of ATTRIBUTES) {
       const value = element.getAttribute(name);
       if (value) offer(plain(value), (text) => element.setAttribute(name, text));

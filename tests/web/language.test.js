@@ -120,11 +120,13 @@ function tabled() {
   return found;
 }
 
-/** Words in index.html. */
+/** Words in the two documents. */
 function standing() {
   /** @type {Set<string>} */
   const found = new Set();
-  visitTexts(parseHtml(read("index.html")), (english) => found.add(english));
+  for (const file of ["index.html", "demo.html"]) {
+    visitTexts(parseHtml(read(file)), (english) => found.add(english));
+  }
   return found;
 }
 

@@ -161,3 +161,18 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     await close();
   });
 }
+
+test("the slides speak German to whoever does", async () => {
+  const { page, faults, close } = await openDeck("#/3", { locale: "de-DE" });
+  await page.getByRole("heading", { name: "Kreise statt Krümmungen" }).waitFor();
+  assert.equal(await page.locator("html").getAttribute("lang"), "de");
+  assert.equal(await page.title(), "Willmore-Fluss auf acht Folien");
+  // The readings in a sentence stay in their places.
+  const caption = page.locator("figcaption:visible");
+  await caption.filter({ hasText: /Hier ist W = 188\.5 nach 0 Schritten\.$/ }).waitFor();
+  await page.keyboard.press("End");
+  await page.getByText("Discrete Willmore Flow").waitFor();
+  assert.equal(await page.locator(".papers").getAttribute("lang"), "en");
+  assert.deepEqual(faults, []);
+  await close();
+});

@@ -1,6 +1,7 @@
 // @ts-check
 // The slides about Willmore flow.
 
+import { openLanguage } from "../language.js";
 import { keepOffline } from "../offline.js";
 import { byId } from "../ui/element.js";
 import { formatNumber } from "../ui/number.js";
@@ -21,6 +22,7 @@ try {
   // Storage may be forbidden.
 }
 
+await openLanguage();
 const slides = [...document.querySelectorAll("section")];
 const place = byId("place", HTMLElement);
 const previous = byId("previous", HTMLButtonElement);
