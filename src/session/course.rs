@@ -146,10 +146,17 @@ impl Work {
             return Err(Fault::new("WrongFlow", message, hint));
         }
         let options = self.with_selection(options);
+        if options == *self.options() {
+            return self.configured().ok_or_else(Fault::no_mesh);
+        }
         // A change that nothing came of is not worth a moment of its own.
         let is_second_thought = self.history.ends_with_new_flow();
         if is_second_thought {
             self.back();
+            if options == *self.options() {
+                self.history.drop_future();
+                return self.configured().ok_or_else(Fault::no_mesh);
+            }
         }
         let mut x = self.x.clone();
         let course = Course {

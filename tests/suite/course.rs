@@ -377,6 +377,16 @@ fn a_second_thought_takes_the_place_of_the_first() {
     );
     session.back().expect("back");
     assert!(shown(&session) == fork);
+    // Back to what it was: as if nothing had been changed.
+    let before = flowing(FlowName::Willmore);
+    session
+        .continue_with(flowing(FlowName::Mmcv))
+        .expect("options");
+    session.continue_with(before.clone()).expect("options");
+    assert!(shown(&session) == fork);
+    session.continue_with(before).expect("options");
+    assert_eq!(session.recipe().expect("a recipe").path, [Leg::Steps(2)]);
+    assert_eq!(session.timeline().expect("a timeline").last, 2);
 }
 
 #[test]
