@@ -23,7 +23,7 @@ pub enum Leg {
     /// The flow is made anew where it stands: it knows nothing of earlier steps.
     Anew,
     /// From here on another flow, or the same with other parameters.
-    Flow(FlowOptions),
+    Flow(Box<FlowOptions>),
 }
 
 /// What made another mesh of the one at hand.
@@ -108,7 +108,9 @@ impl Work {
                 (Deed::Step, Some(Leg::Steps(count))) => *count += 1,
                 (Deed::Step, _) => legs.push(Leg::Steps(1)),
                 (Deed::Regularise(settings), _) => legs.push(Leg::Regularise(*settings)),
-                (Deed::Flow(options), _) => legs.push(Leg::Flow(FlowOptions::clone(options))),
+                (Deed::Flow(options), _) => {
+                    legs.push(Leg::Flow(Box::new(FlowOptions::clone(options))))
+                }
             }
         }
         legs

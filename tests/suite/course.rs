@@ -109,7 +109,7 @@ fn with_recipe_of(session: &Session) -> Session {
             Leg::Steps(count) => drop(other.run(count).expect("steps")),
             Leg::Regularise(settings) => drop(other.regularise(&settings).expect("regularised")),
             Leg::Anew => other.renew().expect("renewed"),
-            Leg::Flow(options) => drop(other.continue_with(options).expect("options")),
+            Leg::Flow(options) => drop(other.continue_with(*options).expect("options")),
         }
     }
     other
@@ -314,10 +314,10 @@ fn its_recipe_tells_each_flow_in_its_turn() {
     assert_eq!(recipe.flow, Some(flowing(FlowName::Circle)));
     let expected = [
         Leg::Steps(2),
-        Leg::Flow(p_willmore),
+        Leg::Flow(Box::new(p_willmore)),
         Leg::Steps(3),
         Leg::Regularise(settings),
-        Leg::Flow(flowing(FlowName::Mmcv)),
+        Leg::Flow(Box::new(flowing(FlowName::Mmcv))),
         Leg::Steps(1),
     ];
     assert_eq!(recipe.path, expected);
@@ -373,7 +373,7 @@ fn a_second_thought_takes_the_place_of_the_first() {
     assert_eq!((timeline.stored, timeline.branches.len()), (4, 0));
     assert_eq!(
         session.recipe().expect("a recipe").path,
-        [Leg::Steps(2), Leg::Flow(flowing(FlowName::Mmcv))]
+        [Leg::Steps(2), Leg::Flow(Box::new(flowing(FlowName::Mmcv)))]
     );
     session.back().expect("back");
     assert!(shown(&session) == fork);
