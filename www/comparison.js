@@ -118,6 +118,20 @@ export function changeOf(main, options) {
 }
 
 /**
+ * The same panes, told by how they differ from another first flow.
+ * @param {Comparison} comparison @param {Options} from @param {Options} to
+ * @returns {Comparison}
+ */
+export function rebased(comparison, from, to) {
+  if (from === to || comparison.rivals.length === 0) return comparison;
+  const rivals = comparison.rivals.map((rival) => ({
+    ...rival,
+    change: changeOf(to, optionsOf(from, rival.change)),
+  }));
+  return { ...comparison, rivals };
+}
+
+/**
  * A flow's time is a length to this power: the order of its equation, and that of p-Willmore
  * flow is p + 2.
  * @param {Options} options

@@ -132,7 +132,8 @@ export function createController(store, voice) {
     const steps = scene.comparison?.panes.map(({ step }) => step) ?? [];
     if (scene.figure) await showFigure(scene.figure).catch(report);
     if (scene.path) await follow(scene.path);
-    if ((scene.step && !scene.path) || steps.some(Boolean)) await run(scene.step ?? 0, steps);
+    const isThere = scene.path && steps.length === 0;
+    if ((scene.step && !isThere) || steps.some(Boolean)) await run(scene.step ?? 0, steps);
   }
 
   /** Takes the steps of a path at one go. @param {import("./protocol.js").RecipeLeg[]} path */

@@ -5,6 +5,7 @@
 /** @import { FieldName } from "./protocol.js" */
 /** @import { PageState, View } from "./state.js" */
 
+import { rebased } from "./comparison.js";
 import { isReading } from "./link-check.js";
 import { readComparison, writeComparison } from "./link-comparison.js";
 import { beginning, decodeEdits, decodePath, encodePath, firstOptions } from "./link-edits.js";
@@ -144,7 +145,7 @@ export function writeLink(state) {
       words.set("flipsPerStep", String(flipsPerStep ?? "all"));
   }
   if (colour !== "none") words.set("colour", colour);
-  writeComparison(words, comparison, options, reading);
+  writeComparison(words, rebased(comparison, state.options, options), options, reading);
   if (view.shading !== "smooth") words.set("shading", view.shading);
   if (view.wireframe) words.set("wireframe", "true");
   if (!view.boundary) words.set("border", "false");

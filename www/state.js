@@ -4,7 +4,7 @@
 
 /** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Story, Timeline, Wanted } from "./protocol.js" */
 
-import { alone, begunAnew } from "./comparison.js";
+import { alone, begunAnew, rebased } from "./comparison.js";
 import { byCurvature, defaults, plainArrangement } from "./options.js";
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'running' | 'paused' | 'failed'} Phase */
@@ -121,6 +121,15 @@ export const initial = Object.freeze({
   presenting: false,
   version: "",
 });
+
+/**
+ * That stood at a moment which was gone back to; panes beside it do what they did.
+ * @param {S} s @param {NonNullable<Frame["flow"]>} flow
+ */
+function anotherFlow(s, { options: told, configured }) {
+  const options = { ...defaults, ...told };
+  return { options, configured, comparison: rebased(s.comparison, s.options, options) };
+}
 
 /** @param {Reading | null} reading @returns {Phase} where a session that is not running stands */
 const still = (reading) => {
@@ -273,8 +282,7 @@ export const transitions = {
     { state, reports, positions, field, flippedTriangles, panes, curves, jump, look, ...more },
   ) => ({
     ...s,
-    // Another flow may have stood at a moment that was gone back to.
-    ...(more.flow ? { ...more.flow, options: { ...defaults, ...more.flow.options } } : {}),
+    ...(more.flow ? anotherFlow(s, more.flow) : {}),
     timeline: more.timeline,
     // A run that has not begun can be changed as one likes.
     goingOn: (more.timeline?.stored ?? 0) > 1 ? s.goingOn : null,

@@ -8,6 +8,7 @@ import { openSession } from "../../www/cli/solver.js";
 import { button, choice, until, useSite } from "./support/app.js";
 import { accessibilityFaults } from "./support/axe.js";
 import { difference } from "./support/browser.js";
+import { decodePng } from "./support/png.js";
 
 const site = useSite();
 
@@ -53,6 +54,14 @@ async function alone(options, steps) {
   const positions = session.positions();
   session.free();
   return { energies, positions };
+}
+
+/** Whether a surface has the blue of negative values, which it has not by itself. @param {Buffer} png */
+function isColoured(png) {
+  const { channels, data } = decodePng(png);
+  let blue = 0;
+  for (let i = 0; i < data.length; i += channels) if (data[i + 2] > data[i] + 15) blue += 1;
+  return blue > 100;
 }
 
 /** @param {(string | null)[][]} rows @param {number} pane */
@@ -247,6 +256,57 @@ test("a lost solver costs its pane nothing, and the others go on", async () => {
     faults.filter((fault) => !fault.includes("made by the test")),
     [],
   );
+  await close();
+});
+
+test("a pane opens beside a coloured run whose flow was changed on the way", async () => {
+  const { page, faults, close } = await site.open("sample=bumpy-sphere&colour=mean-curvature");
+  for (const n of [1, 2, 3]) {
+    await button(page, "Step").click();
+    await until(page, `Paused at step ${n}`);
+  }
+  await button(page, "Back").click();
+  await until(page, "Paused at step 2");
+  await choice(page, "Flow").selectOption("p-willmore");
+  await page.locator("#p-willmore").waitFor();
+  await button(page, "Step").click();
+  await until(page, "Paused at step 3");
+  await page.locator("#comparison > summary").click();
+  await button(page, "Add a pane").click();
+  // One has come by the other flow, the other by this one alone.
+  const [a, b] = await untilCaptions(page, /^A: p-Willmore.*step 3,.*\nB: p-Willmore.*step 3,/);
+  assert.notEqual(/energy (\S+),/.exec(a)?.[1], /energy (\S+),/.exec(b)?.[1]);
+  for (const pane of await page.locator(".pane canvas").all()) {
+    for (let tries = 0; !isColoured(await pane.screenshot()); tries += 1) {
+      assert.ok(tries < 100, "not coloured");
+    }
+  }
+  // A link brings both back.
+  await page.waitForFunction(() => /path=/.test(location.hash));
+  const link = await page.evaluate(() => location.hash);
+  const again = await site.open(link.slice(1));
+  assert.deepEqual(
+    await untilCaptions(again.page, /^A: p-Willmore.*step 3,.*\nB: p-Willmore.*step 3,/),
+    [a, b],
+  );
+  assert.deepEqual(again.faults, []);
+  await again.close();
+
+  // Back to the flow before, the pane beside is told for what it does, which is another now.
+  await button(page, "Back").click();
+  await button(page, "Back").click();
+  await untilCaptions(
+    page,
+    /^A: Willmore, circle angles.*step 2,.*\nB: p-Willmore, p = 2 · step 1,/,
+  );
+  // The one that is behind steps first.
+  for (const step of [2, 3]) {
+    await button(page, "Step").click();
+    const both = `^A: Willmore, circle angles.*step ${step},.*\nB: p-Willmore, p = 2 · step ${step},`;
+    await untilCaptions(page, new RegExp(both));
+  }
+  assert.equal(await page.getByRole("alert").textContent(), "");
+  assert.deepEqual(faults, []);
   await close();
 });
 

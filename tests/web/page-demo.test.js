@@ -162,14 +162,16 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
   });
 }
 
-test("the slides speak German to whoever does", async () => {
-  const { page, faults, close } = await openDeck("#/3", { locale: "de-DE" });
+test("the slides speak German to whoever asks for it, and so do their surfaces", async () => {
+  const { page, faults, close } = await openDeck("?lang=de#/3");
   await page.getByRole("heading", { name: "Kreise statt Krümmungen" }).waitFor();
   assert.equal(await page.locator("html").getAttribute("lang"), "de");
   assert.equal(await page.title(), "Willmore-Fluss auf acht Folien");
   // The readings in a sentence stay in their places.
   const caption = page.locator("figcaption:visible");
   await caption.filter({ hasText: /Hier ist W = 188\.5 nach 0 Schritten\.$/ }).waitFor();
+  const surface = page.frameLocator("section:not([hidden]) umbilic-surface iframe");
+  await surface.getByRole("button", { name: "Schritt", exact: true }).waitFor();
   await page.keyboard.press("End");
   await page.getByText("Discrete Willmore Flow").waitFor();
   assert.equal(await page.locator(".papers").getAttribute("lang"), "en");

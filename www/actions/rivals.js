@@ -123,10 +123,13 @@ export function createRivals({ store, solver, voice, report, onFrame }) {
           if (!origin) return;
           store.update(on.rivalLoading, id);
           await rival.solver.same(origin);
-          rival.mesh = mesh;
-          fields.set(id, await rival.solver.colour(colour));
         }
         const configured = await rival.solver.configure(wanted(change));
+        if (rival.mesh !== mesh || isLost) {
+          // There is no field to colour by before there is a flow.
+          fields.set(id, await rival.solver.colour(colour));
+          rival.mesh = mesh;
+        }
         store.update(on.rivalConfigured, id, change, configured);
       } finally {
         busy.delete(id);

@@ -9,6 +9,14 @@ import { createDeck } from "./deck.js";
 
 /** @typedef {HTMLElement & { play(): Promise<unknown>, pause(): Promise<unknown>, state(): Promise<{ phase: string, isWaiting: boolean }> }} Surface */
 
+// The surfaces speak as these slides do, also where only the address asks for that.
+const lang = new URLSearchParams(location.search).get("lang");
+if (lang) {
+  for (const surface of document.querySelectorAll("umbilic-surface")) {
+    surface.setAttribute("page", `./index.html?${new URLSearchParams({ lang })}`);
+  }
+}
+
 // As any other page loads it: bundled with this one it would no longer know where it stands.
 // From here it is one folder up, in the sources as in what is built of them.
 const embed = "../embed.js";
