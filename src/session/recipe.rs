@@ -97,7 +97,8 @@ impl Work {
     fn legs(&self) -> Vec<Leg> {
         if let Some(flips) = self.flow.as_ref().and_then(|flow| flow.flips()) {
             // One by one or many at once, they are the same.
-            return vec![Leg::Steps(flips.runs()[0].flips())];
+            let count = flips.runs()[0].flips();
+            return Vec::from_iter((count > 0).then_some(Leg::Steps(count)));
         }
         let mut legs = Vec::new();
         for act in self.history.acts() {
