@@ -91,7 +91,8 @@ test("keys, clicker, buttons and address turn the slides, and not beyond the end
 
 test("a surface runs while its slide is shown; Space plays, and the clicker works in it too", async () => {
   const { page, faults, close } = await openDeck("#/5");
-  while ((await state(page, 5)).phase === "loading") await page.waitForTimeout(50);
+  // Before a mesh is asked for there is none.
+  while (["empty", "loading"].includes((await state(page, 5)).phase)) await page.waitForTimeout(50);
   assert.equal((await state(page, 5)).phase, "ready", "it waits to be played");
   assert.equal(page.workers().length, 1, "no other slide has started");
   await page.keyboard.press(" ");
