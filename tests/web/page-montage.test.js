@@ -6,6 +6,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { button, download, until, useSite } from "./support/app.js";
 import { measure } from "./support/browser.js";
+import { playFilm } from "./support/film.js";
 import { decodePng } from "./support/png.js";
 
 const site = useSite();
@@ -110,32 +111,9 @@ test("a film holds all panes", async () => {
     page.waitForEvent("download"),
     button(page, "Stop and save").click(),
   ]);
-  const film = readFileSync(await file.path()).toString("base64");
   const blank = await site.blank();
   await blank.page.goto("about:blank");
-  const played = await blank.page.evaluate(async (data) => {
-    const video = document.createElement("video");
-    video.muted = true;
-    video.src = `data:video/webm;base64,${data}`;
-    await new Promise((resolve, reject) => {
-      video.onloadeddata = resolve;
-      video.onerror = () => reject(new Error(video.error?.message));
-    });
-    // The first picture that is shown.
-    await new Promise((resolve) => {
-      video.requestVideoFrameCallback(resolve);
-      video.play();
-    });
-    const { videoWidth: width, videoHeight: height } = video;
-    const canvas = new OffscreenCanvas(width, height);
-    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext("2d"));
-    context.drawImage(video, 0, 0);
-    const halves = [0, width >> 1].map((left) => {
-      const { data: pixels } = context.getImageData(left, 0, width >> 1, height);
-      return new Set(new Uint32Array(pixels.buffer)).size;
-    });
-    return { width, height, halves };
-  }, film);
+  const played = await playFilm(blank.page, readFileSync(await file.path()));
   await blank.close();
   assert.ok(Math.abs(played.width - (stage?.width ?? 0)) <= 1, `${played.width} pixels wide`);
   assert.ok(Math.abs(played.height - (stage?.height ?? 0)) <= 1, `${played.height} pixels high`);

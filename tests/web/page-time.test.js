@@ -23,6 +23,7 @@ import {
   useSite,
 } from "./support/app.js";
 import { accessibilityFaults } from "./support/axe.js";
+import { playFilm } from "./support/film.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 
 const site = useSite();
@@ -259,16 +260,7 @@ test("a film is recorded, and all steps are saved as meshes", async () => {
   assert.equal(film.name, "wavy-circle-step0005.webm");
   const blank = await site.blank();
   await blank.page.goto("about:blank");
-  const played = await blank.page.evaluate(async (data) => {
-    const video = document.createElement("video");
-    video.muted = true;
-    video.src = `data:video/webm;base64,${data}`;
-    await new Promise((resolve, reject) => {
-      video.onloadeddata = resolve;
-      video.onerror = () => reject(new Error(video.error?.message));
-    });
-    return { width: video.videoWidth, height: video.videoHeight };
-  }, film.bytes.toString("base64"));
+  const played = await playFilm(blank.page, film.bytes);
   await blank.close();
   const canvas = await page.locator("#surface").boundingBox();
   // Codecs take even sizes.

@@ -106,5 +106,3 @@ export function createMontage(root, tiles) {
     },
   };
 }
-
-/** @typedef {ReturnType<typeof createMontage>} Montage */

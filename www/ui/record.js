@@ -200,6 +200,7 @@ function createFilm(controller, state, stage) {
       try {
         start();
       } catch (error) {
+        whole = null;
         controller.report(error);
       }
     }
