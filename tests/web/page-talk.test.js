@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { figures } from "../../www/figures.js";
-import { paper } from "../../www/ui/equations.js";
+import { paper } from "../../www/ui/statements.js";
 import {
   button,
   canvas,
