@@ -38,7 +38,8 @@ pub struct Constraint<'a> {
 }
 
 impl Constraint<'_> {
-    fn violation(&self) -> f64 {
+    /// How far the value is from the target, as a share of that.
+    pub fn violation(&self) -> f64 {
         (self.value - self.target).abs() / self.target.abs().max(f64::MIN_POSITIVE)
     }
 }

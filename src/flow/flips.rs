@@ -1,11 +1,11 @@
-//! Edge flips as a flow: a step is a number of flips, and the positions stay.
+//! Edge flips step by step: a step is a number of flips, and the positions stay.
 //!
-//! Brink & Alboul compare three criteria from the same start; the others can run beside the
-//! chosen one, flip by flip.
+//! An optimiser of connectivity beside the flows, which change positions. Brink & Alboul
+//! compare three criteria from the same start; the others can run beside the chosen one, flip
+//! by flip.
 
 use super::options::FlowOptions;
-use super::stop::Verdict;
-use super::{Flow, FlowError, Pace, Progress, Reading, Status, StepReport};
+use super::{FlowError, Progress, Reading, Status, StepReport, Verdict};
 use crate::geometry::measure;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use crate::remesh::flips::FlipOptimiser;
@@ -37,7 +37,7 @@ pub struct FlipReading {
 }
 
 /// Edge-flip optimisation by one criterion, or by all three side by side.
-pub struct FlipFlow {
+pub struct EdgeFlips {
     start: Rc<HalfedgeMesh>,
     x: Rc<Vec<DVec3>>,
     guards_folds: bool,
@@ -50,7 +50,7 @@ pub struct FlipFlow {
     progress: Option<Progress>,
 }
 
-impl FlipFlow {
+impl EdgeFlips {
     /// Prepares the optimisation of a triangle mesh at fixed positions.
     ///
     /// # Errors
@@ -108,7 +108,7 @@ impl FlipFlow {
     }
 
     /// Flips made by the run that made most: the others have come to their ends.
-    fn clock(&self) -> usize {
+    pub fn clock(&self) -> usize {
         let made = self.runs.iter().map(FlipOptimiser::flips);
         made.max().unwrap_or_default()
     }
@@ -171,8 +171,8 @@ impl FlipFlow {
         self.before = self.clock().saturating_sub(self.per_step);
     }
 
-    /// To a number of flips, from before or after it.
-    fn seek(&mut self, goal: usize) {
+    /// Goes to a number of flips, from before or after it.
+    pub fn seek(&mut self, goal: usize) {
         self.rewind(goal);
         if self.clock() < goal {
             self.advance(goal);
@@ -192,13 +192,14 @@ impl FlipFlow {
     }
 }
 
-impl Flow for FlipFlow {
-    fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
+impl EdgeFlips {
+    /// Flips as many edges as a step does; without a report where there are none left.
+    pub fn step(&mut self, x: &[DVec3]) -> (Option<StepReport>, Verdict) {
         let start = Instant::now();
         let before = self.runs[0].willmore();
         let flips = self.runs[0].flips();
         if !self.advance(self.clock().saturating_add(self.per_step)) {
-            return Ok((None, Verdict::Stop(Status::Converged, self.end())));
+            return (None, Verdict::Stop(Status::Converged, self.end()));
         }
         let reading = self.reading(x);
         let clock = self.clock();
@@ -221,73 +222,34 @@ impl Flow for FlipFlow {
             flips: Some(self.readings()),
             ..StepReport::default()
         };
-        Ok((Some(report), Verdict::GoOn))
+        (Some(report), Verdict::GoOn)
     }
 
-    fn reading(&mut self, x: &[DVec3]) -> Reading {
+    /// Readings of the chosen run.
+    pub fn reading(&self, x: &[DVec3]) -> Reading {
         let run = &self.runs[0];
         Reading {
             energy: run.willmore(),
             energy_normalised: 0.5 * run.willmore(),
+            objective: run.willmore(),
             area: run.area(),
             volume: measure::volume(run.mesh(), x),
             ..Reading::default()
         }
     }
 
-    fn gradient(&self, x: &[DVec3]) -> Vec<DVec3> {
-        vec![DVec3::ZERO; x.len()]
-    }
-
-    fn set_progress(&mut self, callback: Option<Progress>) {
+    /// Called with a stage's name and the share of it done, within long steps.
+    pub fn set_progress(&mut self, callback: Option<Progress>) {
         self.progress = callback;
     }
 
-    fn mean_edge_length(&self) -> f64 {
+    /// Mean edge length at the start.
+    pub fn mean_edge_length(&self) -> f64 {
         self.mean_edge_length
     }
 
-    fn n_free(&self) -> usize {
-        self.x.len()
-    }
-
-    fn is_free(&self, _: usize) -> bool {
-        true
-    }
-
-    fn dt(&self) -> f64 {
-        self.per_step as f64
-    }
-
-    fn tau(&self) -> f64 {
-        self.per_step as f64
-    }
-
-    fn flipped_faces(&self) -> &[u32] {
-        &[]
-    }
-
-    fn pace(&self) -> Pace {
-        Pace::Flips(self.clock())
-    }
-
-    fn set_pace(&mut self, pace: Pace) {
-        if let Pace::Flips(clock) = pace {
-            self.seek(clock);
-        }
-    }
-
-    fn set_clock(&mut self, step: usize, _: f64) {
-        self.seek(step);
-    }
-
-    fn extend_budget(&mut self) {}
-
-    fn flips(&self) -> Option<&FlipFlow> {
-        Some(self)
-    }
-
-    fn flips_mut(&mut self) -> Option<&mut FlipFlow> {
-        Some(self)
+    /// How many flips a step makes.
+    pub fn per_step(&self) -> usize {
+        self.per_step
     }
 }

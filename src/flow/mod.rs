@@ -1,104 +1,160 @@
-//! Flows: an energy plus an integrator.
+//! Flows: a system each, and one driver for all of them.
 //!
-//! Step-size control, stopping rules, selections and reports are written once here and
-//! shared; a flow's own folder holds only its system.
+//! A [`Flow`] says what it monitors, proposes a move for a step size and measures a trial.
+//! The [`Driver`] owns the rest: which trials are accepted, the step size, the budget, folds
+//! and quality, collapse and extinction, warnings, how a run ends, and the report. Edge flips
+//! change connectivity and no position; they stand beside the flows ([`flips`]).
 
 pub mod boundary;
+pub mod bounds;
 pub mod circle;
 pub mod constraint;
+pub mod cost;
 pub mod curvature;
+pub mod driver;
+mod ending;
 pub mod error;
 pub mod flips;
+mod guard;
 pub mod options;
 pub mod p_willmore;
+pub mod phase;
 pub mod prefill;
+pub mod proposal;
 pub mod refusal;
 pub mod report;
+pub mod rules;
+mod search;
 pub mod step_size;
-pub mod stop;
+pub mod termination;
+pub mod vesicle;
 
+pub use cost::{Cost, Progress};
+pub use driver::{Checkpoint, Driver};
 pub use error::FlowError;
-pub use refusal::Refusal;
-pub use report::{Multipliers, Status, StepReport};
+pub use phase::{Memory, Occasion, Phase};
+pub use proposal::{Move, Proposal, Search};
+pub use refusal::{Cause, Refusal};
+pub use report::{Monitored, Multipliers, Reading, Status, StepReport};
+pub use rules::Rules;
+pub use termination::Verdict;
 
-use crate::mesh::HalfedgeMesh;
-use crate::operator::Elements;
-use circle::CircleFlow;
-use curvature::CurvatureFlow;
-use flips::FlipFlow;
 use glam::DVec3;
-use options::{FlowName, FlowOptions};
-use p_willmore::PWillmoreFlow;
-use std::rc::Rc;
-use stop::Verdict;
+use report::WarningsGiven;
+use step_size::StepSize;
 
-/// A callback for progress within long steps: the stage's name and the share done.
-pub type Progress = Rc<dyn Fn(&str, f64)>;
+/// The monitored functional at a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Functional {
+    /// Its value.
+    pub value: f64,
+    /// What gains are compared with: the value, less a part that no step can change.
+    pub scale: f64,
+}
 
-/// The flow that the options ask for, on a triangle mesh; on `polygons`, the same surface
-/// before it was cut into triangles, where the flow takes its faces. A pre-fill
-/// may change `x`.
-///
-/// # Errors
-/// See [`FlowError`].
-pub fn start(
-    triangles: &Rc<HalfedgeMesh>,
-    polygons: &Rc<HalfedgeMesh>,
-    x: &mut [DVec3],
-    options: FlowOptions,
-) -> Result<Box<dyn Flow>, FlowError> {
-    Ok(match options.flow {
-        FlowName::Circle => Box::new(CircleFlow::new(Rc::clone(triangles), x, options)?),
-        FlowName::Flips => Box::new(FlipFlow::new(Rc::clone(polygons), x, &options)?),
-        FlowName::PWillmore => {
-            let is_one_kind = Elements::of(polygons).is_some();
-            let mesh = if is_one_kind { polygons } else { triangles };
-            Box::new(PWillmoreFlow::new(Rc::clone(mesh), x, options)?)
+impl Functional {
+    /// All of whose value can change.
+    pub fn plain(value: f64) -> Self {
+        Self {
+            value,
+            scale: value.abs(),
         }
-        FlowName::MeanCurvature
-        | FlowName::SurfaceDiffusion
-        | FlowName::Willmore
-        | FlowName::Mmcv => Box::new(CurvatureFlow::new(Rc::clone(triangles), x, options)?),
-    })
+    }
 }
 
-/// What of a flow's state a step back restores along with the positions.
-#[derive(Clone, Copy, Debug)]
-pub enum Pace {
-    /// Of the circle-angle flow.
-    Circle(circle::Pace),
-    /// Of the p-Willmore flow.
-    PWillmore(p_willmore::Pace),
-    /// Number of edge flips made.
-    Flips(usize),
-    /// Of the flows by mean curvature and its derivatives.
-    Curvature(curvature::Pace),
-}
-
-/// What a flow says of positions that it has not just stepped to.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reading {
-    /// The flow's own energy, as in [`StepReport::energy`].
-    pub energy: f64,
-    /// See [`StepReport::energy_normalised`].
-    pub energy_normalised: f64,
-    /// See [`StepReport::gradient_norm`].
-    pub gradient_norm: f64,
-    /// Total area.
-    pub area: f64,
-    /// Signed volume of a closed, oriented surface.
-    pub volume: Option<f64>,
-    /// See [`StepReport::reduced_volume`].
-    pub reduced_volume: Option<f64>,
-}
-
-/// A flow on one mesh with one set of options; positions are the caller's.
+/// A flow on one mesh with one set of options: its system, without a loop.
 pub trait Flow {
-    /// Takes one step: `x` becomes the next state, or is left as it is with a verdict.
+    /// The functional that must not rise in the present phase.
+    fn monitored(&self) -> Monitored;
+
+    /// What the driver sees to in the present phase.
+    fn rules(&self) -> Rules;
+
+    /// The size of the first step, and how it may change.
+    fn step_size(&self) -> StepSize;
+
+    /// dt over this is τ, the step size without a unit.
+    fn time_unit(&self) -> f64;
+
+    /// The monitored functional at `x`, with all that a proposal and a report need.
     ///
     /// # Errors
-    /// Numerical failures; `x` is unchanged.
-    fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError>;
+    /// [`FlowError::NonFiniteEnergy`], [`FlowError::Unfit`].
+    fn evaluate(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<Functional, FlowError>;
+
+    /// The move that a step size amounts to, from where [`evaluate`](Self::evaluate) was last
+    /// called.
+    ///
+    /// # Errors
+    /// Numerical failures.
+    fn propose(&mut self, x: &[DVec3], dt: f64, cost: &mut Cost) -> Result<Proposal, FlowError>;
+
+    /// The monitored functional at a trial `y` on the way from `x`; moves it onto constraints
+    /// first, where there are any.
+    ///
+    /// # Errors
+    /// What is wrong with the trial.
+    fn measure(&mut self, x: &[DVec3], y: &mut [DVec3], cost: &mut Cost) -> Result<f64, Refusal>;
+
+    /// ⟨∇F, d⟩ at the trial that was measured last; asked for by [`Search::Wolfe`] only.
+    fn trial_slope(&self, _d: &[DVec3]) -> f64 {
+        f64::NAN
+    }
+
+    /// At the trial that was measured last, what a theorem bounds; see [`Rules::least`].
+    fn bounded(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// The trial that was measured last is taken: `share` of the move that was proposed last.
+    fn accept(&mut self, _step: &Move, _share: f64) {}
+
+    /// Slides vertices along the surface `y` that a step from `x` led to, to make its mesh
+    /// better without raising the functional above `limit`; `None` where nothing was done.
+    /// Measured where it is left.
+    ///
+    /// # Errors
+    /// Numerical failures.
+    fn slide(
+        &mut self,
+        _x: &[DVec3],
+        _y: &[DVec3],
+        _limit: f64,
+        _cost: &mut Cost,
+    ) -> Result<Option<Vec<DVec3>>, FlowError> {
+        Ok(None)
+    }
+
+    /// What changes at an occasion, if anything: a phase monitors or integrates differently.
+    ///
+    /// # Errors
+    /// Numerical failures.
+    fn next_phase(
+        &mut self,
+        _x: &[DVec3],
+        _occasion: &Occasion,
+        _cost: &mut Cost,
+    ) -> Result<Option<Phase>, FlowError> {
+        Ok(None)
+    }
+
+    /// How far `x` is from rest, by a test without a unit that does not depend on the step
+    /// size; at most 1 is at rest.
+    ///
+    /// # Errors
+    /// Numerical failures.
+    fn stationarity(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<f64, FlowError>;
+
+    /// What of the report is the flow's own, at the state evaluated last.
+    fn describe(&mut self, x: &[DVec3], report: &mut StepReport);
+
+    /// What the numbers cannot tell; each is said once a run.
+    fn warn(&self, _x: &[DVec3], _report: &mut StepReport, _given: &mut WarningsGiven) {}
+
+    /// What helps a run that can go no further, in half a sentence.
+    fn remedy(&self) -> &'static str {
+        "a finer mesh helps"
+    }
 
     /// Readings at positions that come from elsewhere.
     fn reading(&mut self, x: &[DVec3]) -> Reading;
@@ -112,10 +168,7 @@ pub trait Flow {
         None
     }
 
-    /// Called with a stage's name and the share of the step done, within long steps.
-    fn set_progress(&mut self, callback: Option<Progress>);
-
-    /// Mean edge length at the start.
+    /// Mean edge length of what moves at the start.
     fn mean_edge_length(&self) -> f64;
 
     /// Number of vertices that move.
@@ -124,40 +177,9 @@ pub trait Flow {
     /// Whether a vertex moves.
     fn is_free(&self, v: usize) -> bool;
 
-    /// The next step's size, in the flow's unit of time.
-    fn dt(&self) -> f64;
+    /// What the flow must remember to go on from here as if nothing had been between.
+    fn memory(&self) -> Memory;
 
-    /// The same without a unit.
-    fn tau(&self) -> f64;
-
-    /// Faces that folded over in the last step.
-    fn flipped_faces(&self) -> &[u32];
-
-    /// The last trial that was refused on the way to the present state.
-    fn refusal(&self) -> Option<Refusal> {
-        None
-    }
-
-    /// What a step back must restore beside the positions.
-    fn pace(&self) -> Pace;
-
-    /// Goes back to an earlier pace of the same flow.
-    fn set_pace(&mut self, pace: Pace);
-
-    /// Sets the step count and time, after positions came from outside.
-    fn set_clock(&mut self, step: usize, time: f64);
-
-    /// Grants the budget of steps once more, counted from here.
-    fn extend_budget(&mut self);
-
-    /// The edge flips, where the flow consists of them: it changes the connectivity and
-    /// leaves the positions.
-    fn flips(&self) -> Option<&FlipFlow> {
-        None
-    }
-
-    /// The same, to be changed.
-    fn flips_mut(&mut self) -> Option<&mut FlipFlow> {
-        None
-    }
+    /// Goes back to that; what is known of other positions is forgotten.
+    fn recall(&mut self, memory: Memory);
 }

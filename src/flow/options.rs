@@ -117,8 +117,13 @@ pub struct FlowOptions {
     pub free: Option<Vec<u32>>,
     /// These vertices never move.
     pub fixed: Option<Vec<u32>>,
-    /// Budget of steps.
-    pub max_steps: usize,
+    /// Budget of steps, for a set number of them.
+    pub max_steps: Option<usize>,
+    /// Budget of seconds of computing, counted anew each time a run is asked to go on.
+    pub max_seconds: Option<f64>,
+    /// p-Willmore: the start is pushed along its normals by up to so many mean edge lengths, so
+    /// that a symmetric one can leave a shape that is unstable.
+    pub perturbation: f64,
     /// p-Willmore: the exponent; 0 (mean-curvature flow) or at least 1.
     pub p: f64,
     /// p-Willmore: what is kept.
@@ -167,7 +172,9 @@ impl Default for FlowOptions {
             prefill: false,
             free: None,
             fixed: None,
-            max_steps: 200,
+            max_steps: None,
+            max_seconds: Some(DEFAULT_SECONDS),
+            perturbation: 0.0,
             p: 2.0,
             keep: Vec::new(),
             regularise: Mode::default(),
@@ -184,6 +191,12 @@ impl Default for FlowOptions {
         }
     }
 }
+
+/// Most surfaces come to rest in this time; longer, and one would rather be asked.
+const DEFAULT_SECONDS: f64 = 120.0;
+
+/// A larger perturbation folds faces.
+const MAX_PERTURBATION: f64 = 0.3;
 
 /// |Y|^p and its derivatives stay within double precision.
 const MAX_EXPONENT: f64 = 16.0;
@@ -217,6 +230,7 @@ impl FlowOptions {
             ("the largest τ", self.tau_max),
             ("the growth of τ", Some(self.tau_growth)),
             ("the ε of the regularisation", Some(self.regularise_epsilon)),
+            ("the budget of seconds", self.max_seconds),
         ];
         for (name, value) in positive {
             if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
@@ -225,6 +239,10 @@ impl FlowOptions {
         }
         if !(0.0..=1.0).contains(&self.epsilon) {
             return bad("epsilon", self.epsilon.to_string(), "a number from 0 to 1");
+        }
+        if !(0.0..=MAX_PERTURBATION).contains(&self.perturbation) {
+            let value = self.perturbation.to_string();
+            return bad("the perturbation", value, "a number from 0 to 0.3");
         }
         if self.smooth_steps == 0 {
             return bad("smoothSteps", "0".into(), "1 or more");

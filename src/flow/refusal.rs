@@ -7,6 +7,13 @@ use std::fmt;
 pub enum Cause {
     /// What the step has to lower would rise, or fall by too little (Armijo).
     Rise,
+    /// What is monitored would fall, but the reading that people see would jump up.
+    ReadingJump,
+    /// The energy would fall below what a theorem leaves to any smooth surface of this
+    /// topology: a handle would collapse between the vertices.
+    Bound,
+    /// The neighbours of a vertex would no longer determine a quadratic surface.
+    Unfit,
     /// Faces would fold over.
     Fold,
     /// A vertex would move by more than half an edge.
@@ -27,6 +34,11 @@ impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Rise => "the energy would rise",
+            Self::ReadingJump => "the energy as printed would jump up",
+            Self::Bound => {
+                "the energy would be below that of every smooth surface with these handles"
+            }
+            Self::Unfit => "curvatures could no longer be fitted",
             Self::Fold => "faces would fold over",
             Self::TooFar => "a vertex would move by more than half an edge",
             Self::Turn => "a face would turn by more than 60°",
@@ -39,14 +51,45 @@ impl fmt::Display for Cause {
 }
 
 /// A trial step that was refused, with the element that shows it most.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refusal {
     /// What is wrong.
     pub cause: Cause,
-    /// The vertex that would have moved most, in lengths of its edges.
+    /// The vertex that would have moved most, in lengths of its edges, or that cannot be
+    /// fitted.
     pub vertex: u32,
     /// The face that would have turned most or become a sliver.
     pub face: Option<u32>,
+    /// The share of the move that might do, where that is known.
+    pub ratio: Option<f64>,
+}
+
+impl Refusal {
+    /// For a cause, without the elements, which the driver knows better.
+    pub fn of(cause: Cause) -> Self {
+        Self {
+            cause,
+            vertex: 0,
+            face: None,
+            ratio: None,
+        }
+    }
+
+    /// Whether the mesh would suffer, or a theorem's bound be passed.
+    pub fn is_of_mesh(&self) -> bool {
+        matches!(
+            self.cause,
+            Cause::Bound | Cause::Sliver | Cause::Turn | Cause::Unfit
+        )
+    }
+
+    /// The same about a vertex.
+    pub fn at(cause: Cause, vertex: u32) -> Self {
+        Self {
+            vertex,
+            ..Self::of(cause)
+        }
+    }
 }
 
 /// The vertex that moves most from `x` to `y` in units of `reach`, and by how much; what is

@@ -12,10 +12,14 @@ pub enum Status {
     Ready,
     /// Nothing is left to gain.
     Converged,
-    /// The budget of steps is used up.
+    /// The budget of steps or of time is used up.
     StepLimit,
-    /// Going on would gain nothing or do harm.
+    /// No step was accepted, or only ever smaller ones, although the surface is not at rest.
     Stalled,
+    /// The surface pinches off or vanishes: the flow has no solution from there on.
+    Singular,
+    /// A step would go below what a theorem leaves to smooth surfaces of this topology.
+    Collapsed,
     /// A step failed; the last good state is kept.
     Failed,
 }
@@ -24,6 +28,94 @@ impl Status {
     /// Whether the run is over.
     pub fn is_final(self) -> bool {
         self != Self::Ready
+    }
+
+    /// Whether the surface could not be kept good any longer.
+    pub fn is_breakdown(self) -> bool {
+        matches!(self, Self::Singular | Self::Collapsed | Self::Failed)
+    }
+}
+
+/// The functional that does not rise on an accepted step of the recommended scheme.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Default)]
+#[serde(rename_all = "camelCase")]
+pub enum Monitored {
+    /// U_ε = Σ 2√(β² + ε²) − 2πN, which is W = Σ W_i as printed at ε = 0 and never below it.
+    #[default]
+    SmoothedCircle,
+    /// Total area.
+    Area,
+    /// ∫H² dA.
+    Willmore,
+    /// ∫|H|^p dA.
+    PWillmore,
+    /// ∫(H − H₀)² dA + (σA − PV)/4.
+    Helfrich,
+    /// ∫|∇H|² dA.
+    CurvatureVariation,
+}
+
+/// What a flow says of positions that it has not just stepped to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// The flow's own energy, as in [`StepReport::energy`].
+    pub energy: f64,
+    /// See [`StepReport::energy_normalised`].
+    pub energy_normalised: f64,
+    /// Which functional a step must not raise, and what it is here.
+    pub monitored: Monitored,
+    /// See [`StepReport::objective`].
+    pub objective: f64,
+    /// See [`StepReport::gradient_norm`].
+    pub gradient_norm: f64,
+    /// Total area.
+    pub area: f64,
+    /// Signed volume of a closed, oriented surface.
+    pub volume: Option<f64>,
+    /// See [`StepReport::reduced_volume`].
+    pub reduced_volume: Option<f64>,
+}
+
+/// A warning that is given once a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Warning {
+    /// The energy is near the least of any smooth surface of this topology.
+    NearBound,
+    /// The area has grown several times over.
+    Growth,
+    /// Half of the area is held by few faces.
+    Balloon,
+    /// The reading rises while the monitored functional falls.
+    ReadingRose,
+    /// The mesh is too coarse for the curvature.
+    Coarse,
+    /// The largest face has grown.
+    LargeFace,
+    /// The smallest angle has become small.
+    Slivers,
+    /// Systems are solved iteratively.
+    Iterative,
+    /// Linear systems were not solved well.
+    Inaccurate,
+    /// Too few held vertices about a patch.
+    Margin,
+    /// The discretisation disagrees with another of the same integral.
+    Disagreement,
+    /// The branch of a led vesicle.
+    Branch,
+}
+
+/// Which warnings a run has given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WarningsGiven(u32);
+
+impl WarningsGiven {
+    /// Whether the warning has not been given yet; it counts as given from now on.
+    pub fn is_first(&mut self, warning: Warning) -> bool {
+        let bit = 1 << warning as u32;
+        let is_new = self.0 & bit == 0;
+        self.0 |= bit;
+        is_new
     }
 }
 
@@ -45,7 +137,9 @@ pub struct StepReport {
     /// The same made comparable: W/2, or ∫|H|^p dA over its value on the round sphere of
     /// the same area.
     pub energy_normalised: f64,
-    /// What this step had to decrease, before.
+    /// Which functional the step must not raise.
+    pub monitored: Monitored,
+    /// That functional before the step.
     pub objective_before: f64,
     /// The same after.
     pub objective: f64,
@@ -103,6 +197,8 @@ pub struct StepReport {
     pub factor_milliseconds: f64,
     /// Time for triangular solves and iterations.
     pub solve_milliseconds: f64,
+    /// Time for sliding vertices along the surface.
+    pub regularise_milliseconds: f64,
     /// Worth telling the user.
     pub warnings: Vec<String>,
 }

@@ -107,16 +107,34 @@ pub fn min_angle_degrees(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
     smallest.to_degrees()
 }
 
-/// The triangle with the smallest corner angle, and that angle in degrees.
+/// The face with the smallest corner angle, and that angle in degrees.
 pub fn sharpest_face(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<(Face, f64)> {
     mesh.faces()
-        .filter(|&f| mesh.face_vertices(f).count() == 3)
-        .map(|f| {
-            let angles = triangle_angles(triangle_points(mesh, x, f));
-            (f, angles.into_iter().fold(f64::INFINITY, f64::min))
-        })
+        .map(|f| (f, least_tangent(mesh, x, f)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(f, angle)| (f, angle.to_degrees()))
+        .map(|(f, tangent)| (f, angle_of(tangent)))
+}
+
+/// A number that grows with the smallest corner angle of a face: its tangent up to a right
+/// angle, above that infinite. One division a corner, where an angle takes much longer.
+fn least_tangent(mesh: &HalfedgeMesh, x: &[DVec3], f: Face) -> f64 {
+    let tangent = |h| {
+        let v = at(x, mesh.tail(h));
+        let (u, w) = (at(x, mesh.tip(h)) - v, at(x, mesh.tail(mesh.prev(h))) - v);
+        let (cross, dot) = (u.cross(w).length(), u.dot(w));
+        match cross > 0.0 {
+            true if dot > 0.0 => cross / dot,
+            true => f64::INFINITY,
+            false => 0.0,
+        }
+    };
+    mesh.cycle(mesh.halfedge_of_face(f))
+        .map(tangent)
+        .fold(f64::INFINITY, f64::min)
+}
+
+fn angle_of(tangent: f64) -> f64 {
+    tangent.atan().to_degrees()
 }
 
 /// A third of the area of the triangles at each vertex; unit length².

@@ -3,6 +3,7 @@
 //! Conventions: outward normals on closed surfaces; H = (κ₁+κ₂)/2, positive on a
 //! sphere; K Gaussian. Names say `integrated_` or `pointwise_` where both exist.
 
+pub mod bend;
 pub mod circumcircle;
 pub mod curvature;
 pub mod frame;

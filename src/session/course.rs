@@ -2,12 +2,13 @@
 //! the steps so far stay, and what was stored to come becomes a branch.
 
 use super::Session;
+use super::engine::Engine;
 use super::fault::Fault;
 use super::history::Deed;
 use super::readings::State;
 use super::work::{Configured, Work};
 use crate::flow::options::{FlowName, FlowOptions};
-use crate::flow::{self, Flow, FlowError, StepReport};
+use crate::flow::{FlowError, StepReport};
 use glam::DVec3;
 use std::rc::Rc;
 
@@ -101,11 +102,11 @@ impl Work {
     }
 
     /// The flow of the present course as it started.
-    pub(super) fn started(&self) -> Result<Box<dyn Flow>, FlowError> {
+    pub(super) fn started(&self) -> Result<Engine, FlowError> {
         let (document, course) = (&self.document, &self.course);
         let mut start = course.start.as_ref().unwrap_or(&document.start).clone();
         let options = course.options.clone();
-        let mut flow = flow::start(&document.triangles, &document.polygons, &mut start, options)?;
+        let mut flow = Engine::start(&document.triangles, &document.polygons, &mut start, options)?;
         flow.set_progress(self.progress.clone());
         Ok(flow)
     }
@@ -166,7 +167,7 @@ impl Work {
             start: Some(x.clone()),
         };
         let (triangles, polygons) = (&self.document.triangles, &self.document.polygons);
-        let mut flow = match flow::start(triangles, polygons, &mut x, options) {
+        let mut flow = match Engine::start(triangles, polygons, &mut x, options) {
             Ok(flow) => flow,
             Err(error) => {
                 if is_second_thought {

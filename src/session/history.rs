@@ -2,9 +2,10 @@
 //! that leave it. Bounded in number and in memory.
 
 use super::course::Course;
+use super::engine::Checkpoint;
 use super::readings::State;
+use crate::flow::StepReport;
 use crate::flow::options::FlowOptions;
-use crate::flow::{Pace, StepReport};
 use crate::remesh::static_pass::Settings;
 use glam::DVec3;
 use serde::Serialize;
@@ -43,7 +44,7 @@ pub(super) struct Moment {
     pub(super) x: Option<Vec<DVec3>>,
     /// The flow that stood there, and how far it was.
     pub(super) course: Rc<Course>,
-    pub(super) pace: Pace,
+    pub(super) checkpoint: Checkpoint,
     pub(super) state: State,
     /// Faces that folded over in the step that led here.
     pub(super) flipped: Vec<u32>,
@@ -56,7 +57,7 @@ impl Moment {
         id: MomentId,
         x: Option<Vec<DVec3>>,
         course: Rc<Course>,
-        pace: Pace,
+        checkpoint: Checkpoint,
         state: State,
         flipped: Vec<u32>,
     ) -> Self {
@@ -64,7 +65,7 @@ impl Moment {
             id,
             x,
             course,
-            pace,
+            checkpoint,
             state,
             flipped,
             came: None,
@@ -447,7 +448,7 @@ mod tests {
             history.here(),
             Some(x),
             Rc::default(),
-            Pace::Flips(step),
+            Checkpoint::Flips(step),
             state,
             Vec::new(),
         )

@@ -8,6 +8,7 @@ mod conjecture;
 mod course;
 mod document;
 mod edit;
+mod engine;
 mod fault;
 mod field;
 mod fill;

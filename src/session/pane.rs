@@ -6,8 +6,7 @@ use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::work::Work;
 use super::{Session, as_f32};
-use crate::flow::Flow;
-use crate::flow::flips::FlipFlow;
+use crate::flow::flips::EdgeFlips;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
 use crate::remesh::flips::FlipOptimiser;
 use crate::remesh::flips::reduction::Criterion;
@@ -132,8 +131,8 @@ impl Work {
         if let Some(flips) = self.flow.as_mut().and_then(|flow| flow.flips_mut()) {
             flips.compare(arrangement.compare == Compare::Criteria);
             flips.set_per_step(arrangement.flips_per_step.unwrap_or(usize::MAX));
-            self.state.dt = flips.dt();
-            self.state.tau = flips.tau();
+            self.state.dt = flips.per_step() as f64;
+            self.state.tau = self.state.dt;
             if self.state.flips.is_some() {
                 self.state.flips = Some(flips.readings());
             }
@@ -201,7 +200,7 @@ fn name_of(criterion: Criterion) -> &'static str {
     }
 }
 
-fn curves(flow: &FlipFlow) -> Curves {
+fn curves(flow: &EdgeFlips) -> Curves {
     let most = flow.runs().iter().map(FlipOptimiser::flips).max();
     let most = most.unwrap_or_default();
     let stride = most.div_ceil(MAX_POINTS).max(1);

@@ -6,7 +6,7 @@ use crate::energy::circle::{self, Boundary, CircleEnergy};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
 use crate::energy::{conformal, p_willmore};
 use crate::flow::flips::FlipReading;
-use crate::flow::{Multipliers, Status, StepReport};
+use crate::flow::{Monitored, Multipliers, Status, StepReport};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::operator::Elements;
@@ -182,6 +182,10 @@ pub struct State {
     pub volume: Option<f64>,
     /// Smallest corner angle.
     pub min_angle_degrees: f64,
+    /// Which functional a step must not raise.
+    pub monitored: Monitored,
+    /// What it is.
+    pub objective: f64,
     /// Norm of the objective's gradient.
     pub gradient_norm: f64,
     /// Duration of the last step.
@@ -196,7 +200,8 @@ pub(super) fn history_csv(reports: &[StepReport]) -> String {
         "step,time,dt,tau,energy,objectiveBefore,objective,epsilon,gradientNorm,area,volume,\
          minAngleDegrees,rejected,iterations,negativePivots,skippedAngles,flippedFaces,\
          maxDisplacement,milliseconds,assembleMilliseconds,factorMilliseconds,\
-         solveMilliseconds,energyNormalised,reducedVolume,tension,pressure\n",
+         solveMilliseconds,energyNormalised,reducedVolume,tension,pressure,\
+         regulariseMilliseconds\n",
     );
     for r in reports {
         let cell = |value: Option<f64>| value.map(|v| v.to_string()).unwrap_or_default();
@@ -204,7 +209,7 @@ pub(super) fn history_csv(reports: &[StepReport]) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.3},{:.3},{:.3},{:.3},{},{},{},{}",
+            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.3},{:.3},{:.3},{:.3},{},{},{},{},{:.3}",
             r.step,
             r.time,
             r.dt,
@@ -231,6 +236,7 @@ pub(super) fn history_csv(reports: &[StepReport]) -> String {
             cell(r.reduced_volume),
             cell(tension),
             cell(pressure),
+            r.regularise_milliseconds,
         );
     }
     text

@@ -4,22 +4,22 @@
 //! returns goes on as if he had not. Only a step from elsewhere makes the flow anew there.
 
 use super::Session;
+use super::engine::Checkpoint;
 use super::fault::Fault;
 use super::history::{Moment, MomentId, Timeline};
 use super::readings::State;
 use super::work::Work;
-use crate::flow::{Flow, Pace};
 use std::rc::Rc;
 
 /// What belongs to the moment that is shown, where the flow stands at another.
 pub(super) struct Shown {
-    pace: Pace,
+    checkpoint: Checkpoint,
     flipped: Vec<u32>,
 }
 
 impl Session {
     /// Shows a stored step of the present path, the nearest at or before `step` where that is
-    /// not stored: positions, readings and pace exactly as then. Later steps stay stored, and
+    /// not stored: positions, readings and checkpoint exactly as then. Later steps stay stored, and
     /// a step from here keeps them as a branch.
     ///
     /// # Errors
@@ -46,15 +46,18 @@ impl Session {
     }
 
     /// Makes the flow anew where it stands, as a step after a look back does: what it knows of
-    /// earlier steps is forgotten, the pace is not.
+    /// earlier steps is forgotten, the checkpoint is not.
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn renew(&mut self) -> Result<(), Fault> {
         let work = self.work_mut()?;
-        if let Some(pace) = work.pace() {
+        if let Some(checkpoint) = work.checkpoint() {
             let flipped = work.folded().to_vec();
-            work.shown = Some(Shown { pace, flipped });
+            work.shown = Some(Shown {
+                checkpoint,
+                flipped,
+            });
             work.flow_at = MomentId::MAX;
         }
         Ok(())
@@ -73,11 +76,11 @@ impl Session {
 }
 
 impl Work {
-    /// The pace of the moment that is shown.
-    pub(super) fn pace(&self) -> Option<Pace> {
+    /// The checkpoint of the moment that is shown.
+    pub(super) fn checkpoint(&self) -> Option<Checkpoint> {
         match &self.shown {
-            Some(shown) if self.flow_at != self.history.here() => Some(shown.pace),
-            _ => self.flow.as_ref().map(|flow| flow.pace()),
+            Some(shown) if self.flow_at != self.history.here() => Some(shown.checkpoint),
+            _ => self.flow.as_ref().map(|flow| flow.checkpoint()),
         }
     }
 
@@ -93,9 +96,9 @@ impl Work {
     /// What is shown, as a moment without positions.
     fn present_moment(&self) -> Option<Moment> {
         let flipped = self.folded().to_vec();
-        let (id, pace) = (self.history.here(), self.pace()?);
+        let (id, checkpoint) = (self.history.here(), self.checkpoint()?);
         let (course, state) = (Rc::clone(&self.course), self.state.clone());
-        Some(Moment::new(id, None, course, pace, state, flipped))
+        Some(Moment::new(id, None, course, checkpoint, state, flipped))
     }
 
     fn moves_positions(&self) -> bool {
@@ -123,7 +126,7 @@ impl Work {
         self.state = moment.state;
         self.state.can_step_back = self.history.can_go_back();
         self.shown = Some(Shown {
-            pace: moment.pace,
+            checkpoint: moment.checkpoint,
             flipped: moment.flipped,
         });
     }
@@ -131,21 +134,23 @@ impl Work {
     /// After a change of what is shown: flips are replayed, the flow is the one that stood
     /// there, and what stands beside follows.
     fn settle(&mut self) {
-        let pace = self.pace();
+        let checkpoint = self.checkpoint();
         if !Rc::ptr_eq(&self.course, &self.flow_of) {
             // It started before; if memory is short now, the next step will say so.
-            if let (Some(pace), Ok(mut flow)) = (pace, self.started()) {
-                flow.set_pace(pace);
+            if let (Some(checkpoint), Ok(mut flow)) = (checkpoint, self.started()) {
+                flow.restore(checkpoint);
                 self.flow = Some(flow);
                 self.flow_of = Rc::clone(&self.course);
             }
             // A step from here makes it anew, as everywhere else that was gone to.
             self.flow_at = MomentId::MAX;
         }
-        if let (Some(pace), Some(flow)) = (pace, &mut self.flow)
+        if let (Some(checkpoint), Some(flow)) = (checkpoint, &mut self.flow)
             && let Some(flips) = flow.flips_mut()
         {
-            Flow::set_pace(flips, pace);
+            if let Checkpoint::Flips(clock) = checkpoint {
+                flips.seek(clock);
+            }
             let readings = flips.readings();
             // Criteria may have joined since.
             if self
@@ -237,13 +242,16 @@ impl Work {
     /// Makes the flow ready to compute from what is shown.
     ///
     /// # Errors
-    /// As [`flow::start`](crate::flow::start), if memory is short; nothing has changed.
+    /// As [`Driver::start`](crate::flow::Driver::start), if memory is short; nothing has changed.
     pub(super) fn stand_here(&mut self) -> Result<(), Fault> {
-        let Some(pace) = self.pace().filter(|_| self.flow_at != self.history.here()) else {
+        let Some(checkpoint) = self
+            .checkpoint()
+            .filter(|_| self.flow_at != self.history.here())
+        else {
             return Ok(());
         };
         let mut flow = self.started()?;
-        flow.set_pace(pace);
+        flow.restore(checkpoint);
         self.flow = Some(flow);
         self.flow_of = Rc::clone(&self.course);
         self.flow_at = self.history.here();

@@ -2,6 +2,7 @@
 
 use super::course::Course;
 use super::document::Document;
+use super::engine::{Checkpoint, Engine};
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::history::{Act, Deed, History, Moment, MomentId};
@@ -9,10 +10,9 @@ use super::pane::Arrangement;
 use super::readings::{Info, State};
 use super::recipe::Chapter;
 use super::timeline::Shown;
-use crate::flow::flips::FlipFlow;
+use crate::flow::flips::EdgeFlips;
 use crate::flow::options::FlowOptions;
-use crate::flow::stop::Verdict;
-use crate::flow::{self, Flow, FlowError, Pace, Progress, Status, StepReport, p_willmore};
+use crate::flow::{FlowError, Progress, Status, StepReport, Verdict, p_willmore};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::operator::Elements;
@@ -48,7 +48,7 @@ pub(super) struct Work {
     pub(super) flows: u32,
     /// That of the moment which is shown.
     pub(super) course: Rc<Course>,
-    pub(super) flow: Option<Box<dyn Flow>>,
+    pub(super) flow: Option<Engine>,
     /// The course that `flow` is of.
     pub(super) flow_of: Rc<Course>,
     pub(super) x: Vec<DVec3>,
@@ -110,10 +110,13 @@ impl Work {
 
     /// Lets go of the flow, whose factors are large, but not of what it takes to go on.
     pub(super) fn suspend(mut self) -> Suspended {
-        let pace = self.pace();
+        let checkpoint = self.checkpoint();
         self.flow = None;
         self.beside.clear();
-        Suspended { work: self, pace }
+        Suspended {
+            work: self,
+            checkpoint,
+        }
     }
 
     pub(super) fn configure(
@@ -127,7 +130,7 @@ impl Work {
         // Kept until the new one is sure; gone before its factor is allocated, in the first
         // step: wasm memory never shrinks.
         let old = self.flow.take();
-        let mut flow = match flow::start(triangles, polygons, &mut x, options.clone()) {
+        let mut flow = match Engine::start(triangles, polygons, &mut x, options.clone()) {
             Ok(flow) => flow,
             Err(error) => {
                 self.flow = old;
@@ -248,8 +251,8 @@ impl Work {
         self.x = y;
         if let Some(flow) = &mut self.flow {
             // What the flow knows of the old positions no longer holds.
-            let pace = flow.pace();
-            flow.set_pace(pace);
+            let checkpoint = flow.checkpoint();
+            flow.restore(checkpoint);
             flow.extend_budget();
         }
         self.state.status = Status::Ready;
@@ -314,6 +317,8 @@ impl Work {
                 time: report.time,
                 energy: report.energy,
                 energy_normalised: report.energy_normalised,
+                monitored: report.monitored,
+                objective: report.objective,
                 area: report.area,
                 volume: report.volume,
                 min_angle_degrees: report.min_angle_degrees,
@@ -343,11 +348,13 @@ impl Work {
         let reading = flow.reading(&self.x);
         self.state.energy = reading.energy;
         self.state.energy_normalised = reading.energy_normalised;
+        self.state.monitored = reading.monitored;
+        self.state.objective = reading.objective;
         self.state.gradient_norm = reading.gradient_norm;
         self.state.volume = reading.volume;
         self.state.area = reading.area;
         self.state.reduced_volume = reading.reduced_volume;
-        self.state.flips = flow.flips().map(FlipFlow::readings);
+        self.state.flips = flow.flips().map(EdgeFlips::readings);
         self.state.min_angle_degrees = measure::min_angle_degrees(self.polygons(), &self.x);
         let Some(flow) = &self.flow else { return };
         self.state.dt = flow.dt();
@@ -359,18 +366,23 @@ impl Work {
 /// A document whose flow can be started where it stood.
 pub(super) struct Suspended {
     work: Work,
-    pace: Option<Pace>,
+    checkpoint: Option<Checkpoint>,
 }
 
 impl Suspended {
     /// Puts everything back as it was.
     pub(super) fn resume(self, progress: Option<Progress>) -> Work {
-        let Self { mut work, pace } = self;
-        let Some(pace) = pace else { return work };
+        let Self {
+            mut work,
+            checkpoint,
+        } = self;
+        let Some(checkpoint) = checkpoint else {
+            return work;
+        };
         work.progress = progress;
         // It started from here before; if memory is short now, the next step will say so.
         if let Ok(mut flow) = work.started() {
-            flow.set_pace(pace);
+            flow.restore(checkpoint);
             work.flow_of = Rc::clone(&work.course);
             work.flow = Some(flow);
             work.flow_at = work.history.here();

@@ -17,8 +17,7 @@ use std::time::Duration;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::star::StarMatrix;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};
-use umbilic::flow::Flow;
-use umbilic::flow::circle::CircleFlow;
+use umbilic::flow::Driver;
 use umbilic::flow::options::FlowOptions;
 use umbilic::geometry::survey::survey;
 use umbilic::linalg::{Refactor, Solver};
@@ -27,13 +26,13 @@ use umbilic::mesh::{Built, HalfedgeMesh, build, shape};
 const SMOOTHING: Smoothing = Smoothing { epsilon: 0.1 };
 
 /// A bumpy sphere some steps into its flow: the first are not typical.
-fn surface(level: usize) -> (Rc<HalfedgeMesh>, Vec<DVec3>, CircleFlow) {
+fn surface(level: usize) -> (Rc<HalfedgeMesh>, Vec<DVec3>, Driver) {
     let sample = shape::make("bumpy-sphere", &[("level".into(), level as f64)]).unwrap();
     let Built {
         mesh, positions, ..
     } = build(&sample.soup).unwrap();
     let (mesh, mut x) = (Rc::new(mesh), positions);
-    let mut flow = CircleFlow::new(mesh.clone(), &mut x, FlowOptions::default()).unwrap();
+    let mut flow = Driver::start(&mesh, &mesh, &mut x, FlowOptions::default()).unwrap();
     for _ in 0..4 {
         flow.step(&mut x).unwrap();
     }
@@ -88,10 +87,10 @@ fn parts(criterion: &mut Criterion) {
             black_box(survey(&mesh, &x, &x));
         });
 
-        let pace = flow.pace();
+        let checkpoint = flow.checkpoint();
         time("step", &mut || {
             let mut y = x.clone();
-            flow.set_pace(pace);
+            flow.restore(checkpoint);
             flow.step(&mut y).unwrap();
         });
     }

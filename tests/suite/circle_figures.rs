@@ -5,10 +5,9 @@ use crate::support::*;
 use glam::DVec3;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
-use umbilic::flow::circle::CircleFlow;
+use umbilic::flow::Verdict;
 use umbilic::flow::options::{FlowOptions, Goal, Integrator, Scheme};
-use umbilic::flow::stop::Verdict;
-use umbilic::flow::{Flow, Status, StepReport};
+use umbilic::flow::{Status, StepReport};
 use umbilic::geometry::{curvature, measure, quality};
 use umbilic::mesh::shape::{self, Sample};
 use umbilic::mesh::{Edge, HalfedgeMesh, Vertex};
@@ -31,12 +30,12 @@ fn run(sample: &Sample, options: FlowOptions, steps: usize) -> Run {
     let options = FlowOptions {
         fixed: sample.fixed.clone(),
         free: sample.free.clone(),
-        max_steps: steps,
+        max_steps: Some(steps),
         ..options
     };
     let monotone = options.scheme == Scheme::Auto;
     let start = surface.x.clone();
-    let mut flow = CircleFlow::new(surface.mesh.clone(), &mut surface.x, options).expect("a flow");
+    let mut flow = drive(&surface.mesh, &mut surface.x, options).expect("a flow");
     let mut reports = Vec::new();
     loop {
         let (report, verdict) = flow.step(&mut surface.x).expect("a step");

@@ -6,10 +6,8 @@ use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};
-use umbilic::flow::Flow;
-use umbilic::flow::circle::CircleFlow;
+use umbilic::flow::Verdict;
 use umbilic::flow::options::FlowOptions;
-use umbilic::flow::stop::Verdict;
 use umbilic::geometry::{curvature, measure};
 use umbilic::mesh::shape;
 use umbilic::soup::PolygonSoup;
@@ -320,7 +318,7 @@ fn the_objective_never_rises_in_200_steps() {
                 boundary: Some(boundary),
                 ..FlowOptions::default()
             };
-            let mut flow = CircleFlow::new(mesh.clone(), &mut x, options).expect("a flow");
+            let mut flow = drive(&mesh, &mut x, options).expect("a flow");
             for _ in 0..200 {
                 let (report, verdict) = flow.step(&mut x).expect("a step");
                 if let Some(r) = report {
@@ -348,8 +346,7 @@ fn steps_commute_with_scaling_and_rotation() {
     let Surface { mesh, x, .. } = rough("icosphere", &[("level", 2.0)], 0.2);
     let turn = DQuat::from_axis_angle(DVec3::new(-1.0, 0.4, 2.0).normalize(), 0.7);
     let run = |mut x: Vec<DVec3>| {
-        let mut flow =
-            CircleFlow::new(mesh.clone(), &mut x, FlowOptions::default()).expect("a flow");
+        let mut flow = drive(&mesh, &mut x, FlowOptions::default()).expect("a flow");
         let mut time = 0.0;
         for _ in 0..5 {
             time = flow.step(&mut x).expect("a step").0.expect("taken").time;

@@ -7,8 +7,6 @@ use std::sync::Arc;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::star::StarMatrix;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};
-use umbilic::flow::Flow;
-use umbilic::flow::circle::CircleFlow;
 use umbilic::flow::options::{FlowOptions, Scheme};
 use umbilic::geometry::curvature;
 use umbilic::linalg::{Ldlt, Symbolic};
@@ -146,11 +144,11 @@ fn ten_steps_of_the_papers_scheme_agree_to_1e_6() {
             fixed: Some(indices(&data["fixed"])),
             ..FlowOptions::default()
         };
-        let mut flow = CircleFlow::new(mesh.clone(), &mut x, options).expect("a flow");
+        let mut flow = drive(&mesh, &mut x, options).expect("a flow");
         let held = indices(&data["held"]);
         for v in mesh.vertices() {
             assert_eq!(
-                flow.is_free(v.index()),
+                flow.flow().is_free(v.index()),
                 !held.contains(&v.0),
                 "{name}: held {}",
                 v.0

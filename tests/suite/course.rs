@@ -245,7 +245,7 @@ fn what_is_kept_is_that_of_where_the_flow_began() {
     );
     let kept = FlowOptions {
         keep: vec![Kept::Volume],
-        max_steps: 6,
+        max_steps: Some(6),
         ..flowing(FlowName::PWillmore)
     };
     let found = session.continue_with(kept).expect("options");

@@ -6,10 +6,9 @@ use std::f64::consts::TAU;
 use std::rc::Rc;
 use umbilic::energy::circle::Boundary;
 use umbilic::energy::curvature_jump::{CurvatureJump, curvature_jump};
-use umbilic::flow::curvature::CurvatureFlow;
+use umbilic::flow::Verdict;
 use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
-use umbilic::flow::stop::Verdict;
-use umbilic::flow::{Flow, FlowError, Status, StepReport};
+use umbilic::flow::{Driver, FlowError, Status, StepReport};
 use umbilic::geometry::measure;
 use umbilic::mesh::shape;
 use umbilic::operator::FittedOperators;
@@ -42,7 +41,7 @@ struct Run {
     x: Vec<DVec3>,
     reports: Vec<StepReport>,
     status: Status,
-    flow: CurvatureFlow,
+    flow: Driver,
 }
 
 impl Case {
@@ -51,14 +50,14 @@ impl Case {
             flow,
             free: self.free.clone(),
             fixed: self.fixed.clone(),
-            max_steps: 60,
+            max_steps: Some(60),
             ..FlowOptions::default()
         }
     }
 
-    fn start(&self, options: FlowOptions) -> Result<(CurvatureFlow, Vec<DVec3>), FlowError> {
+    fn start(&self, options: FlowOptions) -> Result<(Driver, Vec<DVec3>), FlowError> {
         let mut x = self.surface.x.clone();
-        let flow = CurvatureFlow::new(Rc::clone(&self.surface.mesh), &mut x, options)?;
+        let flow = drive(&self.surface.mesh, &mut x, options)?;
         Ok((flow, x))
     }
 
@@ -99,7 +98,9 @@ impl Case {
 
 impl Run {
     fn jump(&self, case: &Case) -> CurvatureJump {
-        let free: Vec<bool> = (0..self.x.len()).map(|v| self.flow.is_free(v)).collect();
+        let free: Vec<bool> = (0..self.x.len())
+            .map(|v| self.flow.flow().is_free(v))
+            .collect();
         curvature_jump(&case.surface.mesh, &self.x, &free).expect("a patch with a rim")
     }
 
@@ -171,7 +172,7 @@ fn velocities_on_a_torus_are_those_of_the_closed_forms() {
         let errors = [32, 64, 128].map(|tube| {
             let (case, angles) = torus(tube);
             let (flow_of, x) = case.start(case.options(flow)).expect("a flow");
-            let gradient = flow_of.gradient(&x);
+            let gradient = flow_of.flow().gradient(&x);
             let terms = angles.iter().zip(&x).zip(&gradient).map(|((&v, p), g)| {
                 let axis = p.truncate().normalize();
                 let n = (v.cos() * axis).extend(v.sin());
@@ -196,7 +197,7 @@ fn energies_fall_at_the_rate_of_their_gradients() {
         let errors = [64, 128].map(|tube| {
             let (case, angles) = torus(tube);
             let (mut flow_of, x) = case.start(case.options(flow)).expect("a flow");
-            let gradient = flow_of.gradient(&x);
+            let gradient = flow_of.flow().gradient(&x);
             let areas = measure::vertex_areas(&case.surface.mesh, &x);
             let rates = angles.iter().zip(&areas).map(|(&v, area)| {
                 let [h, .., grad, _] = torus_exact(v);
@@ -233,7 +234,7 @@ fn energies_fall_step_by_step() {
         // Without held vertices only a part of the way is a descent under every flow.
         options.tau =
             Some([1e-3, 1e-5, 1e-5, 1e-8][FLOWS.iter().position(|f| *f == flow).expect("a flow")]);
-        options.max_steps = 10;
+        options.max_steps = Some(10);
         let run = case.run(options);
         for report in &run.reports {
             assert!(
@@ -264,7 +265,7 @@ fn iterates_do_not_depend_on_the_unit_of_length() {
         let case = sample("four-bumps", &[("vertices", 31.0)]);
         let iterates = [1e-3, 1.0, 1e3, 1024.0].map(|scale: f64| {
             let mut options = case.options(flow);
-            options.max_steps = 4;
+            options.max_steps = Some(4);
             let surface = Surface {
                 mesh: Rc::clone(&case.surface.mesh),
                 x: case.surface.x.iter().map(|p| scale * *p).collect(),
@@ -394,7 +395,7 @@ fn one_unknown_a_vertex_gives_the_step_of_the_papers_block_system() {
         options.scheme = Scheme::Paper;
         options.tau =
             Some([1e-3, 1e-4, 1e-4, 1e-5][FLOWS.iter().position(|f| *f == flow).expect("a flow")]);
-        options.max_steps = 1;
+        options.max_steps = Some(1);
         let run = case.run(options);
         let expected = block_step(&case, flow, run.reports[0].dt);
         let moved = largest_difference(&run.x, &case.surface.x);
@@ -410,10 +411,10 @@ fn the_papers_scheme_takes_the_whole_step_at_a_constant_dt() {
     let case = sample("cylinder-gaps", &[]);
     let mut options = case.options(FlowName::Mmcv);
     options.dt = Some(1.0);
-    options.max_steps = 3;
+    options.max_steps = Some(3);
     let capped = case.run(options.clone());
     assert!(capped.reports[0].dt < 1.0);
-    let h = capped.flow.mean_edge_length();
+    let h = capped.flow.flow().mean_edge_length();
     let moved = largest_difference(&capped.x, &case.surface.x);
     assert!(moved < 1.5 * h * (1.0 + 1e-9), "half an edge a step");
     options.scheme = Scheme::Paper;
@@ -421,7 +422,7 @@ fn the_papers_scheme_takes_the_whole_step_at_a_constant_dt() {
     assert!(run.reports.iter().all(|r| r.dt == 1.0));
     assert!((run.reports[2].time - 3.0).abs() < 1e-12);
     let whole = case.run(FlowOptions {
-        max_steps: 1,
+        max_steps: Some(1),
         ..options
     });
     let moved = largest_difference(&whole.x, &case.surface.x) / h;
@@ -457,7 +458,7 @@ fn a_cylinder_is_restored() {
         let error = off_round(&run.x, true);
         println!(
             "cylinder, {} free, prefill {prefill}: {error:.1e} in {} steps",
-            run.flow.n_free(),
+            run.flow.flow().n_free(),
             run.reports.len()
         );
         assert_eq!(run.status, Status::Converged);
@@ -491,7 +492,7 @@ fn a_sphere_is_restored() {
             let error = off_round(&run.x, false);
             println!(
                 "sphere, {} free, prefill {prefill}: {error:.1e} in {} steps",
-                run.flow.n_free(),
+                run.flow.flow().n_free(),
                 run.reports.len()
             );
             assert_eq!(run.status, Status::Converged);
@@ -516,7 +517,7 @@ fn a_dodecahedron_becomes_the_sphere_through_its_corners() {
             "dodecahedron, prefill {prefill}: {error:.1e} in {} steps",
             run.reports.len()
         );
-        assert_eq!(run.flow.n_free(), 1134);
+        assert_eq!(run.flow.flow().n_free(), 1134);
         assert_eq!(run.status, Status::Converged);
         assert!(error < 1e-3);
     }
@@ -653,7 +654,7 @@ fn a_rough_start_is_smoothed_by_surface_diffusion_first() {
 fn too_few_held_rings_are_told() {
     let told = |flow: FlowName, case: &Case| {
         let run = case.run(FlowOptions {
-            max_steps: 3,
+            max_steps: Some(3),
             ..case.options(flow)
         });
         let about = |w: &&&String| w.contains("held vertices lie between");
@@ -694,7 +695,7 @@ fn the_boundary_is_held_unless_it_is_set_free() {
                 boundary,
                 ..case.options(flow)
             };
-            case.start(options).expect("a flow").0.n_free()
+            case.start(options).expect("a flow").0.flow().n_free()
         };
         assert_eq!(
             [
@@ -707,7 +708,7 @@ fn the_boundary_is_held_unless_it_is_set_free() {
             [81, 81, 49, 121]
         );
         let run = case.run(FlowOptions {
-            max_steps: 2,
+            max_steps: Some(2),
             ..case.options(flow)
         });
         for v in (0..run.x.len()).filter(|&v| on_boundary(v)) {
@@ -833,7 +834,7 @@ fn broken_inputs_are_refused_and_change_nothing() {
                 damage(&mut x);
                 let mut options = bumps.options(flow);
                 options.prefill = prefill;
-                let started = CurvatureFlow::new(Rc::clone(&bumps.surface.mesh), &mut x, options);
+                let started = drive(&bumps.surface.mesh, &mut x, options);
                 let Ok(mut running) = started else { continue };
                 let before = x.clone();
                 running.reading(&x);
@@ -905,11 +906,11 @@ fn a_step_back_and_again_is_the_same_step() {
     let case = sample("four-bumps", &[("vertices", 31.0)]);
     let (mut flow, start) = case.start(case.options(FlowName::Mmcv)).expect("a flow");
     let mut x = start.clone();
-    let pace = flow.pace();
+    let checkpoint = flow.checkpoint();
     let (first, _) = flow.step(&mut x).expect("a step");
     let y = x.clone();
     flow.step(&mut x).expect("a step");
-    flow.set_pace(pace);
+    flow.restore(checkpoint);
     x = start;
     let (again, _) = flow.step(&mut x).expect("a step");
     assert_eq!(x, y);

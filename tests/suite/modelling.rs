@@ -7,10 +7,9 @@ use std::ops::ControlFlow;
 use std::rc::Rc;
 use umbilic::energy::circle::Boundary;
 use umbilic::energy::curvature_jump::{CurvatureJump, curvature_jump};
-use umbilic::flow::curvature::CurvatureFlow;
+use umbilic::flow::Status;
+use umbilic::flow::Verdict;
 use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::flow::stop::Verdict;
-use umbilic::flow::{Flow, Status};
 use umbilic::geometry::measure;
 use umbilic::geometry::quality::is_folded;
 use umbilic::mesh::{Face, HalfedgeMesh};
@@ -90,8 +89,7 @@ impl Start {
             ..FlowOptions::default()
         };
         let mut x = self.x.clone();
-        let mut running =
-            CurvatureFlow::new(Rc::clone(&self.mesh), &mut x, options).expect("a flow");
+        let mut running = drive(&self.mesh, &mut x, options).expect("a flow");
         let (mut steps, mut warnings) = (0, Vec::new());
         let status = loop {
             let (report, verdict) = running.step(&mut x).expect("a step");
@@ -273,10 +271,10 @@ fn smoothed(mut s: Surface) -> Surface {
     let options = FlowOptions {
         flow: FlowName::SurfaceDiffusion,
         dt: Some(measure::mean_edge_length(&s.mesh, &s.x).powi(4)),
-        max_steps: STEPS,
+        max_steps: Some(STEPS),
         ..FlowOptions::default()
     };
-    let mut flow = CurvatureFlow::new(Rc::clone(&s.mesh), &mut s.x, options).expect("a flow");
+    let mut flow = drive(&s.mesh, &mut s.x, options).expect("a flow");
     for _ in 0..STEPS {
         flow.step(&mut s.x).expect("a step");
     }

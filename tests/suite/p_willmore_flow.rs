@@ -4,11 +4,10 @@ use crate::support::*;
 use glam::{DMat3, DVec3};
 use std::f64::consts::PI;
 use std::rc::Rc;
+use umbilic::flow::Verdict;
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
-use umbilic::flow::p_willmore::PWillmoreFlow;
-use umbilic::flow::stop::Verdict;
-use umbilic::flow::{Flow, Status, StepReport};
+use umbilic::flow::{Status, StepReport};
 use umbilic::geometry::{measure, nearest};
 use umbilic::mesh::shape;
 use umbilic::remesh::Mode;
@@ -30,7 +29,7 @@ fn options(p: f64, keep: &[Kept], steps: usize) -> FlowOptions {
         flow: FlowName::PWillmore,
         p,
         keep: keep.to_vec(),
-        max_steps: steps,
+        max_steps: Some(steps),
         ..FlowOptions::default()
     }
 }
@@ -40,7 +39,7 @@ fn run(surface: &Surface, options: FlowOptions) -> Run {
     let mut x = surface.x.clone();
     let ramps = options.reduced_volume.is_some() || options.scheme == Scheme::Paper;
     let keep = options.keep.clone();
-    let mut flow = PWillmoreFlow::new(Rc::clone(&surface.mesh), &x, options).expect("a flow");
+    let mut flow = drive(&surface.mesh, &mut x, options).expect("a flow");
     let start = flow.reading(&x);
     let mut reports: Vec<StepReport> = Vec::new();
     loop {
@@ -551,7 +550,7 @@ fn quadrilaterals_stay_quadrilaterals() {
 #[test]
 fn open_and_one_sided_surfaces_are_refused_in_words() {
     let refusal = |s: &Surface| {
-        let flow = PWillmoreFlow::new(Rc::clone(&s.mesh), &s.x, options(2.0, &[], 1));
+        let flow = drive(&s.mesh, &mut s.x.clone(), options(2.0, &[], 1));
         let error = flow.err().expect("a refusal");
         (error.kind(), error.to_string(), error.hint())
     };
@@ -564,7 +563,7 @@ fn open_and_one_sided_surfaces_are_refused_in_words() {
     assert_eq!(refusal(&sample("klein-bottle", &[])).0, "NotOriented");
     let bumpy = sample("bumpy-sphere", &[("level", 2.0)]);
     let bad = |change: FlowOptions| {
-        let flow = PWillmoreFlow::new(Rc::clone(&bumpy.mesh), &bumpy.x, change);
+        let flow = drive(&bumpy.mesh, &mut bumpy.x.clone(), change);
         flow.err().expect("a refusal").to_string()
     };
     assert!(bad(options(0.5, &[], 1)).contains("p cannot be 0.5"));
@@ -642,9 +641,9 @@ fn the_papers_scheme_reaches_the_papers_ends() {
             assert!(found.last().energy < found.reports[0].energy);
         }
     }
-    let refused = PWillmoreFlow::new(
-        Rc::clone(&bumpy.mesh),
-        &bumpy.x,
+    let refused = drive(
+        &bumpy.mesh,
+        &mut bumpy.x.clone(),
         FlowOptions {
             scheme: Scheme::Paper,
             tension: 1.0,
@@ -657,7 +656,7 @@ fn the_papers_scheme_reaches_the_papers_ends() {
         scheme: Scheme::Paper,
         ..options(2.0, &[], 1)
     };
-    let refused = PWillmoreFlow::new(Rc::clone(&large.mesh), &large.x, scheme);
+    let refused = drive(&large.mesh, &mut large.x.clone(), scheme);
     assert_eq!(refused.err().map(|e| e.kind()), Some("TooLarge"));
 }
 

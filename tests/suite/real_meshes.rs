@@ -1,17 +1,15 @@
 //! Default settings on real meshes: no rise, no NaN, next to no triangle turned over.
 
 use crate::support::*;
-use umbilic::flow::Flow;
-use umbilic::flow::circle::CircleFlow;
+use umbilic::flow::Verdict;
 use umbilic::flow::options::FlowOptions;
-use umbilic::flow::stop::Verdict;
 
 fn fifty_steps(name: &str) {
     let Some(Surface { mesh, mut x, .. }) = real(name) else {
         return;
     };
     let n_faces = mesh.n_faces();
-    let mut flow = CircleFlow::new(mesh, &mut x, FlowOptions::default()).expect("a flow");
+    let mut flow = drive(&mesh, &mut x, FlowOptions::default()).expect("a flow");
     let start = std::time::Instant::now();
     let (mut flips, mut last) = (0, String::new());
     for _ in 0..50 {

@@ -217,7 +217,7 @@ fn the_samples_selection_is_held_unless_told_otherwise() {
 fn the_budget_ends_a_run_and_asking_again_renews_it() {
     let mut session = with("coarse-torus", &[]);
     let options = FlowOptions {
-        max_steps: 5,
+        max_steps: Some(5),
         ..FlowOptions::default()
     };
     session.configure(options).expect("options");

@@ -204,7 +204,7 @@ fn refused_trials_of_a_step_that_descends_are_told_calmly() {
 #[test]
 fn a_budget_that_is_used_up_is_no_fault() {
     let options = FlowOptions {
-        max_steps: 6,
+        max_steps: Some(6),
         ..plain()
     };
     let mut case = Case::new("coarse-torus", &[], options);
@@ -231,7 +231,7 @@ fn a_step_size_that_was_set_can_be_left_to_the_flow() {
     let options = FlowOptions {
         flow: FlowName::SurfaceDiffusion,
         tau: Some(1e-9),
-        max_steps: 5,
+        max_steps: Some(5),
         ..plain()
     };
     let mut case = Case::new("ellipsoid", &[("level", 2.0)], options);
@@ -402,7 +402,7 @@ fn free_surfaces_shrink_or_grow_with_the_exponent() {
     for (p, kind) in [(0.0, Kind::Shrinking), (3.0, Kind::Growing)] {
         let options = FlowOptions {
             p,
-            max_steps: 40,
+            max_steps: Some(40),
             ..p_willmore()
         };
         let mut case = Case::new("bumpy-sphere", &[("level", 2.0)], options);

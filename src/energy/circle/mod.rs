@@ -164,18 +164,32 @@ impl CircleEnergy {
         self.n_counted
     }
 
-    /// The energy alone: W if `smoothing` is exact.
-    pub fn value(&self, x: &[DVec3], smoothing: Smoothing) -> f64 {
+    /// How many angles the energy sums, each as often as it counts: U_ε exceeds W_ε by ε times
+    /// this.
+    pub fn angle_count(&self) -> f64 {
+        let diamonds: f64 = self.diamonds.iter().map(|d| f64::from(d.count)).sum();
+        diamonds + 2.0 * self.corners.len() as f64
+    }
+
+    /// The angles that the energy sums, each with how often it counts.
+    pub fn angles(&self, x: &[DVec3]) -> Vec<(f64, f64)> {
         let at = |v: u32| x[v as usize];
         let diamonds = self.diamonds.iter().filter(|d| d.count > 0).map(|d| {
             let [k, j, l, i] = d.v.map(at);
-            f64::from(d.count) * smoothing.value(diamond_angle(k, j, l, i).beta)
+            (diamond_angle(k, j, l, i).beta, f64::from(d.count))
         });
         let corners = self.corners.iter().map(|c| {
             let [p, v, n] = c.v.map(at);
-            2.0 * smoothing.value(corner_angle(p, v, n).beta)
+            (corner_angle(p, v, n).beta, 2.0)
         });
-        accurate_sum(diamonds.chain(corners)) - TAU * self.n_counted as f64
+        diamonds.chain(corners).collect()
+    }
+
+    /// The energy alone: W if `smoothing` is exact.
+    pub fn value(&self, x: &[DVec3], smoothing: Smoothing) -> f64 {
+        let angles = self.angles(x).into_iter();
+        let terms = angles.map(|(beta, count)| count * smoothing.value(beta));
+        accurate_sum(terms) - TAU * self.n_counted as f64
     }
 
     /// Energy, gradient and edge weights in one pass, into buffers that are kept.

@@ -102,6 +102,11 @@ impl PWillmore {
         self.p
     }
 
+    /// The terms of Helfrich.
+    pub fn helfrich(&self) -> Helfrich {
+        self.helfrich
+    }
+
     /// What a reader is shown: ∫|H|^p dA, or with the terms of Helfrich a quarter of the
     /// functional, ∫(H − H₀)² dA + (σA − PV)/4.
     pub fn reading(&self, integrals: &Integrals) -> f64 {

@@ -4,13 +4,12 @@
 //! The system is 3n × 3n with the full Hessian; where that is indefinite, one iteration
 //! uses the semi-implicit matrix instead, which always descends.
 
-use super::problem::Cost;
-use super::{Accepted, CircleFlow, Outcome, Problem};
+use super::{CircleFlow, Problem};
 use crate::energy::circle::Evaluation;
 use crate::energy::circle::angle::Smoothing;
-use crate::flow::FlowError;
 use crate::flow::options::Scheme;
 use crate::flow::step_size::sufficient_decrease;
+use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search};
 use crate::linalg::{Pattern, Refactor, Solver};
 use glam::DVec3;
 
@@ -90,57 +89,49 @@ impl NewtonSystem {
         let info = self
             .solver
             .solve(&self.values, &field, &mut d, 1e-10, Refactor::Always)?;
-        cost.factor += info.factor_seconds;
-        cost.solve += info.solve_seconds;
-        cost.negative_pivots = info.negative_pivots;
+        cost.add(&info);
         let vector = |c: &[DVec3]| DVec3::new(c[0].x, c[1].x, c[2].x);
         Ok((info.negative_pivots == 0).then(|| d.chunks_exact(3).map(vector).collect()))
     }
 }
 
 impl CircleFlow {
-    /// One backward Euler step; dt falls where Newton's method does not converge.
+    /// One backward Euler step. The paper's scheme takes it even where Newton's method has not
+    /// converged; the recommended one asks for a smaller dt then.
     pub(super) fn backward_euler(
         &mut self,
         x: &[DVec3],
-        smoothing: Smoothing,
+        dt: f64,
         cost: &mut Cost,
-    ) -> Result<Outcome, FlowError> {
+    ) -> Result<Proposal, FlowError> {
         let mass = self.mass(x);
         let mut system = match self.newton.take() {
             Some(system) => system,
             None => NewtonSystem::new(&self.problem, x)?,
         };
-        let mut rejected = 0;
-        let outcome = loop {
-            let dt = self.pace.step_size.dt;
-            let (y, objective, converged) =
-                self.newton(&mut system, x, smoothing, (&mass, dt), cost)?;
-            let constant = self.options.scheme == Scheme::Paper;
-            if constant && !converged {
-                cost.warnings
-                    .push("Newton's method did not converge in this step.".into());
-            }
-            if constant || (converged && objective < self.evaluation.value) {
-                self.pace.step_size.accepted(rejected);
-                break Outcome::Accepted(Accepted {
-                    x: y,
-                    objective,
-                    dt,
-                    rejected,
-                    is_evaluated: false,
-                });
-            }
-            rejected += 1;
-            if objective >= self.evaluation.value || !self.pace.step_size.refused() {
-                break Outcome::Stuck;
-            }
-        };
+        let smoothing = self.schedule.smoothing();
+        let found = self.newton(&mut system, x, smoothing, (&mass, dt), cost);
         self.newton = Some(system);
-        Ok(outcome)
+        let (y, converged) = found?;
+        let is_paper = self.options.scheme == Scheme::Paper;
+        if !converged && !is_paper {
+            return Ok(Proposal::Refused(Refusal::of(Cause::Newton)));
+        }
+        if !converged {
+            cost.warnings
+                .push("Newton's method did not converge in this step.".into());
+        }
+        let d: Vec<DVec3> = y.iter().zip(x).map(|(y, x)| *y - *x).collect();
+        // Of an implicit step the slope at its start says nothing: it has to descend.
+        let search = if is_paper {
+            Search::Unseen
+        } else {
+            Search::Solve
+        };
+        Ok(Proposal::Move(Box::new(Move::new(d, 0.0, dt, search))))
     }
 
-    /// Newton's method from x; answers the point, E there, and whether it converged.
+    /// Newton's method from x; answers the point, and whether it converged.
     fn newton(
         &mut self,
         system: &mut NewtonSystem,
@@ -148,7 +139,7 @@ impl CircleFlow {
         smoothing: Smoothing,
         (mass, dt): (&[f64], f64),
         cost: &mut Cost,
-    ) -> Result<(Vec<DVec3>, f64, bool), FlowError> {
+    ) -> Result<(Vec<DVec3>, bool), FlowError> {
         let start: Vec<DVec3> = self.problem.rows(x).collect();
         let mut y = x.to_vec();
         let mut at = Evaluation::default();
@@ -176,10 +167,10 @@ impl CircleFlow {
                 .sum::<f64>()
                 .sqrt();
             if norm <= TOLERANCE * *first.get_or_insert(norm) {
-                return Ok((y, at.value, true));
+                return Ok((y, true));
             }
             cost.iterations += 1;
-            self.tell("newton", cost.iterations as f64 / MAX_NEWTON as f64);
+            cost.tell("newton", cost.iterations as f64 / MAX_NEWTON as f64);
             let problem = &mut self.problem;
             let newton = system.solve(problem, &y, smoothing, (mass, dt), &residual, cost)?;
             let d = match newton {
@@ -205,9 +196,9 @@ impl CircleFlow {
                 });
             match step {
                 Some(z) => y = z,
-                None => return Ok((y, at.value, false)),
+                None => return Ok((y, false)),
             }
         }
-        Ok((y, at.value, false))
+        Ok((y, false))
     }
 }

@@ -1,11 +1,9 @@
 //! L-BFGS with the semi-implicit matrix as its initial Hessian: not a flow, but the
 //! quickest way to where it ends. One step is one iteration.
 
-use super::problem::Cost;
-use super::{Accepted, CircleFlow, Outcome};
-use crate::energy::circle::Evaluation;
+use super::CircleFlow;
 use crate::energy::circle::angle::Smoothing;
-use crate::flow::FlowError;
+use crate::flow::{Cost, FlowError, Move, Proposal, Search};
 use crate::linalg::Ldlt;
 use glam::DVec3;
 use std::collections::VecDeque;
@@ -18,20 +16,19 @@ const LENGTH: usize = 20;
 const REFRESH: usize = 10;
 /// τ of the mass term in the preconditioner: enough to fix the kernel of K₊.
 const TAU: f64 = 100.0;
-/// Weak Wolfe conditions: sufficient decrease …
-const ARMIJO: f64 = 1e-4;
-/// … and sufficient flattening of the slope.
-const CURVATURE: f64 = 0.9;
-/// Trials of the bisection for a step that meets them.
-const MAX_TRIALS: usize = 30;
+/// A step that flattens the slope by less ends on the rim of a cone: nothing is learnt of
+/// the curvature there.
+const FLATTENED: f64 = 0.9;
 
-/// What is remembered between iterations.
+/// What is known of the Hessian, from one iteration to the next.
 #[derive(Default)]
-pub(super) struct Memory {
+pub(super) struct QuasiNewton {
     pairs: VecDeque<Pair>,
     preconditioner: Option<Ldlt>,
     age: usize,
     smoothing: Option<Smoothing>,
+    /// Whether the last move has not been accepted yet.
+    is_tried: bool,
 }
 
 /// A step and the change of the gradient along it.
@@ -50,7 +47,7 @@ fn add_scaled(a: &mut [DVec3], s: f64, b: &[DVec3]) {
     a.iter_mut().zip(b).for_each(|(a, b)| *a += s * *b);
 }
 
-impl Memory {
+impl QuasiNewton {
     /// −H ∇E by the two-loop recursion.
     fn direction(&mut self, gradient: Vec<DVec3>) -> Vec<DVec3> {
         let mut d = gradient;
@@ -73,117 +70,93 @@ impl Memory {
 }
 
 impl CircleFlow {
-    pub(super) fn lbfgs_step(
+    /// The next quasi-Newton move. Asked again before one is accepted, it is from a fresh
+    /// model, as a stale one may point nowhere; asked once more there is none.
+    pub(super) fn quasi_newton_move(
         &mut self,
         x: &[DVec3],
-        smoothing: Smoothing,
         cost: &mut Cost,
-    ) -> Result<Outcome, FlowError> {
-        let stale = self.lbfgs.age >= REFRESH || self.lbfgs.smoothing != Some(smoothing);
-        if stale || self.lbfgs.preconditioner.is_none() {
+    ) -> Result<Proposal, FlowError> {
+        let smoothing = self.schedule.smoothing();
+        let model = &self.quasi_newton;
+        if model.is_tried && model.age == 0 {
+            self.quasi_newton = QuasiNewton::default();
+            return Ok(Proposal::Nothing);
+        }
+        let is_stale = model.age >= REFRESH || model.smoothing != Some(smoothing);
+        if model.is_tried || is_stale || model.preconditioner.is_none() {
             self.refresh(smoothing, cost)?;
         }
-        let mut outcome = self.lbfgs_iteration(x, smoothing, cost);
-        if matches!(outcome, Outcome::Stuck) && self.lbfgs.age > 0 {
-            // A stale model may point nowhere: once more from a fresh one.
-            self.refresh(smoothing, cost)?;
-            outcome = self.lbfgs_iteration(x, smoothing, cost);
+        self.quasi_newton.is_tried = true;
+        let watch = Instant::now();
+        let gradient: Vec<DVec3> = self.problem.rows(&self.evaluation.gradient).collect();
+        let d = self.quasi_newton.direction(gradient);
+        cost.solve += watch.elapsed().as_secs_f64();
+        let d = self.problem.field(&d, x.len());
+        let slope = self.problem.dot(&self.evaluation.gradient, &d);
+        if slope >= 0.0 {
+            return Ok(Proposal::Nothing);
         }
-        Ok(outcome)
+        Ok(Proposal::Move(Box::new(Move::new(
+            d,
+            slope,
+            0.0,
+            Search::Wolfe,
+        ))))
     }
 
     /// Factors M/dt + K₊ at the current positions and forgets the pairs.
     fn refresh(&mut self, smoothing: Smoothing, cost: &mut Cost) -> Result<(), FlowError> {
-        self.problem.assemble(&self.evaluation, true, cost);
+        self.assemble(true, cost);
         let watch = Instant::now();
         let shift = 1.0 / (TAU * self.problem.h * self.problem.h);
         let mut values = self.problem.stiffness.clone();
         for &slot in self.problem.matrix.pattern().diagonal_slots() {
             values[slot as usize] += shift;
         }
-        let kept = self.lbfgs.preconditioner.take();
+        let kept = self.quasi_newton.preconditioner.take();
         let mut factor = match kept {
             Some(factor) => factor,
             None => Ldlt::new(Arc::clone(self.problem.solver.symbolic()))?,
         };
         factor.factor(&values)?;
         cost.factor += watch.elapsed().as_secs_f64();
-        self.lbfgs = Memory {
+        self.quasi_newton = QuasiNewton {
             preconditioner: Some(factor),
             smoothing: Some(smoothing),
-            ..Memory::default()
+            ..QuasiNewton::default()
         };
         Ok(())
     }
 
-    fn lbfgs_iteration(&mut self, x: &[DVec3], smoothing: Smoothing, cost: &mut Cost) -> Outcome {
-        let watch = Instant::now();
-        let gradient: Vec<DVec3> = self.problem.rows(&self.evaluation.gradient).collect();
-        let d = self.lbfgs.direction(gradient.clone());
-        cost.solve += watch.elapsed().as_secs_f64();
-        let slope = dot(&gradient, &d);
-        if slope >= 0.0 || self.is_negligible(slope) {
-            return Outcome::Stuck;
+    /// Learns from the move that is taken; called while `trial` is not yet the state.
+    pub(super) fn remember(&mut self, step: &Move, share: f64) {
+        if step.search != Search::Wolfe {
+            return;
         }
-        let before = self.evaluation.value;
-        let mut trial = Evaluation::default();
-        let (mut low, mut high, mut t) = (0.0, f64::INFINITY, 1.0);
-        let mut best: Option<(f64, Vec<DVec3>)> = None;
-        for rejected in 0..MAX_TRIALS {
-            let y = self.problem.moved(x, &d, t);
-            self.problem.energy.evaluate(&y, smoothing, &mut trial);
-            cost.iterations += 1;
-            let descends = trial.value.is_finite() && trial.value <= before + ARMIJO * t * slope;
-            if !descends {
-                high = t;
-            } else if self.problem.dot(&trial.gradient, &d) < CURVATURE * slope {
-                low = t;
-                best = Some((trial.value, y));
-            } else {
-                self.remember(t, &d, &gradient, &trial);
-                return self.accepted(y, trial.value, rejected);
-            }
-            t = if high.is_finite() {
-                0.5 * (low + high)
-            } else {
-                2.0 * t
-            };
+        let slope = self.problem.dot(&self.trial.gradient, &step.d);
+        let model = &mut self.quasi_newton;
+        model.is_tried = false;
+        model.age += 1;
+        if slope < FLATTENED * step.slope {
+            model.age = REFRESH;
+            return;
         }
-        // On the rim of a cone no step flattens the slope; descent is enough.
-        match best {
-            Some((value, y)) => {
-                self.lbfgs.age = REFRESH;
-                self.accepted(y, value, MAX_TRIALS)
-            }
-            None => Outcome::Stuck,
+        let s: Vec<DVec3> = self.problem.rows(&step.d).map(|d| share * d).collect();
+        let mut y: Vec<DVec3> = self.problem.rows(&self.trial.gradient).collect();
+        for (y, g) in y
+            .iter_mut()
+            .zip(self.problem.rows(&self.evaluation.gradient))
+        {
+            *y -= g;
         }
-    }
-
-    fn accepted(&self, x: Vec<DVec3>, objective: f64, rejected: usize) -> Outcome {
-        Outcome::Accepted(Accepted {
-            x,
-            objective,
-            dt: 0.0,
-            rejected,
-            is_evaluated: false,
-        })
-    }
-
-    fn remember(&mut self, t: f64, d: &[DVec3], gradient: &[DVec3], trial: &Evaluation) {
-        let s: Vec<DVec3> = d.iter().map(|d| t * *d).collect();
-        let mut y: Vec<DVec3> = self.problem.rows(&trial.gradient).collect();
-        add_scaled(&mut y, -1.0, gradient);
         let sy = dot(&s, &y);
-        self.lbfgs.age += 1;
         if sy > 0.0 {
-            if self.lbfgs.pairs.len() == LENGTH {
-                self.lbfgs.pairs.pop_front();
+            if model.pairs.len() == LENGTH {
+                model.pairs.pop_front();
             }
-            self.lbfgs.pairs.push_back(Pair {
-                s,
-                y,
-                rho: 1.0 / sy,
-            });
+            let rho = 1.0 / sy;
+            model.pairs.push_back(Pair { s, y, rho });
         }
     }
 }

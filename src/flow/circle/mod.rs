@@ -1,85 +1,86 @@
 //! Bobenko & Schröder's discrete Willmore flow: gradient flow of the circle-angle
 //! energy W (Section 4 of the paper).
 //!
-//! The semi-implicit step solves (M/dt + K) Δx = −∇E with one scalar matrix for the
-//! three coordinates. Two schemes share it: the recommended one smooths the angles,
-//! projects K star by star and accepts only descent; the paper's takes constant steps
-//! with the exact energy and the plain K. Other integrators reuse the same parts.
+//! The semi-implicit step solves (M/dt + K) Δx = −∇E with one scalar matrix for the three
+//! coordinates. Two schemes share it: the recommended one smooths the angles, projects K star
+//! by star and accepts only descent; the paper's takes constant steps with the exact energy
+//! and the plain K. Other integrators reuse the same parts.
+//!
+//! What must not rise is U_ε = Σ 2√(β² + ε²) − 2πN: it has the gradient of the smoothed energy
+//! W_ε = U_ε − 2εE, lies above W and meets it at ε = 0, and falls when ε is made smaller. W
+//! itself, which is what people see, may rise by the angles that a step opens.
 
 mod backward_euler;
 mod direction;
 mod lbfgs;
 mod problem;
 mod schedule;
-mod verdict;
+mod warning;
 
+use super::bounds::lower_bounds;
 use super::options::{FlowOptions, Goal, Integrator, MassChoice, Scheme};
+use super::report::WarningsGiven;
+use super::rules::{Ceiling, Folds};
 use super::step_size::StepSize;
-use super::stop::{Progress, Verdict};
-use super::{Flow, FlowError, Progress as Callback, Refusal, StepReport, boundary, prefill};
+use super::{
+    Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal, Reading,
+    Refusal, Rules, StepReport, boundary, prefill,
+};
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{CircleEnergy, Evaluation};
-use crate::geometry::survey::survey;
-use crate::geometry::{measure, quality};
-use crate::mesh::{Face, HalfedgeMesh};
+use crate::geometry::measure;
+use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
-use problem::{Cost, Problem};
-use schedule::EpsilonSchedule;
+use problem::Problem;
+use schedule::{Schedule, Stage};
 use std::rc::Rc;
-use web_time::Instant;
+
+/// Energy per vertex below which nothing but roundoff is left.
+const FLOOR_PER_VERTEX: f64 = 1e-12;
+/// Energy per vertex of a surface that is round to all eyes.
+const ROUND_PER_VERTEX: f64 = 1e-5;
+/// Roundoff of the energy per vertex: no decrease smaller than it can be seen.
+const ROUNDOFF_PER_VERTEX: f64 = 1e-15;
+/// Share of the smooth minimum that no healthy mesh goes below: aligned lattices come to
+/// 0.98 of it on 16 × 16 vertices.
+const LEAST: f64 = 0.95;
+/// Smallest angle, in degrees, that a step may leave: a surface under way to its rest may have
+/// slivers for a while.
+const LEAST_ANGLE: f64 = 1.0;
+/// W as printed may jump up by this share of itself in a step whose smoothed energy falls …
+const JUMP: f64 = 0.05;
+/// At rest a step of this τ would lower the energy …
+const REFERENCE_TAU: f64 = 1.0;
+/// … by this share of it at most, with angles smoothed by this ε: at the tip of a cone the
+/// exact gradient says nothing of rest.
+const AT_REST: f64 = 1e-4;
+const REST_EPSILON: f64 = 0.003;
 
 /// The flow on one mesh with one set of options.
 pub struct CircleFlow {
     mesh: Rc<HalfedgeMesh>,
     options: FlowOptions,
     problem: Problem,
-    start: Vec<DVec3>,
-    start_quality: f64,
+    /// Half the area at the start is held by this share of the faces.
+    start_balance: f64,
     start_area: f64,
-    /// W below which a handle must be pinching.
+    /// W of the best smooth surface with the same handles.
     smooth_minimum: f64,
-    pace: Pace,
+    schedule: Schedule,
     /// Energy, gradient and weights at the current positions, under `evaluated` ε.
     evaluation: Evaluation,
     evaluated: Option<Smoothing>,
+    /// Whether K was assembled there.
+    is_assembled: bool,
     /// The same at a trial, kept from one to the next.
     trial: Evaluation,
-    lbfgs: lbfgs::Memory,
+    quasi_newton: lbfgs::QuasiNewton,
     newton: Option<backward_euler::NewtonSystem>,
-    flipped: Vec<u32>,
-    refusal: Option<Refusal>,
-    on_progress: Option<Callback>,
 }
 
-/// The small state that a step back restores along with the positions.
+/// What the flow must remember beside the positions.
 #[derive(Clone, Copy, Debug)]
-pub struct Pace {
-    step_size: StepSize,
-    schedule: EpsilonSchedule,
-    progress: Progress,
-    time: f64,
-    step: usize,
-    /// The step the budget counts from.
-    first_step: usize,
-    warned: verdict::Warned,
-}
-
-/// A trial that was accepted.
-struct Accepted {
-    x: Vec<DVec3>,
-    objective: f64,
-    dt: f64,
-    rejected: usize,
-    /// Whether `trial` was evaluated there.
-    is_evaluated: bool,
-}
-
-/// What an integrator made of a step.
-enum Outcome {
-    Accepted(Accepted),
-    /// No step that decreases the objective is left.
-    Stuck,
-}
+pub struct Memory(Schedule);
 
 impl CircleFlow {
     /// Prepares the flow at positions `x`, which a harmonic pre-fill may change.
@@ -87,103 +88,62 @@ impl CircleFlow {
     /// # Errors
     /// See [`FlowError`].
     pub fn new(
-        mesh: Rc<HalfedgeMesh>,
+        mesh: &Rc<HalfedgeMesh>,
         x: &mut [DVec3],
-        options: FlowOptions,
+        options: &FlowOptions,
     ) -> Result<Self, FlowError> {
-        options.check()?;
-        check_mesh(&mesh, x)?;
+        check_mesh(mesh, x)?;
         let free = boundary::free_vertices(
-            &mesh,
+            mesh,
             options.boundary.unwrap_or_default(),
             options.free.as_deref(),
             options.fixed.as_deref(),
         )?;
-        let h = measure::mean_edge_length(&mesh, x);
+        let h = measure::mean_edge_length(mesh, x);
         if options.prefill {
-            prefill::harmonic(&mesh, &free, x)?;
+            prefill::harmonic(mesh, &free, x)?;
         }
-        let energy = CircleEnergy::new(&mesh, options.boundary.unwrap_or_default());
-        let problem = Problem::new(energy, &free, x, h)?;
-        let dt = options.dt.unwrap_or_else(|| options.first_tau() * h * h);
-        let adaptive = options.scheme == Scheme::Auto && options.goal == Goal::Relax;
-        let pace = Pace {
-            step_size: if adaptive {
-                StepSize::adaptive(dt, h)
-            } else {
-                StepSize::constant(dt)
-            },
-            schedule: EpsilonSchedule::new(&options),
-            progress: Progress::default(),
-            time: 0.0,
-            step: 0,
-            first_step: 0,
-            warned: verdict::Warned::default(),
-        };
-        let start_area = measure::area(&mesh, x);
-        let smooth_minimum = verdict::smooth_minimum(&mesh);
-        let start_quality = quality::worst_triangle(&mesh, x).map_or(0.0, |(_, q)| q);
+        let energy = CircleEnergy::new(mesh, options.boundary.unwrap_or_default());
+        let schedule = Schedule::new(options, &energy, x);
         Ok(Self {
-            mesh,
-            options,
-            problem,
-            start: x.to_vec(),
-            start_quality,
-            start_area,
-            smooth_minimum,
-            pace,
+            mesh: Rc::clone(mesh),
+            options: options.clone(),
+            problem: Problem::new(energy, &free, x, h)?,
+            start_balance: warning::balance(mesh, x),
+            start_area: measure::area(mesh, x),
+            smooth_minimum: lower_bounds(mesh).map_or(0.0, |bounds| bounds.circle),
+            schedule,
             evaluation: Evaluation::default(),
             evaluated: None,
+            is_assembled: false,
             trial: Evaluation::default(),
-            lbfgs: lbfgs::Memory::default(),
+            quasi_newton: lbfgs::QuasiNewton::default(),
             newton: None,
-            flipped: Vec::new(),
-            refusal: None,
-            on_progress: None,
         })
     }
 
-    fn tell(&self, stage: &str, share: f64) {
-        if let Some(callback) = &self.on_progress {
-            callback(stage, share);
-        }
+    /// U_ε of an evaluation under the present ε.
+    fn monitored_value(&self, at: &Evaluation) -> f64 {
+        let epsilon = self.schedule.smoothing().epsilon;
+        at.value + epsilon * self.problem.energy.angle_count()
     }
 
-    fn evaluate(&mut self, x: &[DVec3], smoothing: Smoothing) {
+    fn forget(&mut self) {
+        self.evaluated = None;
+        self.is_assembled = false;
+    }
+
+    fn evaluate_at(&mut self, x: &[DVec3], smoothing: Smoothing) {
         if self.evaluated != Some(smoothing) {
-            self.problem
-                .energy
-                .evaluate(x, smoothing, &mut self.evaluation);
+            let energy = &self.problem.energy;
+            energy.evaluate(x, smoothing, &mut self.evaluation);
             self.evaluated = Some(smoothing);
+            self.is_assembled = false;
         }
     }
 
-    /// Picks ε for this step and evaluates there.
-    fn choose_smoothing(&mut self, x: &[DVec3]) -> Smoothing {
-        self.evaluate(x, self.pace.schedule.current());
-        let energy = self.evaluation.exact;
-        if self.pace.schedule.adapt(energy, self.n_free()) {
-            self.pace.progress.restart();
-        }
-        let smoothing = self.pace.schedule.current();
-        self.evaluate(x, smoothing);
-        smoothing
-    }
-
-    /// One step of the chosen integrator from `x`, where `evaluation` holds.
-    fn advance(
-        &mut self,
-        x: &[DVec3],
-        smoothing: Smoothing,
-        cost: &mut Cost,
-    ) -> Result<Outcome, FlowError> {
-        match (self.options.integrator, self.options.scheme) {
-            (Integrator::SemiImplicit, Scheme::Auto) => self.semi_implicit(x, smoothing, cost),
-            (Integrator::SemiImplicit, Scheme::Paper) => self.paper_step(x, cost),
-            (Integrator::ForwardEuler, _) => self.forward_euler(x, smoothing),
-            (Integrator::BackwardEuler, _) => self.backward_euler(x, smoothing, cost),
-            (Integrator::Lbfgs, _) => self.lbfgs_step(x, smoothing, cost),
-        }
+    fn is_paper(&self) -> bool {
+        self.options.scheme == Scheme::Paper
     }
 
     fn is_area_mass(&self) -> bool {
@@ -194,80 +154,207 @@ impl CircleFlow {
         }
     }
 
-    fn reset_step_size(&mut self) {
-        let h = self.problem.h;
-        let dt = self
-            .options
-            .dt
-            .unwrap_or_else(|| self.options.first_tau() * h * h);
-        self.pace.step_size.dt = dt;
-        self.pace.progress.restart();
+    /// The energy of each vertex that counts below which a surface is nearly spherical.
+    fn nearly_spherical(&self) -> f64 {
+        schedule::NEARLY_SPHERICAL * self.n_free() as f64
+    }
+
+    /// An energy so small that gains are not worth comparing with it.
+    fn round_enough(&self) -> f64 {
+        ROUND_PER_VERTEX * self.n_free() as f64
+    }
+
+    /// A phase that begins with the schedule's change.
+    fn began(&mut self, event: Option<String>) -> Phase {
+        self.forget();
+        self.quasi_newton = lbfgs::QuasiNewton::default();
+        Phase {
+            from: None,
+            resets_step_size: true,
+            resets_functional: true,
+            event,
+        }
     }
 }
 
 impl Flow for CircleFlow {
-    fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
-        let start = Instant::now();
-        let mut cost = Cost::default();
-        self.refusal = None;
-        let before;
-        let mut accepted = loop {
-            self.tell("assemble", 0.0);
-            let watch = Instant::now();
-            let smoothing = self.choose_smoothing(x);
-            cost.assemble += watch.elapsed().as_secs_f64();
-            if !self.evaluation.value.is_finite() {
-                return Err(FlowError::NonFiniteEnergy {
-                    step: self.pace.step + 1,
-                });
-            }
-            if let Some(verdict) = self.done_before_step() {
-                return Ok((None, verdict));
-            }
-            match self.advance(x, smoothing, &mut cost)? {
-                Outcome::Accepted(accepted) => {
-                    before = self.evaluation.value;
-                    break accepted;
-                }
-                Outcome::Stuck => {
-                    let tau = self.tau();
-                    let schedule = &mut self.pace.schedule;
-                    if !schedule.retreat(tau) && !schedule.sharpen() {
-                        return Ok((None, self.stuck_verdict()));
-                    }
-                    self.reset_step_size();
-                }
-            }
-        };
-        let smoothing = self.pace.schedule.current();
-        let survey = survey(&self.mesh, x, &accepted.x);
-        let folded = |f: &&Face| quality::is_folded(&self.mesh, &accepted.x, **f);
-        self.flipped = survey.turned.iter().filter(folded).map(|f| f.0).collect();
-        *x = std::mem::take(&mut accepted.x);
-        self.pace.time += accepted.dt;
-        self.pace.step += 1;
-        self.tell("finish", 0.9);
-        let watch = Instant::now();
-        self.evaluated = None;
-        if accepted.is_evaluated {
-            std::mem::swap(&mut self.evaluation, &mut self.trial);
-            self.evaluated = Some(smoothing);
-        }
-        self.evaluate(x, smoothing);
-        cost.assemble += watch.elapsed().as_secs_f64();
-        let mut report = self.report(x, &survey, &accepted, before, cost);
-        let verdict = self.verdict(&survey, before, accepted.objective, &mut report);
-        report.milliseconds = start.elapsed().as_secs_f64() * 1e3;
-        Ok((Some(report), verdict))
+    fn monitored(&self) -> Monitored {
+        Monitored::SmoothedCircle
     }
 
-    fn reading(&mut self, x: &[DVec3]) -> super::Reading {
-        self.evaluated = None;
-        self.evaluate(x, Smoothing::EXACT);
+    fn rules(&self) -> Rules {
+        let counted = self.problem.energy.n_counted() as f64;
+        if self.is_paper() {
+            return Rules {
+                zero: FLOOR_PER_VERTEX * counted,
+                ends_at_rest: self.options.goal == Goal::Relax,
+                ..Rules::unseen()
+            };
+        }
+        Rules {
+            ceiling: Ceiling::Descent,
+            reach: None,
+            turn: None,
+            folds: Folds::Few,
+            least_angle: Some(LEAST_ANGLE),
+            bound: (self.smooth_minimum > 0.0).then_some(self.smooth_minimum),
+            bound_share: LEAST,
+            roundoff: ROUNDOFF_PER_VERTEX * counted,
+            zero: FLOOR_PER_VERTEX * counted,
+            can_vanish: false,
+            ends_at_rest: self.options.goal == Goal::Relax,
+        }
+    }
+
+    /// Beyond 1e6 h² the mass term is lost in the roundoff of the stiffness, whose largest
+    /// eigenvalue is about 60/h².
+    fn step_size(&self) -> StepSize {
+        let unit = self.time_unit();
+        let dt = self.options.dt;
+        let dt = dt.unwrap_or_else(|| self.options.first_tau() * unit);
+        if !self.is_paper() && self.options.goal == Goal::Relax {
+            StepSize::adaptive(dt, 1e-12 * unit, 1e6 * unit)
+        } else {
+            StepSize::constant(dt, 1e-9 * dt)
+        }
+    }
+
+    fn time_unit(&self) -> f64 {
+        self.problem.h * self.problem.h
+    }
+
+    fn evaluate(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<Functional, FlowError> {
+        let smoothing = self.schedule.smoothing();
+        cost.assembling(|| self.evaluate_at(x, smoothing));
+        Ok(Functional {
+            value: self.monitored_value(&self.evaluation),
+            scale: self.evaluation.exact.max(self.round_enough()),
+        })
+    }
+
+    fn propose(&mut self, x: &[DVec3], dt: f64, cost: &mut Cost) -> Result<Proposal, FlowError> {
+        match (self.schedule.integrator(), self.options.scheme) {
+            (Integrator::SemiImplicit, Scheme::Auto) => self.semi_implicit(x, dt, cost),
+            (Integrator::SemiImplicit, Scheme::Paper) => self.printed(x, dt, cost),
+            (Integrator::ForwardEuler, _) => Ok(self.forward_euler(x, dt)),
+            (Integrator::BackwardEuler, _) => self.backward_euler(x, dt, cost),
+            (Integrator::Lbfgs, _) => self.quasi_newton_move(x, cost),
+        }
+    }
+
+    fn measure(&mut self, _x: &[DVec3], y: &mut [DVec3], cost: &mut Cost) -> Result<f64, Refusal> {
+        let smoothing = self.schedule.smoothing();
+        let (energy, trial) = (&self.problem.energy, &mut self.trial);
+        cost.assembling(|| energy.evaluate(y, smoothing, trial));
+        let jumped = self.trial.exact > (1.0 + JUMP) * self.evaluation.exact
+            && self.trial.exact > self.nearly_spherical();
+        if jumped && !self.is_paper() {
+            return Err(Refusal::of(Cause::ReadingJump));
+        }
+        Ok(self.monitored_value(&self.trial))
+    }
+
+    fn trial_slope(&self, d: &[DVec3]) -> f64 {
+        self.problem.dot(&self.trial.gradient, d)
+    }
+
+    fn bounded(&self) -> f64 {
+        self.trial.exact
+    }
+
+    fn accept(&mut self, step: &Move, share: f64) {
+        self.remember(step, share);
+        std::mem::swap(&mut self.evaluation, &mut self.trial);
+        self.evaluated = Some(self.schedule.smoothing());
+        self.is_assembled = false;
+    }
+
+    fn next_phase(
+        &mut self,
+        x: &[DVec3],
+        occasion: &Occasion,
+        cost: &mut Cost,
+    ) -> Result<Option<Phase>, FlowError> {
+        if self.is_paper() || self.options.goal == Goal::Smooth && *occasion != Occasion::Before {
+            return Ok(None);
+        }
+        let smoothing = self.schedule.smoothing();
+        cost.assembling(|| self.evaluate_at(x, smoothing));
+        let exact = self.evaluation.exact;
+        let is_spherical = exact < self.nearly_spherical();
+        let stage = match *occasion {
+            Occasion::Before => self.schedule.before_step(is_spherical),
+            Occasion::Accepted { before, after } => {
+                self.schedule.after_step(before, after, exact, is_spherical)
+            }
+            Occasion::Idle { dt, is_guarded } | Occasion::Stuck { dt, is_guarded } => {
+                let tau = dt / self.time_unit();
+                self.schedule.at_end(tau, exact, is_spherical, is_guarded)
+            }
+            Occasion::Ending => Stage::Same,
+        };
+        Ok(match stage {
+            Stage::Same => None,
+            Stage::Sharper { restarts } => {
+                let mut phase = self.began(None);
+                phase.resets_step_size = restarts;
+                Some(phase)
+            }
+            Stage::Gentler(why) => Some(self.began(Some(why.into()))),
+            Stage::Other(why) => Some(self.began(Some(why.into()))),
+        })
+    }
+
+    /// The share of the energy that a step of τ = 1 would gain, over what it may; away from
+    /// spheres the finisher knows better.
+    fn stationarity(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<f64, FlowError> {
+        if self.schedule.is_at_rest() {
+            return Ok(0.0);
+        }
+        let present = self.schedule.smoothing();
+        self.forget();
+        self.evaluate_at(x, present);
+        if self.evaluation.exact > self.nearly_spherical() {
+            let epsilon = present.epsilon.max(REST_EPSILON);
+            self.evaluate_at(x, Smoothing { epsilon });
+        }
+        let slope = match self.semi_implicit(x, REFERENCE_TAU * self.time_unit(), cost)? {
+            Proposal::Move(step) => step.slope,
+            Proposal::Refused(_) | Proposal::Nothing => 0.0,
+        };
+        let exact = self.evaluation.exact.max(self.round_enough());
+        self.forget();
+        Ok(-slope / (AT_REST * exact))
+    }
+
+    fn describe(&mut self, _x: &[DVec3], report: &mut StepReport) {
+        report.energy = self.evaluation.exact;
+        report.energy_normalised = 0.5 * self.evaluation.exact;
+        report.gradient_norm = self.problem.gradient_norm(&self.evaluation.gradient);
+        report.epsilon = self.schedule.smoothing().epsilon;
+        report.skipped_angles = self.evaluation.skipped;
+    }
+
+    fn warn(&self, x: &[DVec3], report: &mut StepReport, given: &mut WarningsGiven) {
+        self.warn_of(x, report, given);
+    }
+
+    fn remedy(&self) -> &'static str {
+        "a better mesh helps, as conformal regularisation makes it"
+    }
+
+    fn reading(&mut self, x: &[DVec3]) -> Reading {
+        self.forget();
+        let smoothing = self.schedule.smoothing();
+        self.evaluate_at(x, smoothing);
+        let objective = self.monitored_value(&self.evaluation);
+        self.evaluate_at(x, Smoothing::EXACT);
         let energy = self.evaluation.value;
-        super::Reading {
+        Reading {
             energy,
             energy_normalised: 0.5 * energy,
+            monitored: self.monitored(),
+            objective,
             gradient_norm: self.problem.gradient_norm(&self.evaluation.gradient),
             area: measure::area(&self.mesh, x),
             volume: measure::volume(&self.mesh, x),
@@ -279,10 +366,6 @@ impl Flow for CircleFlow {
         let mut at = Evaluation::default();
         self.problem.energy.evaluate(x, Smoothing::EXACT, &mut at);
         at.gradient
-    }
-
-    fn set_progress(&mut self, callback: Option<Callback>) {
-        self.on_progress = callback;
     }
 
     fn mean_edge_length(&self) -> f64 {
@@ -297,48 +380,16 @@ impl Flow for CircleFlow {
         self.problem.matrix.row_of_vertex()[v] != u32::MAX
     }
 
-    fn dt(&self) -> f64 {
-        self.pace.step_size.dt
+    fn memory(&self) -> super::Memory {
+        super::Memory::Circle(Memory(self.schedule))
     }
 
-    fn tau(&self) -> f64 {
-        self.dt() / (self.problem.h * self.problem.h)
-    }
-
-    fn flipped_faces(&self) -> &[u32] {
-        &self.flipped
-    }
-
-    fn refusal(&self) -> Option<Refusal> {
-        self.refusal
-    }
-
-    fn pace(&self) -> super::Pace {
-        super::Pace::Circle(self.pace)
-    }
-
-    fn set_pace(&mut self, pace: super::Pace) {
-        if let super::Pace::Circle(pace) = pace {
-            self.pace = pace;
+    fn recall(&mut self, memory: super::Memory) {
+        if let super::Memory::Circle(Memory(schedule)) = memory {
+            self.schedule = schedule;
         }
-        self.evaluated = None;
-        self.lbfgs = lbfgs::Memory::default();
-        self.flipped.clear();
-        self.refusal = None;
-    }
-
-    fn set_clock(&mut self, step: usize, time: f64) {
-        let pace = Pace {
-            step,
-            time,
-            ..self.pace
-        };
-        self.set_pace(super::Pace::Circle(pace));
-    }
-
-    fn extend_budget(&mut self) {
-        self.pace.first_step = self.pace.step;
-        self.pace.progress.restart();
+        self.forget();
+        self.quasi_newton = lbfgs::QuasiNewton::default();
     }
 }
 

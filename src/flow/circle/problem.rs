@@ -2,7 +2,7 @@
 
 use crate::energy::circle::star::StarMatrix;
 use crate::energy::circle::{CircleEnergy, Evaluation};
-use crate::flow::FlowError;
+use crate::flow::{Cost, FlowError};
 use crate::linalg::{Refactor, Solver};
 use glam::DVec3;
 use web_time::Instant;
@@ -27,17 +27,6 @@ pub(super) struct Problem {
     pub(super) stiffness: Vec<f64>,
     system: Vec<f64>,
     rhs: Vec<DVec3>,
-}
-
-/// Where the time of a step went, and what it met.
-#[derive(Default)]
-pub(super) struct Cost {
-    pub(super) assemble: f64,
-    pub(super) factor: f64,
-    pub(super) solve: f64,
-    pub(super) iterations: usize,
-    pub(super) negative_pivots: usize,
-    pub(super) warnings: Vec<String>,
 }
 
 impl Problem {
@@ -78,9 +67,18 @@ impl Problem {
         self.vertex_of_row.iter().map(|&v| field[v as usize])
     }
 
-    /// ⟨field, d⟩ over the free vertices.
-    pub(super) fn dot(&self, field: &[DVec3], d: &[DVec3]) -> f64 {
-        self.rows(field).zip(d).map(|(a, b)| a.dot(*b)).sum()
+    /// ⟨a, b⟩ over the free vertices.
+    pub(super) fn dot(&self, a: &[DVec3], b: &[DVec3]) -> f64 {
+        self.rows(a).zip(self.rows(b)).map(|(a, b)| a.dot(b)).sum()
+    }
+
+    /// A vector a row as a field over all `n` vertices, zero where they are held.
+    pub(super) fn field(&self, rows: &[DVec3], n: usize) -> Vec<DVec3> {
+        let mut field = vec![DVec3::ZERO; n];
+        for (&v, row) in self.vertex_of_row.iter().zip(rows) {
+            field[v as usize] = *row;
+        }
+        field
     }
 
     /// x + s d.
@@ -136,10 +134,7 @@ impl Problem {
         let info = self
             .solver
             .solve(&self.system, &self.rhs, &mut d, TOLERANCE, policy)?;
-        cost.factor += info.factor_seconds;
-        cost.solve += info.solve_seconds;
-        cost.iterations += info.iterations;
-        cost.negative_pivots = info.negative_pivots;
+        cost.add(&info);
         Ok(d)
     }
 }

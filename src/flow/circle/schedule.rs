@@ -1,10 +1,18 @@
-//! The angle smoothing ε from step to step.
+//! The angle smoothing ε from step to step, and who takes the steps.
+//!
+//! The semi-implicit step is a good one near spheres, where its matrix is the Hessian. Away
+//! from them it is not, and in the end gains next to nothing with ever smaller steps: then
+//! L-BFGS goes on in rounds, each from a smoothed energy to the exact one, and hands back near
+//! a sphere. W has cones, at whose tips its gradient says nothing of rest: a surface is at rest
+//! where a whole round lowers W by next to nothing.
 
+use crate::energy::circle::CircleEnergy;
 use crate::energy::circle::angle::Smoothing;
 use crate::flow::options::{FlowOptions, Goal, Integrator, Scheme};
+use glam::DVec3;
 
 /// The steps in which ε falls when the objective hardly falls any more.
-const LEVELS: [f64; 4] = [0.03, 0.01, 0.003, 0.0];
+const LEVELS: [f64; 5] = [0.03, 0.01, 0.003, 0.001, 0.0];
 /// A relative decrease per step below this is slow …
 const SLOW: f64 = 1e-3;
 /// … and so many slow steps in a row are the sign to sharpen: one alone may only mean
@@ -12,48 +20,107 @@ const SLOW: f64 = 1e-3;
 const PATIENCE: u32 = 5;
 /// With less exact energy per free vertex than this the surface is nearly spherical: as a
 /// rule no cone β = 0 is in the way, and smoothed angles would slow the last digits down.
-const NEARLY_SPHERICAL: f64 = 1e-3;
+pub(super) const NEARLY_SPHERICAL: f64 = 1e-3;
 /// Where cones are in the way all the same, as on a latitude–longitude mesh, exact steps
 /// shrink without end: below this share of h² they are taken for that.
 const FROZEN: f64 = 1e-3;
 /// ε from there on: a larger one would first carry the surface far from the sphere.
 const GENTLE: f64 = 0.01;
+/// So many semi-implicit steps in a row that gain less than this share of W, after so many at
+/// least, and L-BFGS takes over. With less, runs are handed over that soon would have come to
+/// rest; with more, they crawl for hundreds of steps.
+const WEAK: f64 = 1e-2;
+const WEAK_STEPS: u32 = 5;
+const FIRST_STEPS: u32 = 10;
+/// ε at most for L-BFGS: it has no step size that would stall on the rim of a cone.
+const FINISHING: f64 = 0.01;
+/// A decrease per step below this is slow for L-BFGS.
+const SLOW_FINISHING: f64 = 1e-4;
+/// A round of L-BFGS that lowers W by less than this share of it was the last.
+const REFUTED: f64 = 1e-3;
+/// At the start the smoothing of angles below ε may lift the energy by this share of it at
+/// most: by so much W could rise in steps that lower the smoothed energy.
+const LIFT: f64 = 0.05;
+/// Choices for ε at the start where the one asked for lifts the energy by more.
+const GENTLER: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
+
+/// What a change of the schedule is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Stage {
+    /// None.
+    Same,
+    /// A smaller ε; the step size may begin anew.
+    Sharper { restarts: bool },
+    /// A larger ε.
+    Gentler(&'static str),
+    /// Another integrator.
+    Other(&'static str),
+}
 
 /// ε of the current step: at first the user's, 0 close to a sphere, falling towards 0 at
 /// the end if sharpening is on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct EpsilonSchedule {
-    /// ε away from spheres.
+pub(super) struct Schedule {
+    integrator: Integrator,
+    /// ε away from spheres, what it was at the start, and what was asked for.
     level: f64,
+    first_level: f64,
+    asked: f64,
     sharpens: bool,
     exact: bool,
     /// Whether closeness to a sphere switches to the exact energy.
     trusts_spheres: bool,
     /// The paper's scheme: always exact.
     always_exact: bool,
+    /// Whether L-BFGS may take over, whether it has, and W at the start of its round.
+    can_finish: bool,
+    is_finishing: bool,
+    round_energy: f64,
+    /// Whether its last round found nothing to gain.
+    is_at_rest: bool,
     slow_steps: u32,
+    weak_steps: u32,
+    steps: u32,
+    last_energy: f64,
 }
 
-impl EpsilonSchedule {
-    pub(super) fn new(options: &FlowOptions) -> Self {
+impl Schedule {
+    /// At the start of a run from `x`.
+    pub(super) fn new(options: &FlowOptions, energy: &CircleEnergy, x: &[DVec3]) -> Self {
         let always_exact = options.scheme == Scheme::Paper || options.epsilon == 0.0;
-        // The note's best ε for a quasi-Newton method is smaller: it has no step size
-        // that would stall on the rim of a cone.
-        let level = match options.integrator {
-            Integrator::Lbfgs => options.epsilon.min(0.01),
+        let relaxes = options.goal == Goal::Relax;
+        let asked = match options.integrator {
+            Integrator::Lbfgs => options.epsilon.min(FINISHING),
             _ => options.epsilon,
         };
+        let level = if always_exact || !relaxes {
+            asked
+        } else {
+            bearable(asked, energy, x)
+        };
         Self {
+            integrator: options.integrator,
             level,
-            sharpens: options.sharpen && options.goal == Goal::Relax,
+            first_level: level,
+            asked,
+            sharpens: options.sharpen && relaxes,
             exact: always_exact,
             trusts_spheres: true,
             always_exact,
+            can_finish: options.integrator == Integrator::SemiImplicit
+                && options.scheme == Scheme::Auto
+                && relaxes,
+            is_finishing: options.integrator == Integrator::Lbfgs,
+            round_energy: energy.value(x, Smoothing::EXACT),
+            is_at_rest: false,
             slow_steps: 0,
+            weak_steps: 0,
+            steps: 0,
+            last_energy: f64::INFINITY,
         }
     }
 
-    pub(super) fn current(&self) -> Smoothing {
+    pub(super) fn smoothing(&self) -> Smoothing {
         if self.exact {
             Smoothing::EXACT
         } else {
@@ -63,18 +130,110 @@ impl EpsilonSchedule {
         }
     }
 
-    /// Switches to the exact energy close to a sphere and back away from it, going by
-    /// the exact `energy` of `n_free` vertices; whether it did.
-    pub(super) fn adapt(&mut self, energy: f64, n_free: usize) -> bool {
-        let exact = self.always_exact
-            || self.level == 0.0
-            || (self.sharpens && self.trusts_spheres && energy < NEARLY_SPHERICAL * n_free as f64);
-        std::mem::replace(&mut self.exact, exact) != exact
+    pub(super) fn integrator(&self) -> Integrator {
+        if self.is_finishing {
+            Integrator::Lbfgs
+        } else {
+            self.integrator
+        }
     }
 
-    /// After steps of `tau` = dt/h² that gain nothing: gives up the exact energy chosen for
-    /// closeness to a sphere, for the rest of the run; whether it did.
-    pub(super) fn retreat(&mut self, tau: f64) -> bool {
+    /// Switches to the exact energy close to a sphere and back away from it; there the
+    /// semi-implicit steps are the best.
+    pub(super) fn before_step(&mut self, is_spherical: bool) -> Stage {
+        if self.is_finishing && self.can_finish && is_spherical && self.trusts_spheres {
+            self.is_finishing = false;
+            self.level = self.first_level;
+            self.weak_steps = 0;
+            self.exact = true;
+            return Stage::Other("Near a sphere semi-implicit steps take over again.");
+        }
+        let exact = self.always_exact
+            || self.level == 0.0
+            || (self.sharpens && self.trusts_spheres && is_spherical);
+        match (std::mem::replace(&mut self.exact, exact), exact) {
+            (false, true) => Stage::Sharper { restarts: false },
+            (true, false) => Stage::Gentler("Away from a sphere angles are smoothed again."),
+            _ => Stage::Same,
+        }
+    }
+
+    /// Notes a step, by the scale of the functional and by W after it.
+    pub(super) fn after_step(
+        &mut self,
+        before: f64,
+        after: f64,
+        energy: f64,
+        is_spherical: bool,
+    ) -> Stage {
+        self.steps += 1;
+        let is_weak = self.last_energy - energy < WEAK * energy.abs();
+        self.last_energy = energy;
+        self.weak_steps = if is_weak { self.weak_steps + 1 } else { 0 };
+        let share = if self.is_finishing {
+            SLOW_FINISHING
+        } else {
+            SLOW
+        };
+        let slow = before - after < share * before.abs();
+        self.slow_steps = if slow { self.slow_steps + 1 } else { 0 };
+        if !self.is_finishing
+            && self.weak_steps >= WEAK_STEPS
+            && self.steps >= FIRST_STEPS
+            && self.finish(energy, is_spherical)
+        {
+            return Stage::Other("Steps gain little: L-BFGS takes over.");
+        }
+        if self.slow_steps >= PATIENCE && self.sharpen() {
+            return Stage::Sharper { restarts: false };
+        }
+        Stage::Same
+    }
+
+    /// After steps of `tau` = dt/h² that gain nothing, or none: what is left to be tried.
+    pub(super) fn at_end(
+        &mut self,
+        tau: f64,
+        energy: f64,
+        is_spherical: bool,
+        is_guarded: bool,
+    ) -> Stage {
+        if self.retreats(tau) {
+            return Stage::Gentler("Exact steps have come to a halt: angles are smoothed again.");
+        }
+        if self.sharpen() {
+            return Stage::Sharper { restarts: true };
+        }
+        if self.finish(energy, is_spherical) {
+            return Stage::Other("Steps gain nothing: L-BFGS takes over.");
+        }
+        if self.is_finishing && !self.always_exact && self.sharpens {
+            if self.round_energy - energy > REFUTED * energy {
+                self.begin_round(energy);
+                return Stage::Gentler("W still falls: another round of L-BFGS.");
+            }
+            self.is_at_rest = !is_guarded;
+        }
+        Stage::Same
+    }
+
+    /// Whether the last round of L-BFGS found nothing to gain.
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.is_at_rest
+    }
+
+    fn begin_round(&mut self, energy: f64) {
+        self.round_energy = energy;
+        self.is_at_rest = false;
+        self.slow_steps = 0;
+        if !self.always_exact && self.sharpens {
+            self.level = FINISHING.min(self.asked);
+            self.exact = false;
+        }
+    }
+
+    /// Gives up the exact energy chosen for closeness to a sphere, for the rest of the run.
+    fn retreats(&mut self, tau: f64) -> bool {
         let frozen = self.exact && !self.always_exact && self.level > 0.0 && tau < FROZEN;
         if frozen && self.trusts_spheres {
             self.trusts_spheres = false;
@@ -86,15 +245,18 @@ impl EpsilonSchedule {
         false
     }
 
-    /// Notes a step; whether the last few gained so little that a smaller ε is due.
-    pub(super) fn should_sharpen(&mut self, before: f64, after: f64) -> bool {
-        let slow = before - after < SLOW * before.abs();
-        self.slow_steps = if slow { self.slow_steps + 1 } else { 0 };
-        !self.exact && self.slow_steps >= PATIENCE
+    /// Hands over to L-BFGS, once and away from spheres.
+    fn finish(&mut self, energy: f64, is_spherical: bool) -> bool {
+        if self.is_finishing || !self.can_finish || is_spherical {
+            return false;
+        }
+        self.is_finishing = true;
+        self.begin_round(energy);
+        true
     }
 
     /// Goes to the next smaller ε; `false` if there is none.
-    pub(super) fn sharpen(&mut self) -> bool {
+    fn sharpen(&mut self) -> bool {
         if self.exact || !self.sharpens {
             return false;
         }
@@ -108,4 +270,26 @@ impl EpsilonSchedule {
             None => false,
         }
     }
+}
+
+/// The ε asked for, or the largest of some smaller ones by which angles below it lift the
+/// energy by little: Σ (√(β² + ε²) − β) over the β < ε, against W.
+fn bearable(asked: f64, energy: &CircleEnergy, x: &[DVec3]) -> f64 {
+    let angles = energy.angles(x);
+    let total = energy.value(x, Smoothing::EXACT);
+    let lift = |epsilon: f64| -> f64 {
+        let small = angles.iter().filter(|(beta, _)| *beta < epsilon);
+        small
+            .map(|(beta, count)| count * (beta.hypot(epsilon) - beta))
+            .sum()
+    };
+    let choices = std::iter::once(asked).chain(GENTLER.into_iter().filter(|&e| e < asked));
+    let mut last = asked;
+    for epsilon in choices {
+        last = epsilon;
+        if lift(epsilon) <= LIFT * total {
+            break;
+        }
+    }
+    last
 }

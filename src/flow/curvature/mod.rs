@@ -5,57 +5,71 @@
 //! All four move vertices along their normals, r' = r + s φn, with φ from one semi-implicit
 //! system (see `system`) and the operators of [`crate::operator::fitted`]. A flow's own file
 //! holds its velocity law. Time is scale-free, dt = τ L^k, k the order of the flow and L the
-//! size of the free patches. With τ ≥ 0.01 a step is one of a quasi-Newton iteration for the
-//! steady state, and there is no upper limit for τ from a smooth start. The share s of a
-//! step that is taken is such that no vertex moves by more than half an edge.
+//! size of the free patches. At τ = 1 a step is one of a quasi-Newton iteration for the steady
+//! state; where there is one near by it is the best step, and where there is none, as of a
+//! closed surface under the flow by mean curvature, the driver finds smaller ones. The share s
+//! of a step that is taken is such that no vertex moves by more than half an edge.
+//!
+//! A rest of the fitted flow is not quite the least of the fitted energy, so that a good fill
+//! may end a little above an earlier step: by a thousandth of the least so far at most.
 //!
 //! Vertices are not moved along the surface: smoothing them each step keeps the flow from
 //! converging.
 
 mod curvature_variation;
 mod curvatures;
+mod ladder;
 mod law;
 mod mean_curvature;
 mod region;
 mod solver;
 mod surface_diffusion;
 mod system;
-mod verdict;
+mod warning;
 mod willmore;
 
+use super::bounds::lower_bounds;
 use super::options::{FlowOptions, Scheme};
-use super::stop::Verdict;
-use super::{Flow, FlowError, Progress as Callback, Reading, StepReport, boundary, prefill};
+use super::report::WarningsGiven;
+use super::rules::{Ceiling, Folds};
+use super::step_size::StepSize;
+use super::{
+    Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal, Reading,
+    Refusal, Rules, Search, StepReport, boundary, prefill,
+};
 use crate::energy::circle::Boundary;
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::operator::FittedOperators;
 use curvatures::Curvatures;
 use glam::DVec3;
+use ladder::Ladder;
 use law::Law;
 use region::Region;
 use std::rc::Rc;
-use system::{Quality, System};
+use system::System;
 use web_time::Instant;
 
-/// No vertex moves by more than this share of a mean edge.
+/// No vertex moves by more than this share of a mean edge; a step size that leads so far is as
+/// large as is good, and one that leads less far than this may grow.
 const CAP: f64 = 0.5;
+const SHORT: f64 = 0.35;
 /// Passes of the smooth pre-fill.
 const PREFILL_PASSES: usize = 3;
-/// A first update of the sixth-order flow longer than so many edges comes from a start too
-/// rough for it …
-const ROUGH: f64 = 8.0;
-/// … and up to this many steps of surface diffusion go before.
-const RUNGS: usize = 40;
-/// A run of the sixth-order flow that has not come to rest in so many steps …
-const PATIENCE: usize = 60;
-/// … or that after this many still wants to move by more than [`LOST`] edges …
-const TRIAL: usize = 20;
-/// … begins anew, once, with those steps of surface diffusion.
-const LOST: f64 = 10.0;
-/// Surface diffusion has done its part when no vertex moves by more than this share of an
-/// edge.
-const RUNG_REST: f64 = 1e-2;
+/// Refusals in a row, each to a quarter, that end a run.
+const MAX_REFUSALS: i32 = 24;
+/// A reading may lie above the least so far by this share of it, and by this share of the
+/// first, for what comes to zero.
+const TOLERANCE: f64 = 1e-3;
+const SLACK: f64 = 1e-9;
+/// A reading that has come to this share of the first is zero.
+const ZERO: f64 = 1e-13;
+/// A surface is at rest if a whole step moves no vertex by more than this share of an edge …
+const AT_REST: f64 = 1e-6;
+/// … or by more than this, where its reading does not change any more either.
+const NEARLY_AT_REST: f64 = 1e-3;
+/// Share of the smooth minimum of ∫H² that no healthy mesh goes below.
+const LEAST: f64 = 0.95;
 
 /// The flow on one mesh with one set of options.
 pub struct CurvatureFlow {
@@ -65,36 +79,27 @@ pub struct CurvatureFlow {
     region: Region,
     system: System,
     start: Vec<DVec3>,
-    pace: Pace,
-    /// At the present positions, once they are needed.
+    /// The law's energy at the start.
+    first_energy: f64,
+    /// ∫H² of the best smooth surface of the topology, where that bounds the functional.
+    smooth_minimum: Option<f64>,
+    ladder: Ladder,
+    /// At the present positions, once they are needed; and at a trial.
     curvatures: Option<Curvatures>,
-    flipped: Vec<u32>,
-    on_progress: Option<Callback>,
-}
-
-/// The small state that a step back restores along with the positions.
-#[derive(Clone, Copy, Debug)]
-pub struct Pace {
-    time: f64,
-    step: usize,
-    first_step: usize,
-    /// Steps of surface diffusion still to be taken first.
-    rungs: usize,
-    /// Steps taken by the flow's own law since.
-    own_steps: usize,
-    /// Whether the ladder of surface diffusion was used.
-    has_climbed: bool,
-    warned: verdict::Warned,
-}
-
-/// A step before it is taken.
-struct Update {
-    phi: Vec<f64>,
-    /// |φ|max over the mean edge length.
+    trial: Option<Curvatures>,
+    trial_energy: f64,
+    /// Largest |φ| of the last proposal, in mean edges.
     size: f64,
-    dt: f64,
-    quality: Quality,
+    /// A proposal that was made to see how long it is, with its step size.
+    known: Option<(f64, Move)>,
+    /// Where the ladder ended, if that is known.
+    top: Option<Vec<DVec3>>,
+    is_iterative: bool,
 }
+
+/// What the flow must remember beside the positions.
+#[derive(Clone, Copy, Debug)]
+pub struct Memory(Ladder);
 
 impl CurvatureFlow {
     /// Prepares the flow at positions `x`, which a smooth pre-fill may change.
@@ -104,48 +109,43 @@ impl CurvatureFlow {
     /// [`FlowError::SelectionOutOfRange`], [`FlowError::NothingFree`],
     /// [`FlowError::Linear`].
     pub fn new(
-        mesh: Rc<HalfedgeMesh>,
+        mesh: &Rc<HalfedgeMesh>,
         x: &mut [DVec3],
-        options: FlowOptions,
+        options: &FlowOptions,
     ) -> Result<Self, FlowError> {
-        options.check()?;
-        check_mesh(&mesh)?;
+        check_mesh(mesh)?;
         let law = Law::of(options.flow)?;
         let is_free = boundary::free_vertices(
-            &mesh,
+            mesh,
             options.boundary.unwrap_or(Boundary::Fixed),
             options.free.as_deref(),
             options.fixed.as_deref(),
         )?;
         if options.prefill {
-            prefill::smooth(&mesh, &is_free, x, PREFILL_PASSES)?;
+            prefill::smooth(mesh, &is_free, x, PREFILL_PASSES)?;
         }
-        let region = Region::new(&mesh, x, is_free, law.depth());
-        let rungs = if law == Law::CurvatureVariation {
-            options.rungs.unwrap_or(0)
-        } else {
-            0
-        };
-        let pace = Pace {
-            time: 0.0,
-            step: 0,
-            first_step: 0,
-            rungs,
-            own_steps: 0,
-            has_climbed: false,
-            warned: verdict::Warned::default(),
-        };
+        let region = Region::new(mesh, x, is_free, law.depth());
+        let at = Curvatures::of(mesh, x, &region);
+        let is_bounded = law == Law::Willmore && region.free.len() == x.len();
         let mut flow = Self {
             system: System::new(law, &region),
             start: x.to_vec(),
-            mesh,
-            options,
+            first_energy: law.energy(&at, measure::area(mesh, x)),
+            smooth_minimum: lower_bounds(mesh)
+                .filter(|_| is_bounded)
+                .map(|bounds| bounds.willmore),
+            ladder: Ladder::new(law, options.rungs),
+            mesh: Rc::clone(mesh),
+            options: options.clone(),
             law,
             region,
-            pace,
-            curvatures: None,
-            flipped: Vec::new(),
-            on_progress: None,
+            curvatures: Some(at),
+            trial: None,
+            trial_energy: f64::NAN,
+            size: 0.0,
+            known: None,
+            top: None,
+            is_iterative: false,
         };
         flow.choose_law();
         Ok(flow)
@@ -153,7 +153,7 @@ impl CurvatureFlow {
 
     /// The law of the next step.
     fn present_law(&self) -> Law {
-        if self.pace.rungs > 0 {
+        if self.ladder.is_climbing() {
             Law::SurfaceDiffusion
         } else {
             self.law
@@ -168,17 +168,18 @@ impl CurvatureFlow {
         }
     }
 
-    /// Raw step size of a law: given for the flow itself, or τ L^k.
-    fn dt_of(&self, law: Law) -> f64 {
-        let given = self.options.dt.filter(|_| law == self.law);
-        let tau = self.options.tau.unwrap_or(1.0);
-        given.unwrap_or_else(|| tau * self.region.length.powi(law.order()))
+    /// Raw size of a whole step: L^k.
+    fn full_dt(&self) -> f64 {
+        self.region.length.powi(self.present_law().order())
     }
 
-    fn tell(&self, stage: &str, share: f64) {
-        if let Some(callback) = &self.on_progress {
-            callback(stage, share);
-        }
+    fn is_paper(&self) -> bool {
+        self.options.scheme == Scheme::Paper
+    }
+
+    /// Whether the surface can shrink to a point.
+    fn can_vanish(&self) -> bool {
+        self.present_law() == Law::MeanCurvature && self.region.free.len() == self.start.len()
     }
 
     fn take_curvatures(&mut self, x: &[DVec3]) -> Curvatures {
@@ -186,52 +187,63 @@ impl CurvatureFlow {
         known.unwrap_or_else(|| Curvatures::of(&self.mesh, x, &self.region))
     }
 
-    /// Whether steps of surface diffusion must go before, the flow being about to move by
-    /// `size` edges: why, and whether from the start.
-    fn must_climb(&self, size: f64) -> Option<(String, bool)> {
-        let is_automatic = self.options.scheme == Scheme::Auto && self.options.rungs.is_none();
-        let pace = &self.pace;
-        if self.law != Law::CurvatureVariation || !is_automatic || pace.has_climbed {
-            return None;
-        }
-        let ladder = format!("up to {RUNGS} steps of surface diffusion go before");
-        if pace.step == 0 && size > ROUGH {
-            let why = format!(
-                "The start is too rough for the sixth-order flow, which would move it by {size:.0} \
-                 edge lengths: {ladder}."
-            );
-            return Some((why, false));
-        }
-        let steps = pace.own_steps;
-        let is_lost = steps >= PATIENCE || steps >= TRIAL && size > LOST;
-        is_lost.then(|| {
-            let why = format!("No rest in sight after {steps} steps: back to the start, {ladder}.");
-            (why, true)
-        })
+    fn forget(&mut self) {
+        self.curvatures = None;
+        self.known = None;
     }
 
-    fn update(&mut self, at: &Curvatures, x: &[DVec3]) -> Result<Update, FlowError> {
+    /// The move of step size dt.
+    fn solve(&mut self, x: &[DVec3], dt: f64, cost: &mut Cost) -> Result<Move, FlowError> {
         self.choose_law();
-        let dt = self.dt_of(self.present_law());
-        let callback = self.on_progress.clone();
-        let tell = move |stage: &str, share: f64| {
-            if let Some(callback) = &callback {
-                callback(stage, share);
+        let at = self.take_curvatures(x);
+        let solved = self.system.solve(&at, &self.region, x, dt, cost);
+        let (phi, quality) = match solved {
+            Ok(solved) => solved,
+            Err(error) => {
+                self.curvatures = Some(at);
+                return Err(error);
             }
         };
-        let (phi, quality) = self.system.solve(at, &self.region, x, dt, &tell)?;
+        quality.tell(cost);
+        self.is_iterative |= quality.is_iterative;
         let largest = phi.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-        if !phi.iter().all(|v| v.is_finite()) {
-            return Err(FlowError::NonFiniteEnergy {
-                step: self.pace.step + 1,
-            });
+        self.size = largest / self.region.h;
+        let share = if self.is_paper() || self.can_vanish() {
+            1.0
+        } else {
+            (CAP / self.size).min(1.0)
+        };
+        let mut d = vec![DVec3::ZERO; x.len()];
+        for (&v, phi) in self.region.free.iter().zip(&phi) {
+            d[v as usize] = match at.row(v as usize) {
+                Ok(row) => share * phi * at.operators.normal(row),
+                Err(error) => {
+                    self.curvatures = Some(at);
+                    return Err(error);
+                }
+            };
         }
-        Ok(Update {
-            size: largest / self.region.h,
-            phi,
-            dt,
-            quality,
-        })
+        self.curvatures = Some(at);
+        let search = if self.is_paper() {
+            Search::Unseen
+        } else {
+            Search::Solve
+        };
+        let mut step = Move::new(d, 0.0, share * dt, search);
+        step.update = Some(self.size);
+        step.grows = self.size < SHORT;
+        let is_whole = dt >= self.full_dt();
+        step.rests = is_whole && self.size < AT_REST && !self.ladder.is_climbing();
+        Ok(step)
+    }
+
+    /// Largest |φ| of a whole step of the present law, in mean edges; the step is kept, as it
+    /// may be the next that is asked for.
+    fn whole_size(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<f64, FlowError> {
+        let dt = self.full_dt();
+        let step = self.solve(x, dt, cost)?;
+        self.known = Some((dt, step));
+        Ok(self.size)
     }
 
     /// Root mean square of V over the free vertices, times L^(k−1): without a unit.
@@ -246,33 +258,173 @@ impl CurvatureFlow {
             Err(_) => f64::NAN,
         }
     }
+
+    /// The law's energy at positions that are no trial.
+    fn energy_of(&self, x: &[DVec3]) -> f64 {
+        let at = Curvatures::of(&self.mesh, x, &self.region);
+        self.law.energy(&at, measure::area(&self.mesh, x))
+    }
+
+    /// The best of the start and the end of the ladder, where that is better than `x`.
+    fn better_than(&self, x: &[DVec3]) -> Option<Vec<DVec3>> {
+        let known = [Some(&self.start), self.top.as_ref()];
+        let energies = known.into_iter().flatten().map(|y| (self.energy_of(y), y));
+        let best = energies.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        (best.0 < (1.0 - TOLERANCE) * self.energy_of(x)).then(|| best.1.clone())
+    }
 }
 
 impl Flow for CurvatureFlow {
-    fn set_progress(&mut self, callback: Option<Callback>) {
-        self.on_progress = callback;
+    fn monitored(&self) -> Monitored {
+        match self.present_law() {
+            Law::MeanCurvature | Law::SurfaceDiffusion => Monitored::Area,
+            Law::Willmore => Monitored::Willmore,
+            Law::CurvatureVariation => Monitored::CurvatureVariation,
+        }
     }
 
-    fn mean_edge_length(&self) -> f64 {
-        self.region.h
+    fn rules(&self) -> Rules {
+        let can_vanish = self.can_vanish();
+        if self.is_paper() || self.ladder.is_climbing() {
+            return Rules {
+                can_vanish,
+                ..Rules::unseen()
+            };
+        }
+        Rules {
+            ceiling: Ceiling::AboveLeast {
+                share: TOLERANCE,
+                slack: SLACK * self.first_energy,
+            },
+            reach: can_vanish.then_some(CAP),
+            turn: None,
+            folds: Folds::None,
+            least_angle: None,
+            bound: self.smooth_minimum,
+            bound_share: LEAST,
+            roundoff: 0.0,
+            zero: match self.law {
+                Law::MeanCurvature | Law::SurfaceDiffusion => 0.0,
+                Law::Willmore | Law::CurvatureVariation => ZERO * self.first_energy,
+            },
+            can_vanish,
+            ends_at_rest: true,
+        }
     }
 
-    fn n_free(&self) -> usize {
-        self.region.free.len()
+    fn step_size(&self) -> StepSize {
+        let full = self.full_dt();
+        // A raw step size is one of the flow's own unit of time.
+        let given = self.options.dt.filter(|_| !self.ladder.is_climbing());
+        match given.or(self.options.tau.map(|tau| tau * full)) {
+            Some(dt) => StepSize::constant(dt, 0.25f64.powi(MAX_REFUSALS) * dt),
+            None => StepSize::adaptive(full, 0.25f64.powi(MAX_REFUSALS) * full, full),
+        }
     }
 
-    fn is_free(&self, v: usize) -> bool {
-        self.region.is_free[v]
+    fn time_unit(&self) -> f64 {
+        self.full_dt()
+    }
+
+    fn evaluate(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<Functional, FlowError> {
+        let watch = Instant::now();
+        let at = self.take_curvatures(x);
+        let energy = self.present_law().energy(&at, measure::area(&self.mesh, x));
+        self.curvatures = Some(at);
+        cost.assemble += watch.elapsed().as_secs_f64();
+        Ok(Functional::plain(energy))
+    }
+
+    fn propose(&mut self, x: &[DVec3], dt: f64, cost: &mut Cost) -> Result<Proposal, FlowError> {
+        let step = match self.known.take() {
+            Some((known, step)) if known == dt => step,
+            _ => self.solve(x, dt, cost)?,
+        };
+        Ok(Proposal::Move(Box::new(step)))
+    }
+
+    fn measure(&mut self, _x: &[DVec3], y: &mut [DVec3], cost: &mut Cost) -> Result<f64, Refusal> {
+        let watch = Instant::now();
+        let next = Curvatures::of(&self.mesh, y, &self.region);
+        let free = self.region.free.iter();
+        // Also refuses what is not a number.
+        let unfit = free
+            .copied()
+            .find(|&v| next.operators.row(v as usize).is_none());
+        let energy = self
+            .present_law()
+            .energy(&next, measure::area(&self.mesh, y));
+        cost.assemble += watch.elapsed().as_secs_f64();
+        if let Some(vertex) = unfit {
+            return Err(Refusal::at(Cause::Unfit, vertex));
+        }
+        self.trial = Some(next);
+        self.trial_energy = energy;
+        Ok(energy)
+    }
+
+    fn bounded(&self) -> f64 {
+        self.trial_energy
+    }
+
+    fn accept(&mut self, _step: &Move, _share: f64) {
+        self.forget();
+        self.curvatures = self.trial.take();
+    }
+
+    fn next_phase(
+        &mut self,
+        x: &[DVec3],
+        occasion: &Occasion,
+        cost: &mut Cost,
+    ) -> Result<Option<Phase>, FlowError> {
+        self.climb_or_descend(x, occasion, cost)
+    }
+
+    /// By how much a whole step would move the surface, over what it may.
+    fn stationarity(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<f64, FlowError> {
+        match self.whole_size(x, cost) {
+            Ok(size) => Ok(size / NEARLY_AT_REST),
+            // Where a whole step cannot be solved for, the surface is not at rest.
+            Err(_) => Ok(f64::INFINITY),
+        }
+    }
+
+    fn describe(&mut self, x: &[DVec3], report: &mut StepReport) {
+        let at = self.take_curvatures(x);
+        report.energy = self.law.energy(&at, report.area);
+        report.energy_normalised = self.law.normalised(report.energy, self.region.length);
+        report.gradient_norm = self.speed(&at);
+        self.curvatures = Some(at);
+    }
+
+    fn warn(&self, _x: &[DVec3], report: &mut StepReport, given: &mut WarningsGiven) {
+        self.warn_of(report, given);
+    }
+
+    fn remedy(&self) -> &'static str {
+        match self.law {
+            Law::MeanCurvature => "the p-Willmore flow with p = 0 keeps its mesh a better one",
+            _ if self.region.free.len() == self.start.len() => {
+                "conformal regularisation or the p-Willmore flow helps"
+            }
+            _ => "a smooth pre-fill, a finer mesh or a flow of lower order helps",
+        }
     }
 
     fn reading(&mut self, x: &[DVec3]) -> Reading {
+        self.forget();
         let at = Curvatures::of(&self.mesh, x, &self.region);
         let area = measure::area(&self.mesh, x);
         let energy = self.law.energy(&at, area);
         let gradient_norm = self.speed(&at);
+        let law = self.present_law();
+        let (monitored, objective) = (self.monitored(), law.energy(&at, area));
         self.curvatures = Some(at);
         Reading {
             energy,
+            monitored,
+            objective,
             energy_normalised: self.law.normalised(energy, self.region.length),
             gradient_norm,
             area,
@@ -302,99 +454,28 @@ impl Flow for CurvatureFlow {
         Some((0..x.len()).map(|v| value(v).unwrap_or_default()).collect())
     }
 
-    fn pace(&self) -> super::Pace {
-        super::Pace::Curvature(self.pace)
+    fn mean_edge_length(&self) -> f64 {
+        self.region.h
     }
 
-    fn set_pace(&mut self, pace: super::Pace) {
-        if let super::Pace::Curvature(pace) = pace {
-            self.pace = pace;
+    fn n_free(&self) -> usize {
+        self.region.free.len()
+    }
+
+    fn is_free(&self, v: usize) -> bool {
+        self.region.is_free[v]
+    }
+
+    fn memory(&self) -> super::Memory {
+        super::Memory::Curvature(Memory(self.ladder))
+    }
+
+    fn recall(&mut self, memory: super::Memory) {
+        if let super::Memory::Curvature(Memory(ladder)) = memory {
+            self.ladder = ladder;
         }
-        self.curvatures = None;
-        self.flipped.clear();
-    }
-
-    fn set_clock(&mut self, step: usize, time: f64) {
-        self.pace.step = step;
-        self.pace.time = time;
-        self.curvatures = None;
-        self.flipped.clear();
-    }
-
-    fn extend_budget(&mut self) {
-        self.pace.first_step = self.pace.step;
-    }
-
-    fn dt(&self) -> f64 {
-        self.dt_of(self.present_law())
-    }
-
-    fn tau(&self) -> f64 {
-        let law = self.present_law();
-        self.dt_of(law) / self.region.length.powi(law.order())
-    }
-
-    fn flipped_faces(&self) -> &[u32] {
-        &self.flipped
-    }
-
-    fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
-        let pace = self.pace;
-        self.try_step(x).inspect_err(|_| self.pace = pace)
-    }
-}
-
-impl CurvatureFlow {
-    fn try_step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
-        let start = Instant::now();
-        if let Some(verdict) = self.done_before_step() {
-            return Ok((None, verdict));
-        }
-        self.tell("assemble", 0.0);
-        let mut at = self.take_curvatures(x);
-        let fitted = start.elapsed().as_secs_f64();
-        let mut update = self.update(&at, x)?;
-        let mut y = x.clone();
-        let mut warnings = Vec::new();
-        if let Some((why, restart)) = self.must_climb(update.size) {
-            warnings.push(why);
-            self.pace.rungs = RUNGS;
-            self.pace.own_steps = 0;
-            self.pace.has_climbed = true;
-            if restart {
-                y.clone_from(&self.start);
-                at = Curvatures::of(&self.mesh, &y, &self.region);
-            }
-            update = self.update(&at, &y)?;
-        }
-        update.quality.assemble += fitted;
-        let share = match self.options.scheme {
-            Scheme::Auto => (CAP / update.size).min(1.0),
-            Scheme::Paper => 1.0,
-        };
-        let area = measure::area(&self.mesh, &y);
-        let before = self.present_law().energy(&at, area);
-        for (&v, phi) in self.region.free.iter().zip(&update.phi) {
-            let row = at.row(v as usize)?;
-            y[v as usize] += share * phi * at.operators.normal(row);
-        }
-        let watch = Instant::now();
-        let next = Curvatures::of(&self.mesh, &y, &self.region);
-        // Also refuses what is not a number.
-        if let Some(&vertex) = self
-            .region
-            .free
-            .iter()
-            .find(|&&v| next.operators.row(v as usize).is_none())
-        {
-            return Err(FlowError::Unfit { vertex });
-        }
-        update.quality.assemble += watch.elapsed().as_secs_f64();
-        let (mut report, verdict) = self.conclude(x, y, &update, share, next, before);
-        warnings.append(&mut report.warnings);
-        report.warnings = warnings;
-        report.milliseconds = start.elapsed().as_secs_f64() * 1e3;
-        Ok((Some(report), verdict))
+        self.top = None;
+        self.forget();
     }
 }
 

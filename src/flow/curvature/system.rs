@@ -14,7 +14,7 @@ use super::curvatures::Curvatures;
 use super::law::{Law, Velocity};
 use super::region::Region;
 use super::solver::Solver;
-use crate::flow::FlowError;
+use crate::flow::{Cost, FlowError};
 use crate::linalg::{Pattern, Unsymmetric};
 use crate::operator::FittedOperators;
 use glam::DVec3;
@@ -44,6 +44,17 @@ pub(super) struct Quality {
     pub(super) assemble: f64,
     pub(super) factor: f64,
     pub(super) solve: f64,
+}
+
+impl Quality {
+    /// Adds it to what a step costs.
+    pub(super) fn tell(&self, cost: &mut Cost) {
+        cost.assemble += self.assemble;
+        cost.factor += self.factor;
+        cost.solve += self.solve;
+        cost.iterations += self.iterations;
+        cost.residual = Some(self.residual);
+    }
 }
 
 /// The system of one law; what depends on the stencils alone is kept from step to step.
@@ -95,10 +106,10 @@ impl System {
         region: &Region,
         x: &[DVec3],
         dt: f64,
-        tell: &dyn Fn(&str, f64),
+        cost: &Cost,
     ) -> Result<(Vec<f64>, Quality), FlowError> {
         let watch = web_time::Instant::now();
-        tell("assemble", 0.1);
+        cost.tell("assemble", 0.1);
         let is_current = |(s, _): &(Structure, Solver)| s.stencils.has_stencils_of(&at.operators);
         if !self.structure.as_ref().is_some_and(is_current) {
             // The old factor goes first: wasm memory never shrinks.
@@ -115,7 +126,7 @@ impl System {
             assemble: watch.elapsed().as_secs_f64(),
             ..Quality::default()
         };
-        tell("solve", 0.3);
+        cost.tell("solve", 0.3);
         let Some((structure, solver)) = &mut self.structure else {
             return Ok((Vec::new(), quality));
         };
@@ -325,7 +336,7 @@ mod tests {
             for tau in [1e-4, 1.0] {
                 let dt = tau * region.length.powi(law.order());
                 let mut system = System::new(law, &region);
-                let tell = |_: &str, _: f64| ();
+                let tell = Cost::default();
                 let (direct, quality) = system
                     .solve(&at, &region, &x, dt, &tell)
                     .expect("a solution");

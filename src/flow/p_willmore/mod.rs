@@ -7,29 +7,60 @@
 //! The gradient is exact and local; without P linear elements would lower their energy by
 //! sliding vertices, below the minimum of smooth surfaces. τ has the unit length^(p+2).
 //! The paper's own scheme, centred and nonlinear, is there to be compared with.
+//!
+//! What is monitored and shown is W^p/2^p = ∫|H|^p dA with the terms in force.
 
 mod centred;
+mod gauge;
+mod kept;
 mod paper;
+mod regularise;
 mod step;
 mod system;
-mod verdict;
+mod warning;
 
-use super::constraint::Kept;
+use super::bounds::lower_bounds;
 use super::options::{FlowOptions, Scheme};
-use super::stop::Verdict;
-use super::{FlowError, Progress as Callback, Refusal, StepReport};
+use super::report::WarningsGiven;
+use super::rules::{Ceiling, Folds};
+use super::step_size::StepSize;
+use super::{
+    Cost, Flow, FlowError, Functional, Monitored, Move, Multipliers, Occasion, Phase, Proposal,
+    Reading, Refusal, Rules, StepReport, vesicle,
+};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::remesh::{Mode, Regulariser};
 use glam::DVec3;
+use kept::{Kept, ball_volume};
 use std::f64::consts::PI;
 use std::rc::Rc;
 use system::System;
-use web_time::Instant;
 
-/// The first τ of an automatic run, in units of L^(p+2).
+/// The first τ of an automatic run, in units of L^(p+2); below the smallest no step is tried,
+/// beyond the largest the mass term is lost in the roundoff of the stiffness.
 const FIRST_TAU: f64 = 1e-3;
+const SMALLEST_TAU: f64 = 1e-16;
+const LARGEST_TAU: f64 = 1e4;
+/// Factors on τ after a step accepted at once, and after one refused.
+const GROWTH: f64 = 1.5;
+const SHRINK: f64 = 0.3;
+/// A vertex moves at most this share of its edges in a trial.
+const REACH: f64 = 0.5;
+/// Smallest angle, in degrees, that a step may leave: linear elements need good triangles.
+const LEAST_ANGLE: f64 = 5.0;
+/// A normal turns by at most 60° in a step.
+const LEAST_TURN: f64 = 0.5;
+/// Share of the smooth minimum of ∫H² that no healthy mesh goes below: coarse ones come to
+/// 1.8 % below it.
+const LEAST: f64 = 0.97;
+/// At rest a step of this τ/L^(p+2) would lower the energy …
+const REFERENCE_TAU: f64 = 0.1;
+/// … by this share of it at most.
+const AT_REST: f64 = 1e-4;
+/// Roundoff of the energy, as a share of it.
+const ROUNDOFF: f64 = 1e-15;
 
 /// The flow on one closed mesh with one set of options.
 pub struct PWillmoreFlow {
@@ -39,149 +70,117 @@ pub struct PWillmoreFlow {
     system: System,
     /// Made when first needed: its matrix has three times the rows.
     regulariser: Option<Regulariser>,
-    start: Vec<DVec3>,
     /// L = √(A/4π) at the start, the unit of length.
     scale: f64,
-    /// Mean edge length and smallest angle at the start.
+    /// Mean edge length at the start.
     h: f64,
-    start_angle: f64,
-    /// Area of the largest face at the start over the mean.
-    start_face: f64,
-    pace: Pace,
+    /// ∫H² of the best smooth surface of the topology, where that bounds the functional.
+    smooth_minimum: Option<f64>,
+    kept: Kept,
     /// Integrals and derivatives at the present positions.
     evaluation: Evaluation,
     is_evaluated: bool,
+    /// Whether the stiffness was assembled there.
+    is_assembled: bool,
+    /// u_k = H⁻¹∇C_k of the constraints in force, end to end, and λ of the last proposal.
+    directions: Vec<DVec3>,
+    multipliers: Vec<f64>,
+    /// The volume that the last proposal leads to.
+    next_volume: Option<f64>,
     scratch: Evaluation,
-    flipped: Vec<u32>,
-    refusal: Option<Refusal>,
-    on_progress: Option<Callback>,
 }
 
-/// The small state that a step back restores along with the positions.
+/// What the flow must remember beside the positions.
 #[derive(Clone, Copy, Debug)]
-pub struct Pace {
-    dt: f64,
-    time: f64,
-    step: usize,
-    first_step: usize,
-    /// Wanted area, if it is kept.
-    area: Option<f64>,
-    /// Wanted volume, if it is kept; falls or rises step by step towards `last_volume`.
-    volume: Option<f64>,
-    last_volume: Option<f64>,
-    stop: verdict::Window,
-    warned: verdict::Warned,
-}
+pub struct Memory(Kept);
 
 impl PWillmoreFlow {
-    /// Prepares the flow at positions `x`.
+    /// Prepares the flow at positions `x`, which a perturbation may change.
     ///
     /// # Errors
     /// [`FlowError::NotClosed`], [`FlowError::NotOriented`], [`FlowError::MixedFaces`],
     /// [`FlowError::BadOption`], [`FlowError::Linear`].
     pub fn new(
-        mesh: Rc<HalfedgeMesh>,
-        x: &[DVec3],
-        options: FlowOptions,
+        mesh: &Rc<HalfedgeMesh>,
+        x: &mut [DVec3],
+        options: &FlowOptions,
     ) -> Result<Self, FlowError> {
-        options.check()?;
-        check_mesh(&mesh)?;
-        let area = measure::area(&mesh, x);
+        check_mesh(mesh)?;
+        let h = measure::mean_edge_length(mesh, x);
+        vesicle::perturb(mesh, x, options.perturbation * h);
+        let area = measure::area(mesh, x);
         let scale = (area / (4.0 * PI)).sqrt();
-        let helfrich = helfrich(&options, scale, mesh.is_triangular())?;
-        let Some(functional) = PWillmore::new(Rc::clone(&mesh), x, options.p, helfrich) else {
+        let helfrich = helfrich(options, scale, mesh.is_triangular())?;
+        let Some(functional) = PWillmore::new(Rc::clone(mesh), x, options.p, helfrich) else {
             return Err(FlowError::MixedFaces);
         };
         if options.scheme == Scheme::Paper {
-            check_paper(&options, x.len())?;
+            check_paper(options, x.len())?;
         }
         let system = System::new(functional.elements(), x, options.p == 0.0)?;
         let mut evaluation = Evaluation::default();
         let integrals = functional.integrals(x, &mut evaluation);
-        let keeps = |kept| options.keep.contains(&kept);
-        let volume = keeps(Kept::Volume).then_some(integrals.volume);
-        let last_volume = match options.reduced_volume {
-            None => volume,
-            Some(reduced) => {
-                if !(keeps(Kept::Area) && keeps(Kept::Volume)) {
-                    return Err(FlowError::BadOption {
-                        name: "the reduced volume",
-                        value: reduced.to_string(),
-                        allowed: "given only where both area and volume are kept",
-                    });
-                }
-                Some(reduced * ball_volume(integrals.area) * integrals.volume.signum())
-            }
-        };
-        let power = scale.powf(options.p + 2.0);
-        let first_tau = match options.scheme {
-            Scheme::Auto => FIRST_TAU,
-            Scheme::Paper => paper::schedule(options.p).0,
-        };
-        let dt = options
-            .dt
-            .unwrap_or_else(|| options.tau.unwrap_or(first_tau) * power);
-        let pace = Pace {
-            dt,
-            time: 0.0,
-            step: 0,
-            first_step: 0,
-            area: keeps(Kept::Area).then_some(integrals.area),
-            volume,
-            last_volume,
-            stop: verdict::Window::default(),
-            warned: verdict::Warned::default(),
-        };
-        let mut flow = Self {
-            start_face: 1.0,
-            h: measure::mean_edge_length(&mesh, x),
-            start_angle: measure::min_angle_degrees(&mesh, x),
-            mesh,
-            options,
+        let is_bounded = options.p == 2.0 && helfrich.is_zero();
+        Ok(Self {
+            kept: Kept::new(options, &integrals)?,
+            h,
+            scale,
+            smooth_minimum: lower_bounds(mesh)
+                .filter(|_| is_bounded)
+                .map(|bounds| bounds.willmore),
+            mesh: Rc::clone(mesh),
+            options: options.clone(),
             functional,
             system,
             regulariser: None,
-            start: x.to_vec(),
-            scale,
-            pace,
             evaluation,
             is_evaluated: false,
+            is_assembled: false,
+            directions: Vec::new(),
+            multipliers: Vec::new(),
+            next_volume: None,
             scratch: Evaluation::default(),
-            flipped: Vec::new(),
-            refusal: None,
-            on_progress: None,
-        };
-        flow.start_face = flow.element_range(x).1;
-        Ok(flow)
+        })
     }
 
-    fn tell(&self, stage: &str, share: f64) {
-        if let Some(callback) = &self.on_progress {
-            callback(stage, share);
-        }
+    fn forget(&mut self) {
+        self.is_evaluated = false;
+        self.is_assembled = false;
     }
 
-    fn evaluate(&mut self, x: &[DVec3]) {
+    fn ensure_evaluated(&mut self, x: &[DVec3]) {
         if !self.is_evaluated {
             self.functional.evaluate(x, &mut self.evaluation);
             self.is_evaluated = true;
+            self.is_assembled = false;
         }
     }
 
-    /// L^(p+2), the unit of τ.
-    fn time_scale(&self) -> f64 {
-        self.scale.powf(self.options.p + 2.0)
+    fn is_paper(&self) -> bool {
+        self.options.scheme == Scheme::Paper
     }
 
-    /// |P(∇J − Σ λ∇C)| in the metric of M⁻¹, over J/L²: scale-free; 0 at a critical point. On a mesh
-    /// it comes to rest at the size of the discretisation error, not at 0.
+    fn mode(&self) -> Mode {
+        self.options.regularise
+    }
+
+    /// The functional as it is shown: W^p/2^p and the terms in force.
+    fn shown(&self, objective: f64) -> f64 {
+        objective / 2f64.powf(self.options.p)
+    }
+
+    /// ∫|H|^p dA over its value on the round sphere of the same area, 4π L^(2−p).
+    fn normalised(&self, integrals: &Integrals) -> f64 {
+        let p = self.options.p;
+        let scale = (integrals.area / (4.0 * PI)).sqrt();
+        integrals.energy / 2f64.powf(p) / (4.0 * PI * scale.powf(2.0 - p))
+    }
+
+    /// |P(∇J − Σ λ∇C)| in the metric of M⁻¹, over J/L²: scale-free; 0 at a critical point. On
+    /// a mesh it comes to rest at the size of the discretisation error, not at 0.
     fn residual(&self, multipliers: &[f64]) -> f64 {
         let e = &self.evaluation;
-        let kept = [
-            self.pace.area.map(|_| &e.area_gradient),
-            self.pace.volume.map(|_| &e.volume_gradient),
-        ];
-        let kept: Vec<_> = kept.into_iter().flatten().collect();
+        let kept = self.kept.gradients(e);
         let mut sum = 0.0;
         for (i, n) in e.volume_gradient.iter().enumerate() {
             let mut g = e.gradient[i];
@@ -194,31 +193,169 @@ impl PWillmoreFlow {
     }
 }
 
-impl super::Flow for PWillmoreFlow {
-    fn set_progress(&mut self, callback: Option<Callback>) {
-        self.on_progress = callback;
+impl Flow for PWillmoreFlow {
+    fn monitored(&self) -> Monitored {
+        match self.options.p {
+            _ if !self.functional.helfrich().is_zero() => Monitored::Helfrich,
+            0.0 => Monitored::Area,
+            2.0 => Monitored::Willmore,
+            _ => Monitored::PWillmore,
+        }
     }
 
-    fn mean_edge_length(&self) -> f64 {
-        self.h
+    fn rules(&self) -> Rules {
+        let can_vanish = self.options.p < 2.0 && !self.kept.any();
+        if self.is_paper() {
+            return Rules {
+                can_vanish,
+                ..Rules::unseen()
+            };
+        }
+        Rules {
+            ceiling: Ceiling::Descent,
+            reach: Some(REACH),
+            turn: Some(LEAST_TURN),
+            folds: Folds::None,
+            least_angle: Some(LEAST_ANGLE),
+            bound: self.smooth_minimum,
+            bound_share: LEAST,
+            roundoff: ROUNDOFF * self.shown(self.evaluation.integrals.objective).abs(),
+            zero: 0.0,
+            can_vanish,
+            ends_at_rest: true,
+        }
     }
 
-    fn n_free(&self) -> usize {
-        self.start.len()
+    fn step_size(&self) -> StepSize {
+        let unit = self.time_unit();
+        if self.is_paper() {
+            return paper::step_size(&self.options, unit);
+        }
+        let (dt, tau) = (self.options.dt, self.options.tau);
+        let smallest = SMALLEST_TAU * unit;
+        let size = match dt.or(tau.map(|tau| tau * unit)) {
+            Some(asked) => StepSize::constant(asked, smallest.min(1e-9 * asked)),
+            None => StepSize::adaptive(FIRST_TAU * unit, smallest, LARGEST_TAU * unit),
+        };
+        size.with_factors(GROWTH, SHRINK)
     }
 
-    fn is_free(&self, _v: usize) -> bool {
-        true
+    /// L^(p+2).
+    fn time_unit(&self) -> f64 {
+        self.scale.powf(self.options.p + 2.0)
     }
 
-    fn reading(&mut self, x: &[DVec3]) -> super::Reading {
-        self.is_evaluated = false;
-        self.evaluate(x);
+    fn evaluate(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<Functional, FlowError> {
+        let watch = web_time::Instant::now();
+        self.ensure_evaluated(x);
+        cost.assemble += watch.elapsed().as_secs_f64();
+        let objective = self.evaluation.integrals.objective;
+        Ok(Functional::plain(self.shown(objective)))
+    }
+
+    fn propose(&mut self, x: &[DVec3], dt: f64, cost: &mut Cost) -> Result<Proposal, FlowError> {
+        self.ensure_evaluated(x);
+        if self.is_paper() {
+            self.centred(x, dt, cost)
+        } else {
+            self.semi_implicit(x, dt, cost)
+        }
+    }
+
+    fn measure(&mut self, _x: &[DVec3], y: &mut [DVec3], cost: &mut Cost) -> Result<f64, Refusal> {
+        let watch = web_time::Instant::now();
+        let value = self.constrained(y);
+        cost.assemble += watch.elapsed().as_secs_f64();
+        value
+    }
+
+    fn bounded(&self) -> f64 {
+        self.shown(self.scratch.integrals.energy)
+    }
+
+    fn accept(&mut self, _step: &Move, _share: f64) {
+        self.kept.lead_to(self.next_volume);
+        self.forget();
+    }
+
+    fn slide(
+        &mut self,
+        x: &[DVec3],
+        y: &[DVec3],
+        limit: f64,
+        _cost: &mut Cost,
+    ) -> Result<Option<Vec<DVec3>>, FlowError> {
+        self.regularised(x, y, limit)
+    }
+
+    /// While a volume is led, steps are short: given time, an oblate vesicle would turn over
+    /// into a prolate one.
+    fn next_phase(
+        &mut self,
+        _x: &[DVec3],
+        occasion: &Occasion,
+        _cost: &mut Cost,
+    ) -> Result<Option<Phase>, FlowError> {
+        let arrives = matches!(occasion, Occasion::Accepted { .. }) && self.kept.has_arrived();
+        Ok(arrives.then(|| Phase {
+            resets_functional: true,
+            ..Phase::default()
+        }))
+    }
+
+    /// The share of the energy that a step of τ = 0.1 would gain, over what it may.
+    fn stationarity(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<f64, FlowError> {
+        self.ensure_evaluated(x);
+        let slope = match self.semi_implicit(x, REFERENCE_TAU * self.time_unit(), cost)? {
+            Proposal::Move(step) => step.slope,
+            Proposal::Refused(_) | Proposal::Nothing => 0.0,
+        };
+        let energy = self.shown(self.evaluation.integrals.objective);
+        Ok(-slope / (AT_REST * energy.abs()))
+    }
+
+    fn describe(&mut self, _x: &[DVec3], report: &mut StepReport) {
+        let integrals = self.evaluation.integrals;
+        report.energy = self.functional.reading(&integrals);
+        report.energy_normalised = self.normalised(&integrals);
+        report.gradient_norm = self.residual(&self.multipliers);
+        report.area = integrals.area;
+        report.volume = Some(integrals.volume);
+        report.reduced_volume = Some(integrals.volume.abs() / ball_volume(integrals.area));
+        // At rest ∇J = λ_A ∇A + λ_V ∇V.
+        let [area, volume] = self.kept.sorted(&self.multipliers);
+        report.multipliers = Some(Multipliers {
+            tension: area.map(|m| -self.shown(m)),
+            pressure: volume.map(|m| self.shown(m)),
+        });
+    }
+
+    fn warn(&self, x: &[DVec3], report: &mut StepReport, given: &mut WarningsGiven) {
+        self.warn_of(x, report, given);
+    }
+
+    fn remedy(&self) -> &'static str {
+        if self.mode() == Mode::Off {
+            "conformal regularisation or a finer mesh helps"
+        } else if self.options.p < 2.0 {
+            "where it thins out the surface becomes singular; keeping the volume prevents that"
+        } else if self.options.p > 2.0 {
+            "smooth with p = 2 first, or use a finer mesh"
+        } else {
+            "a finer mesh helps"
+        }
+    }
+
+    fn reading(&mut self, x: &[DVec3]) -> Reading {
+        self.forget();
+        self.ensure_evaluated(x);
         let integrals = self.evaluation.integrals;
         let Integrals { area, volume, .. } = integrals;
-        super::Reading {
+        Reading {
             energy: self.functional.reading(&integrals),
             energy_normalised: self.normalised(&integrals),
+            monitored: self.monitored(),
+            objective: self.shown(integrals.objective),
             gradient_norm: self.residual(&[]),
             area,
             volume: Some(volume),
@@ -232,84 +369,27 @@ impl super::Flow for PWillmoreFlow {
         step::normal_part(&at)
     }
 
-    fn pace(&self) -> super::Pace {
-        super::Pace::PWillmore(self.pace)
+    fn mean_edge_length(&self) -> f64 {
+        self.h
     }
 
-    fn set_pace(&mut self, pace: super::Pace) {
-        if let super::Pace::PWillmore(pace) = pace {
-            self.pace = pace;
+    fn n_free(&self) -> usize {
+        self.mesh.n_vertices()
+    }
+
+    fn is_free(&self, _v: usize) -> bool {
+        true
+    }
+
+    fn memory(&self) -> super::Memory {
+        super::Memory::PWillmore(Memory(self.kept))
+    }
+
+    fn recall(&mut self, memory: super::Memory) {
+        if let super::Memory::PWillmore(Memory(kept)) = memory {
+            self.kept = kept;
         }
-        self.is_evaluated = false;
-        self.flipped.clear();
-        self.refusal = None;
-    }
-
-    fn set_clock(&mut self, step: usize, time: f64) {
-        self.pace.step = step;
-        self.pace.time = time;
-        self.is_evaluated = false;
-        self.flipped.clear();
-    }
-
-    fn extend_budget(&mut self) {
-        self.pace.first_step = self.pace.step;
-        self.pace.stop = verdict::Window::default();
-    }
-
-    fn dt(&self) -> f64 {
-        self.pace.dt
-    }
-
-    fn tau(&self) -> f64 {
-        self.pace.dt / self.time_scale()
-    }
-
-    fn flipped_faces(&self) -> &[u32] {
-        &self.flipped
-    }
-
-    fn refusal(&self) -> Option<Refusal> {
-        self.refusal
-    }
-
-    fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
-        let start = Instant::now();
-        self.tell("assemble", 0.0);
-        self.evaluate(x);
-        if !self.evaluation.integrals.objective.is_finite() {
-            return Err(FlowError::NonFiniteEnergy {
-                step: self.pace.step + 1,
-            });
-        }
-        if let Some(verdict) = self.done_before_step() {
-            return Ok((None, verdict));
-        }
-        let mut cost = step::Cost::default();
-        let advanced = match self.options.scheme {
-            Scheme::Auto => self.advance(x, &mut cost)?,
-            Scheme::Paper => self.paper_advance(x, &mut cost)?,
-        };
-        self.refusal = cost.refusal;
-        let Some(accepted) = advanced else {
-            return Ok((None, self.stuck_verdict(&cost)));
-        };
-        let (mut report, verdict) = self.conclude(x, accepted, cost);
-        report.milliseconds = start.elapsed().as_secs_f64() * 1e3;
-        Ok((Some(report), verdict))
-    }
-}
-
-impl PWillmoreFlow {
-    /// ∫|H|^p dA over its value on the round sphere of the same area, 4π L^(2−p).
-    fn normalised(&self, integrals: &Integrals) -> f64 {
-        let p = self.options.p;
-        let scale = (integrals.area / (4.0 * PI)).sqrt();
-        integrals.energy / 2f64.powf(p) / (4.0 * PI * scale.powf(2.0 - p))
-    }
-
-    fn mode(&self) -> Mode {
-        self.options.regularise
+        self.forget();
     }
 }
 
@@ -358,11 +438,6 @@ fn check_paper(options: &FlowOptions, vertices: usize) -> Result<(), FlowError> 
         }),
         None => Ok(()),
     }
-}
-
-/// Volume of the ball with that much surface: A^(3/2) / (6√π).
-fn ball_volume(area: f64) -> f64 {
-    area.powf(1.5) / (6.0 * PI.sqrt())
 }
 
 /// The preconditions on a mesh, of the flow and of conformal regularisation.

@@ -121,20 +121,20 @@ impl Work {
             return self.below_minimum();
         }
         let stopped = matches!(status, Status::Stalled | Status::Failed);
-        self.cocircular(&**flow)
+        self.cocircular(flow)
             .or_else(|| self.rising())
             .or_else(|| self.scaling())
             .or_else(|| self.pinch(stopped))
             .or_else(|| self.inflating())
             .or_else(|| self.below_minimum())
             .or_else(|| self.too_rough())
-            .or_else(|| self.folded_over(&**flow))
+            .or_else(|| self.folded_over(flow))
             .or_else(|| self.failed())
             .or_else(|| self.degenerate())
             .or_else(|| match status {
-                Status::Stalled => self.refused(&**flow),
+                Status::Stalled => self.refused(flow),
                 Status::StepLimit => self.step_limit(),
-                _ => self.rejected(&**flow),
+                _ => self.rejected(flow),
             })
     }
 }

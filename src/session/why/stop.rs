@@ -6,7 +6,8 @@ use super::text::{Text, number};
 use super::{Diagnosis, Kind};
 use crate::flow::options::FlowName;
 use crate::flow::refusal::Cause;
-use crate::flow::{Flow, FlowError, Status};
+use crate::flow::{FlowError, Status};
+use crate::session::engine::Engine;
 use crate::session::work::Work;
 
 /// An energy above the least of the last steps by more than this share has risen.
@@ -19,7 +20,7 @@ const SMOOTH: [f64; 2] = [0.01, 0.1];
 const LOST: f64 = 2.0;
 
 impl Work {
-    pub(super) fn cocircular(&self, flow: &dyn Flow) -> Option<Diagnosis> {
+    pub(super) fn cocircular(&self, flow: &Engine) -> Option<Diagnosis> {
         let at_start = self.state.status == Status::Stalled && self.course_reports().is_empty();
         if !at_start || self.options().flow != FlowName::Circle {
             return None;
@@ -153,7 +154,7 @@ impl Work {
         Some(diagnosis.with(remedies))
     }
 
-    pub(super) fn refused(&self, flow: &dyn Flow) -> Option<Diagnosis> {
+    pub(super) fn refused(&self, flow: &Engine) -> Option<Diagnosis> {
         let refusal = flow.refusal()?;
         let template = match refusal.cause {
             Cause::TooFar => {
@@ -172,7 +173,15 @@ impl Work {
                 "Every step tried was refused: area and volume cannot both be kept by a small move \
                  of this surface, which would move vertex {vertex} most."
             }
-            Cause::Rise | Cause::NotFinite | Cause::Newton => {
+            Cause::Bound => {
+                "Every step tried was refused: even the last and shortest would have less energy \
+                 than any smooth surface with these handles, and move vertex {vertex} most."
+            }
+            Cause::Unfit => {
+                "Every step tried was refused: even the last and shortest would leave no surface \
+                 that can be fitted about vertex {vertex}."
+            }
+            Cause::Rise | Cause::ReadingJump | Cause::NotFinite | Cause::Newton => {
                 "Every step tried was refused: none lowers the energy, not even the last and \
                  shortest, which would move vertex {vertex} most."
             }
@@ -221,7 +230,7 @@ impl Work {
         Some(diagnosis.with([Some(Remedy::go_on()), automatic]))
     }
 
-    pub(super) fn rejected(&self, flow: &dyn Flow) -> Option<Diagnosis> {
+    pub(super) fn rejected(&self, flow: &Engine) -> Option<Diagnosis> {
         let last = self.last().filter(|last| last.rejected > 0)?;
         let vertex = flow.refusal()?.vertex;
         let values = [

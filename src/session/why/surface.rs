@@ -1,14 +1,15 @@
 //! What can be the matter with the surface and its mesh. Thresholds are those of the flows' own
 //! warnings (see their `verdict.rs`) where they have one.
 
-use super::elements::{self, Sharpest};
+use super::elements;
 use super::remedy::Remedy;
 use super::text::{Text, number};
 use super::{Diagnosis, Kind};
-use crate::flow::Flow;
 use crate::flow::constraint::Kept;
 use crate::flow::options::FlowName;
+use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
+use crate::session::engine::Engine;
 use crate::session::work::Work;
 use std::f64::consts::PI;
 
@@ -71,8 +72,8 @@ impl Work {
 
     fn sharpest(&self, least: f64) -> Option<Sharpest> {
         let mesh = self.triangles();
-        let now = elements::sharpest(mesh, &self.x)?;
-        let then = elements::sharpest(mesh, &self.document.start)?;
+        let now = sharpest(mesh, &self.x)?;
+        let then = sharpest(mesh, &self.document.start)?;
         (now.bend > least && now.bend > SHARPENED * then.bend).then_some(now)
     }
 
@@ -201,7 +202,7 @@ impl Work {
         if !plain || energy >= share * smooth {
             return None;
         }
-        let bent = elements::sharpest(self.triangles(), &self.x)?;
+        let bent = sharpest(self.triangles(), &self.x)?;
         let sentence = Text::new(
             "The energy is {energy}, and no smooth surface of this topology has less than \
              {smooth}: the mesh is too coarse to notice what bends between its vertices, most of \
@@ -218,7 +219,7 @@ impl Work {
         Some(diagnosis.with([finer, Some(Remedy::refine()), self.can_go_back()]))
     }
 
-    pub(super) fn folded_over(&self, flow: &dyn Flow) -> Option<Diagnosis> {
+    pub(super) fn folded_over(&self, flow: &Engine) -> Option<Diagnosis> {
         let faces = elements::folded_faces(self.triangles(), &self.x);
         let lately = self.recent().iter().any(|report| report.flipped_faces > 0)
             || !flow.flipped_faces().is_empty();

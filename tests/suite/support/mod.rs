@@ -9,6 +9,8 @@ pub mod session;
 use glam::DVec3;
 use std::path::PathBuf;
 use std::rc::Rc;
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::{Driver, FlowError};
 use umbilic::mesh::{Built, HalfedgeMesh, build, shape};
 use umbilic::remesh::fill::boundary_loops;
 use umbilic::soup::PolygonSoup;
@@ -33,6 +35,15 @@ pub fn surface(soup: &PolygonSoup) -> Surface {
         x: positions,
         warnings,
     }
+}
+
+/// A run of the flow that the options ask for.
+pub fn drive(
+    mesh: &Rc<HalfedgeMesh>,
+    x: &mut [DVec3],
+    options: FlowOptions,
+) -> Result<Driver, FlowError> {
+    Driver::start(mesh, mesh, x, options)
 }
 
 /// The folder of real meshes, where it is present.

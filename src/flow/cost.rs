@@ -1,0 +1,65 @@
+//! What a step costs, told apart, and who is told how far it has come.
+
+use crate::linalg::SolveInfo;
+use std::rc::Rc;
+use web_time::Instant;
+
+/// A callback for progress within long steps: the stage's name and the share done.
+pub type Progress = Rc<dyn Fn(&str, f64)>;
+
+/// Where the time of a step goes, and what its solvers meet.
+#[derive(Clone, Default)]
+pub struct Cost {
+    /// Seconds for energies, gradients and matrices.
+    pub assemble: f64,
+    /// Seconds for factorisations.
+    pub factor: f64,
+    /// Seconds for triangular solves and iterations.
+    pub solve: f64,
+    /// Seconds for sliding vertices along the surface.
+    pub regularise: f64,
+    /// Inner iterations: of the linear solver, or of Newton's method.
+    pub iterations: usize,
+    /// Negative eigenvalues of the system matrix, where it was factored.
+    pub negative_pivots: usize,
+    /// Norm of the residual of the linear system over that of its right-hand side, where it
+    /// is watched.
+    pub residual: Option<f64>,
+    /// Told the stage's name and the share of the step done.
+    pub progress: Option<Progress>,
+    /// Worth telling the user.
+    pub warnings: Vec<String>,
+}
+
+impl Cost {
+    /// Of a step that tells its progress.
+    pub fn telling(progress: Option<Progress>) -> Self {
+        Self {
+            progress,
+            ..Self::default()
+        }
+    }
+
+    /// Tells how far the step has come.
+    pub fn tell(&self, stage: &str, share: f64) {
+        if let Some(progress) = &self.progress {
+            progress(stage, share);
+        }
+    }
+
+    /// Takes over what a linear solve says of itself.
+    pub fn add(&mut self, info: &SolveInfo) {
+        self.factor += info.factor_seconds;
+        self.solve += info.solve_seconds;
+        self.iterations += info.iterations;
+        self.negative_pivots = info.negative_pivots;
+    }
+
+    /// Counts the seconds of `work` as assembly.
+    pub fn assembling<T>(&mut self, work: impl FnOnce() -> T) -> T {
+        let watch = Instant::now();
+        let result = work();
+        self.assemble += watch.elapsed().as_secs_f64();
+        result
+    }
+}

@@ -1,0 +1,528 @@
+//! The one loop of all flows: trials and acceptance, step size, budget, phases, and the report.
+
+use super::circle::CircleFlow;
+use super::curvature::CurvatureFlow;
+use super::guard::Guard;
+use super::options::{FlowName, FlowOptions};
+use super::p_willmore::PWillmoreFlow;
+use super::report::WarningsGiven;
+use super::search::{Taken, Trials};
+use super::step_size::StepSize;
+use super::termination::{Ending, Gain, Window};
+use super::{
+    Cause, Cost, Flow, FlowError, Functional, Memory, Move, Occasion, Phase, Progress, Proposal,
+    Reading, Refusal, Search, Status, StepReport, Verdict,
+};
+use crate::geometry::survey::survey;
+use crate::geometry::{measure, quality};
+use crate::mesh::{Face, HalfedgeMesh};
+use crate::operator::Elements;
+use glam::DVec3;
+use std::rc::Rc;
+use web_time::Instant;
+
+/// Times a flow may begin another phase before one step.
+const MAX_PHASES: usize = 12;
+
+/// A flow that is run, on one mesh with one set of options; positions are the caller's.
+pub struct Driver {
+    pub(super) flow: Box<dyn Flow>,
+    pub(super) mesh: Rc<HalfedgeMesh>,
+    pub(super) options: FlowOptions,
+    pub(super) start: Start,
+    pub(super) run: Run,
+    pub(super) refusal: Option<Refusal>,
+    flipped: Vec<u32>,
+    progress: Option<Progress>,
+}
+
+/// What a run is compared with.
+pub(super) struct Start {
+    pub(super) x: Vec<DVec3>,
+    pub(super) area: f64,
+    pub(super) angle: f64,
+    /// Area of the largest face over the mean.
+    pub(super) largest_face: f64,
+}
+
+/// Where a run stands, but for the positions and what the flow itself remembers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Run {
+    pub(super) step_size: StepSize,
+    pub(super) time: f64,
+    pub(super) step: usize,
+    /// The step the budget counts from, and the seconds used since.
+    pub(super) first_step: usize,
+    pub(super) seconds: f64,
+    /// Least value of the functional in this phase.
+    pub(super) least: f64,
+    pub(super) window: Window,
+    pub(super) given: WarningsGiven,
+    /// Whether the next step is to end the run, as it gains nothing.
+    pub(super) is_exhausted: bool,
+}
+
+/// What a step back restores along with the positions.
+#[derive(Clone, Copy, Debug)]
+pub struct Checkpoint {
+    run: Run,
+    memory: Memory,
+}
+
+/// A step that was found.
+struct Found {
+    step: Move,
+    taken: Taken,
+    limit: f64,
+    rejected: usize,
+    is_guarded: bool,
+    met_bound: bool,
+}
+
+impl Driver {
+    /// The flow that the options ask for, on a triangle mesh; on `polygons`, the same surface
+    /// before it was cut into triangles, where the flow takes its faces. A pre-fill or a
+    /// perturbation may change `x`.
+    ///
+    /// # Errors
+    /// See [`FlowError`]; [`FlowError::BadOption`] of edge flips, which are no flow.
+    pub fn start(
+        triangles: &Rc<HalfedgeMesh>,
+        polygons: &Rc<HalfedgeMesh>,
+        x: &mut [DVec3],
+        options: FlowOptions,
+    ) -> Result<Self, FlowError> {
+        options.check()?;
+        let mesh = match options.flow {
+            FlowName::PWillmore if Elements::of(polygons).is_some() => polygons,
+            _ => triangles,
+        };
+        let mesh = Rc::clone(mesh);
+        let flow: Box<dyn Flow> = match options.flow {
+            FlowName::Circle => Box::new(CircleFlow::new(&mesh, x, &options)?),
+            FlowName::PWillmore => Box::new(PWillmoreFlow::new(&mesh, x, &options)?),
+            FlowName::MeanCurvature
+            | FlowName::SurfaceDiffusion
+            | FlowName::Willmore
+            | FlowName::Mmcv => Box::new(CurvatureFlow::new(&mesh, x, &options)?),
+            FlowName::Flips => {
+                return Err(FlowError::BadOption {
+                    name: "flow",
+                    value: "flips".into(),
+                    allowed: "one that moves vertices",
+                });
+            }
+        };
+        let start = Start {
+            area: measure::area(&mesh, x),
+            angle: measure::min_angle_degrees(&mesh, x),
+            largest_face: largest_face(&mesh, x).1,
+            x: x.to_vec(),
+        };
+        let run = Run {
+            step_size: flow.step_size(),
+            time: 0.0,
+            step: 0,
+            first_step: 0,
+            seconds: 0.0,
+            least: f64::INFINITY,
+            window: Window::default(),
+            given: WarningsGiven::default(),
+            is_exhausted: false,
+        };
+        Ok(Self {
+            flow,
+            mesh,
+            options,
+            start,
+            run,
+            refusal: None,
+            flipped: Vec::new(),
+            progress: None,
+        })
+    }
+
+    /// Takes one step: `x` becomes the next state, or is left as it is with a verdict.
+    ///
+    /// # Errors
+    /// Numerical failures; `x` and the run are as before.
+    pub fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
+        let before = self.checkpoint();
+        self.try_step(x).inspect_err(|_| self.restore(before))
+    }
+
+    fn try_step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
+        let watch = Instant::now();
+        let mut cost = Cost::telling(self.progress.clone());
+        cost.tell("assemble", 0.0);
+        self.refusal = None;
+        let mut restarted: Option<Vec<DVec3>> = None;
+        let mut before = self.evaluate(x, &mut cost)?;
+        if let Some(verdict) = self.out_of_budget() {
+            return Ok((None, verdict));
+        }
+        let mut found = None;
+        for _ in 0..MAX_PHASES {
+            let here = restarted.as_deref().unwrap_or(x);
+            let occasion = Occasion::Before;
+            if let Some(phase) = self.flow.next_phase(here, &occasion, &mut cost)? {
+                restarted = self.begin(phase, &mut cost).or(restarted);
+                before = self.evaluate(restarted.as_deref().unwrap_or(x), &mut cost)?;
+            }
+            if let Some(verdict) = self.is_zero(before.value) {
+                return Ok((None, verdict));
+            }
+            let here = restarted.as_deref().unwrap_or(x);
+            if !self.run.is_exhausted {
+                found = self.find(here, before, &mut cost)?;
+            }
+            if found.is_some() {
+                break;
+            }
+            let occasion = Occasion::Stuck {
+                dt: self.dt(),
+                is_guarded: self.refusal.is_some_and(|refusal| refusal.is_of_mesh()),
+            };
+            let Some(phase) = self.flow.next_phase(here, &occasion, &mut cost)? else {
+                break;
+            };
+            self.run.is_exhausted = false;
+            restarted = self.begin(phase, &mut cost).or(restarted);
+            before = self.evaluate(restarted.as_deref().unwrap_or(x), &mut cost)?;
+        }
+        let here = restarted.as_deref().unwrap_or(x);
+        let (found, ending) = match found {
+            Some(found) => (found, None),
+            None => {
+                let ending = self.stuck(here, before, &mut cost)?;
+                let occasion = Occasion::Ending;
+                let better = match &ending {
+                    Verdict::Stop(Status::Stalled, _) => {
+                        self.flow.next_phase(here, &occasion, &mut cost)?
+                    }
+                    _ => None,
+                };
+                let Some(from) = better.and_then(|phase| self.begin(phase, &mut cost)) else {
+                    return Ok((None, ending));
+                };
+                (self.placed(here, from, &mut cost)?, Some(ending))
+            }
+        };
+        let here = here.to_vec();
+        let (mut report, verdict) = self.conclude(&here, x, found, before, &mut cost)?;
+        report.milliseconds = watch.elapsed().as_secs_f64() * 1e3;
+        self.run.seconds += watch.elapsed().as_secs_f64();
+        Ok((Some(report), ending.unwrap_or(verdict)))
+    }
+
+    /// The functional at `x`.
+    fn evaluate(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<Functional, FlowError> {
+        let found = self.flow.evaluate(x, cost)?;
+        if !found.value.is_finite() {
+            return Err(FlowError::NonFiniteEnergy {
+                step: self.run.step + 1,
+            });
+        }
+        self.run.least = self.run.least.min(found.value);
+        Ok(found)
+    }
+
+    /// Begins a phase; the positions it begins from, if they are not those there are.
+    fn begin(&mut self, phase: Phase, cost: &mut Cost) -> Option<Vec<DVec3>> {
+        if phase.resets_step_size {
+            self.run.step_size = self.flow.step_size();
+        }
+        if phase.resets_functional {
+            self.run.least = f64::INFINITY;
+        }
+        self.run.window = Window::default();
+        cost.warnings.extend(phase.event);
+        phase.from
+    }
+
+    /// The next state by falling step sizes, or `None` where none is accepted.
+    fn find(
+        &mut self,
+        x: &[DVec3],
+        before: Functional,
+        cost: &mut Cost,
+    ) -> Result<Option<Found>, FlowError> {
+        let rules = self.flow.rules();
+        let angles = [
+            self.start.angle,
+            if rules.least_angle.is_some() {
+                measure::sharpest_face(&self.mesh, x).map_or(0.0, |(_, angle)| angle)
+            } else {
+                0.0
+            },
+        ];
+        let mut trials = Trials {
+            mesh: &self.mesh,
+            x,
+            rules,
+            guard: Guard::new(rules, &self.mesh, x, angles),
+            before,
+            least: self.run.least,
+            rejected: 0,
+            refusal: None,
+            is_guarded: false,
+            met_bound: false,
+        };
+        let mut resolved = 0;
+        let found = loop {
+            cost.tell("factor", 0.1);
+            let dt = self.run.step_size.dt;
+            let refusal = match self.flow.propose(x, dt, cost)? {
+                Proposal::Nothing => break None,
+                Proposal::Refused(refusal) => {
+                    trials.rejected += 1;
+                    trials.refusal = Some(refusal);
+                    refusal
+                }
+                Proposal::Move(step) => {
+                    if -step.slope < rules.roundoff && step.slope != 0.0 {
+                        break None;
+                    }
+                    cost.tell("trial", 0.4);
+                    match trials.run(&mut *self.flow, &step, cost) {
+                        Ok(taken) => {
+                            self.flow.accept(&step, taken.share);
+                            self.run
+                                .step_size
+                                .accepted(taken.share, resolved, step.grows);
+                            break Some(Found {
+                                limit: trials.limit(&step),
+                                step: *step,
+                                taken,
+                                rejected: trials.rejected,
+                                is_guarded: trials.is_guarded,
+                                met_bound: trials.met_bound,
+                            });
+                        }
+                        Err(refusal) if step.search == Search::Unseen => {
+                            return Err(match refusal.cause {
+                                Cause::Unfit => FlowError::Unfit {
+                                    vertex: refusal.vertex,
+                                },
+                                _ => FlowError::NonFiniteEnergy {
+                                    step: self.run.step + 1,
+                                },
+                            });
+                        }
+                        Err(refusal) => refusal,
+                    }
+                }
+            };
+            resolved += 1;
+            if !self.run.step_size.refused(refusal.ratio) {
+                break None;
+            }
+        };
+        self.refusal = trials.refusal;
+        Ok(found)
+    }
+
+    /// A move to positions that are better than those a run would end with.
+    fn placed(
+        &mut self,
+        here: &[DVec3],
+        mut y: Vec<DVec3>,
+        cost: &mut Cost,
+    ) -> Result<Found, FlowError> {
+        let d = here.iter().zip(&y).map(|(x, y)| *y - *x).collect();
+        let value = match self.flow.measure(here, &mut y, cost) {
+            Ok(value) => value,
+            Err(_) => self.evaluate(&y, cost)?.value,
+        };
+        let step = Move::new(d, 0.0, 0.0, Search::Unseen);
+        self.flow.accept(&step, 1.0);
+        Ok(Found {
+            step,
+            taken: Taken {
+                y,
+                value,
+                share: 1.0,
+            },
+            limit: value,
+            rejected: 0,
+            is_guarded: false,
+            met_bound: false,
+        })
+    }
+
+    /// Takes a step over: positions, report, warnings, verdict.
+    fn conclude(
+        &mut self,
+        before_x: &[DVec3],
+        x: &mut Vec<DVec3>,
+        found: Found,
+        before: Functional,
+        cost: &mut Cost,
+    ) -> Result<(StepReport, Verdict), FlowError> {
+        let Found { step, taken, .. } = &found;
+        cost.tell("regularise", 0.5);
+        let watch = Instant::now();
+        let slid = self.flow.slide(before_x, &taken.y, found.limit, cost)?;
+        cost.regularise += watch.elapsed().as_secs_f64();
+        cost.tell("finish", 0.9);
+        let (y, value) = match slid {
+            Some(y) => {
+                let value = self.evaluate(&y, cost)?.value;
+                (y, value)
+            }
+            None => (taken.y.clone(), taken.value),
+        };
+        let dt = taken.share * step.dt;
+        self.run.step += 1;
+        self.run.time += dt;
+        let after = self.evaluate(&y, cost)?;
+        let mut report = StepReport {
+            step: self.run.step,
+            time: self.run.time,
+            dt,
+            tau: dt / self.flow.time_unit(),
+            monitored: self.flow.monitored(),
+            objective_before: before.value,
+            objective: value,
+            rejected: found.rejected,
+            update: step.update,
+            warnings: std::mem::take(&mut cost.warnings),
+            ..StepReport::default()
+        };
+        self.measure_mesh(before_x, &y, &mut report);
+        *x = y;
+        self.flow.describe(x, &mut report);
+        self.run.least = self.run.least.min(value);
+        self.warn(x, &mut report);
+        let gain = Gain {
+            before: before.value,
+            after: value,
+            scale: after.scale,
+            dt,
+            refused: found.rejected,
+            is_guarded: found.is_guarded,
+            met_bound: found.met_bound,
+        };
+        let ending = Ending {
+            after,
+            before,
+            gain,
+            rests: step.rests,
+            is_leading: step.may_rise,
+        };
+        let verdict = self.verdict(x, &ending, &mut report, cost)?;
+        report.iterations = cost.iterations;
+        report.negative_pivots = cost.negative_pivots;
+        report.linear_residual = cost.residual;
+        report.assemble_milliseconds = cost.assemble * 1e3;
+        report.factor_milliseconds = cost.factor * 1e3;
+        report.solve_milliseconds = cost.solve * 1e3;
+        report.regularise_milliseconds = cost.regularise * 1e3;
+        report.warnings.append(&mut cost.warnings);
+        Ok((report, verdict))
+    }
+
+    /// What the report says of the mesh.
+    fn measure_mesh(&mut self, x: &[DVec3], y: &[DVec3], report: &mut StepReport) {
+        self.flipped.clear();
+        if self.mesh.is_triangular() {
+            let survey = survey(&self.mesh, x, y);
+            let folded = |f: &&Face| quality::is_folded(&self.mesh, y, **f);
+            self.flipped
+                .extend(survey.turned.iter().filter(folded).map(|f| f.0));
+            report.area = survey.area;
+            report.volume = survey.volume;
+            report.min_angle_degrees = survey.min_angle_degrees;
+        } else {
+            report.area = measure::area(&self.mesh, y);
+            report.volume = measure::volume(&self.mesh, y);
+            report.min_angle_degrees = measure::min_angle_degrees(&self.mesh, y);
+        }
+        report.flipped_faces = self.flipped.len();
+        let moved = y.iter().zip(&self.start.x).map(|(p, q)| p.distance(*q));
+        report.max_displacement = moved.fold(0.0, f64::max) / self.flow.mean_edge_length();
+    }
+
+    /// Readings at positions that come from elsewhere.
+    pub fn reading(&mut self, x: &[DVec3]) -> Reading {
+        self.flow.reading(x)
+    }
+
+    /// The flow itself.
+    pub fn flow(&self) -> &dyn Flow {
+        &*self.flow
+    }
+
+    /// Called with a stage's name and the share of the step done, within long steps.
+    pub fn set_progress(&mut self, callback: Option<Progress>) {
+        self.progress = callback;
+    }
+
+    /// The next step's size, in the flow's unit of time.
+    pub fn dt(&self) -> f64 {
+        self.run.step_size.dt
+    }
+
+    /// The same without a unit.
+    pub fn tau(&self) -> f64 {
+        self.dt() / self.flow.time_unit()
+    }
+
+    /// Faces that folded over in the last step.
+    pub fn flipped_faces(&self) -> &[u32] {
+        &self.flipped
+    }
+
+    /// The last trial that was refused on the way to the present state.
+    pub fn refusal(&self) -> Option<Refusal> {
+        self.refusal
+    }
+
+    /// What a step back must restore beside the positions.
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            run: self.run,
+            memory: self.flow.memory(),
+        }
+    }
+
+    /// Goes back to an earlier checkpoint of the same run.
+    pub fn restore(&mut self, checkpoint: Checkpoint) {
+        self.run = checkpoint.run;
+        self.flow.recall(checkpoint.memory);
+        self.flipped.clear();
+        self.refusal = None;
+    }
+
+    /// Sets the step count and time, after positions came from outside.
+    pub fn set_clock(&mut self, step: usize, time: f64) {
+        self.restore(self.checkpoint());
+        self.run = Run {
+            step,
+            time,
+            least: f64::INFINITY,
+            ..self.run
+        };
+    }
+
+    /// Grants the budget of steps and time once more, counted from here.
+    pub fn extend_budget(&mut self) {
+        self.run.first_step = self.run.step;
+        self.run.seconds = 0.0;
+        self.run.window = Window::default();
+        self.run.is_exhausted = false;
+    }
+}
+
+/// The face with the largest area, and that area over the mean.
+pub(super) fn largest_face(mesh: &HalfedgeMesh, x: &[DVec3]) -> (u32, f64) {
+    let (mut face, mut largest, mut total) = (0, 0.0, 0.0);
+    for f in mesh.faces() {
+        let area = measure::face_vector_area(mesh, x, f).length();
+        total += area;
+        if area > largest {
+            (face, largest) = (f.0, area);
+        }
+    }
+    (face, largest * mesh.n_faces() as f64 / total)
+}

@@ -1,0 +1,298 @@
+//! The driver's judgement: warnings that hold for every flow, and how a run ends.
+
+use super::driver::{Driver, largest_face};
+use super::report::Warning;
+use super::rules::Ceiling;
+use super::termination::{self, Ending};
+use super::{Cause, Cost, FlowError, Functional, Occasion, Status, StepReport, Verdict};
+use crate::geometry::bend::{Sharpest, sharpest};
+use crate::geometry::measure;
+use crate::mesh::counted;
+use glam::DVec3;
+
+/// Share of the start's area at which a surface that nothing holds has shrunk to a point; and
+/// at which it is about to, where no step is accepted any more.
+const VANISHED: f64 = 1e-3;
+const VANISHING: f64 = 0.1;
+/// 2|H|√m, m a vertex's area, from which a mesh no longer resolves its surface, and from which,
+/// with no step accepted, the surface has become singular; less, where it is a neck.
+const UNDER_RESOLVED: f64 = 3.0;
+const SINGULAR_NECK: f64 = 1.5;
+/// A bend is new if it is so many times the sharpest at the start.
+const NEW_BEND: f64 = 1.5;
+/// With faces of so many times the mean, and four times what there was at the start, the
+/// surface's curvature sits in a few tiny faces and the rest is not resolved; with so many
+/// more there is no sense in going on.
+const LARGE_FACE: f64 = 40.0;
+const HOPELESS_FACE: f64 = 200.0;
+const FACE_GROWTH: f64 = 4.0;
+/// A smallest angle below this, in degrees, that was much larger at the start is a mesh that
+/// degenerates.
+const SLIVER: f64 = 8.0;
+const WORN: f64 = 0.5;
+
+fn stop(status: Status, why: String) -> Verdict {
+    Verdict::Stop(status, why)
+}
+
+impl Driver {
+    /// The budget of steps and of time.
+    pub(super) fn out_of_budget(&self) -> Option<Verdict> {
+        let steps = self.run.step - self.run.first_step;
+        let rules = self.flow.rules();
+        if !rules.ends_at_rest && steps >= self.options.smooth_steps {
+            let why = format!("Smoothed in {steps} steps, as asked");
+            return Some(stop(Status::StepLimit, why));
+        }
+        if self.options.max_steps.is_some_and(|most| steps >= most) {
+            let why = format!("Stopped at the step limit of {steps} steps");
+            return Some(stop(Status::StepLimit, why));
+        }
+        let most = self.options.max_seconds?;
+        (self.run.seconds >= most).then(|| {
+            let why = format!(
+                "Stopped after {most} seconds of computing, at step {}; the surface is not at \
+                 rest",
+                self.run.step
+            );
+            stop(Status::StepLimit, why)
+        })
+    }
+
+    /// A functional that is zero up to roundoff cannot fall.
+    pub(super) fn is_zero(&self, value: f64) -> Option<Verdict> {
+        let rules = self.flow.rules();
+        (rules.ends_at_rest && value <= rules.zero).then(|| {
+            let steps = self.run.step;
+            let why = format!("Converged after {steps} steps: the energy is zero up to roundoff");
+            stop(Status::Converged, why)
+        })
+    }
+
+    /// Whether there is a next step after an accepted one.
+    pub(super) fn verdict(
+        &mut self,
+        x: &[DVec3],
+        ending: &Ending,
+        report: &mut StepReport,
+        cost: &mut Cost,
+    ) -> Result<Verdict, FlowError> {
+        let steps = self.run.step;
+        if let Some(verdict) = self.is_zero(ending.after.value) {
+            return Ok(verdict);
+        }
+        let rules = self.flow.rules();
+        if rules.can_vanish && report.area < VANISHED * self.start.area {
+            return Ok(self.vanished(x));
+        }
+        let (face, largest) = largest_face(&self.mesh, x);
+        let is_recommended = rules.ceiling != Ceiling::None;
+        if is_recommended && largest > HOPELESS_FACE.max(FACE_GROWTH * self.start.largest_face) {
+            let why = format!(
+                "Stalled after {steps} steps: face {face} is {largest:.0} times as large as the \
+                 mean, and the mesh no longer resolves the surface; a finer mesh helps, or keeping \
+                 area and volume under the p-Willmore flow"
+            );
+            return Ok(stop(Status::Stalled, why));
+        }
+        if ending.rests {
+            let why = format!("Converged after {steps} steps: no vertex moves any more");
+            return Ok(stop(Status::Converged, why));
+        }
+        let occasion = Occasion::Accepted {
+            before: ending.before.scale,
+            after: ending.after.scale,
+        };
+        if let Some(phase) = self.flow.next_phase(x, &occasion, cost)? {
+            self.begin_after_step(phase, report);
+        } else if ending.is_leading {
+            // A window that spans the lead would see a fall that is none.
+            self.run.window = Default::default();
+        } else if self.run.window.is_idle(ending.gain)
+            && rules.ends_at_rest
+            && let Some(verdict) = self.idle(x, report, cost)?
+        {
+            return Ok(verdict);
+        }
+        Ok(self.out_of_budget().unwrap_or(Verdict::GoOn))
+    }
+
+    fn begin_after_step(&mut self, phase: super::Phase, report: &mut StepReport) {
+        if phase.resets_step_size {
+            self.run.step_size = self.flow.step_size();
+        }
+        if phase.resets_functional {
+            self.run.least = f64::INFINITY;
+        }
+        self.run.window = Default::default();
+        report.warnings.extend(phase.event);
+    }
+
+    /// The functional has stopped falling.
+    fn idle(
+        &mut self,
+        x: &[DVec3],
+        report: &mut StepReport,
+        cost: &mut Cost,
+    ) -> Result<Option<Verdict>, FlowError> {
+        let steps = self.run.step;
+        let occasion = Occasion::Idle {
+            dt: self.dt(),
+            is_guarded: self.run.window.is_guarded(),
+        };
+        if let Some(phase) = self.flow.next_phase(x, &occasion, cost)? {
+            self.begin_after_step(phase, report);
+            return Ok(None);
+        }
+        if self.flow.stationarity(x, cost)? <= 1.0 {
+            let why = format!("Converged after {steps} steps: the surface is at rest");
+            return Ok(Some(stop(Status::Converged, why)));
+        }
+        if self.run.window.met_bound() {
+            return Ok(Some(self.collapsed()));
+        }
+        if !self.run.step_size.is_given && self.run.window.is_stuck(report.dt) {
+            // The next step says so, or puts something better in place.
+            self.run.is_exhausted = true;
+        }
+        self.run.window.next_window();
+        Ok(None)
+    }
+
+    /// No step was accepted, and there is no other phase.
+    pub(super) fn stuck(
+        &mut self,
+        x: &[DVec3],
+        before: Functional,
+        cost: &mut Cost,
+    ) -> Result<Verdict, FlowError> {
+        let steps = self.run.step;
+        let rules = self.flow.rules();
+        if self.run.window.met_bound() || self.is_collapsing(before.value) {
+            return Ok(self.collapsed());
+        }
+        let area = measure::area(&self.mesh, x);
+        if rules.can_vanish && area < VANISHING * self.start.area {
+            return Ok(self.vanished(x));
+        }
+        if let Some(neck) = self.singular(x) {
+            return Ok(neck);
+        }
+        if rules.ceiling != Ceiling::None && self.flow.stationarity(x, cost)? <= 1.0 {
+            let why = format!("Converged after {steps} steps: the surface is at rest");
+            return Ok(stop(Status::Converged, why));
+        }
+        let why = termination::stalled(steps, self.refusal, self.flow.remedy());
+        Ok(stop(Status::Stalled, why))
+    }
+
+    /// Whether no step was accepted as it would go below a theorem's bound; or as triangles
+    /// would degenerate on a surface whose energy is below the bound already.
+    fn is_collapsing(&self, value: f64) -> bool {
+        let is_below = self.flow.rules().bound.is_some_and(|bound| value < bound);
+        self.refusal.is_some_and(|refusal| match refusal.cause {
+            Cause::Bound => true,
+            Cause::Sliver | Cause::Fold | Cause::Turn => is_below,
+            _ => false,
+        })
+    }
+
+    fn collapsed(&self) -> Verdict {
+        let steps = self.run.step;
+        let why = format!(
+            "Collapsed after {steps} steps: any further step would have less energy than every \
+             smooth surface with these handles, so a handle is closing between the vertices; the \
+             surface is the last good one, and a finer or better mesh helps"
+        );
+        stop(Status::Collapsed, why)
+    }
+
+    fn vanished(&self, x: &[DVec3]) -> Verdict {
+        let centre = x.iter().sum::<DVec3>() / x.len() as f64;
+        let why = format!(
+            "Singular after {} steps, at time {}: the surface shrinks to a point near {}; keeping \
+             the volume prevents that",
+            self.run.step,
+            short(self.run.time),
+            place(centre)
+        );
+        stop(Status::Singular, why)
+    }
+
+    /// A neck or a tip thinner than the mesh can show, where that is why no step was accepted.
+    fn singular(&self, x: &[DVec3]) -> Option<Verdict> {
+        if !self.mesh.is_triangular() || !termination::is_geometric(self.refusal) {
+            return None;
+        }
+        let Sharpest {
+            vertex,
+            bend,
+            is_neck,
+            ..
+        } = sharpest(&self.mesh, x)?;
+        let then = sharpest(&self.mesh, &self.start.x).map_or(0.0, |found| found.bend);
+        let least = if is_neck {
+            SINGULAR_NECK
+        } else {
+            UNDER_RESOLVED
+        };
+        if bend < least || bend < NEW_BEND * then || !self.flow.is_free(vertex as usize) {
+            return None;
+        }
+        let what = if is_neck {
+            "a neck pinches off"
+        } else {
+            "a tip becomes a point"
+        };
+        let why = format!(
+            "Singular after {} steps, at time {}: {what} at vertex {vertex}, near {}; the flow has \
+             no solution beyond it, and keeping the volume or a finer mesh helps",
+            self.run.step,
+            short(self.run.time),
+            place(x[vertex as usize])
+        );
+        Some(stop(Status::Singular, why))
+    }
+
+    /// What holds for every flow; then what the flow itself has to say.
+    pub(super) fn warn(&mut self, x: &[DVec3], report: &mut StepReport) {
+        if report.flipped_faces > 0 {
+            let count = counted(report.flipped_faces, "face", "faces");
+            report
+                .warnings
+                .push(format!("{count} folded over in this step."));
+        }
+        let given = &mut self.run.given;
+        let (_, largest) = largest_face(&self.mesh, x);
+        if largest > LARGE_FACE.max(FACE_GROWTH * self.start.largest_face)
+            && given.is_first(Warning::LargeFace)
+        {
+            report.warnings.push(format!(
+                "The largest face has grown to {largest:.0} times the mean: one part of the surface \
+                 inflates, and the energy shown is too low. A finer mesh helps."
+            ));
+        }
+        let (angle, then) = (report.min_angle_degrees, self.start.angle);
+        if angle < SLIVER && angle < WORN * then && given.is_first(Warning::Slivers) {
+            report.warnings.push(format!(
+                "The mesh degenerates: its smallest angle is {angle:.0}°, {then:.0}° at the start; \
+                 {}.",
+                self.flow.remedy()
+            ));
+        }
+        self.flow.warn(x, report, given);
+    }
+}
+
+/// A number as a sentence shows it.
+fn short(value: f64) -> String {
+    if value != 0.0 && !(1e-3..1e4).contains(&value.abs()) {
+        format!("{value:.3e}")
+    } else {
+        format!("{value:.4}")
+    }
+}
+
+fn place(p: DVec3) -> String {
+    format!("({}, {}, {})", short(p.x), short(p.y), short(p.z))
+}

@@ -1,0 +1,181 @@
+//! When a run is over, and why.
+//!
+//! *Idle* is a functional that has fallen by less than [`NEGLIGIBLE`] of itself over the last
+//! [`WINDOW`] steps. An idle run has converged if the surface is at rest by its flow's own
+//! test, which does not depend on the step size ([`Flow::stationarity`](super::Flow)); a step
+//! too small to move anything proves nothing. If it is not at rest it has stalled, unless the
+//! step size was asked for, or steps are taken without trouble and may yet grow.
+
+use super::{Cause, Functional, Refusal, Status};
+
+/// Steps looked back at.
+const WINDOW: usize = 10;
+/// Share of the functional by which it must have fallen over them.
+const NEGLIGIBLE: f64 = 1e-5;
+/// With so many trials refused in those steps, or a step size that has shrunk to this share of
+/// the largest, a run that gains nothing is stuck.
+const MANY_REFUSED: usize = 8;
+const VANISHING: f64 = 1e-3;
+/// So many idle windows one after the other are no accident either.
+const PATIENCE: usize = 4;
+
+/// What to do after a step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// Take the next step.
+    GoOn,
+    /// The run is over for this reason.
+    Stop(Status, String),
+}
+
+/// The last few steps of a phase.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Window {
+    gains: [f64; WINDOW],
+    refused: [usize; WINDOW],
+    guarded: [bool; WINDOW],
+    count: usize,
+    largest_dt: f64,
+    idle_windows: usize,
+    /// Whether a trial of theirs was refused as a theorem's bound lies above it.
+    met_bound: bool,
+}
+
+/// An accepted step, as far as it tells whether a run is at its end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gain {
+    pub(super) before: f64,
+    pub(super) after: f64,
+    pub(super) scale: f64,
+    pub(super) dt: f64,
+    pub(super) refused: usize,
+    pub(super) is_guarded: bool,
+    pub(super) met_bound: bool,
+}
+
+/// What a step brought about.
+pub(super) struct Ending {
+    pub(super) before: Functional,
+    pub(super) after: Functional,
+    pub(super) gain: Gain,
+    /// Whether the step was so small that the surface is at rest.
+    pub(super) rests: bool,
+    /// Whether a constraint is led, so that a fall of the functional means nothing.
+    pub(super) is_leading: bool,
+}
+
+impl Window {
+    /// Notes an accepted step; whether the functional has stopped falling.
+    pub(super) fn is_idle(&mut self, gain: Gain) -> bool {
+        let slot = self.count % WINDOW;
+        self.gains[slot] = gain.before - gain.after;
+        self.refused[slot] = gain.refused;
+        self.guarded[slot] = gain.is_guarded;
+        self.count += 1;
+        self.largest_dt = self.largest_dt.max(gain.dt);
+        self.met_bound |= gain.met_bound;
+        let fall: f64 = self.gains.iter().sum();
+        self.count >= WINDOW && fall < NEGLIGIBLE * gain.scale.abs()
+    }
+
+    /// Whether a run that is idle with steps of `dt`, and not at rest, can be given up.
+    pub(super) fn is_stuck(&self, dt: f64) -> bool {
+        self.refused.iter().sum::<usize>() >= MANY_REFUSED
+            || dt < VANISHING * self.largest_dt
+            || self.idle_windows + 1 >= PATIENCE
+    }
+
+    /// Whether a trial of the last steps was refused for the mesh or for a bound.
+    pub(super) fn is_guarded(&self) -> bool {
+        self.guarded.contains(&true)
+    }
+
+    /// Whether a trial was refused for a theorem's bound.
+    pub(super) fn met_bound(&self) -> bool {
+        self.met_bound
+    }
+
+    /// Looks at the next steps only.
+    pub(super) fn next_window(&mut self) {
+        *self = Self {
+            largest_dt: self.largest_dt,
+            idle_windows: self.idle_windows + 1,
+            met_bound: self.met_bound,
+            ..Self::default()
+        };
+    }
+}
+
+/// A sentence about steps that can go no further, from why the last trial was refused.
+pub(super) fn stalled(steps: usize, refusal: Option<Refusal>, remedy: &str) -> String {
+    let last = match refusal.map(|refusal| refusal.cause) {
+        Some(cause) => format!(": every step tried was refused, the last because {cause}"),
+        None => ": only ever smaller steps lower the energy, which is not at rest".into(),
+    };
+    format!("Stalled after {steps} steps{last}; {remedy}")
+}
+
+/// Whether a refusal may be of a surface that becomes singular, and not of a functional that
+/// would rise.
+pub(super) fn is_geometric(refusal: Option<Refusal>) -> bool {
+    refusal.is_some_and(|refusal| {
+        matches!(
+            refusal.cause,
+            Cause::Fold
+                | Cause::TooFar
+                | Cause::Turn
+                | Cause::Sliver
+                | Cause::Unfit
+                | Cause::NotFinite
+                | Cause::Constraints
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn gain(before: f64, after: f64, refused: usize) -> Gain {
+        Gain {
+            before,
+            after,
+            scale: after,
+            dt: 1.0,
+            refused,
+            is_guarded: false,
+            met_bound: false,
+        }
+    }
+
+    #[test]
+    fn it_takes_ten_steps_together_to_be_idle() {
+        let mut window = Window::default();
+        for _ in 0..9 {
+            assert!(!window.is_idle(gain(1.0, 1.0, 0)));
+        }
+        assert!(window.is_idle(gain(1.0, 1.0, 0)));
+        // One step that gains counts for the ten that follow.
+        assert!(!window.is_idle(gain(1.0, 0.9, 0)));
+        for _ in 0..9 {
+            assert!(!window.is_idle(gain(0.9, 0.9, 0)));
+        }
+        assert!(window.is_idle(gain(0.9, 0.9, 0)));
+    }
+
+    #[test]
+    fn idle_is_stuck_only_where_steps_are_refused_or_vanish_or_time_and_again() {
+        let mut window = Window::default();
+        (0..10).for_each(|_| {
+            window.is_idle(gain(1.0, 1.0, 0));
+        });
+        assert!(!window.is_stuck(1.0) && window.is_stuck(1e-4));
+        (0..3).for_each(|_| window.next_window());
+        assert!(window.is_stuck(1.0));
+        let mut window = Window::default();
+        (0..10).for_each(|_| {
+            window.is_idle(gain(1.0, 1.0, 1));
+        });
+        assert!(window.is_stuck(1.0));
+    }
+}
