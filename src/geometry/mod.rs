@@ -5,9 +5,11 @@
 
 pub mod circumcircle;
 pub mod curvature;
+pub mod face_tree;
 pub mod frame;
 pub mod inversion;
 pub mod measure;
 pub mod nearest;
 pub mod quality;
+pub mod self_intersection;
 pub mod survey;
