@@ -41,9 +41,15 @@ const COLLINEAR: f64 = 1e-9;
 /// The pairs of triangles that pass through each other or are folded onto each other: each once,
 /// the smaller number first, sorted. The mesh must have triangles only.
 ///
-/// Neither scale, place nor the numbering of the elements changes the pairs. Takes O(n log n) for
-/// the hierarchy and a constant time for every pair of triangles whose boxes overlap.
+/// Neither scale, place nor the numbering of the elements changes the pairs.
 pub fn pairs(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<[Face; 2]> {
+    // No memory holds a mesh for which that would not be enough.
+    pairs_within(mesh, x, usize::MAX).unwrap_or_default()
+}
+
+/// The same; `None` if there are more than `most` boxes to compare, as in a heap of triangles that
+/// are all in one place. See [`FaceTree::overlapping_pairs`] for how many it takes.
+pub fn pairs_within(mesh: &HalfedgeMesh, x: &[DVec3], most: usize) -> Option<Vec<[Face; 2]>> {
     let contact = CONTACT * bounding_diagonal(x);
     let surface = Surface {
         mesh,
@@ -52,13 +58,14 @@ pub fn pairs(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<[Face; 2]> {
         contact,
     };
     let mut found = Vec::new();
-    FaceTree::new(mesh, x, contact).overlapping_pairs(|f, g| {
+    let tree = FaceTree::new(mesh, x, contact);
+    let is_done = tree.overlapping_pairs(most, |f, g| {
         if surface.crosses(f, g) {
             found.push([f.min(g), f.max(g)]);
         }
     });
     found.sort_unstable();
-    found
+    is_done.then_some(found)
 }
 
 /// The triangles of pairs, each once, sorted.

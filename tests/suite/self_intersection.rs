@@ -6,9 +6,12 @@ use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+use umbilic::flow::options::FlowOptions;
 use umbilic::geometry::measure::{bounding_diagonal, triangle_points};
-use umbilic::geometry::self_intersection::{pairs, triangles};
+use umbilic::geometry::self_intersection::{pairs, pairs_within, triangles};
+use umbilic::io::{self, Format};
 use umbilic::mesh::{Face, Vertex, shape};
+use umbilic::session::Session;
 use umbilic::soup::PolygonSoup;
 
 /// Several surfaces in one soup.
@@ -552,9 +555,83 @@ fn real_meshes_as_by_brute_force() {
             x: s.x.iter().map(|p| *p / size).collect(),
             ..s
         };
-        let checked = check(&scaled, 1e-12);
-        println!("{name}: {} faces, {checked:?}", scaled.mesh.n_faces());
+        assert_eq!(check(&scaled, 1e-12), Ok((0, 0)), "{name}");
     }
+}
+
+#[test]
+fn a_heap_of_triangles_is_given_up() {
+    let mut random = Random(11);
+    let positions: Vec<DVec3> = (0..3 * 4500).map(|_| random.vector()).collect();
+    let faces: Vec<[u32; 3]> = (0..4500).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    let soup = PolygonSoup::from_faces(positions, &faces);
+    let Surface { mesh, x, .. } = surface(&soup);
+    assert_eq!(pairs_within(&mesh, &x, 100_000), None);
+    // A sphere of as many triangles takes far fewer comparisons than that.
+    let s = surface(&sample("icosphere", &[("level", 4.0)]));
+    assert_eq!(
+        pairs_within(&s.mesh, &s.x, 40 * s.mesh.n_faces()),
+        Some(Vec::new())
+    );
+
+    let mut session = Session::new();
+    let bytes = io::write(&soup, Format::Ply, "").expect("a file");
+    let info = session.load(&bytes, "heap.ply").expect("a mesh").info;
+    assert_eq!(info.self_intersections, None);
+    assert!(info.warnings.iter().all(|w| !w.contains("passes through")));
+    // Asked for, it takes its time.
+    let found = session.self_intersections().expect("a mesh");
+    assert_eq!(found.map(|f| f.triangles.len()), Some(4500));
+}
+
+#[test]
+fn a_session_tells_of_the_surface_as_it_is() {
+    let mut session = Session::new();
+    assert_eq!(
+        session.self_intersections().expect_err("none").kind,
+        "NoMesh"
+    );
+    let soup = figure_eight_torus(40, 31, 0.1);
+    let bytes = io::write(&soup, Format::Obj, "").expect("a file");
+    let loaded = session.load(&bytes, "eight.obj").expect("a mesh");
+    let n = loaded.info.self_intersections.expect("counted");
+    let told = format!("The surface passes through itself in {n} pairs of triangles");
+    assert!(
+        loaded.info.warnings.iter().any(|w| w.starts_with(&told)),
+        "{:?}",
+        loaded.info.warnings
+    );
+    let found = session.self_intersections().expect("a mesh").expect("few");
+    assert_eq!(found.pairs.len(), n);
+    let mut own: Vec<u32> = found.pairs.iter().flatten().copied().collect();
+    own.sort_unstable();
+    own.dedup();
+    assert_eq!(found.triangles, own);
+    // About the circle of radius 2, where both sheets are.
+    for t in found.triangles {
+        let corners = &loaded.triangles[3 * t as usize..][..3];
+        let near = corners.iter().any(|&v| {
+            let p = soup.positions[v as usize];
+            (p.truncate().length() - 2.0).hypot(p.z) < 0.5
+        });
+        assert!(near, "triangle {t}");
+    }
+    session.configure(FlowOptions::default()).expect("options");
+    session.run(3).expect("steps");
+    let (now, info) = (
+        session.self_intersections(),
+        session.info().expect("a mesh"),
+    );
+    assert_eq!(
+        now.expect("a mesh").map(|f| f.pairs.len()),
+        info.self_intersections
+    );
+    session.sample("icosphere", &[]).expect("a sample");
+    let info = session.info().expect("a mesh");
+    assert_eq!(
+        (info.self_intersections, info.warnings),
+        (Some(0), Vec::new())
+    );
 }
 
 fn soup_of_triangles() -> impl Strategy<Value = PolygonSoup> {
