@@ -113,7 +113,7 @@ impl FaceTree {
 
     /// Calls `visit` once for every two triangles whose boxes overlap, in no particular order.
     /// `false` if it gave up, after looking at `most` pairs of boxes: of n triangles that are
-    /// no longer than a few of their neighbours it takes about 30 n, but n² of triangles that
+    /// no longer than a few of their neighbours it takes less than 30 n, but n² of triangles that
     /// are all in one place.
     #[must_use]
     pub fn overlapping_pairs(&self, most: usize, mut visit: impl FnMut(Face, Face)) -> bool {

@@ -460,6 +460,69 @@ fn triangles_with_a_common_edge_cross_when_folded() {
     }
 }
 
+/// A sheet with a row of edges in the faces of another one crosses it, if it goes on beyond.
+#[test]
+fn edges_inside_of_triangles_cross_if_their_faces_part() {
+    let corners = [[-1.0, -1.0], [2.0, -1.0], [2.0, 2.0], [-1.0, 2.0]];
+    let floor = PolygonSoup::from_faces(
+        corners.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec(),
+        &[[0u32, 1, 2], [0, 2, 3]],
+    );
+    // Rows of four edges, at these heights.
+    let wall = |rows: &[f64]| {
+        let mut soup = PolygonSoup::default();
+        for &z in rows {
+            let row = (0..5).map(|k| DVec3::new(0.37, 0.25 * f64::from(k), z));
+            soup.positions.extend(row);
+        }
+        for (i, k) in (1..rows.len() as u32).flat_map(|i| (0..4).map(move |k| (i, k))) {
+            let (a, b) = (5 * (i - 1) + k, 5 * i + k);
+            soup.push_face(&[a, a + 1, b + 1]);
+            soup.push_face(&[a, b + 1, b]);
+        }
+        soup
+    };
+    let on = |wall: PolygonSoup| counts(&together(&[floor.clone(), wall]));
+    // One of the edges lies in both triangles of the floor: five places with two faces each.
+    assert_eq!(on(wall(&[-1.0, 0.0, 1.0])), [10; 8]);
+    // It ends there, or turns back.
+    assert_eq!(on(wall(&[0.0, 1.0])), [0; 8]);
+    assert_eq!(on(wall(&[1.0, 0.5, 0.0])), [0; 8]);
+    let bent = moved(wall(&[-1.0, 0.0, 1.0]), |p| {
+        p.with_z(p.z.abs()) + DVec3::X * p.z
+    });
+    assert_eq!(on(bent), [0; 8]);
+}
+
+/// Heights about what counts as contact, on either side of it: noise must make no crossings of
+/// triangles that lie beside each other.
+#[test]
+fn nearly_flat_fans_have_none() {
+    let mut random = Random(23);
+    for exponent in 0..200 {
+        let size = 1e-9 * 10f64.powf(f64::from(exponent) / 40.0);
+        let mut positions = vec![DVec3::ZERO];
+        for ring in [1.0, 1.8] {
+            for k in 0..7 {
+                let angle = TAU * (f64::from(k) + 0.15 * random.next()) / 7.0;
+                let p = ring * DVec3::new(angle.cos(), angle.sin(), 0.0);
+                positions.push(p + size * random.next() * DVec3::Z);
+            }
+        }
+        let mut soup = PolygonSoup {
+            positions,
+            ..PolygonSoup::default()
+        };
+        for k in 0..7 {
+            let [a, b, c, d] = [1 + k, 1 + (k + 1) % 7, 8 + (k + 1) % 7, 8 + k];
+            soup.push_face(&[0, a, b]);
+            soup.push_face(&[a, d, c]);
+            soup.push_face(&[a, c, b]);
+        }
+        assert_eq!(counts(&soup), [0; 8], "{size}");
+    }
+}
+
 /// Two open sheets on the same line: four half-planes, which cross if they alternate.
 #[test]
 fn sheets_along_a_common_line_cross_if_they_alternate() {
