@@ -138,10 +138,10 @@ impl Surface<'_> {
             2 => return self.is_folded_onto(own, other),
             _ => return true,
         }
-        let Some(a) = self.placed(f, own, other, normal_g) else {
+        let Some(a) = self.placed(f, own, (self.at(other[0]), normal_g)) else {
             return false;
         };
-        let Some(b) = self.placed(g, other, own, normal_f) else {
+        let Some(b) = self.placed(g, other, (self.at(own[0]), normal_f)) else {
             return false;
         };
         // As long as the sine of the angle between the planes.
@@ -168,25 +168,16 @@ impl Surface<'_> {
         }
     }
 
-    /// `None` where the triangle does not reach across the other's plane, the rest being cheap to
-    /// leave out then: of almost all pairs.
+    /// A triangle beside the plane of another one, through a point with a unit normal; `None` where
+    /// it does not reach across: of almost all pairs, which are done with then.
     fn placed(
         &self,
         face: Face,
         corners: [Vertex; 3],
-        other: [Vertex; 3],
-        normal: DVec3,
+        (origin, normal): (DVec3, DVec3),
     ) -> Option<Placed> {
         let points = corners.map(|v| self.at(v));
-        let origin = self.at(other[0]);
-        let heights = [0, 1, 2].map(|i| {
-            // Rounding must not lift a common vertex off the plane.
-            if other.contains(&corners[i]) {
-                0.0
-            } else {
-                normal.dot(points[i] - origin)
-            }
-        });
+        let heights = points.map(|p| normal.dot(p - origin));
         let pose = self.pose(heights);
         (pose != Pose::Apart).then_some(Placed {
             face,

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use umbilic::flow::options::FlowOptions;
 use umbilic::geometry::measure::{bounding_diagonal, triangle_points};
-use umbilic::geometry::self_intersection::{pairs, pairs_within, triangles};
+use umbilic::geometry::self_intersection::{CONTACT, pairs, pairs_within, triangles};
 use umbilic::io::{self, Format};
 use umbilic::mesh::{Face, Vertex, shape};
 use umbilic::session::Session;
@@ -499,8 +499,8 @@ fn edges_inside_of_triangles_cross_if_their_faces_part() {
 #[test]
 fn nearly_flat_fans_have_none() {
     let mut random = Random(23);
-    for exponent in 0..200 {
-        let size = 1e-9 * 10f64.powf(f64::from(exponent) / 40.0);
+    for trial in 0..200 {
+        let size = 1e-9 * 10f64.powf(f64::from(trial) / 40.0);
         let mut positions = vec![DVec3::ZERO];
         for ring in [1.0, 1.8] {
             for k in 0..7 {
@@ -521,6 +521,23 @@ fn nearly_flat_fans_have_none() {
         }
         assert_eq!(counts(&soup), [0; 8], "{size}");
     }
+}
+
+/// An edge that is in the plane of a triangle within contact, and beside it: the line in which the
+/// planes meet goes through both, but at an angle to the edge, which is not on it.
+#[test]
+fn an_edge_beside_a_triangle_is_not_in_it() {
+    let tent = |contact: f64| {
+        // Heights over the triangle's plane, in which the first three corners are.
+        let height = |x: f64, y: f64| (1.8 * y - x) * contact;
+        let at = |x: f64, y: f64| DVec3::new(x, y, height(x, y));
+        let beside = [[0.1, -3.0], [0.1, 3.0], [2.0, 0.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+        let mut positions = beside.to_vec();
+        positions.extend([at(0.0, -0.5), at(0.0, 0.5), at(-1.0, 1.0), -DVec3::Z]);
+        PolygonSoup::from_faces(positions, &[[0u32, 1, 2], [3, 4, 5], [4, 3, 6]])
+    };
+    let contact = CONTACT * bounding_diagonal(&tent(0.0).positions);
+    assert_eq!(counts(&tent(contact)), [0; 8]);
 }
 
 /// Two open sheets on the same line: four half-planes, which cross if they alternate.
