@@ -15,6 +15,7 @@ import { createColourBar } from "./ui/colour-bar.js";
 import { createComparisonForm } from "./ui/comparison-form.js";
 import { createComparisonPlot } from "./ui/comparison-plot.js";
 import { createConjecture } from "./ui/conjecture.js";
+import { createCrossings } from "./ui/crossings.js";
 import { createCurvatureForm } from "./ui/curvature-form.js";
 import { createDownload } from "./ui/download.js";
 import { createEditsForm } from "./ui/edits.js";
@@ -103,6 +104,7 @@ const parts = [
   picture,
   createMoebius(controller, picture, pictured),
   createLook(controller, picture),
+  createCrossings(controller),
   createHistogram(picture.colours),
   createEquations(),
   panes,

@@ -29,7 +29,17 @@
  * @property {number | null} volume signed, positive with outward normals; null unless closed and oriented
  * @property {number} meanEdgeLength
  * @property {number} minAngleDegrees
+ * @property {number | null} selfIntersections  pairs of triangles that pass through each other; null
+ *                                   where there are too many triangles to compare in about a second
  * @property {string[]} warnings
+ */
+
+/**
+ * What `selfIntersections` answers, of the surface as it is; `final` and `initial` of a report have
+ * the number of pairs where it is asked for.
+ * @typedef {object} SelfIntersections
+ * @property {Uint32Array} pairs      two triangles a pair, the smaller number first; sorted
+ * @property {Uint32Array} triangles  of all pairs, each once; sorted
  */
 
 /**
@@ -570,6 +580,7 @@
  * | `quadrilateral` | `corners: number[]`       | `Quadrilateral`             |
  * | `lab`       | `pairs`                       | `Lab`                       |
  * | `why`       |                               | `Diagnosis \| null`        |
+ * | `selfIntersections` |                       | `SelfIntersections \| null`: null where it would take too long |
  * | `study`     | `options: StudyOptions \| null` | `Study`: one more resolution; with options it begins anew |
  * | `back`      | `run`                         | `State`                     |
  * | `seek`      | `step`, `run`                 | `State`; of the steps that the page may not know the frame tells step, time, dt and energy |

@@ -552,6 +552,12 @@ export const german = {
 
   // Looking closer
   "Look closer": "Genauer hinsehen",
+  "Show self-intersections": "Selbstdurchdringungen zeigen",
+  "The surface does not pass through itself.": "Die Fläche durchdringt sich nirgends selbst.",
+  "Too many triangles are near each other to compare them all.":
+    "Zu viele Dreiecke liegen beieinander, um sie alle zu vergleichen.",
+  "# pair of triangles passes through each other.": "# Dreieckspaar durchdringt sich.",
+  "# pairs of triangles pass through each other.": "# Dreieckspaare durchdringen sich.",
   "Pick a vertex": "Ecke auswählen",
   "Vertex number": "Nummer der Ecke",
   number: "Nummer",
@@ -654,6 +660,8 @@ export const german = {
   Genus: "Geschlecht",
   Vertices: "Ecken",
   Faces: "Facetten",
+  "Self-intersections at the start": "Selbstdurchdringungen zu Beginn",
+  "not counted": "nicht gezählt",
   "Milliseconds per step": "Millisekunden je Schritt",
   "not orientable": "nicht orientierbar",
   "none enclosed": "keines umschlossen",
@@ -1748,6 +1756,10 @@ export const german = {
   "flows work on a triangulated copy": "Flüsse arbeiten auf einer triangulierten Kopie",
   "The mesh has {} without area (collinear corners).":
     "Das Netz hat {} ohne Flächeninhalt (Ecken auf einer Geraden).",
+  "The surface passes through itself in {}: the flows go on all the same.":
+    "Die Fläche durchdringt sich selbst, in {}: Die Flüsse laufen trotzdem weiter.",
+  "1 pair of triangles": "1 Dreieckspaar",
+  "{} pairs of triangles": "{} Dreieckspaaren",
   "1 triangle": "1 Dreieck",
   "{} triangles": "{} Dreiecke",
   "The mesh has {} shorter than a millionth of the mean, the first between vertices {} and {}: merge such vertices (merge by distance) for a better flow.":

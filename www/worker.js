@@ -233,6 +233,7 @@ const actions = {
   quadrilateral: ({ corners }) => session.quadrilateral(corners),
   lab: ({ pairs }) => session.lab(pairs),
   why: () => session.why(),
+  selfIntersections: () => session.selfIntersections(),
   study: ({ options }) => session.study(options),
   back: (request) => moved(request.run, () => session.back()),
   reset: (request) => moved(request.run, () => session.reset()),

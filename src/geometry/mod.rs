@@ -6,9 +6,11 @@
 pub mod bend;
 pub mod circumcircle;
 pub mod curvature;
+pub mod face_tree;
 pub mod frame;
 pub mod inversion;
 pub mod measure;
 pub mod nearest;
 pub mod quality;
+pub mod self_intersection;
 pub mod survey;

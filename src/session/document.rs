@@ -137,7 +137,7 @@ impl Document {
 
     /// Diagnosis at the start.
     pub(super) fn info(&self) -> Info {
-        Info::of(&self.polygons, &self.start, &self.warnings)
+        Info::of(&self.polygons, &self.triangles, &self.start, &self.warnings)
     }
 }
 

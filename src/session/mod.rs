@@ -6,6 +6,7 @@
 mod beside;
 mod conjecture;
 mod course;
+mod crossing;
 mod document;
 mod edit;
 mod engine;
@@ -30,6 +31,7 @@ pub use crate::flow::Progress;
 pub use crate::remesh::static_pass::Settings as RegulariseOptions;
 pub use beside::Standing;
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
+pub use crossing::SelfIntersections;
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};

@@ -1,6 +1,7 @@
 //! What a session tells: diagnosis, energies, state, history. Keys in JSON are the
 //! field names in camel case.
 
+use super::crossing;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{self, Boundary, CircleEnergy};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
@@ -8,7 +9,7 @@ use crate::energy::{conformal, p_willmore};
 use crate::flow::flips::FlipReading;
 use crate::flow::{Monitored, Multipliers, Status, StepReport};
 use crate::geometry::measure;
-use crate::mesh::HalfedgeMesh;
+use crate::mesh::{HalfedgeMesh, counted};
 use crate::operator::Elements;
 use glam::DVec3;
 use serde::Serialize;
@@ -46,13 +47,30 @@ pub struct Info {
     pub mean_edge_length: f64,
     /// Smallest corner angle.
     pub min_angle_degrees: f64,
+    /// Pairs of triangles that pass through each other, see
+    /// [`self_intersection`](crate::geometry::self_intersection); `None` where there are too
+    /// many triangles to be compared in about a second.
+    pub self_intersections: Option<usize>,
     /// What was repaired or is worth knowing.
     pub warnings: Vec<String>,
 }
 
 impl Info {
-    /// The card of a mesh.
-    pub fn of(mesh: &Rc<HalfedgeMesh>, x: &[DVec3], warnings: &[String]) -> Self {
+    /// The card of a mesh; `triangles` is the same cut into triangles.
+    pub fn of(
+        mesh: &Rc<HalfedgeMesh>,
+        triangles: &HalfedgeMesh,
+        x: &[DVec3],
+        warnings: &[String],
+    ) -> Self {
+        let self_intersections = crossing::count(triangles, x);
+        let mut warnings = warnings.to_vec();
+        if let Some(n) = self_intersections.filter(|&n| n > 0) {
+            warnings.push(format!(
+                "The surface passes through itself in {}: the flows go on all the same.",
+                counted(n, "pair of triangles", "pairs of triangles")
+            ));
+        }
         let quads = quadrilateral_integrals(mesh, x, 2.0);
         let volume = measure::volume(mesh, x);
         Self {
@@ -69,7 +87,8 @@ impl Info {
             volume: volume.map(|v| quads.map_or(v, |q| q.volume)),
             mean_edge_length: measure::mean_edge_length(mesh, x),
             min_angle_degrees: measure::min_angle_degrees(mesh, x),
-            warnings: warnings.to_vec(),
+            self_intersections,
+            warnings,
         }
     }
 }

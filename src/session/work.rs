@@ -154,7 +154,7 @@ impl Work {
 
     pub(super) fn info(&self) -> Info {
         let document = self.present();
-        Info::of(&document.polygons, &self.x, &document.warnings)
+        document.info()
     }
 
     /// Faces as they are now, in the file's coordinates.

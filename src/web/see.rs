@@ -1,8 +1,8 @@
 //! What `Session` shows of the mathematics: Möbius inversion, circles, curvature lines.
 
 use super::fault::{fault, object};
-use super::session::{Session, field, floats, from_js, to_js};
-use crate::session::Look;
+use super::session::{Session, field, floats, from_js, indices, to_js};
+use crate::session::{Look, SelfIntersections};
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::*;
 
@@ -25,8 +25,26 @@ fn look(l: &Look) -> JsValue {
     ])
 }
 
+fn self_intersections(found: &SelfIntersections) -> JsValue {
+    object(&[
+        ("pairs", indices(found.pairs.as_flattened())),
+        ("triangles", indices(&found.triangles)),
+    ])
+}
+
 #[wasm_bindgen]
 impl Session {
+    /// Where the surface as it is now passes through itself: `SelfIntersections`, or null where
+    /// that would take too long.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    #[wasm_bindgen(js_name = selfIntersections)]
+    pub fn self_intersections(&self) -> Result<JsValue, JsValue> {
+        let found = self.0.self_intersections()?;
+        Ok(found.as_ref().map_or(JsValue::NULL, self_intersections))
+    }
+
     /// Looks closer at the surface as it is now: `Look`. `wanted` is `{ probe?: number,
     /// circles?: boolean, directions?: boolean }`.
     ///

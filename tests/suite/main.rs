@@ -26,6 +26,7 @@ mod probe;
 mod property_io;
 mod real_meshes;
 mod regularise;
+mod self_intersection;
 mod session;
 mod session_fill;
 mod session_subdivide;

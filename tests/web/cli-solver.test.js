@@ -97,13 +97,28 @@ test("info: the keys, and a torus told from a sphere", () => {
   assert.deepEqual(Object.keys(info), [
     ...["vertices", "edges", "faces", "components", "boundaryLoops", "eulerCharacteristic"],
     ...["genus", "closed", "oriented", "area", "volume", "meanEdgeLength", "minAngleDegrees"],
-    "warnings",
+    ...["selfIntersections", "warnings"],
   ]);
+  assert.equal(info.selfIntersections, 0);
   const { vertices, edges, faces, genus, closed, boundaryLoops } = info;
   assert.deepEqual(
     [vertices, edges, faces, genus, closed, boundaryLoops],
     [288, 864, 576, 1, true, 0],
   );
+});
+
+test("a Klein bottle passes through itself, before and after a step", () => {
+  const bottle = file("bottle.off");
+  json(["shape", "klein-bottle", "--along", "48", "--around", "24", "--out", bottle]);
+  const { selfIntersections, warnings } = json(["info", bottle]);
+  assert.ok(selfIntersections > 10);
+  assert.ok(
+    warnings.some((/** @type {string} */ w) => w.includes(`in ${selfIntersections} pairs`)),
+  );
+  const { initial, final } = json(["flow", bottle, "--steps", "1", "--self-intersections"]);
+  assert.equal(initial.selfIntersections, selfIntersections);
+  // There is no Klein bottle without.
+  assert.ok(final.selfIntersections > 10);
 });
 
 test("flow: an icosahedron becomes a sphere; report, history and mesh agree", () => {

@@ -227,6 +227,15 @@ test("flow: the report, on standard output and in the file", async () => {
   assert.equal(log.trim().split("\n").length, 3);
 });
 
+test("flow: self-intersections are counted where they are asked for", async () => {
+  const line = ["flow", mesh, "--steps", "2", "--json"];
+  const plain = await umbilic(line);
+  assert.ok(!("selfIntersections" in plain.json().final));
+  assert.ok(!plain.session.calls.some(([name]) => name === "selfIntersections"));
+  const { initial, final } = (await umbilic([...line, "--self-intersections"])).json();
+  assert.deepEqual([initial.selfIntersections, final.selfIntersections], [2, 2]);
+});
+
 test("flow: ends when the session does", async () => {
   const session = new FakeSession({ endAfter: 5 });
   const { exit, out } = await umbilic(["flow", mesh, "--until-converged"], session);

@@ -4,6 +4,7 @@
 /** @param {import("../solver.js").Solver} solver */
 export const createQuestions = (solver) => ({
   loops: () => solver.loops(),
+  selfIntersections: () => solver.selfIntersections(),
   conjecture: () => solver.conjecture(),
   /** @param {number[]} corners */
   quadrilateral: (corners) => solver.quadrilateral(corners),

@@ -84,6 +84,9 @@ const syntax = {
     },
     free: { value: "FILE.json", help: "only these vertices move" },
     fixed: { value: "FILE.json", help: "these vertices do not move" },
+    "self-intersections": {
+      help: "counts where the surface passes through itself, before and after",
+    },
     out: { value: "FILE", help: "the mesh at the end: .obj, .off, .ply, .stl or .glb" },
     history: { value: "FILE.csv", help: "the readings of every step, as a table" },
     report: { value: "FILE.json", help: "the report that --json prints" },
@@ -105,14 +108,13 @@ export const flow = {
     orExit(3, () => session.configure(options));
     const powers = options.p === undefined ? [] : [options.p];
     const energyOptions = { p: powers, ...(options.boundary && { boundary: options.boundary }) };
-    const initial = orExit(3, () => session.energy(energyOptions));
+    const readings = () => ({ ...session.energy(energyOptions), ...crossings(session, values) });
+    const initial = orExit(3, readings);
     const { status, message, steps, fault } = runSteps(session, options.maxSteps, (step) =>
       io.log(stepLine(step)),
     );
     const failed = status === "failed";
-    const final = failed
-      ? orNull(() => session.energy(energyOptions))
-      : session.energy(energyOptions);
+    const final = failed ? orNull(readings) : readings();
     const report = { status, message, ...fault, steps, initial, final, ...jump(session, options) };
 
     if (values.out) writeOutput(values.out, session.export(outFormat));
@@ -190,6 +192,18 @@ function flowOptions(values) {
 function jump(session, options) {
   if (!curvatureFlows.includes(options.flow ?? "")) return {};
   return { curvatureJump: session.curvatureJump() };
+}
+
+/**
+ * Pairs of triangles that pass through each other, where it is asked for; null if there are too
+ * many triangles for that.
+ * @param {Session} session
+ * @param {Values} values
+ */
+function crossings(session, values) {
+  if (!values["self-intersections"]) return {};
+  const found = session.selfIntersections();
+  return { selfIntersections: found && found.pairs.length / 2 };
 }
 
 /** Options of open and partly held surfaces. */

@@ -40,6 +40,11 @@ export class FakeSession {
     return { name, info };
   }
 
+  selfIntersections() {
+    this.calls.push(["selfIntersections"]);
+    return { pairs: Uint32Array.of(0, 1, 0, 2), triangles: Uint32Array.of(0, 1, 2) };
+  }
+
   /** @param {unknown} options */
   configure(options) {
     this.calls.push(["configure", options]);
