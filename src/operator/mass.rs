@@ -371,7 +371,7 @@ mod tests {
     #[test]
     fn held_values_stay_and_vertices_without_mass_do_no_harm() {
         let mut measured = Measured::grid(6, false, rough);
-        let held = |v: usize| v % 5 == 0;
+        let held = |v: usize| v.is_multiple_of(5);
         let expected: Vec<DVec3> = (0..36).map(wave).collect();
         let b = measured.matrix(Mass::Mixed).multiply(&expected);
         let mut y: Vec<DVec3> = expected

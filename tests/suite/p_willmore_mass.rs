@@ -6,10 +6,17 @@ use crate::support::*;
 use glam::DVec3;
 use std::collections::HashMap;
 use std::f64::consts::PI;
+use std::path::PathBuf;
 use std::rc::Rc;
 use umbilic::energy::circle::Boundary;
 use umbilic::energy::p_willmore::integrated_power;
 use umbilic::energy::p_willmore::{Evaluation, Helfrich, PWillmore, WillmoreBounds};
+use umbilic::flow::Flow;
+use umbilic::flow::constraint::Kept;
+use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::p_willmore::PWillmoreFlow;
+use umbilic::flow::stop::Verdict;
+use umbilic::geometry::measure;
 use umbilic::operator::Mass;
 use umbilic::session::Session;
 use umbilic::soup::PolygonSoup;
@@ -259,4 +266,39 @@ fn a_session_reads_both_values() {
     let lumped = integrated_power(&half.mesh, &half.x, 2.0);
     assert!((bounds.lumped / lumped - 1.0).abs() < 1e-12);
     assert!(bounds.lumped < bounds.consistent && bounds.consistent < 2.1 * PI);
+}
+
+/// A noisy ellipsoid with area and volume kept: the lumped energy falls below 4π there, the
+/// least of all closed surfaces, its mesh crumpling. The vesicle of its reduced volume
+/// .868 has 1.2507 · 4π by an axisymmetric minimisation.
+#[test]
+fn a_rough_ellipsoid_ends_as_the_prolate_vesicle_and_not_below_all_surfaces() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/cases/flows");
+    let Ok(bytes) = std::fs::read(folder.join("rough_ell.obj")) else {
+        eprintln!("skipped: no folder ../shared/cases beside the project");
+        return;
+    };
+    let s = surface(
+        &umbilic::io::read(&bytes, "rough_ell.obj")
+            .expect("readable")
+            .soup,
+    );
+    let options = FlowOptions {
+        flow: FlowName::PWillmore,
+        keep: vec![Kept::Area, Kept::Volume],
+        max_steps: 100,
+        ..FlowOptions::default()
+    };
+    let mut flow = PWillmoreFlow::new(Rc::clone(&s.mesh), &s.x, options).expect("a flow");
+    let mut x = s.x.clone();
+    let mut steps = 0;
+    while flow.step(&mut x).expect("a step").1 == Verdict::GoOn {
+        steps += 1;
+    }
+    let bounds = WillmoreBounds::of(&s.mesh, &x).expect("triangles");
+    let ratio = flow.reading(&x).energy / (4.0 * PI);
+    let angle = measure::min_angle_degrees(&s.mesh, &x);
+    println!("{steps} steps, ∫H² = {ratio:.4} · 4π, {bounds:?}, angle {angle:.1}°");
+    assert!((ratio / 1.2507 - 1.0).abs() < 0.012, "{ratio}");
+    assert!(bounds.disagreement() < 0.05 && angle > 40.0);
 }
