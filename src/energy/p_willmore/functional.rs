@@ -42,10 +42,11 @@ impl Helfrich {
 /// The lumped W² can be had for less than 4 · 4π on closed surfaces: where a mesh crumples, s
 /// alternates from vertex to vertex and lumping averages it away. It is the least and the
 /// consistent W² the largest (see [`operator::mass`](crate::operator::mass)); the mixed
-/// one errs least, and a flow that lowers it does not crumple the mesh. So for the other
-/// exponents: over its value on the sphere of the mesh's area, W^p of icosphere 3 is off by
-/// −0.24, −0.62, −0.75 % for p = 1, 3, 4 with the lumped mass and by −0.02, +0.09, +0.25 %
-/// with the mixed one. By Hölder's inequality, the samples being the same,
+/// one errs least, and crumpling costs it energy. (No theorem keeps it from 4 · 4π: least on
+/// icosphere 3 it is 0.04 % below, the lumped one 0.48 %, the consistent one 0.1 % above.)
+/// So for the other exponents: over its value on the sphere of the mesh's area, W^p of
+/// icosphere 3 is off by −0.24, −0.62, −0.75 % for p = 1, 3, 4 with the lumped mass and by
+/// −0.02, +0.09, +0.25 % with the mixed one. By Hölder's inequality, the samples being the same,
 /// W^p ≥ (W²)^(p/2) A^(1 − p/2) for p ≥ 2, so that a bound on W² is one on W^p.
 ///
 /// The paper's functional without its factor 2^−p (Remark 2.3), so 2^p ∫|H|^p dA; unit

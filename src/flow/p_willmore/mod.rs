@@ -4,7 +4,7 @@
 //!
 //! The step solves (M/τ + L diag(c) L) d = −P∇W^p with one scalar matrix: L the cotangent
 //! Laplacian, c_i ≈ p max(1, p − 1) |Y_i|^(p−2)/m_i, P the projection onto vertex normals.
-//! W^p is that of the mixed mass ([`Mass`]), which a crumpled mesh does not lower.
+//! W^p is that of the mixed mass ([`Mass`]), to which a crumpled mesh is no cheaper.
 //! The gradient is exact and local; without P linear elements would lower their energy by
 //! sliding vertices, below the minimum of smooth surfaces. τ has the unit length^(p+2).
 //! The paper's own scheme, centred and nonlinear, is there to be compared with.
