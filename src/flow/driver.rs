@@ -113,6 +113,16 @@ impl Driver {
                 });
             }
         };
+        Ok(Self::of(flow, mesh, x, options))
+    }
+
+    /// Runs a flow that was prepared at `x` on that mesh with these options.
+    pub fn of(
+        flow: Box<dyn Flow>,
+        mesh: Rc<HalfedgeMesh>,
+        x: &[DVec3],
+        options: FlowOptions,
+    ) -> Self {
         let start = Start {
             area: measure::area(&mesh, x),
             angle: measure::min_angle_degrees(&mesh, x),
@@ -130,7 +140,7 @@ impl Driver {
             given: WarningsGiven::default(),
             is_exhausted: false,
         };
-        Ok(Self {
+        Self {
             flow,
             mesh,
             options,
@@ -139,7 +149,7 @@ impl Driver {
             refusal: None,
             flipped: Vec::new(),
             progress: None,
-        })
+        }
     }
 
     /// Takes one step: `x` becomes the next state, or is left as it is with a verdict.

@@ -5,6 +5,7 @@ use crate::energy::p_willmore::{Evaluation, Helfrich, PWillmore};
 use crate::geometry::{measure, nearest};
 use crate::linalg::LinalgError;
 use crate::mesh::HalfedgeMesh;
+use crate::operator::Mass;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
@@ -209,7 +210,8 @@ fn feature_damping(
     if eta == 0.0 {
         return zero;
     }
-    let Some(functional) = PWillmore::new(Rc::clone(mesh), x, 2.0, Helfrich::default()) else {
+    let helfrich = Helfrich::default();
+    let Some(functional) = PWillmore::new(Rc::clone(mesh), x, 2.0, helfrich, Mass::Lumped) else {
         return zero;
     };
     debug_assert_eq!(regulariser.elements().len(), mesh.n_faces());

@@ -4,13 +4,13 @@
 use super::crossing;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{self, Boundary, CircleEnergy};
-use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
+use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore, WillmoreBounds};
 use crate::energy::{conformal, p_willmore};
 use crate::flow::flips::FlipReading;
 use crate::flow::{Monitored, Multipliers, Status, StepReport};
 use crate::geometry::measure;
 use crate::mesh::{HalfedgeMesh, counted};
-use crate::operator::Elements;
+use crate::operator::{Elements, Mass};
 use glam::DVec3;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -101,8 +101,11 @@ pub struct EnergyReadings {
     pub circle: f64,
     /// W/2, which tends to ∫(H² − K) dA on curvature-aligned lattices.
     pub circle_normalised: f64,
-    /// ∫H² dA, H = (κ₁+κ₂)/2.
+    /// ∫H² dA, H = (κ₁+κ₂)/2, with the lumped mass.
     pub willmore: f64,
+    /// The same with the consistent mass, never less. Where they part by more than a few per
+    /// cent, the mesh does not resolve its curvature.
+    pub willmore_consistent: f64,
     /// ∫|H|^p dA by p.
     pub p_willmore: BTreeMap<String, f64>,
     /// Total area.
@@ -141,12 +144,16 @@ impl EnergyReadings {
         };
         let named = |p: f64| (p.to_string(), power(p));
         let quads = quadrilateral_integrals(polygons, x, 2.0);
+        // Of the same faces as the lumped ones; a mesh without faces has none.
+        let faces: &HalfedgeMesh = if quads.is_some() { polygons } else { mesh };
+        let consistent = WillmoreBounds::of(faces, x);
         let volume = measure::volume(mesh, x);
         let standard = [0.0, 1.0, 2.0, 3.0, 4.0];
         Self {
             circle: evaluation.value,
             circle_normalised: 0.5 * evaluation.value,
             willmore: power(2.0),
+            willmore_consistent: consistent.map_or(0.0, |bounds| bounds.consistent),
             p_willmore: standard.iter().chain(powers).map(|&p| named(p)).collect(),
             area: quads.map_or_else(|| measure::area(mesh, x), |q| q.area),
             volume: volume.map(|v| quads.map_or(v, |q| q.volume)),
@@ -165,7 +172,7 @@ fn quadrilateral_integrals(mesh: &Rc<HalfedgeMesh>, x: &[DVec3], p: f64) -> Opti
     if !mesh.is_closed() || Elements::of(mesh)?.degree() != 4 {
         return None;
     }
-    let functional = PWillmore::new(Rc::clone(mesh), x, p, Helfrich::default())?;
+    let functional = PWillmore::new(Rc::clone(mesh), x, p, Helfrich::default(), Mass::Lumped)?;
     Some(functional.integrals(x, &mut Evaluation::default()))
 }
 

@@ -22,6 +22,7 @@ mod modelling;
 mod moebius;
 mod p_willmore_energy;
 mod p_willmore_flow;
+mod p_willmore_mass;
 mod probe;
 mod property_io;
 mod real_meshes;

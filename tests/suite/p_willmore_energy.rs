@@ -9,7 +9,7 @@ use umbilic::energy::p_willmore::{Evaluation, Helfrich, PWillmore, integrated_po
 use umbilic::energy::total_curvature;
 use umbilic::geometry::measure;
 use umbilic::mesh::shape;
-use umbilic::operator::Elements;
+use umbilic::operator::{Elements, Mass};
 use umbilic::soup::PolygonSoup;
 
 fn sample(name: &str, values: &[(&str, f64)]) -> Surface {
@@ -18,7 +18,7 @@ fn sample(name: &str, values: &[(&str, f64)]) -> Surface {
 }
 
 /// A torus of quadrilaterals, `n` around and `m` about the tube, with these radii.
-fn quad_torus(n: u32, m: u32, major: f64, minor: f64) -> Surface {
+pub(super) fn quad_torus(n: u32, m: u32, major: f64, minor: f64) -> Surface {
     let mut soup = PolygonSoup::default();
     for i in 0..n {
         for j in 0..m {
@@ -36,7 +36,7 @@ fn quad_torus(n: u32, m: u32, major: f64, minor: f64) -> Surface {
     surface(&soup)
 }
 
-fn roughened(mut surface: Surface, amount: f64, seed: u64) -> Surface {
+pub(super) fn roughened(mut surface: Surface, amount: f64, seed: u64) -> Surface {
     let h = measure::mean_edge_length(&surface.mesh, &surface.x);
     let mut random = Random(seed);
     surface
@@ -48,9 +48,9 @@ fn roughened(mut surface: Surface, amount: f64, seed: u64) -> Surface {
 
 /// Largest relative error of ⟨∇J, d⟩ against central differences along random directions,
 /// by Richardson's extrapolation.
-fn gradient_error(surface: &Surface, p: f64, helfrich: Helfrich) -> f64 {
+fn gradient_error(surface: &Surface, p: f64, helfrich: Helfrich, mass: Mass) -> f64 {
     let functional =
-        PWillmore::new(Rc::clone(&surface.mesh), &surface.x, p, helfrich).expect("elements");
+        PWillmore::new(Rc::clone(&surface.mesh), &surface.x, p, helfrich, mass).expect("elements");
     let mut at = Evaluation::default();
     functional.evaluate(&surface.x, &mut at);
     let h = measure::mean_edge_length(&surface.mesh, &surface.x);
@@ -86,13 +86,14 @@ fn gradients_agree_with_differences() {
         ),
         ("quads", roughened(quad_torus(14, 8, 1.0, 0.4), 0.1, 5)),
     ];
-    for (name, surface) in &surfaces {
+    let masses = [Mass::Lumped, Mass::Mixed, Mass::Consistent];
+    for ((name, surface), mass) in surfaces.iter().flat_map(|s| masses.map(|m| (s, m))) {
         for p in [0.0, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0] {
-            let error = gradient_error(surface, p, Helfrich::default());
-            println!("{name}, p = {p}: {error:.1e}");
+            let error = gradient_error(surface, p, Helfrich::default(), mass);
+            println!("{name}, {mass:?}, p = {p}: {error:.1e}");
             // Near p = 1 the integrand bends within δ of Y = 0: differences see that.
             let bound = if p > 0.0 && p < 2.0 { 1e-7 } else { 1e-9 };
-            assert!(error < bound, "{name}, p = {p}: {error}");
+            assert!(error < bound, "{name}, {mass:?}, p = {p}: {error}");
         }
         let spontaneous = if surface.mesh.is_triangular() {
             1.3
@@ -104,8 +105,8 @@ fn gradients_agree_with_differences() {
             tension: 0.7,
             pressure: -1.9,
         };
-        let error = gradient_error(surface, 2.0, helfrich);
-        assert!(error < 1e-9, "{name}, Helfrich: {error}");
+        let error = gradient_error(surface, 2.0, helfrich, mass);
+        assert!(error < 1e-9, "{name}, {mass:?}, Helfrich: {error}");
     }
 }
 
@@ -120,6 +121,7 @@ fn area_and_volume_gradients_agree_with_differences() {
             &surface.x,
             2.0,
             Helfrich::default(),
+            Mass::Lumped,
         )
         .expect("elements");
         let (mut at, mut scratch) = (Evaluation::default(), Evaluation::default());
@@ -163,7 +165,8 @@ fn spheres_and_the_clifford_torus_have_their_energies() {
             .map(|level| {
                 let Surface { mesh, x, .. } = sample("icosphere", &[("level", level)]);
                 let x: Vec<DVec3> = x.into_iter().map(|p| 3.0 * p).collect();
-                let f = PWillmore::new(mesh, &x, p, Helfrich::default()).expect("elements");
+                let f = PWillmore::new(mesh, &x, p, Helfrich::default(), Mass::Lumped)
+                    .expect("elements");
                 let found = f.integrals(&x, &mut Evaluation::default()).energy;
                 1.0 - found / (36.0 * PI * (2.0 / 3.0f64).powf(p))
             })
@@ -176,7 +179,7 @@ fn spheres_and_the_clifford_torus_have_their_energies() {
     // The torus with R = √2 r of quadrilaterals: .98510, .99621, .99905 of 8π².
     for (n, expected) in [(24, 0.98510), (48, 0.99621), (96, 0.99905)] {
         let Surface { mesh, x, .. } = quad_torus(n, n, 2f64.sqrt(), 1.0);
-        let f = PWillmore::new(mesh, &x, 2.0, Helfrich::default()).expect("elements");
+        let f = PWillmore::new(mesh, &x, 2.0, Helfrich::default(), Mass::Lumped).expect("elements");
         let found = f.integrals(&x, &mut Evaluation::default()).energy / (8.0 * PI * PI);
         println!("Clifford torus, {n} × {n} quadrilaterals: {found:.5}");
         assert!((found - expected).abs() < 2e-5, "{n}: {found}");
@@ -187,7 +190,8 @@ fn spheres_and_the_clifford_torus_have_their_energies() {
 fn readings_are_two_to_the_minus_p_of_the_functional() {
     let Surface { mesh, x, .. } = roughened(sample("ellipsoid", &[("level", 2.0)]), 0.1, 3);
     for p in [0.0, 1.0, 2.0, 3.5] {
-        let f = PWillmore::new(Rc::clone(&mesh), &x, p, Helfrich::default()).expect("elements");
+        let f = PWillmore::new(Rc::clone(&mesh), &x, p, Helfrich::default(), Mass::Lumped)
+            .expect("elements");
         let found = f.integrals(&x, &mut Evaluation::default()).energy;
         let expected = 2f64.powf(p) * integrated_power(&mesh, &x, p);
         assert!((found / expected - 1.0).abs() < 1e-12, "p = {p}");
@@ -210,8 +214,8 @@ fn total_mean_curvature_of_a_sphere() {
 fn the_other_reading_of_the_deformation_term_is_no_gradient() {
     let surface = roughened(sample("ellipsoid", &[("level", 2.0)]), 0.1, 3);
     let (mesh, x) = (&surface.mesh, &surface.x);
-    let functional =
-        PWillmore::new(Rc::clone(mesh), x, 2.0, Helfrich::default()).expect("elements");
+    let functional = PWillmore::new(Rc::clone(mesh), x, 2.0, Helfrich::default(), Mass::Lumped)
+        .expect("elements");
     let mut at = Evaluation::default();
     functional.evaluate(x, &mut at);
     let elements = Elements::of(mesh).expect("triangles");

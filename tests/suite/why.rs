@@ -500,7 +500,12 @@ fn a_surface_swells_where_size_costs_nothing() {
 #[test]
 fn energies_below_the_smooth_minimum_are_those_of_coarse_meshes() {
     let sphere = 4.0 * std::f64::consts::PI;
-    let mut case = Case::new("icosahedron", &[("level", 1.0)], p_willmore());
+    // The paper's scheme lowers the lumped energy, which is the one that falls so low.
+    let options = FlowOptions {
+        scheme: Scheme::Paper,
+        ..p_willmore()
+    };
+    let mut case = Case::new("icosahedron", &[("level", 1.0)], options);
     case.run(200);
     assert_eq!(case.state().status, Status::Converged);
     assert!(case.energy() < 0.95 * sphere);

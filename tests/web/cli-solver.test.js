@@ -70,8 +70,8 @@ test("an icosahedron subdivided in its faces: W = 4π (2ᵏ − 1), Figure 6 of 
     assertNear(energy.circle, 4 * Math.PI * (2 ** level - 1), 1e-12);
     assertNear(energy.circleNormalised, energy.circle / 2, 1e-15);
     assert.deepEqual(Object.keys(energy), [
-      ...["circle", "circleNormalised", "willmore", "pWillmore", "area", "volume"],
-      ...["conformalDistortion", "gradientNorm"],
+      ...["circle", "circleNormalised", "willmore", "willmoreConsistent", "pWillmore", "area"],
+      ...["volume", "conformalDistortion", "gradientNorm"],
     ]);
   }
 });
@@ -85,6 +85,8 @@ test("a sphere: W = 0, ∫|H|^p dA = 4π, whatever the file format", () => {
   const [energy, ...others] = readings;
   assertNear(energy.circle, 0, 1e-9);
   assertNear(energy.willmore, 4 * Math.PI, 5e-3);
+  assertNear(energy.willmoreConsistent, 4 * Math.PI, 1e-3);
+  assert.ok(energy.willmore < energy.willmoreConsistent);
   assert.deepEqual(Object.keys(energy.pWillmore).sort(), ["0", "1", "2", "2.5", "3", "4"]);
   for (const value of Object.values(energy.pWillmore)) assertNear(value, 4 * Math.PI, 1e-2);
   assertNear(energy.volume, (4 / 3) * Math.PI, 5e-3);

@@ -1,8 +1,12 @@
 //! ∫|H|^p dA, the p-Willmore energies of Gruber & Aulisa.
 
+mod bounds;
+mod evaluation;
 mod functional;
 
-pub use functional::{Evaluation, Helfrich, Integrals, PWillmore};
+pub use bounds::WillmoreBounds;
+pub use evaluation::{Evaluation, Integrals};
+pub use functional::{Helfrich, PWillmore};
 
 use crate::geometry::curvature::area_gradient;
 use crate::geometry::measure::{area, vertex_areas};

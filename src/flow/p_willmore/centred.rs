@@ -294,6 +294,7 @@ mod tests {
     use super::*;
     use crate::energy::p_willmore::{Helfrich, PWillmore};
     use crate::mesh::{build, shape};
+    use crate::operator::Mass;
     use std::rc::Rc;
 
     /// As x′ → x the residual less its inertia is the exact gradient; and the derivative is
@@ -305,7 +306,8 @@ mod tests {
         let (mesh, x) = (Rc::new(built.mesh), built.positions);
         for p in [0.0, 1.0, 2.0, 3.0, 4.0] {
             let functional =
-                PWillmore::new(Rc::clone(&mesh), &x, p, Helfrich::default()).expect("triangles");
+                PWillmore::new(Rc::clone(&mesh), &x, p, Helfrich::default(), Mass::Lumped)
+                    .expect("triangles");
             let mut at = Evaluation::default();
             functional.evaluate(&x, &mut at);
             let step = CentredStep {

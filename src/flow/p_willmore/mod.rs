@@ -3,7 +3,8 @@
 //! Helfrich, and conformal regularisation after each step.
 //!
 //! The step solves (M/τ + L diag(c) L) d = −P∇W^p with one scalar matrix: L the cotangent
-//! Laplacian, c_i = p max(1, p − 1) |Y_i|^(p−2)/m_i, P the projection onto vertex normals.
+//! Laplacian, c_i ≈ p max(1, p − 1) |Y_i|^(p−2)/m_i, P the projection onto vertex normals.
+//! W^p is that of the mixed mass ([`Mass`]), to which a crumpled mesh is no cheaper.
 //! The gradient is exact and local; without P linear elements would lower their energy by
 //! sliding vertices, below the minimum of smooth surfaces. τ has the unit length^(p+2).
 //! The paper's own scheme, centred and nonlinear, is there to be compared with.
@@ -31,6 +32,7 @@ use super::{
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
+use crate::operator::Mass;
 use crate::remesh::{Mode, Regulariser};
 use glam::DVec3;
 use kept::{Kept, ball_volume};
@@ -105,15 +107,32 @@ impl PWillmoreFlow {
         x: &mut [DVec3],
         options: &FlowOptions,
     ) -> Result<Self, FlowError> {
+        let mass = match options.scheme {
+            Scheme::Auto => Mass::Mixed,
+            Scheme::Paper => Mass::Lumped,
+        };
+        Self::with_mass(mesh, x, options, mass)
+    }
+
+    /// The same for another mass than the scheme's own: what two schemes do to one functional
+    /// can then be compared. The paper's scheme follows the gradient of the lumped one only.
+    ///
+    /// # Errors
+    /// See [`new`](Self::new).
+    pub fn with_mass(
+        mesh: &Rc<HalfedgeMesh>,
+        x: &mut [DVec3],
+        options: &FlowOptions,
+        mass: Mass,
+    ) -> Result<Self, FlowError> {
         check_mesh(mesh)?;
         let h = measure::mean_edge_length(mesh, x);
         vesicle::perturb(mesh, x, options.perturbation * h);
         let area = measure::area(mesh, x);
         let scale = (area / (4.0 * PI)).sqrt();
         let helfrich = helfrich(options, scale, mesh.is_triangular())?;
-        let Some(functional) = PWillmore::new(Rc::clone(mesh), x, options.p, helfrich) else {
-            return Err(FlowError::MixedFaces);
-        };
+        let functional = PWillmore::new(Rc::clone(mesh), x, options.p, helfrich, mass)
+            .ok_or(FlowError::MixedFaces)?;
         if options.scheme == Scheme::Paper {
             check_paper(options, x.len())?;
         }

@@ -6,6 +6,7 @@ const energies = {
   circle: 12,
   circleNormalised: 6,
   willmore: 18,
+  willmoreConsistent: 19,
   pWillmore: { 0: 4, 1: 5, 2: 18, 3: 7, 4: 8 },
   area: 4,
   volume: null,
