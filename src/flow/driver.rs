@@ -6,6 +6,7 @@ use super::guard::Guard;
 use super::options::{FlowName, FlowOptions};
 use super::p_willmore::PWillmoreFlow;
 use super::report::WarningsGiven;
+use super::rules::Ceiling;
 use super::search::{Taken, Trials};
 use super::step_size::StepSize;
 use super::termination::{Ending, Gain, Window};
@@ -165,7 +166,9 @@ impl Driver {
         let watch = Instant::now();
         let mut cost = Cost::telling(self.progress.clone());
         cost.tell("assemble", 0.0);
-        self.refusal = None;
+        if !self.run.is_exhausted {
+            self.refusal = None;
+        }
         let mut restarted: Option<Vec<DVec3>> = None;
         let mut before = self.evaluate(x, &mut cost)?;
         if let Some(verdict) = self.out_of_budget() {
@@ -418,7 +421,7 @@ impl Driver {
             before,
             gain,
             rests: step.rests,
-            is_leading: step.may_rise,
+            is_leading: step.ceiling == Some(Ceiling::None),
         };
         let verdict = self.verdict(x, &ending, &mut report, cost)?;
         report.iterations = cost.iterations;

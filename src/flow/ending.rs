@@ -109,6 +109,7 @@ impl Driver {
             // A window that spans the lead would see a fall that is none.
             self.run.window = Default::default();
         } else if self.run.window.is_idle(ending.gain)
+            && is_recommended
             && rules.ends_at_rest
             && let Some(verdict) = self.idle(x, report, cost)?
         {
@@ -221,7 +222,8 @@ impl Driver {
 
     /// A neck or a tip thinner than the mesh can show, where that is why no step was accepted.
     fn singular(&self, x: &[DVec3]) -> Option<Verdict> {
-        if !self.mesh.is_triangular() || !termination::is_geometric(self.refusal) {
+        let is_geometric = self.run.is_exhausted || termination::is_geometric(self.refusal);
+        if !self.mesh.is_triangular() || !is_geometric {
             return None;
         }
         let Sharpest {

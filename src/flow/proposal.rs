@@ -1,6 +1,7 @@
 //! What a flow proposes for a step.
 
 use super::Refusal;
+use super::rules::Ceiling;
 use glam::DVec3;
 
 /// How a move that is refused is made smaller.
@@ -31,9 +32,8 @@ pub struct Move {
     pub search: Search,
     /// Whether the step size may grow after it.
     pub grows: bool,
-    /// The part of the functional that the descent is measured from, where the move first
-    /// leads the surface to another constraint: no test for descent then.
-    pub may_rise: bool,
+    /// A ceiling of its own for the functional, in place of that of the rules.
+    pub ceiling: Option<Ceiling>,
     /// The largest distance a vertex is to move, in mean edge lengths, where that tells rest.
     pub update: Option<f64>,
     /// Whether that is so little that the surface is at rest.
@@ -49,7 +49,7 @@ impl Move {
             dt,
             search,
             grows: true,
-            may_rise: false,
+            ceiling: None,
             update: None,
             rests: false,
         }

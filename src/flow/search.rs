@@ -195,7 +195,7 @@ impl Trials<'_> {
         if !value.is_finite() {
             return Err(Refusal::of(Cause::NotFinite));
         }
-        if !step.may_rise && !self.descends(*value, share * step.slope) {
+        if !self.descends(step, *value, share * step.slope) {
             return Err(Refusal::of(Cause::Rise));
         }
         let least = self.rules.bound.map(|bound| self.rules.bound_share * bound);
@@ -206,8 +206,8 @@ impl Trials<'_> {
         self.guard.check_mesh(self.mesh, self.x, y)
     }
 
-    fn descends(&self, value: f64, slope: f64) -> bool {
-        match self.rules.ceiling {
+    fn descends(&self, step: &Move, value: f64, slope: f64) -> bool {
+        match step.ceiling.unwrap_or(self.rules.ceiling) {
             Ceiling::Descent => sufficient_decrease(self.before.value, value, slope),
             Ceiling::AboveLeast { share, slack } => value <= self.least * (1.0 + share) + slack,
             Ceiling::None => true,
@@ -216,8 +216,7 @@ impl Trials<'_> {
 
     /// The highest value that a step may be left with.
     pub(super) fn limit(&self, step: &Move) -> f64 {
-        match self.rules.ceiling {
-            _ if step.may_rise => f64::INFINITY,
+        match step.ceiling.unwrap_or(self.rules.ceiling) {
             Ceiling::Descent => self.before.value,
             Ceiling::AboveLeast { share, slack } => self.least * (1.0 + share) + slack,
             Ceiling::None => f64::INFINITY,

@@ -647,7 +647,7 @@ fn a_rough_start_is_smoothed_by_surface_diffusion_first() {
         rungs: Some(0),
         ..options
     });
-    assert_eq!(none.status, Status::StepLimit);
+    assert_eq!(none.status, Status::Stalled);
 }
 
 #[test]

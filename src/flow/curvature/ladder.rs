@@ -76,6 +76,7 @@ impl CurvatureFlow {
                 }
                 self.top = Some(x.to_vec());
                 self.known = None;
+                self.last_whole = None;
                 Ok(Some(Phase {
                     resets_step_size: true,
                     resets_functional: true,
@@ -115,6 +116,7 @@ impl CurvatureFlow {
         self.ladder.rungs = RUNGS;
         self.ladder.has_climbed = true;
         self.known = None;
+        self.last_whole = None;
         if from.is_some() {
             self.forget();
         }

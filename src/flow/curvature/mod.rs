@@ -10,8 +10,14 @@
 //! closed surface under the flow by mean curvature, the driver finds smaller ones. The share s
 //! of a step that is taken is such that no vertex moves by more than half an edge.
 //!
+//! Area falls under surface diffusion of a whole surface. Of a patch with a held rim it need
+//! not, and no functional is known that the discrete flow lowers: whole steps, which find the
+//! steady state in a few, are taken there without a test for descent.
+//!
 //! A rest of the fitted flow is not quite the least of the fitted energy, so that a good fill
-//! may end a little above an earlier step: by a thousandth of the least so far at most.
+//! may end a little above an earlier step: by a thousandth of the least so far, and where whole
+//! steps contract (the natural monotonicity test of Newton's method, Deuflhard 2004) by a
+//! hundredth at most.
 //!
 //! Vertices are not moved along the surface: smoothing them each step keeps the flow from
 //! converging.
@@ -58,10 +64,15 @@ const SHORT: f64 = 0.35;
 const PREFILL_PASSES: usize = 3;
 /// Refusals in a row, each to a quarter, that end a run.
 const MAX_REFUSALS: i32 = 24;
-/// A reading may lie above the least so far by this share of it, and by this share of the
-/// first, for what comes to zero.
+/// A reading may lie above the least so far by this share of it; and, for what comes to zero,
+/// by this share of the first, or by this much without a unit.
 const TOLERANCE: f64 = 1e-3;
 const SLACK: f64 = 1e-9;
+const LEAST_SLACK: f64 = 1e-7;
+/// Whole steps each of which is to move the surface by at most this share of the one before
+/// are converging to a rest, and may lead above the least reading by so much more.
+const CONTRACTING: f64 = 0.7;
+const TOLERANCE_AT_REST: f64 = 1e-2;
 /// A reading that has come to this share of the first is zero.
 const ZERO: f64 = 1e-13;
 /// A surface is at rest if a whole step moves no vertex by more than this share of an edge …
@@ -79,11 +90,13 @@ pub struct CurvatureFlow {
     region: Region,
     system: System,
     start: Vec<DVec3>,
-    /// The law's energy at the start.
+    /// The monitored functional at the start.
     first_energy: f64,
     /// ∫H² of the best smooth surface of the topology, where that bounds the functional.
     smooth_minimum: Option<f64>,
     ladder: Ladder,
+    /// Largest |φ| of the whole step that led here, in mean edges.
+    last_whole: Option<f64>,
     /// At the present positions, once they are needed; and at a trial.
     curvatures: Option<Curvatures>,
     trial: Option<Curvatures>,
@@ -99,7 +112,10 @@ pub struct CurvatureFlow {
 
 /// What the flow must remember beside the positions.
 #[derive(Clone, Copy, Debug)]
-pub struct Memory(Ladder);
+pub struct Memory {
+    ladder: Ladder,
+    last_whole: Option<f64>,
+}
 
 impl CurvatureFlow {
     /// Prepares the flow at positions `x`, which a smooth pre-fill may change.
@@ -126,7 +142,8 @@ impl CurvatureFlow {
         }
         let region = Region::new(mesh, x, is_free, law.depth());
         let at = Curvatures::of(mesh, x, &region);
-        let is_bounded = law == Law::Willmore && region.free.len() == x.len();
+        let is_whole = region.free.len() == x.len();
+        let is_bounded = law == Law::Willmore && is_whole;
         let mut flow = Self {
             system: System::new(law, &region),
             start: x.to_vec(),
@@ -135,6 +152,7 @@ impl CurvatureFlow {
                 .filter(|_| is_bounded)
                 .map(|bounds| bounds.willmore),
             ladder: Ladder::new(law, options.rungs),
+            last_whole: None,
             mesh: Rc::clone(mesh),
             options: options.clone(),
             law,
@@ -160,6 +178,25 @@ impl CurvatureFlow {
         }
     }
 
+    /// What a step may leave, above the least reading so far.
+    fn ceiling(&self, share: f64) -> Ceiling {
+        Ceiling::AboveLeast {
+            share,
+            slack: SLACK * self.first_energy
+                + LEAST_SLACK / self.law.normalised(1.0, self.region.length),
+        }
+    }
+
+    /// Whether the present law lowers its functional.
+    fn descends(&self) -> bool {
+        self.present_law() != Law::SurfaceDiffusion || self.is_whole()
+    }
+
+    /// Whether every vertex moves.
+    fn is_whole(&self) -> bool {
+        self.region.free.len() == self.start.len()
+    }
+
     /// Makes the system that of the present law.
     fn choose_law(&mut self) {
         let law = self.present_law();
@@ -179,7 +216,13 @@ impl CurvatureFlow {
 
     /// Whether the surface can shrink to a point.
     fn can_vanish(&self) -> bool {
-        self.present_law() == Law::MeanCurvature && self.region.free.len() == self.start.len()
+        self.present_law() == Law::MeanCurvature && self.is_whole()
+    }
+
+    /// A vertex to be moved that has no fit, as where positions are not numbers.
+    fn unfit(&self, at: &Curvatures) -> Option<u32> {
+        let mut free = self.region.free.iter().copied();
+        free.find(|&v| at.operators.row(v as usize).is_none())
     }
 
     fn take_curvatures(&mut self, x: &[DVec3]) -> Curvatures {
@@ -233,6 +276,10 @@ impl CurvatureFlow {
         step.update = Some(self.size);
         step.grows = self.size < SHORT;
         let is_whole = dt >= self.full_dt();
+        let is_contracting = |last: f64| self.size <= CONTRACTING * last;
+        if is_whole && self.descends() && self.last_whole.is_some_and(is_contracting) {
+            step.ceiling = Some(self.ceiling(TOLERANCE_AT_REST));
+        }
         step.rests = is_whole && self.size < AT_REST && !self.ladder.is_climbing();
         Ok(step)
     }
@@ -292,9 +339,10 @@ impl Flow for CurvatureFlow {
             };
         }
         Rules {
-            ceiling: Ceiling::AboveLeast {
-                share: TOLERANCE,
-                slack: SLACK * self.first_energy,
+            ceiling: if self.descends() {
+                self.ceiling(TOLERANCE)
+            } else {
+                Ceiling::None
             },
             reach: can_vanish.then_some(CAP),
             turn: None,
@@ -303,7 +351,7 @@ impl Flow for CurvatureFlow {
             bound: self.smooth_minimum,
             bound_share: LEAST,
             roundoff: 0.0,
-            zero: match self.law {
+            zero: match self.present_law() {
                 Law::MeanCurvature | Law::SurfaceDiffusion => 0.0,
                 Law::Willmore | Law::CurvatureVariation => ZERO * self.first_energy,
             },
@@ -329,10 +377,14 @@ impl Flow for CurvatureFlow {
     fn evaluate(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<Functional, FlowError> {
         let watch = Instant::now();
         let at = self.take_curvatures(x);
+        let unfit = self.unfit(&at);
         let energy = self.present_law().energy(&at, measure::area(&self.mesh, x));
         self.curvatures = Some(at);
         cost.assemble += watch.elapsed().as_secs_f64();
-        Ok(Functional::plain(energy))
+        match unfit {
+            Some(vertex) => Err(FlowError::Unfit { vertex }),
+            None => Ok(Functional::plain(energy)),
+        }
     }
 
     fn propose(&mut self, x: &[DVec3], dt: f64, cost: &mut Cost) -> Result<Proposal, FlowError> {
@@ -346,11 +398,7 @@ impl Flow for CurvatureFlow {
     fn measure(&mut self, _x: &[DVec3], y: &mut [DVec3], cost: &mut Cost) -> Result<f64, Refusal> {
         let watch = Instant::now();
         let next = Curvatures::of(&self.mesh, y, &self.region);
-        let free = self.region.free.iter();
-        // Also refuses what is not a number.
-        let unfit = free
-            .copied()
-            .find(|&v| next.operators.row(v as usize).is_none());
+        let unfit = self.unfit(&next);
         let energy = self
             .present_law()
             .energy(&next, measure::area(&self.mesh, y));
@@ -367,7 +415,9 @@ impl Flow for CurvatureFlow {
         self.trial_energy
     }
 
-    fn accept(&mut self, _step: &Move, _share: f64) {
+    fn accept(&mut self, step: &Move, _share: f64) {
+        let is_whole = step.dt >= self.full_dt();
+        self.last_whole = step.update.filter(|_| is_whole);
         self.forget();
         self.curvatures = self.trial.take();
     }
@@ -405,9 +455,7 @@ impl Flow for CurvatureFlow {
     fn remedy(&self) -> &'static str {
         match self.law {
             Law::MeanCurvature => "the p-Willmore flow with p = 0 keeps its mesh a better one",
-            _ if self.region.free.len() == self.start.len() => {
-                "conformal regularisation or the p-Willmore flow helps"
-            }
+            _ if self.is_whole() => "conformal regularisation or the p-Willmore flow helps",
             _ => "a smooth pre-fill, a finer mesh or a flow of lower order helps",
         }
     }
@@ -418,8 +466,8 @@ impl Flow for CurvatureFlow {
         let area = measure::area(&self.mesh, x);
         let energy = self.law.energy(&at, area);
         let gradient_norm = self.speed(&at);
-        let law = self.present_law();
-        let (monitored, objective) = (self.monitored(), law.energy(&at, area));
+        let objective = self.present_law().energy(&at, area);
+        let monitored = self.monitored();
         self.curvatures = Some(at);
         Reading {
             energy,
@@ -467,12 +515,15 @@ impl Flow for CurvatureFlow {
     }
 
     fn memory(&self) -> super::Memory {
-        super::Memory::Curvature(Memory(self.ladder))
+        super::Memory::Curvature(Memory {
+            ladder: self.ladder,
+            last_whole: self.last_whole,
+        })
     }
 
     fn recall(&mut self, memory: super::Memory) {
-        if let super::Memory::Curvature(Memory(ladder)) = memory {
-            self.ladder = ladder;
+        if let super::Memory::Curvature(Memory { ladder, last_whole }) = memory {
+            (self.ladder, self.last_whole) = (ladder, last_whole);
         }
         self.top = None;
         self.forget();

@@ -87,8 +87,7 @@ impl PWillmoreFlow {
         // It is on the constraints already.
         self.directions.clear();
         let d = found.x.iter().zip(x).map(|(y, x)| *y - *x).collect();
-        let mut step = Move::new(d, 0.0, dt, Search::Unseen);
-        step.may_rise = true;
+        let step = Move::new(d, 0.0, dt, Search::Unseen);
         Ok(Proposal::Move(Box::new(step)))
     }
 }

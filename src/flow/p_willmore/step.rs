@@ -3,6 +3,7 @@
 use super::{PWillmoreFlow, gauge};
 use crate::energy::p_willmore::Evaluation;
 use crate::flow::constraint::{dot, multipliers, project};
+use crate::flow::rules::Ceiling;
 use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search};
 use glam::DVec3;
 use web_time::Instant;
@@ -92,7 +93,7 @@ impl PWillmoreFlow {
         };
         let slope = -self.shown(dot(&force, &d));
         let mut step = Move::new(d, slope.min(0.0), dt, search);
-        step.may_rise = is_leading;
+        step.ceiling = is_leading.then_some(Ceiling::None);
         Ok(Proposal::Move(Box::new(step)))
     }
 
