@@ -17,6 +17,11 @@ const LOOSE: usize = 3;
 /// triangle has as many.
 const CONNECTED: usize = 9;
 
+/// Where there are fewer edges of creases for each folded face than this, they belong to the
+/// folds, as on a smooth surface whose vertices were pushed along it; a part whose mesh has
+/// gone wrong here and there has many more.
+const FOR_EACH_FOLD: usize = 8;
+
 /// A face lower than this share of its longest side has lost its normal to the rounding of
 /// coordinates, which files hold in single precision.
 const FLAT: f64 = 1e-6;
@@ -38,7 +43,8 @@ impl Creases {
     /// gone once its loose ends have been taken away, [`LOOSE`] times over, is roughness. A
     /// mesh with folded faces has many an edge of the kind around them and around its slivers,
     /// which are what is to be mended: there, only what hangs together over [`CONNECTED`]
-    /// edges and does not touch a folded face is a crease.
+    /// edges and does not touch a folded face is a crease, and nothing is if that is less than
+    /// [`FOR_EACH_FOLD`] edges for each of the folded faces.
     pub(super) fn of(regulariser: &Regulariser, mesh: &HalfedgeMesh, x: &[DVec3]) -> Self {
         let normals = face_normals(mesh, x);
         let around = smoothed(regulariser, x, &vec![false; x.len()]);
@@ -63,6 +69,9 @@ impl Creases {
         without_loose_ends(&mut creases, x.len());
         if !folded.is_empty() {
             without_islands(&mut creases, x.len());
+            if creases.len() < FOR_EACH_FOLD * folded.len() {
+                creases.clear();
+            }
         }
         let mut on = vec![false; x.len()];
         for v in creases.iter().flatten() {

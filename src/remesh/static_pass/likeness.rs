@@ -11,7 +11,7 @@ pub(super) const DISTANCE: f64 = 0.01;
 /// Largest change of the volume, relative.
 pub(super) const VOLUME: f64 = 0.02;
 
-/// Largest change of an extent of the bounding box, relative; a side may move by half of it.
+/// How far a side of the bounding box may move, and its extent change, relative to the extent.
 pub(super) const BOX: f64 = 0.02;
 
 /// The smallest angle that counts as good, in degrees: one that is smaller must not become
@@ -99,22 +99,20 @@ impl<'a> Likeness<'a> {
         lost(Property::Distance, far)
     }
 
-    /// Vertices of corners at `y` that are too sharp.
-    pub(super) fn sharp(&self, y: &[DVec3]) -> Option<Loss> {
+    /// Vertices of faces with a corner at `y` that is too sharp, and sharper than at `x`.
+    pub(super) fn sharper(&self, x: &[DVec3], y: &[DVec3]) -> Option<Loss> {
+        let mesh = self.mesh;
         let least = self.least_angle().to_radians();
         let mut at = Vec::new();
-        for h in self.mesh.halfedges() {
-            if self.mesh.is_boundary_halfedge(h) {
-                continue;
-            }
-            let corner = [
-                self.mesh.tail(h),
-                self.mesh.tip(h),
-                self.mesh.tail(self.mesh.prev(h)),
-            ];
-            let [p, q, r] = corner.map(|v| y[v.index()]);
-            let (u, w) = (q - p, r - p);
-            if u.cross(w).length().atan2(u.dot(w)) < least {
+        for h in mesh.halfedges().filter(|&h| !mesh.is_boundary_halfedge(h)) {
+            let corner = [mesh.tail(h), mesh.tip(h), mesh.tail(mesh.prev(h))];
+            let angle = |x: &[DVec3]| {
+                let [p, q, r] = corner.map(|v| x[v.index()]);
+                let (u, w) = (q - p, r - p);
+                u.cross(w).length().atan2(u.dot(w))
+            };
+            let now = angle(y);
+            if now < least && now < angle(x) {
                 at.extend(corner);
             }
         }
@@ -135,21 +133,26 @@ impl<'a> Likeness<'a> {
     /// it, or those that it was at.
     fn off_box(&self, y: &[DVec3]) -> Vec<Vertex> {
         let (low, high) = measure::bounding_box(y);
-        let room = 0.5 * SPARE * BOX * (self.high - self.low);
+        let room = SPARE * BOX * (self.high - self.low);
+        let (down, up) = (low - self.low, high - self.high);
         let mut at = Vec::new();
         for axis in 0..3 {
-            let outward = [(-1.0, low, self.low), (1.0, high, self.high)];
-            for (sign, now, before) in outward {
-                let (moved, room) = (sign * (now - before)[axis], room[axis]);
+            let room = room[axis];
+            // Where both have moved apart or together both are to blame.
+            let room = if (up - down)[axis].abs() > room {
+                0.5 * room
+            } else {
+                room
+            };
+            for (sign, moved, before) in [(-1.0, -down, self.low), (1.0, up, self.high)] {
+                let moved = moved[axis];
                 if moved.abs() <= room {
                     continue;
                 }
                 let positions = if moved > 0.0 { y } else { self.start };
-                let within = self.mesh.vertices().filter(|v| {
-                    let beyond = sign * (positions[v.index()] - before)[axis];
-                    beyond > if moved > 0.0 { room } else { -room }
-                });
-                at.extend(within);
+                let least = if moved > 0.0 { room } else { -room };
+                let beyond = |v: &Vertex| sign * (positions[v.index()] - before)[axis] > least;
+                at.extend(self.mesh.vertices().filter(beyond));
             }
         }
         at

@@ -8,7 +8,7 @@
 //! | --- | --- |
 //! | two-sided distance from the start ([`TwoSided`]) | 1 % of the diagonal of the bounding box |
 //! | volume | 2 % |
-//! | each side of the bounding box | 1 % of the extent, which so changes by 2 % at most |
+//! | sides and extents of the bounding box | 2 % of the extent |
 //! | smallest angle | 5°, or that at the start if it is smaller |
 //!
 //! [`TwoSided`]: crate::geometry::nearest::TwoSided

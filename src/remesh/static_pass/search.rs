@@ -125,7 +125,7 @@ impl Search<'_> {
             if at.is_empty() {
                 let mut loss = self.likeness.loss(&trial);
                 if loss.is_none() {
-                    loss = self.likeness.sharp(&trial);
+                    loss = self.likeness.sharper(x, &trial);
                     if self.is_folded && loss.is_some() {
                         sharper = sharper.or(Some(trial.clone()));
                     }
