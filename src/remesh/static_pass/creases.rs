@@ -13,8 +13,11 @@ const CREASE_DEGREES: f64 = 40.0;
 /// How many edges of a crease with a loose end do not count.
 const LOOSE: usize = 3;
 
-/// Where faces are folded, creases of fewer edges than this do not count: a prism over a
-/// triangle has as many.
+/// Where no more than one in so many edges is left after that, the surface is rough.
+const ROUGH: usize = 4;
+
+/// On rough and on folded surfaces creases of fewer edges than this do not count: a prism over
+/// a triangle has as many.
 const CONNECTED: usize = 9;
 
 /// Where there are fewer edges of creases for each folded face than this, they belong to the
@@ -40,11 +43,12 @@ impl Creases {
     /// the normals of their faces, 0 where they are in one plane.
     ///
     /// Faces without a normal make no creases. Those of a part close up or are long: what is
-    /// gone once its loose ends have been taken away, [`LOOSE`] times over, is roughness. A
-    /// mesh with folded faces has many an edge of the kind around them and around its slivers,
-    /// which are what is to be mended: there, only what hangs together over [`CONNECTED`]
-    /// edges and does not touch a folded face is a crease, and nothing is if that is less than
-    /// [`FOR_EACH_FOLD`] edges for each of the folded faces.
+    /// gone once its loose ends have been taken away, [`LOOSE`] times over, is roughness, and
+    /// where that is most of them so is what is left in pieces of fewer than [`CONNECTED`]
+    /// edges. A mesh with folded faces has many such pieces around them and around its
+    /// slivers, which are what is to be mended: there, they are no creases, nor is what touches
+    /// a folded face, nor anything if there are fewer than [`FOR_EACH_FOLD`] edges for each of
+    /// the folded faces.
     pub(super) fn of(regulariser: &Regulariser, mesh: &HalfedgeMesh, x: &[DVec3]) -> Self {
         let normals = face_normals(mesh, x);
         let around = smoothed(regulariser, x, &vec![false; x.len()]);
@@ -66,12 +70,13 @@ impl Creases {
             .map(|e| mesh.ends(e))
             .filter(|ends| !ends.iter().any(|v| is_doubtful[v.index()]))
             .collect();
+        let all = creases.len();
         without_loose_ends(&mut creases, x.len());
-        if !folded.is_empty() {
+        if !folded.is_empty() || creases.len() < all / ROUGH {
             without_islands(&mut creases, x.len());
-            if creases.len() < FOR_EACH_FOLD * folded.len() {
-                creases.clear();
-            }
+        }
+        if creases.len() < FOR_EACH_FOLD * folded.len() {
+            creases.clear();
         }
         let mut on = vec![false; x.len()];
         for v in creases.iter().flatten() {
@@ -140,7 +145,9 @@ fn without_islands(creases: &mut Vec<[Vertex; 2]>, n_vertices: usize) {
     for [a, _] in creases.iter() {
         edges[root(&mut parent, a.index())] += 1;
     }
-    creases.retain(|[a, _]| edges[root(&mut parent, a.index())] >= CONNECTED);
+    // Of a mesh of a few vertices few edges are much.
+    let least = CONNECTED.min(n_vertices / 2);
+    creases.retain(|[a, _]| edges[root(&mut parent, a.index())] >= least);
 }
 
 /// Whether the normal of a face opposes the sum of its neighbours'.
