@@ -243,6 +243,8 @@ export const german = {
   Never: "Nie",
   "Regularise the mesh now": "Netz jetzt regularisieren",
   "The mesh is as regular as it gets.": "Regelmäßiger wird das Netz nicht.",
+  "The mesh is as regular as it gets while its vertices on creases stay, {pinned} of them; a finer mesh has more to move.":
+    "Regelmäßiger wird das Netz nicht, solange seine Ecken auf Kanten der Form bleiben, {pinned} davon; ein feineres Netz hat mehr, das sich bewegen kann.",
   "Regularised in {count} pass: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.":
     "In {count} Durchgang regularisiert: kleinster Winkel {angle}° → {angleNow}°, Verzerrung {distortion} → {distortionNow}; keine Ecke ist weiter als {distance} % der Größe von der vorigen Fläche entfernt. „Zurück“ nimmt es zurück.",
   "Regularised in {count} passes: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.":
@@ -1575,6 +1577,18 @@ export const german = {
     "Behalten Sie die Fläche als neuen Anfang, oder ändern Sie den Fluss vom Anfang an.",
   "Choose another flow, and regularise then.":
     "Wählen Sie einen anderen Fluss, und regularisieren Sie dann.",
+  "all {} vertices lie on creases, which a regularisation keeps":
+    "alle {} Ecken liegen auf Kanten der Form, die eine Regularisierung erhält",
+  "any pass would move the surface by more than {} % of its size":
+    "jeder Durchgang würde die Fläche um mehr als {} % ihrer Größe verschieben",
+  "any pass would change the volume by more than {} %":
+    "jeder Durchgang würde das Volumen um mehr als {} % ändern",
+  "any pass would change the bounding box by more than {} %":
+    "jeder Durchgang würde den Hüllquader um mehr als {} % ändern",
+  "any pass would make the smallest angle smaller, and smaller than {}°":
+    "jeder Durchgang würde den kleinsten Winkel verkleinern, und unter {}°",
+  "Refine the mesh first: new vertices inside its faces are free to slide.":
+    "Verfeinern Sie zuerst das Netz: Neue Ecken im Innern seiner Facetten können gleiten.",
   "A fill or edge flips can be undone once they are done.":
     "Ein Füllen oder Kantenflips lassen sich rückgängig machen, sobald sie geschehen sind.",
   "It is 1 or more, or absent for all that gain anything.":

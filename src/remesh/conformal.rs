@@ -42,6 +42,10 @@ const TOLERANCE: f64 = 1e-5;
 /// of second order.
 const NEARLY_LINEAR: f64 = 0.03;
 
+/// Factor on the diagonal of a vertex that stays: its neighbours move as if it stood still,
+/// up to the inverse of this. A row of the unit matrix instead would change the pattern.
+const PINNED: f64 = 1e9;
+
 /// Normals that a pass holds: of every quadrature point, and of every vertex.
 pub(super) struct Normals {
     pub(super) points: Vec<DVec3>,
@@ -176,7 +180,8 @@ impl Regulariser {
         self.solve(x, &central, epsilon, None)
     }
 
-    /// Solves (K + (1/ε) n nᵀ + diag(K) damping) v = −K x for these normals.
+    /// Solves (K + (1/ε) n nᵀ + diag(K) damping) v = −K x for these normals; vertices with
+    /// infinite damping stay where they are.
     pub(super) fn solve(
         &mut self,
         x: &[DVec3],
@@ -190,9 +195,12 @@ impl Regulariser {
         for (v, n) in normals.vertices.iter().enumerate() {
             let block = [0, 1, 2].map(|c| slots[3 * v + c] as usize);
             if let Some(damping) = damping {
-                block
-                    .iter()
-                    .for_each(|&slot| self.values[slot] *= 1.0 + damping[v]);
+                let mut factor = 1.0 + damping[v];
+                if factor.is_infinite() {
+                    factor = PINNED;
+                    rhs[v] = DVec3::ZERO;
+                }
+                block.iter().for_each(|&slot| self.values[slot] *= factor);
             }
             let n = n.to_array();
             for c in 0..3 {
@@ -205,7 +213,14 @@ impl Regulariser {
         let mut v = vec![0.0; rhs.len()];
         self.solver
             .solve(&self.values, &rhs, &mut v, TOLERANCE, Refactor::WhenCheaper)?;
-        Ok(v.chunks_exact(3).map(DVec3::from_slice).collect())
+        let mut v: Vec<DVec3> = v.chunks_exact(3).map(DVec3::from_slice).collect();
+        // What is left of them is of the order of 1/PINNED.
+        for (v, damping) in v.iter_mut().zip(damping.unwrap_or_default()) {
+            if damping.is_infinite() {
+                *v = DVec3::ZERO;
+            }
+        }
+        Ok(v)
     }
 
     /// K for these normals into `values`, and −K x into `rhs`.

@@ -216,7 +216,8 @@ impl Session {
     /// Conformal regularisation of the mesh as it is now; a step back undoes it.
     ///
     /// # Errors
-    /// Open and one-sided surfaces; the mesh stays as it was.
+    /// Open and one-sided surfaces, and those that could only be bettered by changing their
+    /// shape; the mesh stays as it was.
     pub fn regularise(&mut self, settings: &RegulariseOptions) -> Result<Outcome, Fault> {
         self.ensure_configured()?.regularise(settings)
     }

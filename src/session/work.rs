@@ -245,7 +245,7 @@ impl Work {
         let mut regulariser = Regulariser::new(elements, &self.x).map_err(FlowError::from)?;
         let mut y = self.x.clone();
         let outcome = static_pass::regularise(&mut regulariser, mesh, &mut y, settings)
-            .map_err(FlowError::from)?;
+            .map_err(|error| Fault::new(error.kind(), error.to_string(), error.hint()))?;
         let before = self.copied();
         self.stand_here()?;
         self.x = y;

@@ -4,7 +4,7 @@
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
@@ -357,6 +357,30 @@ test("regularise tells what it gained, and writes quadrilaterals as such", () =>
   assert.ok(faces.every((line) => line.trim().split(/\s+/).length === 5));
   const flow = json(["flow", name, "--flow", "p-willmore", "--steps", "5"]);
   assert.ok(flow.steps.at(-1).energy < flow.steps[0].energy);
+});
+
+test("regularise keeps a part of flat sides as it is, or refuses and writes nothing", () => {
+  // A bar, its sides of two triangles each.
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, 6 * (i >> 2)]);
+  const sides = ["1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"];
+  const faces = sides.flatMap((side) => {
+    const [a, b, c, d] = side.split(" ");
+    return [`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`];
+  });
+  const name = file("bar.obj");
+  writeFileSync(name, `${[...corners.map((p) => `v ${p.join(" ")}`), ...faces].join("\n")}\n`);
+  const out = file("refused.obj");
+  const refused = umbilic(["regularise", name, "--out", out, "--json"]);
+  assert.equal(refused.exit, 4);
+  const { kind, message, hint } = JSON.parse(refused.out);
+  assert.equal(kind, "OnlyCreases");
+  assert.match(message, /all 8 vertices lie on creases/);
+  assert.match(hint, /^Refine the mesh first/);
+  assert.ok(!existsSync(out));
+  const outcome = json(["regularise", name, "--iterations", "0"]);
+  const keys = ["passes", "before", "after", "distance", "pinned", "milliseconds"];
+  assert.deepEqual(Object.keys(outcome), keys);
+  assert.deepEqual([outcome.passes, outcome.pinned, outcome.distance], [0, 8, 0]);
 });
 
 test("flips: connectivity by three criteria, with its history, readable again", () => {

@@ -51,10 +51,15 @@ export function createEdits(core) {
         const outcome = await solver.regularise({ epsilon }).finally(() => {
           store.update(to.progress, null);
         });
-        const { passes, before, after, distance } = outcome;
+        const { passes, before, after, distance, pinned } = outcome;
         voice.answer(
           passes === 0
-            ? t("The mesh is as regular as it gets.")
+            ? pinned === 0
+              ? t("The mesh is as regular as it gets.")
+              : t(
+                  "The mesh is as regular as it gets while its vertices on creases stay, {pinned} of them; a finer mesh has more to move.",
+                  { pinned },
+                )
             : plural(
                 passes,
                 {

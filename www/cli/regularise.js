@@ -10,7 +10,7 @@ import { entries, format, table } from "./text.js";
 
 /** @type {import("./options.js").Syntax} */
 const syntax = {
-  summary: "slides vertices along a closed surface towards a conformal mesh",
+  summary: "slides vertices along a closed surface towards a conformal mesh, or refuses",
   operands: ["MESH"],
   options: {
     mode: {
@@ -20,7 +20,10 @@ const syntax = {
     },
     epsilon: { value: "VALUE", help: "1e-3 is faithful, 1e-1 aggressive (default 0.01)" },
     iterations: { value: "N", help: "passes at most (default 5)" },
-    features: { value: "VALUE", help: "how strongly sharp features stay (default 0.3; 0: not)" },
+    features: {
+      value: "VALUE",
+      help: "how strongly features stay (default 0.3; 0: creases slide too)",
+    },
     out: { value: "FILE", help: "the mesh at the end: .obj, .off, .ply, .stl or .glb" },
   },
 };
@@ -56,9 +59,13 @@ export const regularise = {
 };
 
 /** @param {Regularised} outcome */
-function summary({ passes, before, after, distance }) {
+function summary({ passes, before, after, distance, pinned }) {
   const last = new Map(entries(after));
   const rows = entries(before).map(([key, value]) => [key, format(value), format(last.get(key))]);
-  const share = `no vertex farther than ${format(100 * distance)} % of the size from the surface`;
-  return `${passes} passes, ${share}\n\n${table([["", "before", "after"], ...rows])}`;
+  const creases = pinned > 0 ? `${pinned} vertices on creases stay` : "no vertex is on a crease";
+  const said =
+    passes > 0
+      ? `surfaces before and after within ${format(100 * distance)} % of the size, ${creases}`
+      : `as regular as it gets, ${creases}${pinned > 0 ? "; a finer mesh has more to move" : ""}`;
+  return `${passes} passes, ${said}\n\n${table([["", "before", "after"], ...rows])}`;
 }

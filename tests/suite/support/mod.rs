@@ -4,6 +4,7 @@
 #![allow(missing_docs, reason = "names say it; this is test code")]
 
 pub mod flap_matrix;
+pub mod parts;
 pub mod session;
 
 use glam::DVec3;
