@@ -109,8 +109,7 @@ impl Driver {
             // A window that spans the lead would see a fall that is none.
             self.run.window = Default::default();
         } else if self.run.window.is_idle(ending.gain)
-            && is_recommended
-            && rules.ends_at_rest
+            && rules.ends_when_idle
             && let Some(verdict) = self.idle(x, report, cost)?
         {
             return Ok(verdict);
@@ -233,6 +232,8 @@ impl Driver {
             ..
         } = sharpest(&self.mesh, x)?;
         let then = sharpest(&self.mesh, &self.start.x).map_or(0.0, |found| found.bend);
+        // A surface that could vanish does so round, unless a neck closes before.
+        let is_neck = is_neck || self.flow.rules().can_vanish;
         let least = if is_neck {
             SINGULAR_NECK
         } else {

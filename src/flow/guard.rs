@@ -12,6 +12,10 @@ const FOLDED_SHARE: f64 = 1e-5;
 /// The rules' least angle holds for meshes whose smallest angle at the start is this, in
 /// degrees; of worse ones less is asked, in proportion.
 const GOOD_ANGLE: f64 = 30.0;
+/// In one step an angle below that may still fall to this share of what it was …
+const ANGLE_SHARE: f64 = 0.7;
+/// … but not below this share of the least.
+const LAST_SHARE: f64 = 0.2;
 /// A move that is shortened to what is allowed keeps this distance from it.
 const SAFETY: f64 = 0.95;
 /// Edges at a vertex count as no shorter than this share of the mean of all: where triangles
@@ -52,7 +56,12 @@ impl Guard {
             reach,
             angle_floor: rules
                 .least_angle
-                .map(|least| (least * (start_angle / GOOD_ANGLE).min(1.0)).min(angle)),
+                .map(|least| least * (start_angle / GOOD_ANGLE).min(1.0))
+                .map(|least| {
+                    least
+                        .min((ANGLE_SHARE * angle).max(LAST_SHARE * least))
+                        .min(angle)
+                }),
             fold_refusals: 0,
         }
     }

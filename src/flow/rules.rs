@@ -25,6 +25,8 @@ pub enum Ceiling {
         /// Whatever that is.
         slack: f64,
     },
+    /// Up to this value.
+    Below(f64),
     /// By anything.
     None,
 }
@@ -53,9 +55,10 @@ pub struct Rules {
     pub zero: f64,
     /// Whether the surface can shrink to a point.
     pub can_vanish: bool,
-    /// Whether a run ends where the functional has stopped falling; if not, after a set number
-    /// of steps.
+    /// Whether a run ends at rest; if not, after a set number of steps.
     pub ends_at_rest: bool,
+    /// Whether a functional that has stopped falling is a sign of rest.
+    pub ends_when_idle: bool,
 }
 
 impl Rules {
@@ -73,6 +76,7 @@ impl Rules {
             zero: 0.0,
             can_vanish: false,
             ends_at_rest: true,
+            ends_when_idle: false,
         }
     }
 }

@@ -195,7 +195,8 @@ impl Trials<'_> {
         if !value.is_finite() {
             return Err(Refusal::of(Cause::NotFinite));
         }
-        if !self.descends(step, *value, share * step.slope) {
+        let is_invisible = step.slope != 0.0 && -share * step.slope < self.rules.roundoff;
+        if is_invisible || !self.descends(step, *value, share * step.slope) {
             return Err(Refusal::of(Cause::Rise));
         }
         let least = self.rules.bound.map(|bound| self.rules.bound_share * bound);
@@ -210,6 +211,7 @@ impl Trials<'_> {
         match step.ceiling.unwrap_or(self.rules.ceiling) {
             Ceiling::Descent => sufficient_decrease(self.before.value, value, slope),
             Ceiling::AboveLeast { share, slack } => value <= self.least * (1.0 + share) + slack,
+            Ceiling::Below(most) => value <= most,
             Ceiling::None => true,
         }
     }
@@ -219,6 +221,7 @@ impl Trials<'_> {
         match step.ceiling.unwrap_or(self.rules.ceiling) {
             Ceiling::Descent => self.before.value,
             Ceiling::AboveLeast { share, slack } => self.least * (1.0 + share) + slack,
+            Ceiling::Below(most) => most,
             Ceiling::None => f64::INFINITY,
         }
     }

@@ -38,7 +38,7 @@ use std::rc::Rc;
 /// Energy per vertex below which nothing but roundoff is left.
 const FLOOR_PER_VERTEX: f64 = 1e-12;
 /// Energy per vertex of a surface that is round to all eyes.
-const ROUND_PER_VERTEX: f64 = 1e-5;
+const ROUND_PER_VERTEX: f64 = 1e-6;
 /// Roundoff of the energy per vertex: no decrease smaller than it can be seen.
 const ROUNDOFF_PER_VERTEX: f64 = 1e-15;
 /// Share of the smooth minimum that no healthy mesh goes below: aligned lattices come to
@@ -203,6 +203,7 @@ impl Flow for CircleFlow {
             zero: FLOOR_PER_VERTEX * counted,
             can_vanish: false,
             ends_at_rest: self.options.goal == Goal::Relax,
+            ends_when_idle: self.options.goal == Goal::Relax,
         }
     }
 

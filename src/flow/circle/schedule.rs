@@ -39,8 +39,8 @@ const SLOW_FINISHING: f64 = 1e-4;
 /// A round of L-BFGS that lowers W by less than this share of it was the last.
 const REFUTED: f64 = 1e-3;
 /// At the start the smoothing of angles below ε may lift the energy by this share of it at
-/// most: by so much W could rise in steps that lower the smoothed energy.
-const LIFT: f64 = 0.05;
+/// most: with more, most of what steps lower would be the smoothing and not W.
+const LIFT: f64 = 1.0;
 /// Choices for ε at the start where the one asked for lifts the energy by more.
 const GENTLER: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
 

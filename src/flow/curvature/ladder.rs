@@ -74,14 +74,12 @@ impl CurvatureFlow {
                 if self.ladder.is_climbing() {
                     return Ok(None);
                 }
-                self.top = Some(x.to_vec());
-                self.known = None;
-                self.last_whole = None;
-                Ok(Some(Phase {
-                    resets_step_size: true,
-                    resets_functional: true,
-                    ..Phase::default()
-                }))
+                Ok(Some(self.top_reached(x)))
+            }
+            // No rung leads on.
+            Occasion::Stuck { .. } if self.ladder.is_climbing() => {
+                self.ladder.rungs = 0;
+                Ok(Some(self.top_reached(x)))
             }
             Occasion::Idle { .. } | Occasion::Stuck { .. } if may_climb => {
                 let size = self.whole_size(x, cost)?;
@@ -109,6 +107,18 @@ impl CurvatureFlow {
                 }
             })),
             _ => Ok(None),
+        }
+    }
+
+    /// The flow's own law goes on from here.
+    fn top_reached(&mut self, x: &[DVec3]) -> Phase {
+        self.top = Some(x.to_vec());
+        self.known = None;
+        self.last_whole = None;
+        Phase {
+            resets_step_size: true,
+            resets_functional: true,
+            ..Phase::default()
         }
     }
 

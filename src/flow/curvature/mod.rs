@@ -178,6 +178,16 @@ impl CurvatureFlow {
         }
     }
 
+    /// The law whose functional is watched: on the ladder that of the flow itself, which rungs
+    /// may raise, but not above where it began.
+    fn watched(&self) -> Law {
+        if self.ladder.is_climbing() {
+            self.law
+        } else {
+            self.present_law()
+        }
+    }
+
     /// What a step may leave, above the least reading so far.
     fn ceiling(&self, share: f64) -> Ceiling {
         Ceiling::AboveLeast {
@@ -323,7 +333,7 @@ impl CurvatureFlow {
 
 impl Flow for CurvatureFlow {
     fn monitored(&self) -> Monitored {
-        match self.present_law() {
+        match self.watched() {
             Law::MeanCurvature | Law::SurfaceDiffusion => Monitored::Area,
             Law::Willmore => Monitored::Willmore,
             Law::CurvatureVariation => Monitored::CurvatureVariation,
@@ -332,9 +342,15 @@ impl Flow for CurvatureFlow {
 
     fn rules(&self) -> Rules {
         let can_vanish = self.can_vanish();
-        if self.is_paper() || self.ladder.is_climbing() {
+        if self.is_paper() {
             return Rules {
                 can_vanish,
+                ..Rules::unseen()
+            };
+        }
+        if self.ladder.is_climbing() {
+            return Rules {
+                ceiling: Ceiling::Below(self.first_energy),
                 ..Rules::unseen()
             };
         }
@@ -351,12 +367,13 @@ impl Flow for CurvatureFlow {
             bound: self.smooth_minimum,
             bound_share: LEAST,
             roundoff: 0.0,
-            zero: match self.present_law() {
+            zero: match self.watched() {
                 Law::MeanCurvature | Law::SurfaceDiffusion => 0.0,
                 Law::Willmore | Law::CurvatureVariation => ZERO * self.first_energy,
             },
             can_vanish,
             ends_at_rest: true,
+            ends_when_idle: self.descends(),
         }
     }
 
@@ -378,7 +395,7 @@ impl Flow for CurvatureFlow {
         let watch = Instant::now();
         let at = self.take_curvatures(x);
         let unfit = self.unfit(&at);
-        let energy = self.present_law().energy(&at, measure::area(&self.mesh, x));
+        let energy = self.watched().energy(&at, measure::area(&self.mesh, x));
         self.curvatures = Some(at);
         cost.assemble += watch.elapsed().as_secs_f64();
         match unfit {
@@ -399,9 +416,7 @@ impl Flow for CurvatureFlow {
         let watch = Instant::now();
         let next = Curvatures::of(&self.mesh, y, &self.region);
         let unfit = self.unfit(&next);
-        let energy = self
-            .present_law()
-            .energy(&next, measure::area(&self.mesh, y));
+        let energy = self.watched().energy(&next, measure::area(&self.mesh, y));
         cost.assemble += watch.elapsed().as_secs_f64();
         if let Some(vertex) = unfit {
             return Err(Refusal::at(Cause::Unfit, vertex));
@@ -466,7 +481,7 @@ impl Flow for CurvatureFlow {
         let area = measure::area(&self.mesh, x);
         let energy = self.law.energy(&at, area);
         let gradient_norm = self.speed(&at);
-        let objective = self.present_law().energy(&at, area);
+        let objective = self.watched().energy(&at, area);
         let monitored = self.monitored();
         self.curvatures = Some(at);
         Reading {

@@ -227,6 +227,8 @@ impl Flow for PWillmoreFlow {
         if self.is_paper() {
             return Rules {
                 can_vanish,
+                zero: f64::NEG_INFINITY,
+                ends_when_idle: true,
                 ..Rules::unseen()
             };
         }
@@ -239,9 +241,15 @@ impl Flow for PWillmoreFlow {
             bound: self.smooth_minimum,
             bound_share: LEAST,
             roundoff: ROUNDOFF * self.shown(self.evaluation.integrals.objective).abs(),
-            zero: 0.0,
+            // The terms of Helfrich may make it less than nothing.
+            zero: if self.functional.helfrich().is_zero() {
+                0.0
+            } else {
+                f64::NEG_INFINITY
+            },
             can_vanish,
             ends_at_rest: true,
+            ends_when_idle: true,
         }
     }
 

@@ -120,9 +120,15 @@ impl Work {
         if status == Status::Converged {
             return self.below_minimum();
         }
-        let stopped = matches!(status, Status::Stalled | Status::Failed);
+        let stopped = status == Status::Stalled || status.is_breakdown();
+        let pinched = || {
+            (status == Status::Singular)
+                .then(|| self.pinch(true))
+                .flatten()
+        };
         self.cocircular(flow)
             .or_else(|| self.rising())
+            .or_else(pinched)
             .or_else(|| self.scaling())
             .or_else(|| self.pinch(stopped))
             .or_else(|| self.inflating())
@@ -132,7 +138,7 @@ impl Work {
             .or_else(|| self.failed())
             .or_else(|| self.degenerate())
             .or_else(|| match status {
-                Status::Stalled => self.refused(flow),
+                Status::Stalled | Status::Singular | Status::Collapsed => self.refused(flow),
                 Status::StepLimit => self.step_limit(),
                 _ => self.rejected(flow),
             })

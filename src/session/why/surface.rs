@@ -5,6 +5,7 @@ use super::elements;
 use super::remedy::Remedy;
 use super::text::{Text, number};
 use super::{Diagnosis, Kind};
+use crate::flow::Status;
 use crate::flow::constraint::Kept;
 use crate::flow::options::FlowName;
 use crate::geometry::bend::{Sharpest, sharpest};
@@ -29,6 +30,7 @@ const SLIVER: f64 = 8.0;
 /// and of others not below it at all.
 const HONEST: f64 = 0.97;
 const HONEST_CIRCLE: f64 = 0.9;
+const COLLAPSED: f64 = 1.05;
 /// Growth of the area, or its shrinking, that is no approach to anything.
 const SCALED: f64 = 2.0;
 /// Edges or faces that are still elements, and not the whole surface.
@@ -199,6 +201,12 @@ impl Work {
         let plain = self.options().spontaneous_curvature == 0.0
             && self.options().tension == 0.0
             && self.options().pressure == 0.0;
+        // A flow that has collapsed stands just above what it may not go below.
+        let share = if self.state.status == Status::Collapsed {
+            COLLAPSED
+        } else {
+            share
+        };
         if !plain || energy >= share * smooth {
             return None;
         }
