@@ -36,7 +36,7 @@ fn stop(status: Status, why: String) -> Verdict {
 }
 
 impl Driver {
-    /// The budget of steps and of time.
+    /// The budget of steps, or else of time: whoever asks for a number of steps gets them.
     pub(super) fn out_of_budget(&self) -> Option<Verdict> {
         let steps = self.run.step - self.run.first_step;
         let rules = self.flow.rules();
@@ -44,9 +44,9 @@ impl Driver {
             let why = format!("Smoothed in {steps} steps, as asked");
             return Some(stop(Status::StepLimit, why));
         }
-        if self.options.max_steps.is_some_and(|most| steps >= most) {
+        if let Some(most) = self.options.max_steps {
             let why = format!("Stopped at the step limit of {steps} steps");
-            return Some(stop(Status::StepLimit, why));
+            return (steps >= most).then(|| stop(Status::StepLimit, why));
         }
         let most = self.options.max_seconds?;
         (self.run.seconds >= most).then(|| {

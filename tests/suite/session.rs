@@ -228,6 +228,27 @@ fn the_budget_ends_a_run_and_asking_again_renews_it() {
 }
 
 #[test]
+fn a_budget_of_time_holds_only_where_no_number_of_steps_is_set() {
+    let mut session = with("coarse-torus", &[]);
+    let shortest = FlowOptions {
+        max_seconds: Some(f64::MIN_POSITIVE),
+        ..FlowOptions::default()
+    };
+    session.configure(shortest.clone()).expect("options");
+    assert_eq!(session.run(50).expect("a run"), 1);
+    let state = session.state().expect("state");
+    assert_eq!(state.status, Status::StepLimit);
+    assert!(state.message.contains("seconds of computing"));
+
+    let options = FlowOptions {
+        max_steps: Some(5),
+        ..shortest
+    };
+    session.configure(options).expect("options");
+    assert_eq!(session.run(50).expect("a run"), 5);
+}
+
+#[test]
 fn a_restored_session_goes_on_from_there() {
     let mut session = small();
     session.run(3).expect("steps");
