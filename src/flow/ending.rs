@@ -48,7 +48,7 @@ impl Driver {
             let why = format!("Stopped at the step limit of {steps} steps");
             return (steps >= most).then(|| stop(Status::StepLimit, why));
         }
-        let most = self.options.max_seconds?;
+        let most = self.options.max_seconds.filter(|_| rules.ends_at_rest)?;
         (self.run.seconds >= most).then(|| {
             let why = format!(
                 "Stopped after {most} seconds of computing, at step {}; the surface is not at \

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use umbilic::energy::circle::Boundary;
 use umbilic::flow::Status;
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::{FlowName, FlowOptions, Goal};
 use umbilic::io::{self, Format};
 use umbilic::session::Session;
 
@@ -242,10 +242,20 @@ fn a_budget_of_time_holds_only_where_no_number_of_steps_is_set() {
 
     let options = FlowOptions {
         max_steps: Some(5),
-        ..shortest
+        ..shortest.clone()
     };
     session.configure(options).expect("options");
     assert_eq!(session.run(50).expect("a run"), 5);
+
+    let smoothing = FlowOptions {
+        goal: Goal::Smooth,
+        smooth_steps: 3,
+        ..shortest
+    };
+    session.configure(smoothing).expect("options");
+    assert_eq!(session.run(50).expect("a run"), 3);
+    let message = session.state().expect("state").message;
+    assert_eq!(message, "Smoothed in 3 steps, as asked");
 }
 
 #[test]

@@ -4,14 +4,12 @@
 import { figures } from "../figures.js";
 import { plainArrangement } from "../options.js";
 import { samples } from "../samples.js";
+import { isOver } from "../standing.js";
 import { Failure, orExit, usage } from "./failure.js";
 
 /** @import { Figure, Run } from "../figures.js" */
-/** @import { BoundaryLoop, Pane, State, Status } from "../protocol.js" */
+/** @import { BoundaryLoop, Pane, State } from "../protocol.js" */
 /** @typedef {import("./solver.js").Session} Session */
-
-/** @type {readonly Status[]} */
-const over = ["converged", "stalled", "failed", "stepLimit"];
 
 /**
  * The figures of a comma-separated list of ids, all without one.
@@ -106,7 +104,7 @@ function innerLoops(session) {
  */
 function take(session, wanted) {
   let taken = 0;
-  while ((wanted === "rest" || taken < wanted) && !over.includes(state(session).status)) {
+  while ((wanted === "rest" || taken < wanted) && !isOver(state(session).status)) {
     if (orExit(4, () => session.step()) === null) break;
     taken += 1;
   }

@@ -4,16 +4,17 @@
 /** @import { PageState } from "../state.js" */
 
 import { t, translated } from "../language.js";
+import { isOver } from "../standing.js";
 import { byId, setText } from "./element.js";
 import { formatCount, formatNumber } from "./number.js";
 
+/** @type {Readonly<Record<import("../standing.js").Ended, { one: string, other: string }>>} */
 const ends = {
   converged: { one: "Converged after # step", other: "Converged after # steps" },
   stalled: { one: "Stalled after # step", other: "Stalled after # steps" },
-  stepLimit: {
-    one: "Stopped at the step limit after # step",
-    other: "Stopped at the step limit after # steps",
-  },
+  stepLimit: { one: "Stopped after # step", other: "Stopped after # steps" },
+  singular: { one: "Singular after # step", other: "Singular after # steps" },
+  collapsed: { one: "Collapsed after # step", other: "Collapsed after # steps" },
   failed: { one: "Failed after # step", other: "Failed after # steps" },
 };
 
@@ -48,15 +49,16 @@ export function statusText({ phase, loadingName, mesh, reading, pausing, version
     return goal ? t("Running to step {goal}", { goal }) : t("Running");
   }
   const end = reading.status;
-  if (end !== "ready" && end !== "running") return formatCount(reading.step, ends[end]);
+  if (isOver(end)) return formatCount(reading.step, ends[end]);
   return phase === "ready" ? t("Ready") : t("Paused at step {step}", { step: reading.step });
 }
 
 /** @param {import("../protocol.js").State} reading @param {string} said  the status line */
 function reasonText({ status, message }, said) {
-  if (status === "stepLimit") return t("Play goes on for as many steps again.");
   const text = translated(message);
-  return text.startsWith(said) ? text.slice(said.length).replace(/^[:.,\s]+/, "") : text;
+  if (status === "stepLimit") return t("{reason}. Play goes on.", { reason: text });
+  // The solver counts in the plural only.
+  return text.startsWith(said) ? text.slice(said.length).replace(/^\p{L}*[:.,\s]+/u, "") : text;
 }
 
 /** @param {Readonly<PageState>} state how much of the way is done, or null where nothing is to be waited for */
