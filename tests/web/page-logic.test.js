@@ -27,6 +27,8 @@ const reading = (change) => ({
   area: 12,
   volume: 4,
   minAngleDegrees: 30,
+  monitored: "smoothedCircle",
+  objective: 8,
   gradientNorm: 1,
   milliseconds: 0,
   canStepBack: false,

@@ -11,6 +11,9 @@ import { Failure, orExit, usage } from "./failure.js";
 /** @import { BoundaryLoop, Pane, State } from "../protocol.js" */
 /** @typedef {import("./solver.js").Session} Session */
 
+/** Steps in which a figure comes to rest, or not: what is measured must not depend on the time. */
+const REST = 1000;
+
 /**
  * The figures of a comma-separated list of ids, all without one.
  * @param {string | undefined} ids
@@ -85,8 +88,8 @@ function prepare(session, figure, parameters) {
     orExit(3, () => session.fill(options, undefined));
   }
   orExit(3, () => session.arrange({ ...plainArrangement, ...figure.arrangement }));
-  const limit = typeof figure.steps === "number" ? { maxSteps: Math.max(figure.steps, 1) } : {};
-  orExit(3, () => session.configure({ ...sample.options, ...limit, ...figure.options }));
+  const maxSteps = figure.steps === "rest" ? REST : Math.max(figure.steps, 1);
+  orExit(3, () => session.configure({ ...sample.options, maxSteps, ...figure.options }));
 }
 
 /** All boundary loops but the longest. @param {Session} session */
