@@ -87,7 +87,7 @@ const tables = {
     title:
       "How flows end, left to themselves: on shapes with noise (h the mean edge length), or on the\n" +
       "meshes of a folder in 100 steps. The energy at first and last, the largest relative rise of\n" +
-      "the functional that never rises, the smallest angle there was",
+      "the monitored functional in a step, the smallest angle there was",
     columns: robustnessColumns,
     left: 3,
     digits: 4,

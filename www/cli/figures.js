@@ -12,7 +12,7 @@ import { Failure, orExit, usage } from "./failure.js";
 /** @typedef {import("./solver.js").Session} Session */
 
 /** Steps in which a figure comes to rest, or not: what is measured must not depend on the time. */
-const REST = 1000;
+const REST = 400;
 
 /**
  * The figures of a comma-separated list of ids, all without one.

@@ -53,9 +53,11 @@ export function statusText({ phase, loadingName, mesh, reading, pausing, version
   return phase === "ready" ? t("Ready") : t("Paused at step {step}", { step: reading.step });
 }
 
-/** @param {import("../protocol.js").State} reading @param {string} said  the status line */
-function reasonText({ status, message }, said) {
-  const text = translated(message);
+/** Why a run is over, beyond what the status line says. @param {Readonly<PageState>} state */
+export function reasonText(state) {
+  if (state.phase !== "paused" || !state.reading) return "";
+  const { status, message } = state.reading;
+  const [text, said] = [translated(message), statusText(state)];
   if (status === "stepLimit") return t("{reason}. Play goes on.", { reason: text });
   // The solver counts in the plural only.
   return text.startsWith(said) ? text.slice(said.length).replace(/^\p{L}*[:.,\s]+/u, "") : text;
@@ -104,12 +106,11 @@ export function createStatus() {
   return {
     /** @param {Readonly<PageState>} state */
     update(state) {
-      const { reading, phase } = state;
+      const { reading } = state;
       setText(status, statusText(state));
       setText(brief, reading ? `${symbol(state)} = ${formatNumber(reading.energy, 4)}` : "");
 
-      const why =
-        phase === "paused" && reading ? reasonText(reading, status.textContent ?? "") : "";
+      const why = reasonText(state);
       setText(reason, why);
       reason.hidden = why === "";
 
