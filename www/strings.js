@@ -829,10 +829,10 @@ export const german = {
   "Canham–Helfrich, with p = 2 only: ∫(2H − 2H₀)² dA + σA − PV. L is the radius of the sphere with the area at the start.":
     "Canham–Helfrich, nur mit p = 2: ∫(2H − 2H₀)² dA + σA − PV. L ist der Radius der Sphäre, die den Flächeninhalt des Anfangs hat.",
   "Step limit": "Schrittgrenze",
-  "Stop after (seconds of computing)": "Halt nach (Sekunden Rechenzeit)",
+  "Stop after (seconds)": "Halt nach (Sekunden)",
   never: "nie",
-  "Either may be left empty; with a step limit the time does not count.":
-    "Beide dürfen leer bleiben; mit einer Schrittgrenze zählt die Zeit nicht.",
+  "Seconds of computing, not of waiting. Either may be left empty; with a step limit the time does not count.":
+    "Sekunden Rechenzeit, ohne Pausen. Beide Felder dürfen leer bleiben; mit einer Schrittgrenze zählt die Zeit nicht.",
   "Use recommended values": "Empfohlene Werte verwenden",
 
   // View, saving
