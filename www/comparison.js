@@ -179,9 +179,6 @@ export function lastTurn(standings, lockstep) {
   return standings.flatMap((one, n) => (one.mayGoBack && one[lockstep] === most ? [n] : []));
 }
 
-/** A run that came to its end, of its own accord. @param {Reading["status"]} status */
-export const isOver = (status) => status !== "ready" && status !== "running";
-
 /**
  * How far each vertex is from the same vertex of another surface.
  * @param {Float32Array} a  3 numbers a vertex

@@ -6,6 +6,7 @@
 /** @import { PageState } from "./state.js" */
 
 import { t } from "./language.js";
+import { isOver } from "./standing.js";
 import { formatNumber } from "./ui/number.js";
 
 /** Fewer digits are no proof. */
@@ -58,9 +59,7 @@ export function verdict({ check, step, version: theirs }, state, symbol, isFile)
   const { reading, version, history } = state;
   if (!reading || check === null) return null;
   if (reading.step !== step) {
-    if (reading.step > step || reading.status === "ready" || reading.status === "running") {
-      return null;
-    }
+    if (reading.step > step || !isOver(reading.status)) return null;
     const message = t("The link shows step {step}; here the flow ends at step {here}.", {
       step,
       here: reading.step,

@@ -22,7 +22,9 @@ export const defaults = Object.freeze({
   prefill: false,
   free: null,
   fixed: null,
-  maxSteps: 200,
+  maxSteps: null,
+  maxSeconds: 120,
+  perturbation: 0,
   p: 2,
   keep: [],
   regularise: "nonlinear",
@@ -110,7 +112,7 @@ const names =
   };
 /**
  * @template T
- * @param {(text: string) => T | undefined} read  `auto` leaves the value to the solver
+ * @param {(text: string) => T | undefined} read  `auto` is null: left to the solver, or no limit
  */
 const orAuto = (read) => (/** @type {string} */ text) => (text === "auto" ? null : read(text));
 /** @param {string} text @returns {boolean | undefined} */
@@ -138,7 +140,9 @@ export const readers = {
   epsilon: between(0, 10),
   sharpen: flag,
   prefill: flag,
-  maxSteps: count,
+  maxSteps: orAuto(count),
+  maxSeconds: orAuto(between(1e-3, 1e9)),
+  perturbation: between(0, 0.3),
   p: between(0, 16),
   keep: names("area", "volume"),
   regularise: oneOf("off", "linear", "nonlinear"),

@@ -83,7 +83,11 @@
  *                                         smooth under the flows by mean curvature
  * @property {number[] | null} [free]      only these vertices move
  * @property {number[] | null} [fixed]     these vertices never move
- * @property {number} [maxSteps]           budget (default 200)
+ * @property {number | null} [maxSteps]    budget of steps (default null: none)
+ * @property {number | null} [maxSeconds]  budget of seconds of computing, where no number of steps is
+ *                                         set (default 120; null: none)
+ * @property {number} [perturbation]       p-Willmore: the start is pushed along its normals by up to so
+ *                                         many mean edge lengths, 0 to 0.3 (default 0)
  * @property {number} [p]                  p-Willmore: exponent, 0 or at least 1 (default 2)
  * @property {('area' | 'volume')[]} [keep]  p-Willmore: what is kept
  * @property {'off' | 'linear' | 'nonlinear'} [regularise]  p-Willmore: after each step (default nonlinear)
@@ -344,7 +348,18 @@
  * @property {Uint8Array} heldVertices  1 where a vertex is held, 0 where it moves
  */
 
-/** @typedef {'ready' | 'running' | 'converged' | 'stepLimit' | 'stalled' | 'failed'} Status */
+/**
+ * `singular`: the surface pinches off or vanishes; `collapsed`: a step would go below what a theorem
+ * leaves to smooth surfaces of this topology.
+ * @typedef {'ready' | 'running' | 'converged' | 'stepLimit' | 'stalled' | 'singular' | 'collapsed' |
+ *           'failed'} Status
+ */
+
+/**
+ * The functional that never rises on a step of the recommended scheme.
+ * @typedef {'smoothedCircle' | 'area' | 'willmore' | 'pWillmore' | 'helfrich' |
+ *           'curvatureVariation'} Monitored
+ */
 
 /**
  * One accepted step. The keys up to `milliseconds` are those of `flow --report`.
@@ -356,7 +371,8 @@
  *                                      (mean-curvature, surface-diffusion), ∫H² dA (willmore) or
  *                                      ∫|∇H|² dA (mmcv) near the free vertices
  * @property {number} energyNormalised  W/2, or ∫|H|^p dA over that of the sphere of the same area
- * @property {number} objectiveBefore   what this step had to decrease, before …
+ * @property {Monitored} monitored
+ * @property {number} objectiveBefore   that functional, before …
  * @property {number} objective         … and after
  * @property {number} gradientNorm
  * @property {number} area
@@ -380,6 +396,7 @@
  * @property {number} assembleMilliseconds
  * @property {number} factorMilliseconds
  * @property {number} solveMilliseconds
+ * @property {number} regulariseMilliseconds  for sliding vertices along the surface
  * @property {string[]} warnings
  */
 
@@ -479,6 +496,8 @@
  * @property {number} area
  * @property {number | null} volume
  * @property {number} minAngleDegrees
+ * @property {Monitored} monitored
+ * @property {number} objective       that functional
  * @property {number} gradientNorm
  * @property {number} milliseconds    of the last step
  * @property {Multipliers | null} multipliers
@@ -585,7 +604,7 @@
  * | `selfIntersections` |                       | `SelfIntersections \| null`: null where it would take too long |
  * | `study`     | `options: StudyOptions \| null` | `Study`: one more resolution; with options it begins anew |
  * | `back`      | `run`                         | `State`                     |
- * | `seek`      | `step`, `run`                 | `State`; of the steps that the page may not know the frame tells step, time, dt and energy |
+ * | `seek`      | `step`, `run`                 | `State`; of the steps that the page may not know the frame tells step, time, dt, energy and objective |
  * | `branch`    | `branch`, `run`               | `State`, likewise           |
  * | `story`     |                               | `{ story: Story, state: State, positions: Float32Array }` |
  * | `prepare`   | `recipe`, `bytes: ArrayBuffer \| null` | `Loaded`: the recipe's mesh and its edits |

@@ -15,10 +15,11 @@ export const isNumber = (value) => typeof value === "number" && Number.isFinite(
 /** @param {unknown} value */
 export const isCount = (value) => Number.isSafeInteger(value) && Number(value) >= 0;
 
-/** Options that are left to the solver by null, and what they are otherwise. @type {Readonly<Record<string, string>>} */
+/** Options that are left to the solver, or are no limit, by null, and what they are otherwise. @type {Readonly<Record<string, string>>} */
 const optional = {
   ...{ boundary: "string", detail: "number", dt: "number", tau: "number" },
   ...{ tauMax: "number", reducedVolume: "number", rungs: "number" },
+  ...{ maxSteps: "number", maxSeconds: "number" },
 };
 
 /**

@@ -11,7 +11,8 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
 
 /**
  * A point of the plot.
- * @typedef {Pick<Reading, "step" | "time" | "dt" | "energy" | "area" | "volume" | "minAngleDegrees">} Sample
+ * @typedef {Pick<Reading, "step" | "time" | "dt" | "energy" | "objective" | "area" | "volume" |
+ *   "minAngleDegrees">} Sample
  */
 
 /**
@@ -138,8 +139,8 @@ const still = (reading) => {
 };
 
 /** @param {Sample} of @returns {Sample} */
-const sample = ({ step, time, dt, energy, area, volume, minAngleDegrees }) => ({
-  ...{ step, time, dt, energy },
+const sample = ({ step, time, dt, energy, objective, area, volume, minAngleDegrees }) => ({
+  ...{ step, time, dt, energy, objective },
   ...{ area, volume, minAngleDegrees },
 });
 

@@ -52,14 +52,18 @@ export const german = {
   Running: "Läuft",
   Ready: "Bereit",
   "Paused at step {step}": "Angehalten bei Schritt {step}",
-  "Play goes on for as many steps again.": "„Start“ macht noch einmal so viele Schritte.",
+  "{reason}. Play goes on.": "{reason}. „Start“ macht weiter.",
   "Step {step} of {goal}": "Schritt {step} von {goal}",
   "Converged after # step": "Konvergiert nach # Schritt",
   "Converged after # steps": "Konvergiert nach # Schritten",
   "Stalled after # step": "Stecken geblieben nach # Schritt",
   "Stalled after # steps": "Stecken geblieben nach # Schritten",
-  "Stopped at the step limit after # step": "Schrittgrenze erreicht nach # Schritt",
-  "Stopped at the step limit after # steps": "Schrittgrenze erreicht nach # Schritten",
+  "Stopped after # step": "Angehalten nach # Schritt",
+  "Stopped after # steps": "Angehalten nach # Schritten",
+  "Singular after # step": "Singulär nach # Schritt",
+  "Singular after # steps": "Singulär nach # Schritten",
+  "Collapsed after # step": "Kollabiert nach # Schritt",
+  "Collapsed after # steps": "Kollabiert nach # Schritten",
   "Failed after # step": "Gescheitert nach # Schritt",
   "Failed after # steps": "Gescheitert nach # Schritten",
   Assembling: "Matrix aufstellen",
@@ -148,6 +152,10 @@ export const german = {
     "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Facette {} um mehr als 60° drehen.",
   "Every step tried was refused: even the last and shortest would make a sliver of face {}.":
     "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Facette {} zum Splitter machen.",
+  "Every step tried was refused: even the last and shortest would have less energy than any smooth surface of this topology, and move vertex {} most.":
+    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste hätte weniger Energie als jede glatte Fläche mit diesen Henkeln und würde Ecke {} am weitesten bewegen.",
+  "Every step tried was refused: even the last and shortest would leave no surface that can be fitted about vertex {}.":
+    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste ließe um Ecke {} keine Fläche, die sich anpassen lässt.",
   "Every step tried was refused: area and volume cannot both be kept by a small move of this surface, which would move vertex {} most.":
     "Jeder versuchte Schritt wurde abgelehnt: Mit einer kleinen Bewegung dieser Fläche lassen sich Flächeninhalt und Volumen nicht beide einhalten; am weitesten würde sich Ecke {} bewegen.",
   "Every step tried was refused: none lowers the energy, not even the last and shortest, which would move vertex {} most.":
@@ -236,6 +244,9 @@ export const german = {
   Area: "Flächeninhalt",
   Volume: "Volumen",
   "Lead the reduced volume to": "Reduziertes Volumen führen auf",
+  "Perturb the start by": "Anfang stören um",
+  "In mean edge lengths: lets a symmetric vesicle leave a shape that is unstable.":
+    "In mittleren Kantenlängen: So verlässt ein symmetrisches Vesikel eine Form, die instabil ist.",
   "Reduced volume": "Reduziertes Volumen",
   Regularise: "Regularisieren",
   "After each step": "Nach jedem Schritt",
@@ -262,7 +273,6 @@ export const german = {
   "Jump of H": "Sprung von H",
   Status: "Stand",
   moving: "in Bewegung",
-  "at rest": "in Ruhe",
   stalled: "stecken geblieben",
   "at its limit": "an der Schrittgrenze",
   failed: "gescheitert",
@@ -532,7 +542,6 @@ export const german = {
   "backward Euler": "implizites Euler-Verfahren",
   "mass: {value}": "Masse: {value}",
   "loading…": "wird geladen …",
-  "at the step limit": "an der Schrittgrenze",
   "failed: {reason}": "gescheitert: {reason}",
   "Pane {pane}: {stage}": "Teilfenster {pane}: {stage}",
   "Pane {pane}: {reason}": "Teilfenster {pane}: {reason}",
@@ -646,6 +655,8 @@ export const german = {
     "Mit spontaner Krümmung, Spannung oder Druck ist die erste Zahl die von Canham und Helfrich, ∫(H − H₀)² dA + ¼(σA − PV). Die zweite Zahl vergleicht ∫|H|<sup>p</sup> mit dem einer runden Sphäre gleichen Flächeninhalts, für die sie 1 ist. Das reduzierte Volumen vergleicht das Volumen mit dem dieser Sphäre.",
   "W adds, over every vertex, the angles between the circumcircles of neighbouring triangles, less 2π. It has no unit, is never negative, does not change under Möbius transformations, and is zero exactly when the vertices lie on a sphere as a convex, Delaunay mesh.":
     "W addiert für jede Ecke die Winkel zwischen den Umkreisen benachbarter Dreiecke, abzüglich 2π. Es hat keine Einheit, ist nie negativ, ändert sich nicht unter Möbiustransformationen und ist genau dann null, wenn die Ecken als konvexes Delaunay-Netz auf einer Sphäre liegen.",
+  "A step lowers not W but U<sub>ε</sub> = Σ 2√(β²+ε²) − 2πN (dashed in the plot), which never rises; W may, and does not by more than 5 % in a step.":
+    "Ein Schritt senkt nicht W, sondern U<sub>ε</sub> = Σ 2√(β²+ε²) − 2πN (im Diagramm gestrichelt), das nie steigt; W darf steigen, aber in einem Schritt um höchstens 5 %.",
   "On meshes whose edges follow the lines of curvature, half of it tends to the Willmore energy ∫(H²−K) dA as the mesh is refined. On other meshes W/2 is larger, by a factor that depends on the triangles; compare it only with other states of the same mesh.":
     "Auf Netzen, deren Kanten den Krümmungslinien folgen, strebt die Hälfte davon bei Verfeinerung gegen die Willmore-Energie ∫(H²−K) dA. Auf anderen Netzen ist W/2 größer, um einen Faktor, der von den Dreiecken abhängt; vergleichbar ist es nur mit anderen Zuständen desselben Netzes.",
   "Plot of energy against step number; the same numbers are in the table below it":
@@ -655,6 +666,7 @@ export const german = {
   Logarithmic: "Logarithmisch",
   Linear: "Linear",
   "Plotted numbers": "Zahlen der Kurve",
+  "U<sub>ε</sub>": "U<sub>ε</sub>",
   "Energy after each step": "Energie nach jedem Schritt",
   Time: "Zeit",
   "Step size": "Schrittweite",
@@ -827,6 +839,10 @@ export const german = {
   "Canham–Helfrich, with p = 2 only: ∫(2H − 2H₀)² dA + σA − PV. L is the radius of the sphere with the area at the start.":
     "Canham–Helfrich, nur mit p = 2: ∫(2H − 2H₀)² dA + σA − PV. L ist der Radius der Sphäre, die den Flächeninhalt des Anfangs hat.",
   "Step limit": "Schrittgrenze",
+  "Stop after (seconds)": "Halt nach (Sekunden)",
+  never: "nie",
+  "Seconds of computing, not of waiting. Either may be left empty; with a step limit the time does not count.":
+    "Sekunden Rechenzeit, ohne Pausen. Beide Felder dürfen leer bleiben; mit einer Schrittgrenze zählt die Zeit nicht.",
   "Use recommended values": "Empfohlene Werte verwenden",
 
   // View, saving
@@ -1359,6 +1375,8 @@ export const german = {
   // Figures: what was measured
   converged: "konvergiert",
   stepLimit: "an der Schrittgrenze",
+  singular: "singulär",
+  collapsed: "kollabiert",
   running: "läuft",
   ready: "bereit",
   "W {}π → {} in {} steps, off the sphere {}":
@@ -1400,29 +1418,30 @@ export const german = {
   "I/dt + K was not positive definite: this step was halved {} times.":
     "I/dt + K war nicht positiv definit: Dieser Schritt wurde {}-mal halbiert.",
   "Stopped at the step limit of {} steps": "Schrittgrenze von {} Schritten erreicht",
-  "Stopped at the step limit of {} steps{}": "Schrittgrenze von {} Schritten erreicht{}",
-  "; from a rough start a smooth pre-fill or steps of surface diffusion help":
-    "; bei rauem Anfang helfen eine glatte Vorfüllung oder Schritte der Oberflächendiffusion",
-  "Smoothed in {} steps": "Geglättet in {} Schritten",
-  "Stalled at the start: no step decreases the energy (many angles are exactly 0); a larger angle smoothing or the harmonic pre-fill helps":
-    "Schon am Anfang stecken geblieben: Kein Schritt senkt die Energie (viele Winkel sind genau 0); eine größere Winkelglättung oder die harmonische Vorfüllung hilft",
-  "Converged after {} steps: no smaller energy along any step":
-    "Konvergiert nach {} Schritten: In keinem Schritt wird die Energie kleiner",
+  "Stopped after {} seconds of computing, at step {}; the surface is not at rest":
+    "Angehalten nach {} Sekunden Rechenzeit, bei Schritt {}; die Fläche ist nicht in Ruhe",
+  "Smoothed in {} steps, as asked": "Wie verlangt in {} Schritten geglättet",
   "Converged after {} steps: the energy is zero up to roundoff":
     "Konvergiert nach {} Schritten: Die Energie ist bis auf Rundung null",
-  "Converged after {} steps: the energy no longer falls":
-    "Konvergiert nach {} Schritten: Die Energie fällt nicht mehr",
   "Converged after {} steps: no vertex moves any more":
     "Konvergiert nach {} Schritten: Keine Ecke bewegt sich mehr",
-  "Stopped after {} steps: triangle {} has degenerated; a neck may be pinching off or a bubble forming. Go back a few steps.":
-    "Angehalten nach {} Schritten: Dreieck {} ist entartet; vielleicht schnürt sich ein Hals ab, oder es bildet sich eine Blase. Gehen Sie einige Schritte zurück.",
-  "Stopped after {} steps: the largest face is {} times the mean, and the mesh no longer resolves the surface. Go back a few steps; a finer mesh helps":
-    "Angehalten nach {} Schritten: Die größte Facette ist {}-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf. Gehen Sie einige Schritte zurück; ein feineres Netz hilft",
-  "Stalled after {} steps: every step tried was refused{}; {}":
-    "Stecken geblieben nach {} Schritten: Jeder versuchte Schritt wurde abgelehnt{}; {}",
-  ", the last because {}": ", der letzte, weil {}",
-  "Stalled after {} steps: only ever smaller steps lower the energy, which is not at rest; {}":
-    "Stecken geblieben nach {} Schritten: Nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; {}",
+  "Converged after {} steps: the surface is at rest":
+    "Konvergiert nach {} Schritten: Die Fläche ist in Ruhe",
+  "Stalled after {} steps: face {} is {} times as large as the mean, and the mesh no longer resolves the surface; a finer mesh helps, or keeping area and volume under the p-Willmore flow":
+    "Stecken geblieben nach {} Schritten: Facette {} ist {}-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf; ein feineres Netz hilft oder fester Flächeninhalt und festes Volumen unter dem p-Willmore-Fluss",
+  "Stalled after {} steps{}; {}": "Stecken geblieben nach {} Schritten{}; {}",
+  ": every step tried was refused, the last because {}":
+    ": Jeder versuchte Schritt wurde abgelehnt, der letzte, weil {}",
+  ": only ever smaller steps lower the energy, which is not at rest":
+    ": Nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist",
+  "Collapsed after {} steps: any further step would have less energy than every smooth surface of this topology, so something closes between the vertices; the surface is the last good one, and a finer or better mesh helps":
+    "Kollabiert nach {} Schritten: Jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft",
+  "Singular after {} steps, at time {}: the surface shrinks to a point near {}; keeping the volume prevents that":
+    "Singulär nach {} Schritten, zur Zeit {}: Die Fläche schrumpft auf einen Punkt bei {}; festes Volumen verhindert das",
+  "Singular after {} steps, at time {}: {} at vertex {}, near {}; the flow has no solution beyond it, and keeping the volume or a finer mesh helps":
+    "Singulär nach {1} Schritten, zur Zeit {2}: Bei Ecke {4}, nahe {5}, {3}; darüber hinaus hat der Fluss keine Lösung, und festes Volumen oder ein feineres Netz hilft",
+  "a neck pinches off": "schnürt sich ein Hals ab",
+  "a tip becomes a point": "wird eine Spitze zum Punkt",
   "Newton’s method does not converge, or a face would turn over":
     "das Newton-Verfahren nicht konvergiert oder eine Facette umklappen würde",
   "a vertex would move by more than half an edge":
@@ -1431,6 +1450,10 @@ export const german = {
     "sich die Nebenbedingungen nicht zugleich erfüllen lassen",
   "the energy is not finite": "die Energie nicht endlich ist",
   "the energy would rise": "die Energie steigen würde",
+  "the energy as printed would jump up": "die Energie, wie sie gedruckt ist, hochspringen würde",
+  "the energy would be below that of every smooth surface of this topology":
+    "die Energie unter der jeder glatten Fläche mit diesen Henkeln läge",
+  "curvatures could no longer be fitted": "sich Krümmungen nicht mehr anpassen ließen",
   "faces would fold over": "Facetten umklappen würden",
   "a face would turn by more than 60°": "eine Facette sich um mehr als 60° drehen würde",
   "a face would become a sliver": "eine Facette zum Splitter würde",
@@ -1441,6 +1464,14 @@ export const german = {
   "smooth with p = 2 first, or use a finer mesh":
     "glätten Sie zuerst mit p = 2, oder nehmen Sie ein feineres Netz",
   "a finer mesh helps": "ein feineres Netz hilft",
+  "a better mesh helps, as conformal regularisation makes it":
+    "ein besseres Netz hilft, wie konforme Regularisierung es macht",
+  "the p-Willmore flow with p = 0 keeps its mesh a better one":
+    "der p-Willmore-Fluss mit p = 0 behält ein besseres Netz",
+  "conformal regularisation or the p-Willmore flow helps":
+    "konforme Regularisierung oder der p-Willmore-Fluss hilft",
+  "a smooth pre-fill, a finer mesh or a flow of lower order helps":
+    "eine glatte Vorfüllung, ein feineres Netz oder ein Fluss niedrigerer Ordnung hilft",
   "no flip lowers any of the three costs any more": "kein Flip senkt noch eines der drei Kriterien",
   "no flip lowers {} any more": "kein Flip senkt noch {}",
   "the area": "den Flächeninhalt",
@@ -1451,19 +1482,37 @@ export const german = {
   "1 face": "1 Facette",
   "{} faces": "{} Facetten",
   "{} folded over in this step.": "In diesem Schritt umgeklappt: {}.",
-  "{} folded over in this step.{}": "In diesem Schritt umgeklappt: {}.{}",
   "The recommended scheme limits how far vertices move.":
     "Das empfohlene Schema begrenzt, wie weit sich Ecken bewegen.",
-  "The energy is below that of every smooth surface with these handles: a handle is pinching off between coarse triangles.":
-    "Die Energie liegt unter der jeder glatten Fläche mit diesen Henkeln: Ein Henkel schnürt sich zwischen groben Dreiecken ab.",
   "The area has grown several times over: a bubble, round and thus cheap, may be forming. From a rough start, smooth a little first.":
     "Der Flächeninhalt ist auf ein Mehrfaches gewachsen: Vielleicht bildet sich eine Blase, rund und deshalb billig. Glätten Sie einen rauen Anfang zuerst ein wenig.",
+  "Half of the area is held by few large faces: a part of the surface inflates, which this energy does not mind. The p-Willmore flow with area and volume kept does not let it.":
+    "Die Hälfte des Flächeninhalts liegt in wenigen großen Facetten: Ein Teil der Fläche bläht sich auf, was diese Energie nicht stört. Der p-Willmore-Fluss mit festem Flächeninhalt und Volumen lässt das nicht zu.",
+  "W rose from {} to {} in this step, although the smoothed energy that the flow lowers fell: many of its angles were near zero.":
+    "W stieg in diesem Schritt von {} auf {}, obwohl die geglättete Energie fiel, die der Fluss senkt: Viele Winkel waren nahe null.",
+  "Near a sphere semi-implicit steps take over again.":
+    "Nahe einer Sphäre übernehmen wieder semi-implizite Schritte.",
+  "Away from a sphere angles are smoothed again.":
+    "Fern von einer Sphäre werden die Winkel wieder geglättet.",
+  "Steps gain little: L-BFGS takes over.": "Schritte bringen wenig: L-BFGS übernimmt.",
+  "Steps gain nothing: L-BFGS takes over.": "Schritte bringen nichts: L-BFGS übernimmt.",
+  "Exact steps have come to a halt: angles are smoothed again.":
+    "Genaue Schritte kommen nicht weiter: Die Winkel werden wieder geglättet.",
+  "W still falls: another round of L-BFGS.": "W fällt noch: eine weitere Runde L-BFGS.",
+  "The volume is where it was to go. The shape is {}: its principal lengths are 1 : {} : {}. Others at rest with this area and volume may have less energy; a perturbation of the start lets a symmetric shape leave an unstable branch.":
+    "Das Volumen ist, wo es hin sollte. Die Form ist {}: Ihre Hauptlängen sind 1 : {} : {}. Andere Formen in Ruhe mit diesem Flächeninhalt und Volumen haben vielleicht weniger Energie; durch eine Störung am Anfang verlässt eine symmetrische Form einen instabilen Zweig.",
+  round: "rund",
+  prolate: "gestreckt",
+  oblate: "abgeplattet",
+  "of three different axes": "dreiachsig",
   "up to {} steps of surface diffusion go before":
     "bis zu {} Schritte der Oberflächendiffusion gehen voraus",
   "The start is too rough for the sixth-order flow, which would move it by {} edge lengths: {}.":
     "Der Anfang ist zu rau für den Fluss sechster Ordnung, der ihn um {} Kantenlängen bewegen würde: {}.",
-  "No rest in sight after {} steps: back to the start, {}.":
-    "Nach {} Schritten ist keine Ruhe in Sicht: zurück zum Anfang, {}.",
+  "No rest in sight: back to the start, up to {} steps of surface diffusion go before.":
+    "Keine Ruhe in Sicht: zurück zum Anfang, bis zu {} Schritte der Oberflächendiffusion gehen voraus.",
+  "A surface on the way varied its curvature less than the last: it is put in place.":
+    "Eine Fläche unterwegs hatte eine kleinere Variation der Krümmung als die letzte: Sie wird eingesetzt.",
   "Fewer than {} of held vertices lie between the free patch's boundary and the mesh's: there the surface is fitted from one side, and only positions are given, not the {}.":
     "Weniger als {} festgehaltener Ecken liegen zwischen dem Rand des freien Flickens und dem des Netzes: Dort wird die Fläche von einer Seite angepasst, und nur die Lage ist vorgegeben, nicht die {}.",
   "two rings": "zwei Ringe",
@@ -1476,8 +1525,6 @@ export const german = {
     "Das Netz ist zu groß, um seine Matrizen im Speicher zu zerlegen: Sie werden iterativ gelöst, und Schritte dauern länger.",
   "The linear system was solved to a residual of {} only.":
     "Das lineare Gleichungssystem wurde nur auf ein Residuum von {} gelöst.",
-  "Newton’s method did not converge: this step was cut to a tenth {} times.":
-    "Das Newton-Verfahren ist nicht konvergiert: Dieser Schritt wurde {}-mal auf ein Zehntel gekürzt.",
   "The largest face has grown to {} times the mean: one part of the surface inflates, and the energy shown is too low. A finer mesh helps.":
     "Die größte Facette ist auf das {}-Fache des Mittels gewachsen: Ein Teil der Fläche bläht sich auf, und die gezeigte Energie ist zu klein. Ein feineres Netz hilft.",
   "The mesh degenerates: its smallest angle is {}°, {}° at the start; {}.":
@@ -1541,6 +1588,9 @@ export const german = {
     "einer nach der mittleren Krümmung oder ihren Ableitungen",
   "the largest τ": "das größte τ",
   "the growth of τ": "das Wachstum von τ",
+  "the budget of seconds": "das Zeitbudget in Sekunden",
+  "the perturbation": "die Störung",
+  "a number from 0 to 0.3": "eine Zahl von 0 bis 0.3",
   "the ε of the regularisation": "das ε der Regularisierung",
   "any positive number": "jede positive Zahl",
   "a number from 0 to 1": "eine Zahl von 0 bis 1",

@@ -7,6 +7,7 @@
 import init, { Session } from "./pkg/solver/solver.js";
 import { follow, prepare } from "./recipe.js";
 import { sequence, sequenceSize } from "./sequence.js";
+import { isOver } from "./standing.js";
 
 /** @type {{ onmessage: ((event: MessageEvent) => void) | null, postMessage: (message: unknown, transfer?: Transferable[]) => void }} */
 const page = /** @type {any} */ (self);
@@ -55,7 +56,9 @@ function advance() {
     fault = asFault(error);
   }
   const state = session.state();
-  if (!report || isOver(state) || report.step >= (until ?? Infinity)) {
+  // On the way to a step a limit is none: how far a minute goes depends on the machine.
+  const isEnd = isOver(state.status) && !(report && until !== null && state.status === "stepLimit");
+  if (!report || isEnd || report.step >= (until ?? Infinity)) {
     running = false;
     frame(state);
     page.postMessage({ type: "stopped", run, state, fault });
@@ -64,9 +67,6 @@ function advance() {
   if (taken) frame(state);
   turns.port2.postMessage(run);
 }
-
-/** @param {State} state */
-const isOver = ({ status }) => status !== "ready" && status !== "running";
 
 /** Shows the page where the session stands. @param {State} state */
 function frame(state) {
@@ -137,9 +137,9 @@ function moved(number, move) {
 function shown(known, move) {
   const answer = move();
   const samples = session.samplesAfter(known);
-  for (let i = 0; i < samples.length; i += 4) {
-    const [step, time, dt, energy] = samples.subarray(i, i + 4);
-    untold.push(/** @type {any} */ ({ step, time, dt, energy, warnings: [] }));
+  for (let i = 0; i < samples.length; i += 5) {
+    const [step, time, dt, energy, objective] = samples.subarray(i, i + 5);
+    untold.push(/** @type {any} */ ({ step, time, dt, energy, objective, warnings: [] }));
   }
   return answer;
 }

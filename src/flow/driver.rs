@@ -7,12 +7,12 @@ use super::options::{FlowName, FlowOptions};
 use super::p_willmore::PWillmoreFlow;
 use super::report::WarningsGiven;
 use super::rules::Ceiling;
+use super::run::{Run, Start};
 use super::search::{Taken, Trials};
-use super::step_size::StepSize;
 use super::termination::{Ending, Gain, Window};
 use super::{
-    Cause, Cost, Flow, FlowError, Functional, Memory, Move, Occasion, Phase, Progress, Proposal,
-    Reading, Refusal, Search, Status, StepReport, Verdict,
+    Cause, Cost, Flow, FlowError, Functional, Move, Occasion, Phase, Progress, Proposal, Refusal,
+    Search, Status, StepReport, Verdict,
 };
 use crate::geometry::survey::survey;
 use crate::geometry::{measure, quality};
@@ -33,41 +33,8 @@ pub struct Driver {
     pub(super) start: Start,
     pub(super) run: Run,
     pub(super) refusal: Option<Refusal>,
-    flipped: Vec<u32>,
-    progress: Option<Progress>,
-}
-
-/// What a run is compared with.
-pub(super) struct Start {
-    pub(super) x: Vec<DVec3>,
-    pub(super) area: f64,
-    pub(super) angle: f64,
-    /// Area of the largest face over the mean.
-    pub(super) largest_face: f64,
-}
-
-/// Where a run stands, but for the positions and what the flow itself remembers.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Run {
-    pub(super) step_size: StepSize,
-    pub(super) time: f64,
-    pub(super) step: usize,
-    /// The step the budget counts from, and the seconds used since.
-    pub(super) first_step: usize,
-    pub(super) seconds: f64,
-    /// Least value of the functional in this phase.
-    pub(super) least: f64,
-    pub(super) window: Window,
-    pub(super) given: WarningsGiven,
-    /// Whether the next step is to end the run, as it gains nothing.
-    pub(super) is_exhausted: bool,
-}
-
-/// What a step back restores along with the positions.
-#[derive(Clone, Copy, Debug)]
-pub struct Checkpoint {
-    run: Run,
-    memory: Memory,
+    pub(super) flipped: Vec<u32>,
+    pub(super) progress: Option<Progress>,
 }
 
 /// A step that was found.
@@ -127,7 +94,7 @@ impl Driver {
         let start = Start {
             area: measure::area(&mesh, x),
             angle: measure::min_angle_degrees(&mesh, x),
-            largest_face: largest_face(&mesh, x).1,
+            largest_face: quality::largest_face(&mesh, x).1,
             x: x.to_vec(),
         };
         let run = Run {
@@ -455,87 +422,4 @@ impl Driver {
         let moved = y.iter().zip(&self.start.x).map(|(p, q)| p.distance(*q));
         report.max_displacement = moved.fold(0.0, f64::max) / self.flow.mean_edge_length();
     }
-
-    /// Readings at positions that come from elsewhere.
-    pub fn reading(&mut self, x: &[DVec3]) -> Reading {
-        self.flow.reading(x)
-    }
-
-    /// The flow itself.
-    pub fn flow(&self) -> &dyn Flow {
-        &*self.flow
-    }
-
-    /// Called with a stage's name and the share of the step done, within long steps.
-    pub fn set_progress(&mut self, callback: Option<Progress>) {
-        self.progress = callback;
-    }
-
-    /// The next step's size, in the flow's unit of time.
-    pub fn dt(&self) -> f64 {
-        self.run.step_size.dt
-    }
-
-    /// The same without a unit.
-    pub fn tau(&self) -> f64 {
-        self.dt() / self.flow.time_unit()
-    }
-
-    /// Faces that folded over in the last step.
-    pub fn flipped_faces(&self) -> &[u32] {
-        &self.flipped
-    }
-
-    /// The last trial that was refused on the way to the present state.
-    pub fn refusal(&self) -> Option<Refusal> {
-        self.refusal
-    }
-
-    /// What a step back must restore beside the positions.
-    pub fn checkpoint(&self) -> Checkpoint {
-        Checkpoint {
-            run: self.run,
-            memory: self.flow.memory(),
-        }
-    }
-
-    /// Goes back to an earlier checkpoint of the same run.
-    pub fn restore(&mut self, checkpoint: Checkpoint) {
-        self.run = checkpoint.run;
-        self.flow.recall(checkpoint.memory);
-        self.flipped.clear();
-        self.refusal = None;
-    }
-
-    /// Sets the step count and time, after positions came from outside.
-    pub fn set_clock(&mut self, step: usize, time: f64) {
-        self.restore(self.checkpoint());
-        self.run = Run {
-            step,
-            time,
-            least: f64::INFINITY,
-            ..self.run
-        };
-    }
-
-    /// Grants the budget of steps and time once more, counted from here.
-    pub fn extend_budget(&mut self) {
-        self.run.first_step = self.run.step;
-        self.run.seconds = 0.0;
-        self.run.window = Window::default();
-        self.run.is_exhausted = false;
-    }
-}
-
-/// The face with the largest area, and that area over the mean.
-pub(super) fn largest_face(mesh: &HalfedgeMesh, x: &[DVec3]) -> (u32, f64) {
-    let (mut face, mut largest, mut total) = (0, 0.0, 0.0);
-    for f in mesh.faces() {
-        let area = measure::face_vector_area(mesh, x, f).length();
-        total += area;
-        if area > largest {
-            (face, largest) = (f.0, area);
-        }
-    }
-    (face, largest * mesh.n_faces() as f64 / total)
 }

@@ -1,12 +1,13 @@
 //! The driver's judgement: warnings that hold for every flow, and how a run ends.
 
-use super::driver::{Driver, largest_face};
+use super::driver::Driver;
 use super::report::Warning;
 use super::rules::Ceiling;
 use super::termination::{self, Ending};
 use super::{Cause, Cost, FlowError, Functional, Occasion, Status, StepReport, Verdict};
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
+use crate::geometry::quality::largest_face;
 use crate::mesh::counted;
 use glam::DVec3;
 
@@ -36,7 +37,7 @@ fn stop(status: Status, why: String) -> Verdict {
 }
 
 impl Driver {
-    /// The budget of steps and of time.
+    /// The budget of steps, or else of time: whoever asks for a number of steps gets them.
     pub(super) fn out_of_budget(&self) -> Option<Verdict> {
         let steps = self.run.step - self.run.first_step;
         let rules = self.flow.rules();
@@ -44,11 +45,11 @@ impl Driver {
             let why = format!("Smoothed in {steps} steps, as asked");
             return Some(stop(Status::StepLimit, why));
         }
-        if self.options.max_steps.is_some_and(|most| steps >= most) {
+        if let Some(most) = self.options.max_steps {
             let why = format!("Stopped at the step limit of {steps} steps");
-            return Some(stop(Status::StepLimit, why));
+            return (steps >= most).then(|| stop(Status::StepLimit, why));
         }
-        let most = self.options.max_seconds?;
+        let most = self.options.max_seconds.filter(|_| rules.ends_at_rest)?;
         (self.run.seconds >= most).then(|| {
             let why = format!(
                 "Stopped after {most} seconds of computing, at step {}; the surface is not at \
@@ -201,7 +202,7 @@ impl Driver {
         let steps = self.run.step;
         let why = format!(
             "Collapsed after {steps} steps: any further step would have less energy than every \
-             smooth surface with these handles, so a handle is closing between the vertices; the \
+             smooth surface of this topology, so something closes between the vertices; the \
              surface is the last good one, and a finer or better mesh helps"
         );
         stop(Status::Collapsed, why)

@@ -24,19 +24,21 @@ pub mod proposal;
 pub mod refusal;
 pub mod report;
 pub mod rules;
+mod run;
 mod search;
 pub mod step_size;
 pub mod termination;
 pub mod vesicle;
 
 pub use cost::{Cost, Progress};
-pub use driver::{Checkpoint, Driver};
+pub use driver::Driver;
 pub use error::FlowError;
 pub use phase::{Memory, Occasion, Phase};
 pub use proposal::{Move, Proposal, Search};
 pub use refusal::{Cause, Refusal};
 pub use report::{Monitored, Multipliers, Reading, Status, StepReport};
 pub use rules::Rules;
+pub use run::Checkpoint;
 pub use termination::Verdict;
 
 use glam::DVec3;

@@ -119,7 +119,8 @@ pub struct FlowOptions {
     pub fixed: Option<Vec<u32>>,
     /// Budget of steps, for a set number of them.
     pub max_steps: Option<usize>,
-    /// Budget of seconds of computing, counted anew each time a run is asked to go on.
+    /// Budget of seconds of computing, counted anew each time a run is asked to go on; it
+    /// holds only where no number of steps is set, as a set amount of smoothing does.
     pub max_seconds: Option<f64>,
     /// p-Willmore: the start is pushed along its normals by up to so many mean edge lengths, so
     /// that a symmetric one can leave a shape that is unstable.

@@ -36,7 +36,7 @@ impl fmt::Display for Cause {
             Self::Rise => "the energy would rise",
             Self::ReadingJump => "the energy as printed would jump up",
             Self::Bound => {
-                "the energy would be below that of every smooth surface with these handles"
+                "the energy would be below that of every smooth surface of this topology"
             }
             Self::Unfit => "curvatures could no longer be fitted",
             Self::Fold => "faces would fold over",

@@ -1,6 +1,6 @@
 //! How good the triangles are, and which have folded over.
 
-use super::measure::triangle_points;
+use super::measure::{face_vector_area, triangle_points};
 use crate::mesh::{Face, HalfedgeMesh};
 use glam::DVec3;
 
@@ -50,4 +50,17 @@ pub fn newly_folded(mesh: &HalfedgeMesh, before: &[DVec3], after: &[DVec3]) -> V
         .filter(turned)
         .filter(|f| is_folded(mesh, after, *f))
         .collect()
+}
+
+/// The face with the largest area, and that area over the mean.
+pub fn largest_face(mesh: &HalfedgeMesh, x: &[DVec3]) -> (u32, f64) {
+    let (mut face, mut largest, mut total) = (0, 0.0, 0.0);
+    for f in mesh.faces() {
+        let area = face_vector_area(mesh, x, f).length();
+        total += area;
+        if area > largest {
+            (face, largest) = (f.0, area);
+        }
+    }
+    (face, largest * mesh.n_faces() as f64 / total)
 }

@@ -63,14 +63,16 @@ impl Session {
         Ok(())
     }
 
-    /// Step, time, step size and energy of the steps after `step` up to the one shown.
+    /// Step, time, step size, energy and monitored functional of the steps after `step` up to
+    /// the one shown.
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
-    pub fn samples_after(&self, step: usize) -> Result<Vec<[f64; 4]>, Fault> {
+    pub fn samples_after(&self, step: usize) -> Result<Vec<[f64; 5]>, Fault> {
         let reports = self.work()?.history.reports();
         let first = reports.partition_point(|report| report.step <= step);
-        let sample = |r: &crate::flow::StepReport| [r.step as f64, r.time, r.dt, r.energy];
+        let sample =
+            |r: &crate::flow::StepReport| [r.step as f64, r.time, r.dt, r.energy, r.objective];
         Ok(reports[first..].iter().map(sample).collect())
     }
 }

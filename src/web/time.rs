@@ -38,8 +38,8 @@ impl Session {
         Ok(self.0.renew()?)
     }
 
-    /// Step, time, step size and energy of each step after `step` up to the one shown, end to
-    /// end.
+    /// Step, time, step size, energy and monitored functional of each step after `step` up to
+    /// the one shown, end to end.
     ///
     /// # Errors
     /// Without a mesh.

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use umbilic::energy::circle::Boundary;
 use umbilic::flow::Status;
-use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
+use umbilic::flow::options::{FlowName, FlowOptions, Goal, Scheme};
 use umbilic::io::{self, Format};
 use umbilic::session::Session;
 
@@ -225,6 +225,37 @@ fn the_budget_ends_a_run_and_asking_again_renews_it() {
     assert_eq!(session.state().expect("state").status, Status::StepLimit);
     assert_eq!(session.run(50).expect("a run"), 5);
     assert_eq!(session.state().expect("state").step, 10);
+}
+
+#[test]
+fn a_budget_of_time_holds_only_where_no_number_of_steps_is_set() {
+    let mut session = with("coarse-torus", &[]);
+    let shortest = FlowOptions {
+        max_seconds: Some(f64::MIN_POSITIVE),
+        ..FlowOptions::default()
+    };
+    session.configure(shortest.clone()).expect("options");
+    assert_eq!(session.run(50).expect("a run"), 1);
+    let state = session.state().expect("state");
+    assert_eq!(state.status, Status::StepLimit);
+    assert!(state.message.contains("seconds of computing"));
+
+    let options = FlowOptions {
+        max_steps: Some(5),
+        ..shortest.clone()
+    };
+    session.configure(options).expect("options");
+    assert_eq!(session.run(50).expect("a run"), 5);
+
+    let smoothing = FlowOptions {
+        goal: Goal::Smooth,
+        smooth_steps: 3,
+        ..shortest
+    };
+    session.configure(smoothing).expect("options");
+    assert_eq!(session.run(50).expect("a run"), 3);
+    let message = session.state().expect("state").message;
+    assert_eq!(message, "Smoothed in 3 steps, as asked");
 }
 
 #[test]

@@ -13,7 +13,7 @@ import { openSession, packageVersion } from "../../www/cli/solver.js";
 import { sha256 } from "../../www/digest.js";
 import { readLink, writeLink } from "../../www/link.js";
 import { defaults } from "../../www/options.js";
-import { follow, makeRecipe, prepare } from "../../www/recipe.js";
+import { follow, makeRecipe, prepare, readRecipe } from "../../www/recipe.js";
 import { initial } from "../../www/state.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 
@@ -174,7 +174,7 @@ test("edits of every kind go through a link, and give the same surface to the la
   session.configure({ flow: "circle", epsilon: 0.03, free: [5, 6, 7, 40, 41] });
   take(2);
   session.adopt();
-  session.configure({ flow: "flips", criterion: "area" });
+  session.configure({ flow: "flips", criterion: "willmore" });
   take(2);
   session.adopt();
   const options = /** @type {const} */ ({ ...defaults, flow: "circle" });
@@ -221,6 +221,12 @@ test("a recipe that cannot be followed is refused, with the line or the key", as
   without({ steps: -1 }, /“steps” must be a whole number from 0/);
   without({ flow: { ...made.flow, flo: 1 } }, /“flow\.flo” must be left out/);
   without({ flow: { ...made.flow, epsilon: "small" } }, /“flow\.epsilon”.*"small"/);
+  without({ flow: { ...made.flow, maxSeconds: 0 } }, /“flow\.maxSeconds”/);
+  without({ flow: { ...made.flow, perturbation: 0.5 } }, /“flow\.perturbation”/);
+  // As versions wrote it that had a budget of steps only.
+  const { maxSeconds: _, perturbation: __, ...before } = made.flow;
+  const older = { ...made, flow: { ...before, maxSteps: 200 } };
+  assert.deepEqual(readRecipe(JSON.stringify(older)), older);
   without({ mesh: { ...sphere, parameters: { level: "x" } } }, /“mesh\.parameters”/);
   without({ mesh: { name: "a.obj", sha256: "12", bytes: 3 } }, /“mesh\.sha256”/);
   without({ mesh: { ...sphere, shape: "potato" } }, /potato/);

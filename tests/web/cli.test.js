@@ -68,6 +68,8 @@ test("bad usage ends with 2 and says what would be right", async () => {
     [["fill", mesh, "--loops", "two"], /not all, or numbers/],
     [["fill", mesh, "--loops", "0,-1"], /not all, or numbers/],
     [["fill", mesh, "--steps", "3"], /needs --fair/],
+    [["fill", mesh, "--until-converged"], /--until-converged needs --fair/],
+    [["fill", mesh, "--fair", "mmcv", "--steps", "3", "--seconds", "3"], /not both/],
     [["fill", mesh, "--fair", "smooth"], /none, circle, mean-curvature/],
     [["fill", mesh, "--max-vertices", "1.5"], /not a whole number/],
     [["flips", mesh, "--criterion", "length"], /area, willmore, localised/],
@@ -76,6 +78,10 @@ test("bad usage ends with 2 and says what would be right", async () => {
     [["flow", mesh, "--steps"], /--steps/],
     [["flow", mesh, "--steps", "-1"], /--steps/],
     [["flow", mesh, "--steps", "1.5"], /not a whole number/],
+    [["flow", mesh, "--seconds", "0"], /above 0/],
+    [["flow", mesh, "--steps", "3", "--until-converged"], /--steps or --until-converged, not both/],
+    [["flow", mesh, "--seconds", "3", "--until-converged"], /not both/],
+    [["flow", mesh, "--perturbation", "0.1"], /option of --flow p-willmore/],
     [["flow", mesh, "--dt", "0"], /above 0/],
     [["flow", mesh, "--dt", ""], /not a number/],
     [["flow", mesh, "--dt", "0.1", "--tau", "1"], /not both/],
@@ -101,6 +107,7 @@ test("bad usage ends with 2 and says what would be right", async () => {
     [["shape", "torus"], /--out FILE is missing/],
     [["shape", "torus", "--around", "7.5", "--out", "t.obj"], /not a whole number/],
     [["bench", "--table", "none"], /circle/],
+    [["bench", "--table", "circle", "--meshes", "."], /needs --table robustness/],
   ];
   for (const [parameters, words] of cases) {
     const { exit, out, log, session } = await umbilic(parameters);
@@ -188,12 +195,45 @@ test("flow: only what was asked for reaches the solver", async () => {
     maxSteps: 4,
   });
 
-  for (const [given, name, value] of [
-    ["--dt", "dt", 0.5],
-    ["--tau", "tau", 0.5],
-  ]) {
-    const { session } = await umbilic(["flow", mesh, String(given), "0.5", "--steps", "0"]);
-    assert.equal(/** @type {any} */ (configured(session))[String(name)], value);
+  for (const name of ["dt", "tau"]) {
+    const { session } = await umbilic(["flow", mesh, `--${name}`, "0.5", "--steps", "0"]);
+    assert.equal(/** @type {any} */ (configured(session))[name], 0.5);
+  }
+});
+
+test("flow and fill: until rest or for the default time, unless told otherwise", async () => {
+  /** @type {[string[], object][]} */
+  const budgets = [
+    [[], {}],
+    [["--steps", "0"], { maxSteps: 0 }],
+    [["--seconds", "2.5"], { maxSeconds: 2.5 }],
+    [["--until-converged"], { maxSeconds: null }],
+  ];
+  for (const [given, budget] of budgets) {
+    const flow = ["flow", mesh, "--flow", "p-willmore", "--perturbation", "0.1"];
+    const run = await umbilic([...flow, ...given], new FakeSession({ endAfter: 1 }));
+    const options = { flow: "p-willmore", perturbation: 0.1, ...budget };
+    assert.deepEqual(configured(run.session), options, given.join(" "));
+    const fill = ["fill", mesh, "--fair", "mmcv", ...given];
+    const fair = await umbilic(fill, new FakeSession({ endAfter: 1 }));
+    const patch = { flow: "mmcv", boundary: "fixed", free: [3], ...budget };
+    assert.deepEqual(configured(fair.session), patch, given.join(" "));
+  }
+});
+
+test("flow and fill: 4 where the surface could not be kept good, whose last state is written", async () => {
+  const exits = { converged: 0, stalled: 0, stepLimit: 0, singular: 4, collapsed: 4, failed: 4 };
+  for (const [ending, expected] of Object.entries(exits)) {
+    const session = () => new FakeSession({ endAfter: 2, ending });
+    const out = ["--out", file(`${ending}.obj`), "--json"];
+    const flow = await umbilic(["flow", mesh, ...out], session());
+    assert.equal(flow.exit, expected, `flow: ${ending}`);
+    assert.equal(flow.json().status, ending);
+    assert.equal(readFileSync(file(`${ending}.obj`), "utf8"), "obj of step 2");
+    const fill = await umbilic(["fill", mesh, "--fair", "mmcv", ...out], session());
+    assert.equal(fill.exit, expected, `fill: ${ending}`);
+    const said = ending === "stalled" ? ["The patch is not at rest. At step 2."] : [];
+    assert.deepEqual(fill.json().warnings, said, ending);
   }
 });
 
@@ -214,7 +254,10 @@ test("flow: the report, on standard output and in the file", async () => {
   ]);
   assert.equal(exit, 0);
   const report = json();
-  assert.deepEqual(Object.keys(report), ["status", "message", "steps", "initial", "final"]);
+  assert.deepEqual(Object.keys(report), [
+    ...["status", "message", "monitored", "steps", "initial", "final"],
+  ]);
+  assert.equal(report.monitored, "smoothedCircle");
   assert.equal(report.status, "stepLimit");
   assert.deepEqual(
     report.steps.map((/** @type {any} */ step) => step.step),
@@ -240,7 +283,7 @@ test("flow: ends when the session does", async () => {
   const session = new FakeSession({ endAfter: 5 });
   const { exit, out } = await umbilic(["flow", mesh, "--until-converged"], session);
   assert.equal(exit, 0);
-  assert.match(out, /^converged, 5 steps: At step 5\./);
+  assert.match(out, /^converged, 5 steps: At step 5$/m);
   assert.match(out, /^circle +12 +12$/m);
 });
 

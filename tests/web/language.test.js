@@ -14,6 +14,7 @@ import { chooseLanguage, plural, speak, t, translated } from "../../www/language
 import { choices } from "../../www/options.js";
 import { samples } from "../../www/samples.js";
 import { createFinder, createTranslator } from "../../www/sentences.js";
+import { standings } from "../../www/standing.js";
 import { german } from "../../www/strings.js";
 import { parseHtml } from "./support/html.js";
 
@@ -94,7 +95,7 @@ function spoken() {
 const tables = [
   ["www/ui/status.js", "stages"],
   ["www/ui/status.js", "symbols"],
-  ["www/ui/curvature-form.js", "standings"],
+  ["www/standing.js", "standings"],
   ["www/ui/gallery.js", "papers"],
 ];
 
@@ -154,9 +155,7 @@ function figured() {
   found.delete("{}, not at one time");
   found.add("{}: ratio {}, not at one time");
   found.add("mean-curvature {}, surface-diffusion {}, willmore {}, mmcv {}");
-  for (const status of ["ready", "running", "converged", "stalled", "stepLimit", "failed"]) {
-    found.add(status);
-  }
+  for (const status of Object.keys(standings)) found.add(status);
   return found;
 }
 
@@ -214,7 +213,7 @@ const wholes = {
   "stays a membrane": [],
 };
 /** Phrases too short to be found, and sentences that no one reads. */
-const phrases = ["curvature", "loop {}", "loops {}"];
+const phrases = ["curvature", "loop {}", "loops {}", "round", "prolate", "oblate"];
 const unread = ["draw in", "binary STL {}"];
 /** Calls whose strings are for developers. */
 const DEVELOPERS = /(?:expect|assert\w*!|unreachable!|panic!)\s*\([^"]*$/;

@@ -55,7 +55,8 @@ for (const [device, shape] of Object.entries({ desktop, phone })) {
     await crowd(page);
     await check(page, "with everything open, and an error");
     await page.keyboard.press("Escape");
-    await button(page, "Dismiss").click();
+    // Beside the error there may be a note of the flow.
+    await page.locator("#errors").getByRole("button", { name: "Dismiss" }).click();
     await choice(page, "Flow").selectOption({ label: "p-Willmore" });
     await page.locator("#p-willmore").waitFor();
     await page.locator(".explain > summary").filter({ visible: true }).click();

@@ -10,7 +10,7 @@ import { createStore, initial, transitions as to } from "../../www/state.js";
 import { fileName } from "../../www/ui/download.js";
 import { formatNumber } from "../../www/ui/number.js";
 import { grown, painted, rim } from "../../www/ui/selection.js";
-import { statusText } from "../../www/ui/status.js";
+import { reasonText, statusText } from "../../www/ui/status.js";
 
 /** @typedef {import("../../www/protocol.js").State} Reading */
 
@@ -27,6 +27,8 @@ const reading = (change) => ({
   area: 12,
   volume: 4,
   minAngleDegrees: 30,
+  monitored: "smoothedCircle",
+  objective: 8,
   gradientNorm: 1,
   milliseconds: 0,
   canStepBack: false,
@@ -73,6 +75,44 @@ test("the status line says what is going on", () => {
   assert.equal(statusText(store.get()), "Converged after 24 steps");
   store.update(to.stopped, reading({ step: 1, status: "stalled" }));
   assert.equal(statusText(store.get()), "Stalled after 1 step");
+  store.update(to.stopped, reading({ step: 7, status: "stepLimit" }));
+  assert.equal(statusText(store.get()), "Stopped after 7 steps");
+  store.update(to.stopped, reading({ step: 2, status: "singular" }));
+  assert.equal(statusText(store.get()), "Singular after 2 steps");
+  store.update(to.stopped, reading({ step: 2, status: "collapsed" }));
+  assert.equal(statusText(store.get()), "Collapsed after 2 steps");
+});
+
+test("the reason is what the solver says beyond the status line", () => {
+  const of = (/** @type {Partial<Reading>} */ change) => {
+    const store = page();
+    store.update(to.stopped, reading(change));
+    return reasonText(store.get());
+  };
+  const message = "Stalled after 1 steps: the last because faces would fold over; a finer mesh";
+  assert.match(of({ step: 1, status: "stalled", message }), /^the last because/);
+  const pinch = "Singular after 12 steps, at time 0.04: a neck pinches off";
+  assert.equal(
+    of({ step: 12, status: "singular", message: pinch }),
+    "at time 0.04: a neck pinches off",
+  );
+  const limit = "Smoothed in 10 steps, as asked";
+  assert.equal(of({ step: 10, status: "stepLimit", message: limit }), `${limit}. Play goes on.`);
+  assert.equal(of({ step: 3 }), "");
+});
+
+test("what never rises is kept beside the energy, of stored steps too", () => {
+  const store = page();
+  store.update(to.started, null);
+  const first = frame(1, 7);
+  store.update(to.frame, { ...first, reports: [{ ...first.reports[0], objective: 7.5 }] });
+  assert.deepEqual(
+    store.get().history.map(({ energy, objective }) => [energy, objective]),
+    [
+      [8, 8],
+      [7, 7.5],
+    ],
+  );
 });
 
 test("history follows the steps, forwards and backwards", () => {

@@ -89,7 +89,11 @@ test("the readings are all there, and agree with the numbers of the plot", async
   assert.equal(last[1], Number(await reading(page, "Time")));
   assert.equal(last[2], Number.parseFloat(await reading(page, "Step size")));
   assert.equal(last[3], await energy(page));
-  for (let i = 1; i <= step; i += 1) assert.ok(rows[i][1] > rows[i - 1][1], "time goes on");
+  for (let i = 1; i <= step; i += 1) {
+    assert.ok(rows[i][1] > rows[i - 1][1], "time goes on");
+    // U_ε falls from step to step, and W lies below it.
+    assert.ok(rows[i][4] <= rows[i - 1][4] && rows[i][3] < rows[i][4], `${rows[i]}`);
+  }
   assert.deepEqual(faults, []);
   await close();
 });

@@ -5,10 +5,11 @@
 /** @import { Field, Frame } from "../protocol.js" */
 /** @import { Solver } from "../solver.js" */
 
-import { isOver, lastTurn, MAIN, nextTurn, paneOf, sharedFields } from "../comparison.js";
+import { lastTurn, MAIN, nextTurn, paneOf, sharedFields } from "../comparison.js";
 import { comparisonTransitions as on } from "../comparison-state.js";
 import { t } from "../language.js";
 import { LOST } from "../solver.js";
+import { isOver } from "../standing.js";
 import { transitions as to } from "../state.js";
 import { createRivals } from "./rivals.js";
 

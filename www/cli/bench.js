@@ -1,10 +1,12 @@
 // @ts-check
 // `umbilic bench`: the tables of the documentation, measured on this machine.
 
+import { isOver } from "../standing.js";
 import { Failure, orExit, usage } from "./failure.js";
 import { chosen, figureRows } from "./figures.js";
 import { number, parse } from "./options.js";
 import { refinementColumns, refinementRows } from "./refinement.js";
+import { robustnessColumns, robustnessRows } from "./robustness.js";
 import { memoryBytes } from "./solver.js";
 import { table } from "./text.js";
 
@@ -24,6 +26,7 @@ import { table } from "./text.js";
  * @property {number} maxVertices
  * @property {number} steps
  * @property {readonly import("../figures.js").Figure[]} figures
+ * @property {string} [meshes]  a folder
  */
 /** @typedef {Record<string, number | string | null>} Row */
 
@@ -80,6 +83,16 @@ const tables = {
     digits: 5,
     rows: refinementRows,
   },
+  robustness: {
+    title:
+      "How flows end, left to themselves: on shapes with noise (h the mean edge length), or on the\n" +
+      "meshes of a folder in 100 steps. The energy at first and last, the largest relative rise of\n" +
+      "the monitored functional in a step, the smallest angle there was",
+    columns: robustnessColumns,
+    left: 3,
+    digits: 4,
+    rows: robustnessRows,
+  },
   figures: {
     title: "The figures of the four papers: what is expected, and what was measured here just now",
     columns: ["id", "figure", "expected", "measured", "verdict", "steps", "milliseconds"],
@@ -98,6 +111,7 @@ const syntax = {
     steps: { value: "N", help: "steps measured a row, after one that is not (default 3)" },
     figures: { value: "ID,ID", help: "of the table figures only these" },
     quick: { help: "of the table figures only those that take a few seconds" },
+    meshes: { value: "DIR", help: "of the table robustness: meshes to try every flow on" },
   },
 };
 
@@ -114,12 +128,16 @@ export const bench = {
     if (name !== "figures" && (values.figures !== undefined || values.quick)) {
       throw usage("--figures and --quick need --table figures.");
     }
+    const { meshes } = values;
+    if (name !== "robustness" && meshes !== undefined) {
+      throw usage("--meshes needs --table robustness.");
+    }
     const figures = chosen(values.figures, values.quick === true);
 
     const { title, columns, left, digits, rows: measure } = tables[name];
     const session = await open();
     const rows = [];
-    for (const row of measure(session, { maxVertices, steps, figures })) {
+    for (const row of measure(session, { maxVertices, steps, figures, meshes })) {
       io.log(columns.map((column) => `${column} ${cell(row[column], digits)}`).join("  "));
       rows.push(row);
     }
@@ -306,7 +324,7 @@ function* mmcvRows(session, { maxVertices, steps }) {
     const first = oneStep(session).milliseconds;
     /** @type {StepReport[]} */
     const reports = [];
-    while (session.state().status === "ready") reports.push(oneStep(session));
+    while (!isOver(session.state().status)) reports.push(oneStep(session));
     const measured = reports.slice(0, steps);
     const step = median(measured.map((report) => report.milliseconds));
     const [unknowns, paperSteps, forming, solving] = table ?? [];

@@ -46,6 +46,7 @@ ${rows.join("\n")}
 
 MESH is an OBJ, OFF, PLY or STL file, or - for standard input.
 umbilic <command> --help lists a command's options; --version tells the version.
-Exit codes: 0 done, 2 bad usage, 3 refused input, 4 numerical failure.
+Exit codes: 0 done, 2 bad usage, 3 refused input, 4 the surface could not be kept good: a failure,
+a singularity or a collapse.
 `;
 }

@@ -4,14 +4,15 @@
 import { figures } from "../figures.js";
 import { plainArrangement } from "../options.js";
 import { samples } from "../samples.js";
+import { isOver } from "../standing.js";
 import { Failure, orExit, usage } from "./failure.js";
 
 /** @import { Figure, Run } from "../figures.js" */
-/** @import { BoundaryLoop, Pane, State, Status } from "../protocol.js" */
+/** @import { BoundaryLoop, Pane, State } from "../protocol.js" */
 /** @typedef {import("./solver.js").Session} Session */
 
-/** @type {readonly Status[]} */
-const over = ["converged", "stalled", "failed", "stepLimit"];
+/** Steps in which a figure comes to rest, or not: what is measured must not depend on the time. */
+const REST = 400;
 
 /**
  * The figures of a comma-separated list of ids, all without one.
@@ -87,8 +88,8 @@ function prepare(session, figure, parameters) {
     orExit(3, () => session.fill(options, undefined));
   }
   orExit(3, () => session.arrange({ ...plainArrangement, ...figure.arrangement }));
-  const limit = typeof figure.steps === "number" ? { maxSteps: Math.max(figure.steps, 1) } : {};
-  orExit(3, () => session.configure({ ...sample.options, ...limit, ...figure.options }));
+  const maxSteps = figure.steps === "rest" ? REST : Math.max(figure.steps, 1);
+  orExit(3, () => session.configure({ ...sample.options, maxSteps, ...figure.options }));
 }
 
 /** All boundary loops but the longest. @param {Session} session */
@@ -106,7 +107,7 @@ function innerLoops(session) {
  */
 function take(session, wanted) {
   let taken = 0;
-  while ((wanted === "rest" || taken < wanted) && !over.includes(state(session).status)) {
+  while ((wanted === "rest" || taken < wanted) && !isOver(state(session).status)) {
     if (orExit(4, () => session.step()) === null) break;
     taken += 1;
   }

@@ -16,6 +16,9 @@ const formats = new Map([
   [".glb", "glb"],
 ]);
 
+/** Whether a file's name is that of a mesh that can be read. @param {string} file */
+export const isMesh = (file) => /\.(?:obj|off|ply|stl)$/i.test(file);
+
 /**
  * The bytes of a mesh file; `-` is standard input.
  * @param {string} file
@@ -50,7 +53,7 @@ export function readSelection(file, key) {
 }
 
 /** @param {string} file */
-function readInput(file) {
+export function readInput(file) {
   try {
     return readFileSync(file);
   } catch (error) {

@@ -1,9 +1,10 @@
 // @ts-check
 // `umbilic fill`: closes holes or connects boundary loops, and fairs what is new.
 
+import { isBreakdown } from "../standing.js";
 import { orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
-import { runSteps } from "./flow.js";
+import { budgetOf, budgetOptions, runSteps } from "./flow.js";
 import { number, parse } from "./options.js";
 import { format } from "./text.js";
 
@@ -27,7 +28,7 @@ const syntax = {
       choices: fairings,
       help: "a flow that moves the new vertices afterwards (default none)",
     },
-    steps: { value: "N", help: "at most so many steps of it (default: until it converges)" },
+    ...budgetOptions,
     "max-vertices": { value: "N", help: "at most so many new vertices (default 200000)" },
     out: { value: "FILE", help: "the filled mesh: .obj, .off, .ply, .stl or .glb" },
   },
@@ -39,14 +40,15 @@ export const fill = {
   async run({ parameters, io, open }) {
     const { operands, values } = parse(parameters, syntax);
     const maxVertices = number(values, "max-vertices", { low: 0, integer: true });
-    const steps = number(values, "steps", { low: 0, integer: true });
+    const budget = budgetOf(values);
     const options = {
       loops: loops(values),
       connect: values.connect === true,
       ...(maxVertices !== undefined && { maxVertices }),
     };
     const flow = values.fair ?? "none";
-    if (steps !== undefined && flow === "none") throw usage("--steps needs --fair FLOW.");
+    const limit = Object.keys(budgetOptions).find((name) => values[name] !== undefined);
+    if (limit && flow === "none") throw usage(`--${limit} needs --fair FLOW.`);
     checkOutputs([values.out]);
     const outFormat = values.out && formatOf(values.out);
     const { bytes, name } = readMesh(operands[0], io);
@@ -61,7 +63,7 @@ export const fill = {
     if (flow !== "none" && verticesAdded === 0) {
       filled.warnings.push(`There is no new vertex, and nothing for ${flow} to move.`);
     } else if (flow !== "none") {
-      const { warnings, ...rest } = fair(session, flow, firstVertex, verticesAdded, steps, io);
+      const { warnings, ...rest } = fair(session, flow, firstVertex, verticesAdded, budget, io);
       filled.warnings.push(...warnings);
       fairing = rest;
     }
@@ -72,18 +74,9 @@ export const fill = {
     const report = { ...filled, ...(fairing && { fair: fairing }), info };
     if (values.json) io.write(`${JSON.stringify(report)}\n`);
     else io.write(summary(filled, fairing, info));
-    return fairing && !isDone(fairing, steps) ? 4 : 0;
+    return fairing && isBreakdown(fairing.status) ? 4 : 0;
   },
 };
-
-/**
- * Whether a fairing did what was asked: it came to rest, or took the steps it was given.
- * @param {Fairing} fairing
- * @param {number | undefined} steps
- */
-function isDone({ status, steps: taken }, steps) {
-  return status === "converged" || (status === "stepLimit" && taken === steps);
-}
 
 /**
  * The loops asked for.
@@ -106,19 +99,21 @@ function loops(values) {
  * @param {string} flow
  * @param {number} first
  * @param {number} count
- * @param {number | undefined} maxSteps
+ * @param {ReturnType<typeof budgetOf>} budget
  * @param {import("./terminal.js").Terminal} io
  * @returns {Fairing & { warnings: string[] }}
  */
-function fair(session, flow, first, count, maxSteps, io) {
+function fair(session, flow, first, count, budget, io) {
   const free = Array.from({ length: count }, (_, i) => first + i);
-  const options = { flow, boundary: "fixed", free, ...(maxSteps !== undefined && { maxSteps }) };
-  orExit(3, () => session.configure(options));
-  const { status, message, steps } = runSteps(session, maxSteps, ({ step, energy }) =>
+  orExit(3, () => session.configure({ ...budget, flow, boundary: "fixed", free }));
+  const { status, message, steps } = runSteps(session, ({ step, energy }) =>
     io.log(`step ${step}  energy ${energy}`),
   );
   const curvatureJump = session.curvatureJump();
-  return { flow, status, message, steps: steps.length, curvatureJump, warnings: told(steps) };
+  const warnings = told(steps);
+  // The best patch there is, but not the one that was meant.
+  if (status === "stalled") warnings.push(`The patch is not at rest. ${message}.`);
+  return { flow, status, message, steps: steps.length, curvatureJump, warnings };
 }
 
 /**

@@ -1,6 +1,7 @@
 // @ts-check
 // `umbilic flow`: runs a flow and reports every step.
 
+import { isBreakdown, isOver } from "../standing.js";
 import { Failure, orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, readSelection, writeOutput } from "./files.js";
 import { number, parse } from "./options.js";
@@ -17,8 +18,15 @@ import { entries, format, table } from "./text.js";
 const curvatureFlows = ["mean-curvature", "surface-diffusion", "willmore", "mmcv"];
 const flows = ["circle", "p-willmore", ...curvatureFlows];
 
-/** More steps than any flow that converges has been seen to need. */
-const untilConvergedSteps = 10_000;
+/** How long a flow may go on, for every command that runs one. @type {import("./options.js").Options} */
+export const budgetOptions = {
+  steps: { value: "N", help: "at most so many steps, however long they take" },
+  seconds: {
+    value: "S",
+    help: "at most so many seconds of computing (default, without --steps: until rest, or 120)",
+  },
+  "until-converged": { help: "until it comes to rest, however long that takes" },
+};
 
 /** @type {import("./options.js").Syntax} */
 const syntax = {
@@ -39,8 +47,7 @@ const syntax = {
       choices: ["semi-implicit", "forward-euler", "backward-euler", "l-bfgs"],
       help: "how a step is taken",
     },
-    steps: { value: "N", help: "at most so many steps" },
-    "until-converged": { help: `until it converges (at most ${untilConvergedSteps} steps)` },
+    ...budgetOptions,
     dt: { value: "auto|VALUE", help: "step size, in squared lengths of the mesh" },
     tau: {
       value: "VALUE",
@@ -60,6 +67,10 @@ const syntax = {
     },
     "tau-max": { value: "VALUE", help: "p-willmore, paper's scheme: largest step without a unit" },
     "reduced-volume": { value: "V", help: "p-willmore: leads the volume there; both are kept" },
+    perturbation: {
+      value: "SHARE",
+      help: "p-willmore: pushes the start along its normals by up to so many mean edge lengths (at most 0.3)",
+    },
     "spontaneous-curvature": { value: "H0", help: "p-willmore, p = 2: times √(A/4π)" },
     tension: { value: "VALUE", help: "p-willmore, p = 2: times A/4π" },
     pressure: { value: "VALUE", help: "p-willmore, p = 2: times (A/4π)^(3/2)" },
@@ -110,19 +121,18 @@ export const flow = {
     const energyOptions = { p: powers, ...(options.boundary && { boundary: options.boundary }) };
     const readings = () => ({ ...session.energy(energyOptions), ...crossings(session, values) });
     const initial = orExit(3, readings);
-    const { status, message, steps, fault } = runSteps(session, options.maxSteps, (step) =>
-      io.log(stepLine(step)),
-    );
-    const failed = status === "failed";
-    const final = failed ? orNull(readings) : readings();
-    const report = { status, message, ...fault, steps, initial, final, ...jump(session, options) };
+    const { status, message, steps, fault } = runSteps(session, (step) => io.log(stepLine(step)));
+    const final = status === "failed" ? orNull(readings) : readings();
+    const { monitored } = session.state();
+    const outcome = { status, message, ...fault, monitored };
+    const report = { ...outcome, steps, initial, final, ...jump(session, options) };
 
     if (values.out) writeOutput(values.out, session.export(outFormat));
     if (values.history) writeOutput(values.history, session.history());
     if (values.report) writeOutput(values.report, `${JSON.stringify(report, null, 1)}\n`);
     if (values.json) io.write(`${JSON.stringify(report)}\n`);
     else io.write(summary(report));
-    return failed ? 4 : 0;
+    return isBreakdown(status) ? 4 : 0;
   },
 };
 
@@ -149,7 +159,7 @@ function flowOptions(values) {
   const tau = positive(values, "tau");
   if (typeof dt === "number" && tau !== undefined) throw usage("Give --dt or --tau, not both.");
 
-  const steps = number(values, "steps", { low: 0, integer: true });
+  const budget = budgetOf(values);
   const given = {
     flow,
     scheme: values.scheme,
@@ -157,7 +167,7 @@ function flowOptions(values) {
     boundary: values.boundary,
     goal: values.goal,
     detail: positive(values, "detail"),
-    smoothSteps: smooth ? steps : undefined,
+    smoothSteps: smooth ? budget.maxSteps : undefined,
     dt,
     tau,
     mass: values.mass,
@@ -166,7 +176,8 @@ function flowOptions(values) {
     prefill: values.prefill,
     free: values.free && readSelection(values.free, "free"),
     fixed: values.fixed && readSelection(values.fixed, "fixed"),
-    maxSteps: steps ?? (values["until-converged"] ? untilConvergedSteps : undefined),
+    ...budget,
+    perturbation: number(values, "perturbation", { low: 0 }),
     p: number(values, "p", { low: 0 }),
     keep: keep(values),
     regularise: values.regularise,
@@ -182,6 +193,25 @@ function flowOptions(values) {
   return /** @type {FlowOptions} */ (
     Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined))
   );
+}
+
+/**
+ * The budget of steps or of time, as far as it was asked for.
+ * @param {Values} values
+ * @returns {Pick<FlowOptions, "maxSteps" | "maxSeconds">}
+ */
+export function budgetOf(values) {
+  const given = Object.keys(budgetOptions).filter((name) => values[name] !== undefined);
+  if (given.length > 1) {
+    throw usage(`Give --${given[0]} or --${given[1]}, not both.`, "Each says when to stop.");
+  }
+  if (values["until-converged"]) return { maxSeconds: null };
+  const [maxSteps, maxSeconds] = [
+    number(values, "steps", { low: 0, integer: true }),
+    positive(values, "seconds"),
+  ];
+  if (maxSeconds !== undefined) return { maxSeconds };
+  return maxSteps === undefined ? {} : { maxSteps };
 }
 
 /**
@@ -214,7 +244,7 @@ const own = {
   circle: [...["integrator", "goal", "detail", "mass", "epsilon", "sharpen"], ...regional],
   "p-willmore": [
     ...["p", "keep", "regularise", "regularise-epsilon", "reduced-volume"],
-    ...["tau-growth", "tau-max"],
+    ...["tau-growth", "tau-max", "perturbation"],
     ...["spontaneous-curvature", "tension", "pressure"],
   ],
   "mean-curvature": regional,
@@ -258,18 +288,17 @@ function positive(values, name) {
 }
 
 /**
- * Steps until the session says it is over, or `limit`.
+ * Steps until the session says it is over.
  * @param {Session} session
- * @param {number | undefined} limit
  * @param {(step: StepReport) => void} onStep
  * @returns {{ status: Status, message: string, steps: StepReport[],
  *             fault?: { kind: string, hint: string } }}
  */
-export function runSteps(session, limit = Infinity, onStep) {
+export function runSteps(session, onStep) {
   /** @type {StepReport[]} */
   const steps = [];
   try {
-    while (steps.length < limit && !isOver(session)) {
+    while (!isOver(session.state().status)) {
       /** @type {StepReport | null} */
       const step = orExit(4, () => session.step());
       // There was none to take: the state says why.
@@ -282,16 +311,8 @@ export function runSteps(session, limit = Infinity, onStep) {
     const { kind, message, hint } = error;
     return { status: "failed", message, steps, fault: { kind, hint } };
   }
-  if (!isOver(session)) {
-    return { status: "stepLimit", message: `${limit} steps were asked for.`, steps };
-  }
   const { status, message } = session.state();
   return { status, message, steps };
-}
-
-/** @param {Session} session */
-function isOver(session) {
-  return ["converged", "stalled", "failed", "stepLimit"].includes(session.state().status);
 }
 
 /**

@@ -187,7 +187,6 @@ export const pWillmore = [
     reports: "A statue of genus 4 flows to a round surface with four handles.",
     expected: "Another surface of genus 4: ∫H² from above to between 2π² and 8π",
     sample: "genus-4",
-    options: { maxSteps: 400 },
     steps: "rest",
     quick: false,
     measure: ({ first, last, info }) => ({

@@ -5,9 +5,10 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Shown } from "./extra-pane.js" */
 
-import { isOver, letter, optionsOf } from "../comparison.js";
+import { letter, optionsOf } from "../comparison.js";
 import { t, translated } from "../language.js";
 import { asText, choices, usualBoundary } from "../options.js";
+import { isOver, standings } from "../standing.js";
 import { flowLabel } from "./curvature-form.js";
 import { formatNumber } from "./number.js";
 
@@ -90,16 +91,9 @@ function standing({ reading, phase, reason }) {
   if (phase === "loading") return t("loading…");
   if (phase === "lost") return reason;
   if (!reading || !isOver(reading.status)) return "";
-  switch (reading.status) {
-    case "converged":
-      return t("converged");
-    case "stalled":
-      return t("stalled");
-    case "stepLimit":
-      return t("at the step limit");
-    default:
-      return t("failed: {reason}", { reason: reading.message });
-  }
+  return reading.status === "failed"
+    ? t("failed: {reason}", { reason: reading.message })
+    : translated(standings[reading.status]);
 }
 
 /**

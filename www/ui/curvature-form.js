@@ -8,6 +8,7 @@
 
 import { t, translated } from "../language.js";
 import { byCurvature, choices, defaults } from "../options.js";
+import { standings } from "../standing.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { chosen, show } from "./option-form.js";
@@ -18,16 +19,6 @@ export const flowLabel = (flow) =>
 
 /** @param {import("../protocol.js").CurvatureJump | null | undefined} jump */
 export const jumpText = (jump) => (jump ? formatNumber(jump.relative, 3) : "–");
-
-/** @type {Readonly<Record<import("../protocol.js").Status, string>>} */
-const standings = {
-  ready: "moving",
-  running: "moving",
-  converged: "at rest",
-  stalled: "stalled",
-  stepLimit: "at its limit",
-  failed: "failed",
-};
 
 /** @param {Controller} controller */
 export function createCurvatureForm(controller) {

@@ -34,12 +34,11 @@ function decades(low, high) {
  * @property {number[]} [dash]    of more than one, told apart without colours too
  */
 
-/** @param {HTMLElement} root @param {boolean} logarithmic @param {readonly Line[]} [lines] @param {boolean} [byStep] */
+/** @param {HTMLElement} root @param {boolean} logarithmic @param {readonly Line[]} lines @param {boolean} [byStep] */
 export function makePlot(root, logarithmic, lines, byStep = true) {
   // Colours come from the style sheet through properties the element does not use itself.
   const style = () => getComputedStyle(root);
   const text = () => style().color;
-  const accent = () => style().borderTopColor;
   const rules = () => style().outlineColor;
   const font = `12px ${style().fontFamily}`;
   const axis = { stroke: text, font, grid: { stroke: rules, width: 1 }, ticks: { show: false } };
@@ -90,7 +89,7 @@ export function makePlot(root, logarithmic, lines, byStep = true) {
       ],
       series: [
         {},
-        ...(lines ?? [{ stroke: accent }]).map(({ stroke, dash }) => ({
+        ...lines.map(({ stroke, dash }) => ({
           ...{ stroke, dash, width: 2 },
           points: { show: dash ? false : undefined, size: 5, fill: stroke },
           // Steps by time of one pane are not those of another.
@@ -98,38 +97,51 @@ export function makePlot(root, logarithmic, lines, byStep = true) {
         })),
       ],
     },
-    [[], ...(lines ?? [[]]).map(() => [])],
+    [[], ...lines.map(() => [])],
     root,
   );
 }
+
+/** The energy, and dashed what never rises. @param {HTMLElement} root @returns {Line[]} */
+const styles = (root) => [
+  { stroke: () => getComputedStyle(root).borderTopColor },
+  { stroke: () => getComputedStyle(root).color, dash: [5, 4] },
+];
 
 /** @param {HTMLElement} root */
 export function createEnergyChart(root) {
   /** @type {uPlot | null} */
   let plot = null;
   let logarithmic = false;
+  let lines = 0;
 
   new ResizeObserver(() => {
     if (root.clientWidth > 0) plot?.setSize({ width: root.clientWidth, height: root.clientHeight });
   }).observe(root);
 
   return {
-    /** @param {readonly Sample[]} history @param {PageState["view"]["scale"]} scale */
-    show(history, scale) {
-      const wanted = isLogarithmic(
-        scale,
-        history.map(({ energy }) => energy),
-      );
-      if (!plot || wanted !== logarithmic) {
+    /**
+     * @param {readonly Sample[]} history
+     * @param {PageState["view"]["scale"]} scale
+     * @param {boolean} isDouble  whether the functional that never rises has a curve of its own
+     */
+    show(history, scale, isDouble) {
+      const curves = [history.map(({ energy }) => energy)];
+      if (isDouble) curves.push(history.map(({ objective }) => objective));
+      const wanted = isLogarithmic(scale, curves.flat());
+      if (!plot || wanted !== logarithmic || curves.length !== lines) {
         plot?.destroy();
         logarithmic = wanted;
-        plot = makePlot(root, logarithmic);
+        lines = curves.length;
+        plot = makePlot(root, logarithmic, styles(root).slice(0, lines));
       }
-      const energies = history.map(({ energy }) => (logarithmic && energy <= 0 ? null : energy));
+      const shown = curves.map((values) =>
+        values.map((value) => (logarithmic && value <= 0 ? null : value)),
+      );
       const steps = history.map(({ step }) => step);
       // Room for the first few steps, so that the axis does not jump with each.
       const first = steps[0] ?? 0;
-      plot.setData([steps, energies], false);
+      plot.setData([steps, ...shown], false);
       plot.setScale("x", { min: first, max: Math.max(steps.at(-1) ?? 0, first + 5) });
     },
   };

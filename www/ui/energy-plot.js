@@ -11,12 +11,13 @@ import { formatNumber } from "./number.js";
 /** @param {Sample} sample */
 function tableRow(sample) {
   const row = document.createElement("tr");
-  const { step, time, dt, energy } = sample;
+  const { step, time, dt, energy, objective } = sample;
   for (const text of [
     String(step),
     formatNumber(time),
     formatNumber(dt, 4),
     formatNumber(energy, 6),
+    formatNumber(objective, 6),
   ]) {
     row.insertCell().textContent = text;
   }
@@ -30,6 +31,7 @@ function tableRow(sample) {
 export function createEnergyPlot(controller, pictured) {
   const root = byId("plot", HTMLElement);
   const rows = byId("plot-rows", HTMLTableSectionElement);
+  const table = /** @type {HTMLTableElement} */ (rows.parentElement);
   const scale = byId("scale", HTMLSelectElement);
   scale.addEventListener("change", () =>
     controller.view({ scale: /** @type {PageState["view"]["scale"]} */ (scale.value) }),
@@ -49,6 +51,11 @@ export function createEnergyPlot(controller, pictured) {
     rows.append(...history.slice(same).map(tableRow));
   }
 
+  /** Under the circle flow what is printed is not what never rises. @param {Readonly<PageState>} state */
+  const isDouble = ({ options }) => options.flow === "circle";
+  /** @param {Readonly<PageState>} state */
+  const draw = (state) => chart?.show(state.history, state.view.scale, isDouble(state));
+
   let asked = false;
   /** Fetches the chart after the first picture, which it would otherwise hold up. */
   async function open() {
@@ -59,7 +66,7 @@ export function createEnergyPlot(controller, pictured) {
     try {
       const { createEnergyChart } = await import("./energy-chart.js");
       chart = createEnergyChart(root);
-      if (shown) chart.show(shown.history, shown.view.scale);
+      if (shown) draw(shown);
     } catch (error) {
       // The table has the same numbers.
       controller.report(error);
@@ -73,11 +80,13 @@ export function createEnergyPlot(controller, pictured) {
       // A link brings its own.
       if (scale.value !== view.scale) scale.value = view.scale;
       if (history.length > 0 && !asked) open();
-      const same = history === shown?.history && view === shown.view;
+      const same =
+        history === shown?.history && view === shown.view && state.options === shown.options;
+      table.classList.toggle("single", !isDouble(state));
       if (history !== shown?.history) fillTable(history);
       shown = state;
       // A change of the view may be one of colours, which come from the style sheet.
-      if (!same) chart?.show(history, view.scale);
+      if (!same) draw(state);
     },
   };
 }

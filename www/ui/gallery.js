@@ -7,6 +7,7 @@
 /** @import { Controller } from "../controller.js" */
 
 import { t, translated } from "../language.js";
+import { isOver } from "../standing.js";
 import { byId, setText } from "./element.js";
 
 /** @type {Readonly<Record<Figure["paper"], string>>} */
@@ -51,7 +52,7 @@ const isCompound = ({ refine, reference, regularise }) =>
 /** Whether a run has come as far as the figure wants. @param {Figure} figure @param {Readonly<PageState>} state */
 export function isThere({ steps }, { reading, phase }) {
   if (!reading || phase === "running" || phase === "loading") return false;
-  if (reading.status !== "ready" && reading.status !== "running") return true;
+  if (isOver(reading.status)) return true;
   return steps !== "rest" && reading.step >= steps;
 }
 

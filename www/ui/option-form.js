@@ -13,7 +13,9 @@
 export function chosen(form, name) {
   const control = form.elements.namedItem(name);
   if (control instanceof HTMLInputElement && control.type === "checkbox") return control.checked;
-  if (control instanceof HTMLInputElement) return control.valueAsNumber;
+  // What may be left empty is then null.
+  if (control instanceof HTMLInputElement)
+    return control.value === "" ? null : control.valueAsNumber;
   return /** @type {RadioNodeList | HTMLSelectElement} */ (control)?.value;
 }
 
@@ -31,7 +33,7 @@ export function show(form, options) {
       const value = values[control.name];
       if (control.type === "radio") control.checked = control.value === value;
       else if (control.type === "checkbox") control.checked = value === true;
-      else control.value = String(value);
+      else control.value = String(value ?? "");
     } else if (control instanceof HTMLSelectElement && control.name in values) {
       control.value = String(values[control.name]);
     }

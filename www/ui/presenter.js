@@ -6,6 +6,7 @@
 /** @import { Controller } from "../controller.js" */
 
 import { t, translated } from "../language.js";
+import { isOver } from "../standing.js";
 import { byId, setText } from "./element.js";
 import { figureTitle, isThere, papers } from "./gallery.js";
 import { takesKeys } from "./keys.js";
@@ -38,7 +39,8 @@ export function presentedText(state) {
 function isAtEnd(state) {
   const { figure, reading } = state;
   if (figure) return isThere(figure, state);
-  return reading !== null && ["converged", "stalled", "failed"].includes(reading.status);
+  // From its limit Play goes on.
+  return reading !== null && isOver(reading.status) && reading.status !== "stepLimit";
 }
 
 /** @param {Controller} controller @param {() => Readonly<PageState>} state @param {() => void} gallery */

@@ -4,16 +4,17 @@
 /** @import { PageState } from "../state.js" */
 
 import { t, translated } from "../language.js";
+import { isOver } from "../standing.js";
 import { byId, setText } from "./element.js";
 import { formatCount, formatNumber } from "./number.js";
 
+/** @type {Readonly<Record<import("../standing.js").Ended, { one: string, other: string }>>} */
 const ends = {
   converged: { one: "Converged after # step", other: "Converged after # steps" },
   stalled: { one: "Stalled after # step", other: "Stalled after # steps" },
-  stepLimit: {
-    one: "Stopped at the step limit after # step",
-    other: "Stopped at the step limit after # steps",
-  },
+  stepLimit: { one: "Stopped after # step", other: "Stopped after # steps" },
+  singular: { one: "Singular after # step", other: "Singular after # steps" },
+  collapsed: { one: "Collapsed after # step", other: "Collapsed after # steps" },
   failed: { one: "Failed after # step", other: "Failed after # steps" },
 };
 
@@ -48,15 +49,18 @@ export function statusText({ phase, loadingName, mesh, reading, pausing, version
     return goal ? t("Running to step {goal}", { goal }) : t("Running");
   }
   const end = reading.status;
-  if (end !== "ready" && end !== "running") return formatCount(reading.step, ends[end]);
+  if (isOver(end)) return formatCount(reading.step, ends[end]);
   return phase === "ready" ? t("Ready") : t("Paused at step {step}", { step: reading.step });
 }
 
-/** @param {import("../protocol.js").State} reading @param {string} said  the status line */
-function reasonText({ status, message }, said) {
-  if (status === "stepLimit") return t("Play goes on for as many steps again.");
-  const text = translated(message);
-  return text.startsWith(said) ? text.slice(said.length).replace(/^[:.,\s]+/, "") : text;
+/** Why a run is over, beyond what the status line says. @param {Readonly<PageState>} state */
+export function reasonText(state) {
+  if (state.phase !== "paused" || !state.reading) return "";
+  const { status, message } = state.reading;
+  const [text, said] = [translated(message), statusText(state)];
+  if (status === "stepLimit") return t("{reason}. Play goes on.", { reason: text });
+  // The solver counts in the plural only.
+  return text.startsWith(said) ? text.slice(said.length).replace(/^\p{L}*[:.,\s]+/u, "") : text;
 }
 
 /** @param {Readonly<PageState>} state how much of the way is done, or null where nothing is to be waited for */
@@ -102,12 +106,11 @@ export function createStatus() {
   return {
     /** @param {Readonly<PageState>} state */
     update(state) {
-      const { reading, phase } = state;
+      const { reading } = state;
       setText(status, statusText(state));
       setText(brief, reading ? `${symbol(state)} = ${formatNumber(reading.energy, 4)}` : "");
 
-      const why =
-        phase === "paused" && reading ? reasonText(reading, status.textContent ?? "") : "";
+      const why = reasonText(state);
       setText(reason, why);
       reason.hidden = why === "";
 

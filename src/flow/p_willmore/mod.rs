@@ -78,6 +78,8 @@ pub struct PWillmoreFlow {
     h: f64,
     /// ∫H² of the best smooth surface of the topology, where that bounds the functional.
     smooth_minimum: Option<f64>,
+    /// Whether the start is not below it already, as on a mesh too coarse to be judged by it.
+    is_resolved: bool,
     kept: Kept,
     /// Integrals and derivatives at the present positions.
     evaluation: Evaluation,
@@ -140,13 +142,16 @@ impl PWillmoreFlow {
         let mut evaluation = Evaluation::default();
         let integrals = functional.integrals(x, &mut evaluation);
         let is_bounded = options.p == 2.0 && helfrich.is_zero();
+        let smooth_minimum = lower_bounds(mesh)
+            .map(|bounds| bounds.willmore)
+            .filter(|_| is_bounded);
         Ok(Self {
             kept: Kept::new(options, &integrals)?,
             h,
             scale,
-            smooth_minimum: lower_bounds(mesh)
-                .filter(|_| is_bounded)
-                .map(|bounds| bounds.willmore),
+            is_resolved: smooth_minimum
+                .is_some_and(|least| 0.25 * integrals.energy >= LEAST * least),
+            smooth_minimum,
             mesh: Rc::clone(mesh),
             options: options.clone(),
             functional,
@@ -238,7 +243,7 @@ impl Flow for PWillmoreFlow {
             turn: Some(LEAST_TURN),
             folds: Folds::None,
             least_angle: Some(LEAST_ANGLE),
-            bound: self.smooth_minimum,
+            bound: self.smooth_minimum.filter(|_| self.is_resolved),
             bound_share: LEAST,
             roundoff: ROUNDOFF * self.shown(self.evaluation.integrals.objective).abs(),
             // The terms of Helfrich may make it less than nothing.

@@ -175,7 +175,7 @@ impl Work {
             }
             Cause::Bound => {
                 "Every step tried was refused: even the last and shortest would have less energy \
-                 than any smooth surface with these handles, and move vertex {vertex} most."
+                 than any smooth surface of this topology, and move vertex {vertex} most."
             }
             Cause::Unfit => {
                 "Every step tried was refused: even the last and shortest would leave no surface \

@@ -18,11 +18,19 @@ const info = { vertices: 3, faces: 1, area: 4, volume: null, warnings: ["one odd
 
 export class FakeSession {
   /**
-   * @param {{ endAfter?: number, failAt?: number, refuse?: boolean }} [behaviour]
-   *   converges after a number of steps, fails in one, or refuses every mesh
+   * @param {{ endAfter?: number, ending?: string, failAt?: number, refuse?: boolean }} [behaviour]
+   *   ends after a number of steps, converged unless told otherwise, fails in one, or refuses
+   *   every mesh
    */
-  constructor({ endAfter = Infinity, failAt = Infinity, refuse = false } = {}) {
+  constructor({
+    endAfter = Infinity,
+    ending = "converged",
+    failAt = Infinity,
+    refuse = false,
+  } = {}) {
     this.endAfter = endAfter;
+    this.ending = ending;
+    this.limit = Infinity;
     this.failAt = failAt;
     this.refuse = refuse;
     this.step_ = 0;
@@ -46,14 +54,20 @@ export class FakeSession {
     return { pairs: Uint32Array.of(0, 1, 0, 2), triangles: Uint32Array.of(0, 1, 2) };
   }
 
-  /** @param {unknown} options */
+  /** @param {{ maxSteps?: number }} options */
   configure(options) {
+    this.limit = options.maxSteps ?? Infinity;
     this.calls.push(["configure", options]);
   }
 
   state() {
-    const status = this.over ? "converged" : "running";
-    return { status, message: `At step ${this.step_}.` };
+    const isSpent = this.step_ >= this.limit;
+    const status = this.over ? this.ending : isSpent ? "stepLimit" : "running";
+    return { status, message: `At step ${this.step_}`, monitored: "smoothedCircle" };
+  }
+
+  curvatureJump() {
+    return null;
   }
 
   step() {
@@ -63,13 +77,23 @@ export class FakeSession {
     }
     if (this.step_ + 1 >= this.failAt) throw fault("NotFinite", "Vertex 2 is not finite.", "Less.");
     this.step_ += 1;
-    return { step: this.step_, energy: 12 - this.step_, dt: 0.1, gradientNorm: 1, milliseconds: 2 };
+    const cost = { gradientNorm: 1, milliseconds: 2, flippedFaces: 0, warnings: [] };
+    return { step: this.step_, energy: 12 - this.step_, dt: 0.1, ...cost };
   }
 
   /** @param {unknown} options */
   energy(options) {
     this.calls.push(["energy", options]);
     return energies;
+  }
+
+  /** One new vertex. */
+  fill() {
+    return { loops: [0], verticesAdded: 1, facesAdded: 3, firstVertex: 3, warnings: [] };
+  }
+
+  info() {
+    return info;
   }
 
   /** @param {string} format */

@@ -1,0 +1,99 @@
+//! The semi-implicit step, how long a whole one is, and what is better than its outcome.
+
+use super::curvatures::Curvatures;
+use super::{AT_REST, CAP, CONTRACTING, CurvatureFlow, SHORT, TOLERANCE, TOLERANCE_AT_REST};
+use crate::flow::{Cost, FlowError, Move, Search};
+use crate::geometry::measure;
+use glam::DVec3;
+
+impl CurvatureFlow {
+    /// The move of step size dt.
+    pub(super) fn solve(
+        &mut self,
+        x: &[DVec3],
+        dt: f64,
+        cost: &mut Cost,
+    ) -> Result<Move, FlowError> {
+        self.choose_law();
+        let at = self.take_curvatures(x);
+        let solved = self.system.solve(&at, &self.region, x, dt, cost);
+        let (phi, quality) = match solved {
+            Ok(solved) => solved,
+            Err(error) => {
+                self.curvatures = Some(at);
+                return Err(error);
+            }
+        };
+        quality.tell(cost);
+        self.is_iterative |= quality.is_iterative;
+        let largest = phi.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        self.size = largest / self.region.h;
+        let share = if self.is_paper() || self.can_vanish() {
+            1.0
+        } else {
+            (CAP / self.size).min(1.0)
+        };
+        let mut d = vec![DVec3::ZERO; x.len()];
+        for (&v, phi) in self.region.free.iter().zip(&phi) {
+            d[v as usize] = match at.row(v as usize) {
+                Ok(row) => share * phi * at.operators.normal(row),
+                Err(error) => {
+                    self.curvatures = Some(at);
+                    return Err(error);
+                }
+            };
+        }
+        self.curvatures = Some(at);
+        let search = if self.is_paper() {
+            Search::Unseen
+        } else {
+            Search::Solve
+        };
+        let mut step = Move::new(d, 0.0, share * dt, search);
+        step.update = Some(self.size);
+        step.grows = self.size < SHORT;
+        let is_whole = dt >= self.full_dt();
+        let is_contracting = |last: f64| self.size <= CONTRACTING * last;
+        if is_whole && self.descends() && self.last_whole.is_some_and(is_contracting) {
+            step.ceiling = Some(self.ceiling(TOLERANCE_AT_REST));
+        }
+        step.rests = is_whole && self.size < AT_REST && !self.ladder.is_climbing();
+        Ok(step)
+    }
+
+    /// Largest |φ| of a whole step of the present law, in mean edges; the step is kept, as it
+    /// may be the next that is asked for.
+    pub(super) fn whole_size(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<f64, FlowError> {
+        let dt = self.full_dt();
+        let step = self.solve(x, dt, cost)?;
+        self.known = Some((dt, step));
+        Ok(self.size)
+    }
+
+    /// Root mean square of V over the free vertices, times L^(k−1): without a unit.
+    pub(super) fn speed(&mut self, at: &Curvatures) -> f64 {
+        self.choose_law();
+        let power = self.present_law().order() - 1;
+        match self.system.velocities(at, &self.region) {
+            Ok(v) => {
+                let mean = v.iter().map(|v| v * v).sum::<f64>() / v.len().max(1) as f64;
+                mean.sqrt() * self.region.length.powi(power)
+            }
+            Err(_) => f64::NAN,
+        }
+    }
+
+    /// The law's energy at positions that are no trial.
+    pub(super) fn energy_of(&self, x: &[DVec3]) -> f64 {
+        let at = Curvatures::of(&self.mesh, x, &self.region);
+        self.law.energy(&at, measure::area(&self.mesh, x))
+    }
+
+    /// The best of the start and the end of the ladder, where that is better than `x`.
+    pub(super) fn better_than(&self, x: &[DVec3]) -> Option<Vec<DVec3>> {
+        let known = [Some(&self.start), self.top.as_ref()];
+        let energies = known.into_iter().flatten().map(|y| (self.energy_of(y), y));
+        let best = energies.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        (best.0 < (1.0 - TOLERANCE) * self.energy_of(x)).then(|| best.1.clone())
+    }
+}
