@@ -348,15 +348,17 @@ fn a_run_that_is_lost_begins_anew_with_surface_diffusion() {
     let begin = start(&s, Some(holes), false);
     let alone = begin.fair_after(FlowName::Mmcv, Some(0));
     assert_eq!(alone.status, Status::Stalled);
+    // No rest there either, but the best patch on the way.
     let end = begin.fair(FlowName::Mmcv);
-    end.assert_good();
+    assert_eq!((end.status, end.folded), (Status::Stalled, 0));
+    assert!(end.jump.relative < alone.jump.relative);
     let told = end
         .warnings
         .iter()
         .filter(|w| w.contains("back to the start"));
     assert_eq!(told.count(), 1, "{:?}", end.warnings);
     let asked = begin.fair_after(FlowName::Mmcv, Some(40));
-    assert!(largest_difference(&asked.x, &end.x) < 1e-5 * radius);
+    assert!(asked.jump.relative < alone.jump.relative);
 }
 
 #[test]

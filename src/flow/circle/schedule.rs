@@ -12,7 +12,9 @@ use crate::flow::options::{FlowOptions, Goal, Integrator, Scheme};
 use glam::DVec3;
 
 /// The steps in which ε falls when the objective hardly falls any more.
-const LEVELS: [f64; 5] = [0.03, 0.01, 0.003, 0.001, 0.0];
+const LEVELS: [f64; 4] = [0.03, 0.01, 0.003, 0.0];
+/// The same for L-BFGS, which each smaller ε leads on from the last.
+const FINE_LEVELS: [f64; 4] = [0.01, 0.003, 0.001, 0.0];
 /// A relative decrease per step below this is slow …
 const SLOW: f64 = 1e-3;
 /// … and so many slow steps in a row are the sign to sharpen: one alone may only mean
@@ -82,6 +84,7 @@ pub(super) struct Schedule {
     weak_steps: u32,
     steps: u32,
     last_energy: f64,
+    least_energy: f64,
 }
 
 impl Schedule {
@@ -117,6 +120,7 @@ impl Schedule {
             weak_steps: 0,
             steps: 0,
             last_energy: f64::INFINITY,
+            least_energy: f64::INFINITY,
         }
     }
 
@@ -167,6 +171,8 @@ impl Schedule {
         is_spherical: bool,
     ) -> Stage {
         self.steps += 1;
+        let hardly_falls = self.least_energy - energy < SLOW * energy.abs();
+        self.least_energy = self.least_energy.min(energy);
         let is_weak = self.last_energy - energy < WEAK * energy.abs();
         self.last_energy = energy;
         self.weak_steps = if is_weak { self.weak_steps + 1 } else { 0 };
@@ -175,7 +181,8 @@ impl Schedule {
         } else {
             SLOW
         };
-        let slow = before - after < share * before.abs();
+        // Near a sphere the smoothed energy goes on falling when W does not any more.
+        let slow = before - after < share * before.abs() || is_spherical && hardly_falls;
         self.slow_steps = if slow { self.slow_steps + 1 } else { 0 };
         if !self.is_finishing
             && self.weak_steps >= WEAK_STEPS
@@ -237,7 +244,7 @@ impl Schedule {
         let frozen = self.exact && !self.always_exact && self.level > 0.0 && tau < FROZEN;
         if frozen && self.trusts_spheres {
             self.trusts_spheres = false;
-            self.level = self.level.min(GENTLE);
+            self.level = self.asked.min(GENTLE);
             self.exact = false;
             self.slow_steps = 0;
             return true;
@@ -261,7 +268,12 @@ impl Schedule {
             return false;
         }
         self.slow_steps = 0;
-        match LEVELS.into_iter().find(|&l| l < self.level) {
+        let levels = if self.is_finishing {
+            FINE_LEVELS
+        } else {
+            LEVELS
+        };
+        match levels.into_iter().find(|&l| l < self.level) {
             Some(level) => {
                 self.level = level;
                 self.exact = level == 0.0;

@@ -74,6 +74,9 @@ const LEAST_SLACK: f64 = 1e-7;
 /// are converging to a rest, and may lead above the least reading by so much more.
 const CONTRACTING: f64 = 0.7;
 const TOLERANCE_AT_REST: f64 = 1e-2;
+/// On the ladder the flow's own energy may rise, but not above so many times that at the start:
+/// a tube may pinch off there.
+const LADDER: f64 = 10.0;
 /// A reading that has come to this share of the first is zero.
 const ZERO: f64 = 1e-13;
 /// A surface is at rest if a whole step moves no vertex by more than this share of an edge …
@@ -180,7 +183,7 @@ impl CurvatureFlow {
     }
 
     /// The law whose functional is watched: on the ladder that of the flow itself, which rungs
-    /// may raise, but not above where it began.
+    /// may raise, but not without bounds.
     fn watched(&self) -> Law {
         if self.ladder.is_climbing() {
             self.law
@@ -266,7 +269,7 @@ impl Flow for CurvatureFlow {
         }
         if self.ladder.is_climbing() {
             return Rules {
-                ceiling: Ceiling::Below(self.first_energy),
+                ceiling: Ceiling::Below(LADDER * self.first_energy),
                 ..Rules::unseen()
             };
         }

@@ -133,9 +133,9 @@ impl Work {
             .or_else(|| self.pinch(stopped))
             .or_else(|| self.inflating())
             .or_else(|| self.below_minimum())
+            .or_else(|| self.failed())
             .or_else(|| self.too_rough())
             .or_else(|| self.folded_over(flow))
-            .or_else(|| self.failed())
             .or_else(|| self.degenerate())
             .or_else(|| match status {
                 Status::Stalled | Status::Singular | Status::Collapsed => self.refused(flow),

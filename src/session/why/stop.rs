@@ -130,8 +130,8 @@ impl Work {
             return Some(diagnosis.with([Some(Remedy::exponent(2.0)), self.can_regularise()]));
         }
         let update = self.last()?.update.filter(|update| *update > LOST)?;
-        let waits =
-            self.options().flow == FlowName::Mmcv && self.course_reports().len() > 2 * WINDOW;
+        let is_long = self.course_reports().len() > 2 * WINDOW;
+        let waits = self.options().flow == FlowName::Mmcv && (is_long || stalled);
         let (vertex, _) = self.last_move().filter(|_| waits)?;
         let sentence = Text::new(
             "After {steps} steps vertices are still to move by up to {update} edge lengths: the \
