@@ -15,10 +15,6 @@ pub(super) enum Engine {
 
 /// What a step back restores along with the positions.
 #[derive(Clone, Copy, Debug)]
-#[allow(
-    clippy::large_enum_variant,
-    reason = "a moment of a flow also has positions, which are far larger"
-)]
 pub(super) enum Checkpoint {
     Flow(flow::Checkpoint),
     /// Number of edge flips made.
