@@ -374,6 +374,7 @@
  * @property {Monitored} monitored
  * @property {number} objectiveBefore   that functional, before …
  * @property {number} objective         … and after
+ * @property {boolean} prepares         the step prepares a rough start, and may raise the objective
  * @property {number} gradientNorm
  * @property {number} area
  * @property {number | null} volume

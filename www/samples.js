@@ -307,7 +307,7 @@ export const samples = [
     label: "Surface with four handles",
     note: "Its handles round off; ∫H² tends below 8π (p-Willmore, figure 8).",
     shape: "double-torus",
-    parameters: { genus: 4, level: 2 },
+    parameters: { genus: 4, level: 3 },
     options: { flow: "p-willmore" },
   },
   {

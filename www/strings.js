@@ -674,8 +674,6 @@ export const german = {
   Genus: "Geschlecht",
   Vertices: "Ecken",
   Faces: "Facetten",
-  "Self-intersections at the start": "Selbstdurchdringungen zu Beginn",
-  "not counted": "nicht gezählt",
   "Milliseconds per step": "Millisekunden je Schritt",
   "not orientable": "nicht orientierbar",
   "none enclosed": "keines umschlossen",

@@ -139,6 +139,8 @@ pub struct StepReport {
     pub energy_normalised: f64,
     /// Which functional the step must not raise.
     pub monitored: Monitored,
+    /// Whether the step only prepares a rough start for the flow, and so may raise it.
+    pub prepares: bool,
     /// That functional before the step.
     pub objective_before: f64,
     /// The same after.

@@ -27,6 +27,7 @@ mod probe;
 mod property_io;
 mod real_meshes;
 mod regularise;
+mod robust_flows;
 mod self_intersection;
 mod session;
 mod session_fill;

@@ -16,7 +16,6 @@ function readingsOf({ reading, mesh }) {
     genus: info.genus === null ? t("not orientable") : String(info.genus),
     vertices: String(info.vertices),
     faces: String(info.faces),
-    crossings: info.selfIntersections === null ? t("not counted") : String(info.selfIntersections),
   };
   if (!reading) return counts;
   return {

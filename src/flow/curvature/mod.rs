@@ -379,6 +379,7 @@ impl Flow for CurvatureFlow {
         report.energy = self.law.energy(&at, report.area);
         report.energy_normalised = self.law.normalised(report.energy, self.region.length);
         report.gradient_norm = self.speed(&at);
+        report.prepares = self.ladder.is_climbing();
         self.curvatures = Some(at);
     }
 
