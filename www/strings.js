@@ -1527,6 +1527,8 @@ export const german = {
     "Die größte Facette ist auf das {}-Fache des Mittels gewachsen: Ein Teil der Fläche bläht sich auf, und die gezeigte Energie ist zu klein. Ein feineres Netz hilft.",
   "The mesh degenerates: its smallest angle is {}°, {}° at the start; {}.":
     "Das Netz entartet: Sein kleinster Winkel ist {}°, am Anfang {}°; {}.",
+  "Two readings of ∫H², with a lumped and with a consistent mass, part by {} %: the mesh does not resolve its curvature well.":
+    "Zwei Werte von ∫H², mit konzentrierter und mit konsistenter Masse, weichen um {} % voneinander ab: Das Netz löst seine Krümmung nicht gut auf.",
   "∫H² is below that of every smooth surface with these handles: the mesh no longer resolves the surface.":
     "∫H² liegt unter dem jeder glatten Fläche mit diesen Henkeln: Das Netz löst die Fläche nicht mehr auf.",
   "At vertex {} {}: use a finer mesh.": "Bei Ecke {} {}: Nehmen Sie ein feineres Netz.",

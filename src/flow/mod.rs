@@ -103,7 +103,7 @@ pub trait Flow {
         f64::NAN
     }
 
-    /// At the trial that was measured last, what a theorem bounds; see [`Rules::least`].
+    /// At the trial that was measured last, what a theorem bounds; see [`Rules::bound`].
     fn bounded(&self) -> f64 {
         f64::INFINITY
     }

@@ -110,6 +110,11 @@ pub enum Warning {
 pub struct WarningsGiven(u32);
 
 impl WarningsGiven {
+    /// Whether the warning has been given.
+    pub fn was_given(self, warning: Warning) -> bool {
+        self.0 & (1 << warning as u32) != 0
+    }
+
     /// Whether the warning has not been given yet; it counts as given from now on.
     pub fn is_first(&mut self, warning: Warning) -> bool {
         let bit = 1 << warning as u32;

@@ -13,6 +13,10 @@ const UNDER_RESOLVED: f64 = 3.0;
 const SINGULAR: f64 = 8.0;
 /// With a functional so near the smooth minimum the mesh may cheat.
 const NEAR_MINIMUM: f64 = 0.985;
+/// Two masses whose ∫H² part by so many per cent tell of a mesh that is too coarse or crumpled;
+/// looked at every so many steps, as it costs about a trial.
+const DISAGREEING: f64 = 5.0;
+const LOOK_EVERY: usize = 10;
 
 impl PWillmoreFlow {
     pub(super) fn warn_of(&self, x: &[DVec3], report: &mut StepReport, given: &mut WarningsGiven) {
@@ -36,6 +40,16 @@ impl PWillmoreFlow {
                  longer resolves the surface."
                     .into(),
             );
+        }
+        let is_time = self.options.p == 2.0 && report.step.is_multiple_of(LOOK_EVERY);
+        if is_time && !given.was_given(Warning::Disagreement) {
+            let percent = 100.0 * self.functional.disagreement(x);
+            if percent > DISAGREEING && given.is_first(Warning::Disagreement) {
+                report.warnings.push(format!(
+                    "Two readings of ∫H², with a lumped and with a consistent mass, part by \
+                     {percent:.0} %: the mesh does not resolve its curvature well."
+                ));
+            }
         }
         let curvatures = self.evaluation.curvature.iter().zip(&self.evaluation.mass);
         let (at, sharpest) = curvatures
