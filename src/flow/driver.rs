@@ -379,6 +379,7 @@ impl Driver {
             after: value,
             scale: after.scale,
             dt,
+            long_dt: self.flow.rules().long_dt,
             refused: found.rejected,
             is_guarded: found.is_guarded,
             met_bound: found.met_bound,

@@ -59,6 +59,9 @@ pub struct Rules {
     pub ends_at_rest: bool,
     /// Whether a functional that has stopped falling is a sign of rest.
     pub ends_when_idle: bool,
+    /// A gain in a longer step than this counts by so much of it only: at rest the steps become
+    /// as long as one likes, and a mesh still creeps.
+    pub long_dt: f64,
 }
 
 impl Rules {
@@ -77,6 +80,7 @@ impl Rules {
             can_vanish: false,
             ends_at_rest: true,
             ends_when_idle: false,
+            long_dt: f64::INFINITY,
         }
     }
 }

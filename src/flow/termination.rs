@@ -48,6 +48,8 @@ pub(super) struct Gain {
     pub(super) after: f64,
     pub(super) scale: f64,
     pub(super) dt: f64,
+    /// See [`Rules::long_dt`](super::Rules).
+    pub(super) long_dt: f64,
     pub(super) refused: usize,
     pub(super) is_guarded: bool,
     pub(super) met_bound: bool,
@@ -68,7 +70,8 @@ impl Window {
     /// Notes an accepted step; whether the functional has stopped falling.
     pub(super) fn is_idle(&mut self, gain: Gain) -> bool {
         let slot = self.count % WINDOW;
-        self.gains[slot] = gain.before - gain.after;
+        let counted = (gain.long_dt / gain.dt).min(1.0);
+        self.gains[slot] = (gain.before - gain.after) * counted;
         self.refused[slot] = gain.refused;
         self.guarded[slot] = gain.is_guarded;
         self.count += 1;
@@ -142,6 +145,7 @@ mod tests {
             after,
             scale: after,
             dt: 1.0,
+            long_dt: f64::INFINITY,
             refused,
             is_guarded: false,
             met_bound: false,

@@ -204,6 +204,7 @@ impl Flow for CircleFlow {
             can_vanish: false,
             ends_at_rest: self.options.goal == Goal::Relax,
             ends_when_idle: self.options.goal == Goal::Relax,
+            long_dt: f64::INFINITY,
         }
     }
 

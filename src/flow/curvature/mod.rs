@@ -293,6 +293,7 @@ impl Flow for CurvatureFlow {
             can_vanish,
             ends_at_rest: true,
             ends_when_idle: self.descends(),
+            long_dt: f64::INFINITY,
         }
     }
 

@@ -61,6 +61,8 @@ const LEAST: f64 = 0.97;
 const REFERENCE_TAU: f64 = 0.1;
 /// … by this share of it at most.
 const AT_REST: f64 = 1e-4;
+/// Gains in steps of more than this τ/L^(p+2) count by so much only.
+const LONG_TAU: f64 = 10.0;
 /// Roundoff of the energy, as a share of it.
 const ROUNDOFF: f64 = 1e-15;
 
@@ -255,6 +257,7 @@ impl Flow for PWillmoreFlow {
             can_vanish,
             ends_at_rest: true,
             ends_when_idle: true,
+            long_dt: LONG_TAU * self.time_unit(),
         }
     }
 
