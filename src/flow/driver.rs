@@ -146,7 +146,7 @@ impl Driver {
             let here = restarted.as_deref().unwrap_or(x);
             let occasion = Occasion::Before;
             if let Some(phase) = self.flow.next_phase(here, &occasion, &mut cost)? {
-                restarted = self.begin(phase, &mut cost).or(restarted);
+                restarted = self.begin(phase, &mut cost.warnings).or(restarted);
                 before = self.evaluate(restarted.as_deref().unwrap_or(x), &mut cost)?;
             }
             if let Some(verdict) = self.is_zero(before.value) {
@@ -167,7 +167,7 @@ impl Driver {
                 break;
             };
             self.run.is_exhausted = false;
-            restarted = self.begin(phase, &mut cost).or(restarted);
+            restarted = self.begin(phase, &mut cost.warnings).or(restarted);
             before = self.evaluate(restarted.as_deref().unwrap_or(x), &mut cost)?;
         }
         let here = restarted.as_deref().unwrap_or(x);
@@ -182,7 +182,8 @@ impl Driver {
                     }
                     _ => None,
                 };
-                let Some(from) = better.and_then(|phase| self.begin(phase, &mut cost)) else {
+                let Some(from) = better.and_then(|phase| self.begin(phase, &mut cost.warnings))
+                else {
                     return Ok((None, ending));
                 };
                 (self.placed(here, from, &mut cost)?, Some(ending))
@@ -208,7 +209,7 @@ impl Driver {
     }
 
     /// Begins a phase; the positions it begins from, if they are not those there are.
-    fn begin(&mut self, phase: Phase, cost: &mut Cost) -> Option<Vec<DVec3>> {
+    pub(super) fn begin(&mut self, phase: Phase, warnings: &mut Vec<String>) -> Option<Vec<DVec3>> {
         if phase.resets_step_size {
             self.run.step_size = self.flow.step_size();
         }
@@ -216,7 +217,7 @@ impl Driver {
             self.run.least = f64::INFINITY;
         }
         self.run.window = Window::default();
-        cost.warnings.extend(phase.event);
+        warnings.extend(phase.event);
         phase.from
     }
 

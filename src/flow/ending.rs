@@ -105,7 +105,7 @@ impl Driver {
             after: ending.after.scale,
         };
         if let Some(phase) = self.flow.next_phase(x, &occasion, cost)? {
-            self.begin_after_step(phase, report);
+            self.begin(phase, &mut report.warnings);
         } else if ending.is_leading {
             // A window that spans the lead would see a fall that is none.
             self.run.window = Default::default();
@@ -116,17 +116,6 @@ impl Driver {
             return Ok(verdict);
         }
         Ok(self.out_of_budget().unwrap_or(Verdict::GoOn))
-    }
-
-    fn begin_after_step(&mut self, phase: super::Phase, report: &mut StepReport) {
-        if phase.resets_step_size {
-            self.run.step_size = self.flow.step_size();
-        }
-        if phase.resets_functional {
-            self.run.least = f64::INFINITY;
-        }
-        self.run.window = Default::default();
-        report.warnings.extend(phase.event);
     }
 
     /// The functional has stopped falling.
@@ -142,7 +131,7 @@ impl Driver {
             is_guarded: self.run.window.is_guarded(),
         };
         if let Some(phase) = self.flow.next_phase(x, &occasion, cost)? {
-            self.begin_after_step(phase, report);
+            self.begin(phase, &mut report.warnings);
             return Ok(None);
         }
         if self.flow.stationarity(x, cost)? <= 1.0 {

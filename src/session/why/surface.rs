@@ -1,5 +1,5 @@
 //! What can be the matter with the surface and its mesh. Thresholds are those of the flows' own
-//! warnings (see their `verdict.rs`) where they have one.
+//! warnings (see their `warning.rs`, and `flow/ending.rs`) where they have one.
 
 use super::elements;
 use super::remedy::Remedy;
