@@ -45,7 +45,7 @@
 //! # Modules
 //!
 //! Dependencies point one way: `mesh ← geometry ← operator ← energy ← remesh ← flow ←
-//! session ← web`; `io` and `viewer` stand beside and know no flow; `soup` is what `io` and
+//! app ← web`; `io` and `viewer` stand beside and know no flow; `soup` is what `io` and
 //! `mesh` share; `linalg` knows vectors only.
 //!
 //! # References
@@ -60,6 +60,8 @@
 //! - W. Brink, L. Alboul: *Willmore energy vs area as criteria for mesh optimisation*.
 
 #[cfg(feature = "solver")]
+pub mod app;
+#[cfg(feature = "solver")]
 pub mod energy;
 #[cfg(feature = "solver")]
 pub mod flow;
@@ -73,8 +75,6 @@ pub mod mesh;
 pub mod operator;
 #[cfg(feature = "solver")]
 pub mod remesh;
-#[cfg(feature = "solver")]
-pub mod session;
 pub mod soup;
 pub mod viewer;
 pub mod web;

@@ -1,5 +1,5 @@
 //! Dependencies between the folders of `src` point one way:
-//! `mesh ← geometry ← operator ← energy ← remesh ← flow ← session ← web`,
+//! `mesh ← geometry ← operator ← energy ← remesh ← flow ← app ← web`,
 //! with `io`, `linalg` and `viewer` beside, knowing no flow.
 
 use std::collections::BTreeSet;
@@ -26,16 +26,14 @@ const ALLOWED: &[(&str, &[&str])] = &[
         &["soup", "mesh", "geometry", "operator", "energy", "linalg"],
     ),
     (
-        "session",
+        "app",
         &[
             "soup", "io", "mesh", "geometry", "operator", "energy", "flow", "remesh", "linalg",
         ],
     ),
     (
         "web",
-        &[
-            "session", "viewer", "io", "mesh", "energy", "flow", "linalg",
-        ],
+        &["app", "viewer", "io", "mesh", "energy", "flow", "linalg"],
     ),
 ];
 
@@ -90,7 +88,7 @@ fn uses_are_found_however_they_are_written() {
     let text = "
 use crate::mesh::Halfedge;
 use crate::{energy::circle::{self, Star}, flow, web::x as y};
-//! [`crate::session`] is only named
+//! [`crate::app`] is only named
 let x = crate::io::read(&bytes); // and crate::viewer is a comment
 pub(crate) fn f() {}
 #[cfg(test)]

@@ -3,9 +3,7 @@
 
 use super::fault::{fault, object};
 use super::session::{Session, field, floats, from_js, indices, loaded, to_js};
-use crate::session::{
-    Arrangement, ConjectureReport, FillOptions, FlipOptions, Pane, SubdivideOptions,
-};
+use crate::app::{Arrangement, ConjectureReport, FillOptions, FlipOptions, Pane, SubdivideOptions};
 use js_sys::{Float64Array, Function};
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;

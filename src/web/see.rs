@@ -2,7 +2,7 @@
 
 use super::fault::{fault, object};
 use super::session::{Session, field, floats, from_js, indices, to_js};
-use crate::session::{Look, SelfIntersections};
+use crate::app::{Look, SelfIntersections};
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::*;
 

@@ -3,11 +3,11 @@
 //! Typed arrays given out are copies owned by JavaScript, safe to transfer.
 
 use super::fault::{fault, object};
+use crate::app::{Fault, Field, Loaded, RegulariseOptions, Session as Inner};
 use crate::energy::circle::Boundary;
 use crate::flow::options::FlowOptions;
 use crate::io::Format;
 use crate::mesh::shape;
-use crate::session::{Fault, Field, Loaded, RegulariseOptions, Session as Inner};
 use js_sys::{Float32Array, Function, Uint8Array, Uint32Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;

@@ -2,7 +2,7 @@
 
 use super::fault::object;
 use super::session::{Session, from_js, indices, to_js};
-use crate::session::{Diagnosis, StudyOptions};
+use crate::app::{Diagnosis, StudyOptions};
 use wasm_bindgen::prelude::*;
 
 fn diagnosis(d: &Diagnosis) -> JsValue {

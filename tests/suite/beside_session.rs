@@ -1,8 +1,8 @@
 //! Flows beside each other in a session: the same start, step by step, to their rest.
 
+use umbilic::app::{Arrangement, Compare, Pane, Session};
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::session::{Arrangement, Compare, Pane, Session};
 
 const NAMES: [&str; 4] = ["mean-curvature", "surface-diffusion", "willmore", "mmcv"];
 

@@ -1,13 +1,13 @@
 //! Going on with another flow: as from a new start, and the way back stays.
 
 use crate::support::session::{Dice, flowing, shown, with};
+use umbilic::app::{
+    Arrangement, Compare, Configured, DiagnosisKind, Leg, RegulariseOptions, Session,
+};
 use umbilic::flow::Status;
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
 use umbilic::io::Format;
-use umbilic::session::{
-    Arrangement, Compare, Configured, DiagnosisKind, Leg, RegulariseOptions, Session,
-};
 
 /// Options that have nothing to do with each other, for a closed and for an open surface.
 fn changes() -> Vec<(Session, FlowOptions)> {

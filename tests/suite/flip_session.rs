@@ -1,11 +1,11 @@
 //! Edge flips in a session: steps and the way back, criteria side by side, samples with
 //! known ends, edits and their undoing.
 
+use umbilic::app::{Arrangement, Compare, FlipOptions, Session};
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::io::Format;
 use umbilic::remesh::flips::reduction::Criterion;
-use umbilic::session::{Arrangement, Compare, FlipOptions, Session};
 
 fn options(criterion: Criterion) -> FlowOptions {
     FlowOptions {

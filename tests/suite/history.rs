@@ -2,13 +2,13 @@
 //! the last bit.
 
 use crate::support::session::{Dice, flowing, shown, with};
+use umbilic::app::{
+    Arrangement, Compare, Edit, FillOptions, FlipOptions, Leg, RegulariseOptions, Session,
+};
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions, Integrator};
 use umbilic::io::Format;
 use umbilic::remesh::Mode;
-use umbilic::session::{
-    Arrangement, Compare, Edit, FillOptions, FlipOptions, Leg, RegulariseOptions, Session,
-};
 
 fn flips_a_step(session: &mut Session, flips_per_step: usize, compare: Compare) {
     let arrangement = Arrangement {

@@ -2,6 +2,7 @@
 
 use crate::support::{Surface, surface};
 use glam::DVec3;
+use umbilic::app::{Session, Wanted};
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
 use umbilic::energy::p_willmore::integrated_power;
@@ -9,7 +10,6 @@ use umbilic::flow::options::FlowOptions;
 use umbilic::geometry::inversion::{Inversion, distance_to_surface};
 use umbilic::geometry::measure;
 use umbilic::mesh::shape;
-use umbilic::session::{Session, Wanted};
 
 fn sample(name: &str) -> Surface {
     surface(&shape::make(name, &[]).expect("a sample").soup)

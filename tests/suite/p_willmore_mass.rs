@@ -8,6 +8,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::path::PathBuf;
 use std::rc::Rc;
+use umbilic::app::Session;
 use umbilic::energy::circle::Boundary;
 use umbilic::energy::p_willmore::integrated_power;
 use umbilic::energy::p_willmore::{Evaluation, Helfrich, PWillmore, WillmoreBounds};
@@ -16,7 +17,6 @@ use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::geometry::measure;
 use umbilic::operator::Mass;
-use umbilic::session::Session;
 use umbilic::soup::PolygonSoup;
 
 const MASSES: [Mass; 3] = [Mass::Lumped, Mass::Mixed, Mass::Consistent];

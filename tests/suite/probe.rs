@@ -3,13 +3,13 @@
 use crate::support::surface;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
+use umbilic::app::{Kind, MAX_CIRCLES, Probe, Session, Wanted, edge_angle};
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
 use umbilic::flow::options::FlowOptions;
 use umbilic::geometry::measure;
 use umbilic::mesh::shape;
 use umbilic::operator::fitted::principal::{Principal, aligned_edges, principal_directions};
-use umbilic::session::{Kind, MAX_CIRCLES, Probe, Session, Wanted, edge_angle};
 
 fn session(name: &str, values: &[(&str, f64)], boundary: Boundary) -> Session {
     let values: Vec<(String, f64)> = values.iter().map(|(n, v)| ((*n).to_owned(), *v)).collect();

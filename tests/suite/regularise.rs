@@ -5,6 +5,7 @@ use crate::support::session::{flowing, shown};
 use crate::support::*;
 use glam::{DQuat, DVec3};
 use std::rc::Rc;
+use umbilic::app::Session;
 use umbilic::energy::conformal::{conformal_distortion, reference_angles};
 use umbilic::flow::options::FlowName;
 use umbilic::geometry::measure;
@@ -13,7 +14,6 @@ use umbilic::mesh::shape;
 use umbilic::operator::Elements;
 use umbilic::remesh::static_pass::{Outcome, RegulariseError, Settings, quality, regularise};
 use umbilic::remesh::{Mode, Regulariser};
-use umbilic::session::Session;
 use umbilic::soup::PolygonSoup;
 
 fn shape_of(name: &str, values: &[(&str, f64)]) -> PolygonSoup {

@@ -6,12 +6,12 @@ use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+use umbilic::app::Session;
 use umbilic::flow::options::FlowOptions;
 use umbilic::geometry::measure::{bounding_diagonal, triangle_points};
 use umbilic::geometry::self_intersection::{CONTACT, pairs, pairs_within, triangles};
 use umbilic::io::{self, Format};
 use umbilic::mesh::{Face, Vertex, shape};
-use umbilic::session::Session;
 use umbilic::soup::PolygonSoup;
 
 /// Several surfaces in one soup.

@@ -2,11 +2,11 @@
 
 use std::cell::RefCell;
 use std::rc::Rc;
+use umbilic::app::Session;
 use umbilic::energy::circle::Boundary;
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions, Goal, Scheme};
 use umbilic::io::{self, Format};
-use umbilic::session::Session;
 
 fn with(name: &str, values: &[(&str, f64)]) -> Session {
     let mut session = Session::new();

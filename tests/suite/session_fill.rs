@@ -1,11 +1,11 @@
 //! Filling as a session does it: the free set, cancelling, undoing.
 
 use std::ops::ControlFlow;
+use umbilic::app::{Fault, FillOptions, FillOutcome, FlipOptions, Loops, Session};
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::io::Format;
 use umbilic::remesh::fill::FillProgress;
-use umbilic::session::{Fault, FillOptions, FillOutcome, FlipOptions, Loops, Session};
 
 fn session(name: &str, values: &[(&str, f64)]) -> Session {
     let values: Vec<(String, f64)> = values.iter().map(|&(n, v)| (n.into(), v)).collect();

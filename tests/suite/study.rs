@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
-use umbilic::session::{
-    Limits, Manner, Session, Study, StudyOptions, StudyReport, Tendency, Trend,
-};
+use umbilic::app::{Limits, Manner, Session, Study, StudyOptions, StudyReport, Tendency, Trend};
 
 fn study(name: &str, values: &[(&str, f64)], p: f64, vertices: usize) -> StudyReport {
     let parameters = values.iter().map(|(n, v)| ((*n).to_owned(), *v)).collect();

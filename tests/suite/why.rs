@@ -2,14 +2,14 @@
 //! remedy helps.
 
 use glam::DVec3;
+use umbilic::app::{
+    Diagnosis, DiagnosisKind as Kind, FlipOptions, Loaded, RegulariseOptions, Remedy, RemedyId,
+    Session, SubdivideOptions, SubdivisionScheme,
+};
 use umbilic::flow::Status;
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions, Integrator, Scheme};
 use umbilic::remesh::Mode;
-use umbilic::session::{
-    Diagnosis, DiagnosisKind as Kind, FlipOptions, Loaded, RegulariseOptions, Remedy, RemedyId,
-    Session, SubdivideOptions, SubdivisionScheme,
-};
 
 struct Case {
     session: Session,
@@ -54,7 +54,7 @@ impl Case {
         found
     }
 
-    fn state(&self) -> umbilic::session::State {
+    fn state(&self) -> umbilic::app::State {
         self.session.state().expect("a mesh")
     }
 
@@ -83,7 +83,7 @@ impl Case {
             session.reset().expect("a mesh");
         }
         self.options = remedy.change.applied(&self.options);
-        if remedy.change != umbilic::session::Change::default() {
+        if remedy.change != umbilic::app::Change::default() {
             if !remedy.from_start {
                 session.adopt().expect("a mesh");
             }

@@ -1,8 +1,8 @@
 //! Sessions on samples, and all that one shows.
 
+use umbilic::app::{Session, State};
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::io::Format;
-use umbilic::session::{Session, State};
 
 pub fn with(sample: &str, values: &[(&str, f64)], options: FlowOptions) -> Session {
     let mut session = Session::new();

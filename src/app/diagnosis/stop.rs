@@ -4,11 +4,11 @@ use super::elements;
 use super::remedy::Remedy;
 use super::text::{Text, number};
 use super::{Diagnosis, Kind};
+use crate::app::engine::Engine;
+use crate::app::work::Work;
 use crate::flow::options::FlowName;
 use crate::flow::refusal::Cause;
 use crate::flow::{FlowError, Status};
-use crate::session::engine::Engine;
-use crate::session::work::Work;
 
 /// An energy above the least of the last steps by more than this share has risen.
 const RISEN: f64 = 0.05;

@@ -2,9 +2,9 @@
 
 use super::Limits;
 use super::exact::Exact;
+use crate::app::fault::Fault;
 use crate::mesh::shape;
 use crate::mesh::subdivide::{loop_limit, loop_scheme};
-use crate::session::fault::Fault;
 use crate::soup::PolygonSoup;
 use serde::Serialize;
 use std::collections::BTreeMap;

@@ -5,13 +5,13 @@ use super::elements;
 use super::remedy::Remedy;
 use super::text::{Text, number};
 use super::{Diagnosis, Kind};
+use crate::app::engine::Engine;
+use crate::app::work::Work;
 use crate::flow::Status;
 use crate::flow::constraint::Kept;
 use crate::flow::options::FlowName;
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
-use crate::session::engine::Engine;
-use crate::session::work::Work;
 use std::f64::consts::PI;
 
 /// Bends, see [`Sharpest`]: of a ring of two edges, and of one of four, which is a reason where

@@ -2,12 +2,12 @@
 
 use super::remedy::Remedy;
 use super::stop::WINDOW;
+use crate::app::work::Work;
 use crate::flow::StepReport;
 use crate::flow::constraint::Kept;
 use crate::flow::options::{FlowName, Scheme};
 use crate::flow::refusal::farthest;
 use crate::remesh::Mode;
-use crate::session::work::Work;
 
 /// A mesh of more vertices is not the one to be subdivided without being asked.
 const FEW: usize = 50_000;
