@@ -8,6 +8,7 @@
 pub mod boundary;
 pub mod bounds;
 pub mod circle;
+mod conformal_fields;
 pub mod constraint;
 pub mod cost;
 pub mod curvature;

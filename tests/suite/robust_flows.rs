@@ -130,6 +130,7 @@ fn an_ellipsoid_under_every_flow() {
     let willmore = run(&s, options(FlowName::Willmore, 200), "ellipsoid");
     let ratio = willmore.last().energy / (4.0 * PI);
     assert!((1.0..1.03).contains(&ratio), "{ratio}");
+    assert_eq!(willmore.status, Status::Converged, "{}", willmore.message);
     let mut last = f64::INFINITY;
     for report in willmore.reports.iter().take(10) {
         assert!(report.energy < last);

@@ -46,6 +46,11 @@ impl Curvatures {
         })
     }
 
+    /// Vertices that integrals run over, each with a third of the area of its triangles.
+    pub(super) fn areas(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.near.iter().map(|&(v, area)| (v as usize, area))
+    }
+
     /// Integral over the part of the surface that free vertices have an influence on: all
     /// vertices within two edges of them, each with a third of its triangles. Vertices
     /// without a fit are left out.

@@ -24,6 +24,7 @@
 
 mod curvature_variation;
 mod curvatures;
+mod gauge;
 mod ladder;
 mod law;
 mod mean_curvature;

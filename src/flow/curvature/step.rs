@@ -1,6 +1,7 @@
 //! The semi-implicit step, how long a whole one is, and what is better than its outcome.
 
 use super::curvatures::Curvatures;
+use super::gauge;
 use super::{AT_REST, CAP, CONTRACTING, CurvatureFlow, SHORT, TOLERANCE, TOLERANCE_AT_REST};
 use crate::flow::{Cost, FlowError, Move, Search};
 use crate::geometry::measure;
@@ -17,7 +18,7 @@ impl CurvatureFlow {
         self.choose_law();
         let at = self.take_curvatures(x);
         let solved = self.system.solve(&at, &self.region, x, dt, cost);
-        let (phi, quality) = match solved {
+        let (mut phi, quality) = match solved {
             Ok(solved) => solved,
             Err(error) => {
                 self.curvatures = Some(at);
@@ -26,8 +27,12 @@ impl CurvatureFlow {
         };
         quality.tell(cost);
         self.is_iterative |= quality.is_iterative;
-        let largest = phi.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-        self.size = largest / self.region.h;
+        let largest_of = |phi: &[f64]| phi.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let is_free_to_creep = self.smooth_minimum.is_some() && !self.is_paper();
+        if is_free_to_creep && largest_of(&phi) < SHORT * self.region.h {
+            gauge::remove(&mut phi, &at, &self.region, x);
+        }
+        self.size = largest_of(&phi) / self.region.h;
         let share = if self.is_paper() || self.can_vanish() {
             1.0
         } else {

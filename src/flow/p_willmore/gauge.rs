@@ -1,17 +1,11 @@
-//! Steps without a part along the conformal maps of space.
-//!
-//! ∫H² of a smooth closed surface does not change under scaling and inversions. That of a
-//! mesh does, a little, and is least far out on the orbit: a surface that has arrived would
-//! creep there for ever, growing. Taken out of the step is what lies along the scaling
-//! v = y and the special conformal fields v = 2⟨b, y⟩y − |y|²b about the centre, b = e_x, e_y,
-//! e_z; the rest still descends.
+//! Steps without a part along the conformal maps of space, see
+//! [`conformal_fields`](crate::flow::conformal_fields): least far out on the orbit of a mesh
+//! under them, ∫H² would go on falling, growing the mesh. What is left still descends.
 
 use crate::energy::p_willmore::Evaluation;
+use crate::flow::conformal_fields::{self, COUNT};
 use crate::flow::constraint::dot;
 use glam::DVec3;
-
-/// Number of fields: one scaling and three special conformal maps.
-const FIELDS: usize = 4;
 
 /// M v of the fields' normal parts, end to end, unit length³ up to their scale.
 pub(super) fn fields(x: &[DVec3], at: &Evaluation) -> Vec<DVec3> {
@@ -19,18 +13,12 @@ pub(super) fn fields(x: &[DVec3], at: &Evaluation) -> Vec<DVec3> {
     let weighted = x.iter().zip(&at.mass).map(|(p, m)| *m * *p);
     let centre = weighted.sum::<DVec3>() / total;
     let scale = total.sqrt();
-    let mut fields = Vec::with_capacity(FIELDS * x.len());
-    for k in 0..FIELDS {
+    let mut fields = Vec::with_capacity(COUNT * x.len());
+    for k in 0..COUNT {
         for (i, p) in x.iter().enumerate() {
             let n = at.volume_gradient[i].normalize_or_zero();
             let y = (*p - centre) / scale;
-            let v = match k {
-                0 => y,
-                _ => {
-                    let b = DVec3::AXES[k - 1];
-                    2.0 * b.dot(y) * y - y.length_squared() * b
-                }
-            };
+            let v = conformal_fields::velocity(k, y);
             fields.push(at.mass[i] * v.dot(n) * n);
         }
     }
@@ -43,9 +31,9 @@ pub(super) fn remove(d: &mut [DVec3], responses: &[DVec3], fields: &[DVec3]) {
     let n = d.len();
     let field = |k: usize| &fields[k * n..(k + 1) * n];
     let response = |k: usize| &responses[k * n..(k + 1) * n];
-    let mut matrix = [[0.0; FIELDS]; FIELDS];
-    let mut rhs = [0.0; FIELDS];
-    for j in 0..FIELDS {
+    let mut matrix = [[0.0; COUNT]; COUNT];
+    let mut rhs = [0.0; COUNT];
+    for j in 0..COUNT {
         for (k, entry) in matrix[j].iter_mut().enumerate() {
             *entry = dot(field(j), response(k));
         }
@@ -62,15 +50,15 @@ pub(super) fn remove(d: &mut [DVec3], responses: &[DVec3], fields: &[DVec3]) {
 /// Gaussian elimination with a symmetric positive semi-definite matrix; a field that depends
 /// on those before, as the special conformal ones do on a round sphere about its centre, is
 /// left out.
-fn solve(mut a: [[f64; FIELDS]; FIELDS], mut b: [f64; FIELDS]) -> [f64; FIELDS] {
-    let size = (0..FIELDS).map(|k| a[k][k]).fold(0.0, f64::max);
-    let mut is_used = [true; FIELDS];
-    for p in 0..FIELDS {
+fn solve(mut a: [[f64; COUNT]; COUNT], mut b: [f64; COUNT]) -> [f64; COUNT] {
+    let size = (0..COUNT).map(|k| a[k][k]).fold(0.0, f64::max);
+    let mut is_used = [true; COUNT];
+    for p in 0..COUNT {
         if a[p][p] <= 1e-12 * size {
             is_used[p] = false;
             continue;
         }
-        for r in (0..FIELDS).filter(|&r| r != p) {
+        for r in (0..COUNT).filter(|&r| r != p) {
             let factor = a[r][p] / a[p][p];
             let pivot = a[p];
             for (entry, value) in a[r].iter_mut().zip(pivot) {
@@ -79,8 +67,8 @@ fn solve(mut a: [[f64; FIELDS]; FIELDS], mut b: [f64; FIELDS]) -> [f64; FIELDS] 
             b[r] -= factor * b[p];
         }
     }
-    let mut x = [0.0; FIELDS];
-    for k in (0..FIELDS).filter(|&k| is_used[k]) {
+    let mut x = [0.0; COUNT];
+    for k in (0..COUNT).filter(|&k| is_used[k]) {
         x[k] = b[k] / a[k][k];
     }
     x
@@ -98,11 +86,11 @@ mod tests {
             let t = (k * n + i) as f64;
             DVec3::new(t.sin(), (1.7 * t).cos(), (0.3 * t * t).sin())
         };
-        let fields: Vec<DVec3> = (0..FIELDS * n).map(|i| wave(0, i)).collect();
+        let fields: Vec<DVec3> = (0..COUNT * n).map(|i| wave(0, i)).collect();
         let mut d: Vec<DVec3> = (0..n).map(|i| wave(7, i)).collect();
         let before = dot(&d, &d);
         remove(&mut d, &fields, &fields);
-        for k in 0..FIELDS {
+        for k in 0..COUNT {
             let along = dot(&fields[k * n..(k + 1) * n], &d);
             assert!(along.abs() < 1e-12, "{along}");
         }
