@@ -12,7 +12,7 @@ use glam::DVec3;
 const GOOD_ANGLE: f64 = 10.0;
 /// It may not make an element smaller than this share of the mean: conformal maps of long
 /// limbs onto a ball shrink their ends without bound.
-const LEAST_ELEMENT: f64 = 1e-3;
+const LEAST_ELEMENT: f64 = 1e-4;
 /// Shares of a regularising displacement that are tried.
 const SHARES: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 
