@@ -62,6 +62,8 @@
 #[cfg(feature = "solver")]
 pub mod app;
 #[cfg(feature = "solver")]
+pub mod arrays;
+#[cfg(feature = "solver")]
 pub mod energy;
 #[cfg(feature = "solver")]
 pub mod flow;

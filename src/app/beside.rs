@@ -5,6 +5,7 @@ use super::as_f32;
 use super::field::FieldName;
 use super::pane::Pane;
 use super::work::Work;
+use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::Status;
 use crate::flow::options::{FlowName, FlowOptions};
@@ -23,6 +24,7 @@ const FURTHER: usize = 60;
 
 /// Where a flow beside others stands.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Standing {
     /// Steps taken.
@@ -124,11 +126,11 @@ impl Work {
                 message: work.state.message.clone(),
                 jump: work.curvature_jump(),
             }),
-            positions: as_f32(&work.x),
-            triangles: work.document.triangles.triangle_indices(),
-            wire_edges: work.document.polygons.edge_indices(false),
-            boundary_edges: work.document.polygons.edge_indices(true),
-            highlight: Vec::new(),
+            positions: as_f32(&work.x).into(),
+            triangles: work.document.triangles.triangle_indices().into(),
+            wire_edges: work.document.polygons.edge_indices(false).into(),
+            boundary_edges: work.document.polygons.edge_indices(true).into(),
+            highlight: TypedArray::default(),
             field: field.and_then(|f| work.field(f).ok()),
         };
         // In the order of the paper, whichever was chosen.

@@ -3,6 +3,7 @@
 use super::Session;
 use super::fault::Fault;
 use super::work::Work;
+use crate::arrays::TypedArray;
 use crate::mesh::{Edge, HalfedgeMesh};
 use crate::remesh::flips::conjecture::{Quadrants, survey};
 use crate::remesh::flips::lab::{CLASSES, Lab};
@@ -14,22 +15,26 @@ use serde::Serialize;
 const SHOWN: usize = 12_000;
 
 /// f_a against f_l for the edges of a mesh that can be flipped.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct ConjectureReport {
     /// All of them, by quadrant.
+    #[serde(flatten)]
     pub counts: Quadrants,
     /// Those shown: ends and apexes i, j, k, l, …
-    pub corners: Vec<u32>,
+    pub corners: TypedArray<u32>,
     /// … f_a over the area of both triangles …
-    pub area: Vec<f32>,
+    pub area: TypedArray<f32>,
     /// … and f_l in radians. Counterexamples come first, the strongest of them foremost.
-    pub localised: Vec<f32>,
+    pub localised: TypedArray<f32>,
     /// How many of those shown are counterexamples.
-    pub n_counterexamples: usize,
+    pub counterexamples: usize,
 }
 
 /// The numbers of one quadrilateral.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct QuadReport {
     /// Positions of i, j, k, l.
@@ -62,6 +67,7 @@ impl QuadReport {
 
 /// A class of random quadrilaterals.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct ClassReport {
     /// Upper end of the angle between the faces, in degrees.
@@ -74,6 +80,7 @@ pub struct ClassReport {
 
 /// What the random quadrilaterals say so far.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct LabReport {
     /// Random tetrahedra drawn …
@@ -165,7 +172,7 @@ fn report(mesh: &HalfedgeMesh, x: &[DVec3]) -> ConjectureReport {
     counterexamples.sort_by(|(_, a), (_, b)| strength(b).total_cmp(&strength(a)));
     let mut report = ConjectureReport {
         counts,
-        n_counterexamples: counterexamples.len(),
+        counterexamples: counterexamples.len(),
         ..ConjectureReport::default()
     };
     let agreeing = all.iter().filter(|(_, r)| r.agree()).step_by(stride);

@@ -119,6 +119,9 @@ impl Work {
             dt: self.state.dt,
             tau: self.state.tau,
             state: self.state.clone(),
+            held_vertices: (0..self.x.len())
+                .map(|v| u8::from(!flow.is_free(v)))
+                .collect(),
         })
     }
 

@@ -2,9 +2,11 @@
 
 use super::Session;
 use super::fault::Fault;
+use crate::arrays::TypedArray;
 use crate::geometry::self_intersection;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
+use serde::Serialize;
 
 /// Boxes that the diagnosis card compares at most: measured, a second in wasm for a heap of
 /// triangles in one place, and half of one for a mesh of some 300,000 triangles, each of which
@@ -14,12 +16,13 @@ const BRIEF: usize = 8_000_000;
 const PATIENT: usize = 8 * BRIEF;
 
 /// The triangles that pass through each other.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct SelfIntersections {
     /// Two triangles a pair, the smaller number first; sorted.
-    pub pairs: Vec<[u32; 2]>,
+    pub pairs: TypedArray<u32>,
     /// The triangles of all pairs, each once; sorted.
-    pub triangles: Vec<u32>,
+    pub triangles: TypedArray<u32>,
 }
 
 /// Number of pairs, see [`self_intersection`]; `None` where that would take more than about a
@@ -43,7 +46,7 @@ impl Session {
                 .into_iter()
                 .map(|f| f.0)
                 .collect(),
-            pairs: pairs.into_iter().map(|pair| pair.map(|f| f.0)).collect(),
+            pairs: pairs.into_iter().flatten().map(|f| f.0).collect(),
         }))
     }
 }

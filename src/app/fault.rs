@@ -13,6 +13,7 @@ use std::collections::BTreeMap;
 ///
 /// Code switches on `kind`, never on the text.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Fault {
     /// Noun of what is wrong.
     pub kind: String,
@@ -42,6 +43,15 @@ impl Fault {
             "NoMesh",
             "there is no mesh",
             "Open a mesh or choose a sample first.",
+        )
+    }
+
+    /// A name of a format that is none.
+    pub fn unknown_format(name: &str) -> Self {
+        Self::new(
+            "UnknownFormat",
+            format!("there is no format `{name}`"),
+            "obj, off, ply, ply-ascii, stl, stl-ascii or glb.",
         )
     }
 

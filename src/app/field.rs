@@ -1,6 +1,7 @@
 //! Scalar fields to colour the surface by.
 
 use super::fault::Fault;
+use crate::arrays::TypedArray;
 use crate::energy::circle::{Boundary, CircleEnergy};
 use crate::geometry::curvature;
 use crate::mesh::HalfedgeMesh;
@@ -9,6 +10,7 @@ use serde::Serialize;
 
 /// What a surface can be coloured by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 pub enum FieldName {
     /// Pointwise H, as the flow measures it.
@@ -62,14 +64,15 @@ impl FieldName {
 }
 
 /// A value per vertex and how to show it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Field {
     /// Which field.
     pub name: FieldName,
     /// For people.
     pub label: &'static str,
     /// One value a vertex.
-    pub values: Vec<f32>,
+    pub values: TypedArray<f32>,
     /// Lower end of the robust range; −`high` when signed.
     pub low: f32,
     /// Upper end of the robust range.

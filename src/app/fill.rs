@@ -10,6 +10,7 @@ use std::rc::Rc;
 
 /// Which loops are filled: the word `all`, or their numbers, counted from 0.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum Loops {
     /// All, by name.
@@ -24,6 +25,7 @@ pub enum Loops {
 
 /// How holes are filled. Unknown names are refused.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct FillOptions {
     /// Which loops.
@@ -37,6 +39,7 @@ pub struct FillOptions {
 /// What the fill did. The new vertices are those from `first_vertex` on, and the free ones
 /// of the next flow.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct FillOutcome {
     /// The loops that are no more, by the numbers they had.
@@ -53,6 +56,7 @@ pub struct FillOutcome {
 
 /// A boundary loop, for people to choose from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct LoopInfo {
     /// Number of edges, and of vertices.
     pub edges: usize,

@@ -13,6 +13,7 @@ use std::rc::Rc;
 
 /// How connectivity is optimised. Unknown names are refused.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct FlipOptions {
     /// What is to become small.
@@ -27,6 +28,7 @@ pub struct FlipOptions {
 
 /// Costs before or after.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Costs {
     /// Total area.
     pub area: f64,
@@ -36,6 +38,7 @@ pub struct Costs {
 
 /// What the flips did.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct FlipOutcome {
     /// Flips made.
     pub flips: usize,
@@ -47,6 +50,7 @@ pub struct FlipOutcome {
     pub after: Costs,
     /// A row a flip with a header, as comma-separated values, if asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub history: Option<String>,
 }
 

@@ -6,7 +6,7 @@ use super::engine::Checkpoint;
 use super::readings::State;
 use crate::flow::StepReport;
 use crate::flow::options::FlowOptions;
-use crate::remesh::static_pass::Settings;
+use crate::remesh::static_pass::RegulariseOptions;
 use glam::DVec3;
 use serde::Serialize;
 use std::collections::VecDeque;
@@ -32,7 +32,7 @@ pub(super) struct Act {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Deed {
     Step,
-    Regularise(Settings),
+    Regularise(RegulariseOptions),
     /// From here on a flow of these options.
     Flow(Rc<FlowOptions>),
 }
@@ -106,6 +106,7 @@ impl Branch {
 
 /// A branch, for people to choose from.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct BranchInfo {
     /// Its number.
     pub id: u32,
@@ -119,6 +120,7 @@ pub struct BranchInfo {
 
 /// The steps that can be shown.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Timeline {
     /// The step of the start, which is always stored.
     pub start: usize,

@@ -7,6 +7,7 @@ use super::look::{Look, Wanted};
 use super::recipe::Edit;
 use super::work::Work;
 use super::{Loaded, Session, as_f32};
+use crate::arrays::TypedArray;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{Boundary, CircleEnergy};
 use crate::energy::p_willmore;
@@ -29,6 +30,7 @@ const FARTHEST: f64 = 1e3;
 
 /// What an inversion leaves and what it changes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct InversionReadings {
     /// W over interior vertices, made of angles between circles through vertices: invariant.
@@ -62,6 +64,7 @@ impl InversionReadings {
 
 /// An inversion in numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct InversionReport {
     /// Its centre, in the coordinates of the file.
@@ -83,12 +86,13 @@ pub struct InversionReport {
 }
 
 /// A surface inverted, to look at.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Inverted {
     /// What changes.
     pub report: InversionReport,
     /// Three coordinates a vertex.
-    pub positions: Vec<f32>,
+    pub positions: TypedArray<f32>,
     /// The colours asked for.
     pub field: Option<Field>,
     /// What is drawn over it: circles stay circles.
@@ -105,18 +109,15 @@ impl Session {
     pub fn preview_inversion(
         &self,
         centre: [f64; 3],
-        field: &str,
+        field: Option<FieldName>,
         wanted: Wanted,
     ) -> Result<Inverted, Fault> {
         let work = self.work()?;
         let (x, report) = work.inverted(centre)?;
-        let field = match field {
-            "none" => None,
-            name => Some(work.field_at(FieldName::parse(name)?, &x)?),
-        };
+        let field = field.map(|name| work.field_at(name, &x)).transpose()?;
         Ok(Inverted {
             report,
-            positions: as_f32(&x),
+            positions: as_f32(&x).into(),
             field,
             look: work.look(wanted, &x),
         })

@@ -4,6 +4,7 @@ use super::fault::Fault;
 use super::probe::Probe;
 use super::work::Work;
 use super::{Session, as_f32};
+use crate::arrays::TypedArray;
 use crate::geometry::circumcircle::Circle;
 use crate::geometry::measure;
 use crate::mesh::{Face, Vertex};
@@ -13,6 +14,7 @@ use serde::{Deserialize, Serialize};
 
 /// What to look at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct Wanted {
     /// A vertex with its star and the circumcircles of its triangles.
@@ -25,7 +27,7 @@ pub struct Wanted {
 
 /// What a segment belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum SegmentKind {
     /// An edge at the vertex probed.
     Spoke,
     /// A circumcircle at it.
@@ -40,6 +42,7 @@ pub enum Kind {
 
 /// Circles or crosses drawn of those there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Drawn {
     /// So many of them …
@@ -52,6 +55,7 @@ pub struct Drawn {
 
 /// How edges lie to the lines of curvature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Alignment {
     /// Edges within [`ALIGNED_DEGREES`] of a line of curvature …
@@ -61,14 +65,16 @@ pub struct Alignment {
 }
 
 /// What is seen.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Look {
     /// The vertex probed.
     pub probe: Option<Probe>,
     /// Two ends a segment, three coordinates each, relative to the mesh's frame.
-    pub ends: Vec<f32>,
-    /// A kind a segment.
-    pub kinds: Vec<Kind>,
+    pub ends: TypedArray<f32>,
+    /// The [`SegmentKind`] of each segment, by its number.
+    pub kinds: TypedArray<u8>,
     /// Of all circumcircles.
     pub circles: Option<Drawn>,
     /// Of principal directions.
@@ -119,11 +125,11 @@ impl Work {
             let mesh = self.triangles();
             for spoke in mesh.star(vertex) {
                 if let Some(circle) = self.circle(x, spoke.face) {
-                    look.circle(&circle, PROBED_SIDES, Kind::ProbedCircle);
+                    look.circle(&circle, PROBED_SIDES, SegmentKind::ProbedCircle);
                 }
             }
             for w in mesh.neighbours(vertex) {
-                look.segment(x[vertex.index()], x[w.index()], Kind::Spoke);
+                look.segment(x[vertex.index()], x[w.index()], SegmentKind::Spoke);
             }
         }
         look
@@ -143,7 +149,7 @@ impl Work {
             match self.circle(x, f).filter(|c| c.radius() < size) {
                 Some(circle) => {
                     drawn += 1;
-                    look.circle(&circle, SIDES, Kind::Circle);
+                    look.circle(&circle, SIDES, SegmentKind::Circle);
                 }
                 None => left_out += 1,
             }
@@ -170,7 +176,7 @@ impl Work {
             for (direction, kind) in p
                 .directions
                 .into_iter()
-                .zip([Kind::Largest, Kind::Smallest])
+                .zip([SegmentKind::Largest, SegmentKind::Smallest])
             {
                 let arm = ARM * lengths[i] * direction;
                 look.segment(x[i] - arm, x[i] + arm, kind);
@@ -187,12 +193,12 @@ impl Work {
 }
 
 impl Look {
-    fn segment(&mut self, a: DVec3, b: DVec3, kind: Kind) {
+    fn segment(&mut self, a: DVec3, b: DVec3, kind: SegmentKind) {
         self.ends.extend(as_f32(&[a, b]));
-        self.kinds.push(kind);
+        self.kinds.push(kind as u8);
     }
 
-    fn circle(&mut self, circle: &Circle, sides: usize, kind: Kind) {
+    fn circle(&mut self, circle: &Circle, sides: usize, kind: SegmentKind) {
         let points: Vec<DVec3> = circle.points(sides).collect();
         for (k, &p) in points.iter().enumerate() {
             self.segment(p, points[(k + 1) % sides], kind);

@@ -4,6 +4,7 @@
 //! mesh, its positions and its history stay as they were.
 
 mod beside;
+mod command;
 mod conjecture;
 mod course;
 mod crossing;
@@ -15,6 +16,7 @@ mod fault;
 mod field;
 mod fill;
 mod flip;
+mod frame;
 mod history;
 mod invert;
 mod look;
@@ -28,26 +30,31 @@ mod timeline;
 mod work;
 
 pub use crate::flow::Progress;
-pub use crate::remesh::static_pass::Settings as RegulariseOptions;
+pub use crate::remesh::static_pass::{MeshQuality, RegulariseOptions, Regularised};
 pub use beside::Standing;
+pub use command::{Answer, Command};
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
 pub use crossing::SelfIntersections;
-pub use diagnosis::{Change, Diagnosis, Kind as DiagnosisKind, Remedy, RemedyId, Text};
+pub use diagnosis::{Change, Diagnosis, DiagnosisKind, Remedy, RemedyId, Text};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
+pub use frame::{ChosenFlow, Frame, Sample};
 pub use history::{BranchInfo, Timeline};
 pub use invert::{InversionReadings, InversionReport, Inverted};
-pub use look::{ALIGNED_DEGREES, Alignment, Drawn, Kind, Look, MAX_CIRCLES, MAX_CROSSES, Wanted};
-pub use pane::{Arrangement, Compare, Curves, Pane};
+pub use look::{
+    ALIGNED_DEGREES, Alignment, Drawn, Look, MAX_CIRCLES, MAX_CROSSES, SegmentKind, Wanted,
+};
+pub use pane::{Arrangement, Compare, Curve, Curves, Pane};
 pub use probe::{Probe, ProbedEdge, edge_angle};
 pub use readings::{EnergyReadings, Info, State};
 pub use recipe::{Chapter, Edit, Leg, Recipe};
 pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
-pub use subdivide::{Scheme as SubdivisionScheme, SubdivideOptions};
+pub use subdivide::{SubdivideOptions, SubdivisionScheme};
 pub use work::Configured;
 
+use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
@@ -55,33 +62,36 @@ use crate::io::Format;
 use crate::mesh::shape;
 use crate::remesh::fill::FillProgress;
 use crate::remesh::flips::lab::Lab;
-use crate::remesh::static_pass::Outcome;
 use document::Document;
 use edit::Edits;
+use frame::View;
 use glam::DVec3;
+use serde::Serialize;
 use work::Work;
 
 /// What is known after a mesh was loaded, and everything a viewer needs to draw it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Loaded {
     /// Base name without extension, for downloads.
     pub name: String,
     /// Diagnosis card.
     pub info: Info,
     /// Three coordinates a vertex, relative to the mesh's frame.
-    pub positions: Vec<f32>,
+    pub positions: TypedArray<f32>,
     /// Three corners a triangle.
-    pub triangles: Vec<u32>,
+    pub triangles: TypedArray<u32>,
     /// Two ends an edge of the file's own faces.
-    pub wire_edges: Vec<u32>,
+    pub wire_edges: TypedArray<u32>,
     /// Two ends a boundary edge.
-    pub boundary_edges: Vec<u32>,
+    pub boundary_edges: TypedArray<u32>,
     /// Whether the file has triangles only.
     pub triangles_only: bool,
     /// Vertices a sample suggests to hold.
-    pub fixed: Option<Vec<u32>>,
+    pub fixed: Option<TypedArray<u32>>,
     /// Vertices a sample suggests to move.
-    pub free: Option<Vec<u32>>,
+    pub free: Option<TypedArray<u32>>,
 }
 
 impl Loaded {
@@ -89,13 +99,13 @@ impl Loaded {
         Self {
             name: document.name.clone(),
             info: document.info(),
-            positions: as_f32(&document.start),
-            triangles: document.triangles.triangle_indices(),
-            wire_edges: document.polygons.edge_indices(false),
-            boundary_edges: document.polygons.edge_indices(true),
+            positions: as_f32(&document.start).into(),
+            triangles: document.triangles.triangle_indices().into(),
+            wire_edges: document.polygons.edge_indices(false).into(),
+            boundary_edges: document.polygons.edge_indices(true).into(),
             triangles_only: document.polygons.is_triangular(),
-            fixed: document.fixed.clone(),
-            free: document.free.clone(),
+            fixed: document.fixed.clone().map(TypedArray),
+            free: document.free.clone().map(TypedArray),
         }
     }
 }
@@ -107,6 +117,7 @@ pub struct Session {
     lab: Option<Lab>,
     edits: Edits,
     study: Option<Study>,
+    view: View,
     progress: Option<Progress>,
 }
 
@@ -218,7 +229,7 @@ impl Session {
     /// # Errors
     /// Open and one-sided surfaces, and those that could only be bettered by changing their
     /// shape; the mesh stays as it was.
-    pub fn regularise(&mut self, settings: &RegulariseOptions) -> Result<Outcome, Fault> {
+    pub fn regularise(&mut self, settings: &RegulariseOptions) -> Result<Regularised, Fault> {
         self.ensure_configured()?.regularise(settings)
     }
 
@@ -283,8 +294,8 @@ impl Session {
     ///
     /// # Errors
     /// If there are not three finite coordinates a vertex.
-    pub fn restore(&mut self, positions: &[f32], step: usize, time: f64) -> Result<State, Fault> {
-        self.ensure_configured()?.restore(positions, step, time)
+    pub fn restore(&mut self, exact: &[f64], step: usize, time: f64) -> Result<State, Fault> {
+        self.ensure_configured()?.restore(exact, step, time)
     }
 
     /// Where the session stands.

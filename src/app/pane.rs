@@ -6,15 +6,17 @@ use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::work::Work;
 use super::{Session, as_f32};
+use crate::arrays::TypedArray;
 use crate::flow::flips::EdgeFlips;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
 use crate::remesh::flips::FlipOptimiser;
 use crate::remesh::flips::reduction::Criterion;
 use glam::DVec3;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// What stands beside the surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Compare {
     /// Nothing.
@@ -30,6 +32,7 @@ pub enum Compare {
 
 /// What is shown of edge flips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct Arrangement {
     /// Side by side.
@@ -51,34 +54,49 @@ impl Default for Arrangement {
 }
 
 /// Area and W against the number of flips, for plots.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Curves {
     /// Numbers of flips, from 0 to those of the run that made most.
-    pub flips: Vec<f64>,
-    /// A criterion's area and W after them; NaN after its last flip.
-    pub runs: Vec<(&'static str, Vec<f64>, Vec<f64>)>,
+    pub flips: TypedArray<f64>,
+    /// One a criterion.
+    pub runs: Vec<Curve>,
+}
+
+/// Area and W by one criterion after each of the [`Curves::flips`]; NaN after its last flip.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Curve {
+    /// The criterion.
+    pub criterion: Criterion,
+    /// Total area.
+    pub area: TypedArray<f64>,
+    /// W.
+    pub circle: TypedArray<f64>,
 }
 
 /// Points of a curve at most.
 const MAX_POINTS: usize = 400;
 
 /// A picture: all of what a viewer draws.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Pane {
     /// `start`, the criterion, or the flow.
     pub name: &'static str,
     /// Of flows beside each other: where this one stands.
     pub standing: Option<Standing>,
     /// Three coordinates a vertex.
-    pub positions: Vec<f32>,
+    pub positions: TypedArray<f32>,
     /// Three corners a triangle.
-    pub triangles: Vec<u32>,
+    pub triangles: TypedArray<u32>,
     /// Two ends an edge.
-    pub wire_edges: Vec<u32>,
+    pub wire_edges: TypedArray<u32>,
     /// Two ends a boundary edge.
-    pub boundary_edges: Vec<u32>,
+    pub boundary_edges: TypedArray<u32>,
     /// Two ends an edge that the last step made.
-    pub highlight: Vec<u32>,
+    pub highlight: TypedArray<u32>,
     /// Colours.
     pub field: Option<Field>,
 }
@@ -118,10 +136,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn curves(&self) -> Result<Curves, Fault> {
-        let flow = self.work()?.flow.as_ref();
-        Ok(flow
-            .and_then(|f| f.flips())
-            .map_or_else(Curves::default, curves))
+        Ok(self.work()?.curves())
     }
 }
 
@@ -140,7 +155,13 @@ impl Work {
         self.run_beside(arrangement.compare == Compare::Flows);
     }
 
-    fn panes(&self, field: Option<FieldName>) -> Vec<Pane> {
+    /// The curves of edge flips so far; empty under any other flow.
+    pub(super) fn curves(&self) -> Curves {
+        let flips = self.flow.as_ref().and_then(|flow| flow.flips());
+        flips.map_or_else(Curves::default, curves)
+    }
+
+    pub(super) fn panes(&self, field: Option<FieldName>) -> Vec<Pane> {
         let Some(flips) = self.flow.as_ref().and_then(|flow| flow.flips()) else {
             return self.flow_panes(field);
         };
@@ -177,13 +198,13 @@ impl Work {
         Pane {
             name,
             standing: None,
-            positions: as_f32(x),
-            triangles: drawn.triangle_indices(),
-            wire_edges: drawn.edge_indices(false),
-            boundary_edges: drawn.edge_indices(true),
+            positions: as_f32(x).into(),
+            triangles: drawn.triangle_indices().into(),
+            wire_edges: drawn.edge_indices(false).into(),
+            boundary_edges: drawn.edge_indices(true).into(),
             // Of the coarse mesh: on the finer one these are no edges.
             highlight: if finer.is_some() {
-                Vec::new()
+                TypedArray::default()
             } else {
                 edges.into_iter().flatten().map(|v| v.0).collect()
             },
@@ -214,7 +235,11 @@ fn curves(flow: &EdgeFlips) -> Curves {
             *gap = [run.area(), run.willmore()];
         }
         let [area, circle] = [0, 1].map(|i| both.iter().map(|c| c[i]).collect());
-        (name_of(run.criterion()), area, circle)
+        Curve {
+            criterion: run.criterion(),
+            area,
+            circle,
+        }
     };
     Curves {
         runs: flow.runs().iter().map(run).collect(),

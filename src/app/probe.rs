@@ -13,6 +13,7 @@ use std::f64::consts::TAU;
 
 /// An edge at the vertex.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct ProbedEdge {
     /// Its other end.
@@ -30,6 +31,7 @@ pub struct ProbedEdge {
 /// What is known of a vertex. Angles are in radians; H, K and the areas have the units of the
 /// file, 1/length, 1/length² and length².
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Probe {
     /// Its number, from 0.

@@ -19,6 +19,7 @@ use std::rc::Rc;
 
 /// Diagnosis card of a mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Info {
     /// Number of vertices.
@@ -95,6 +96,7 @@ impl Info {
 
 /// All energies and integrals of a surface.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct EnergyReadings {
     /// W = Σ W_i as printed by Bobenko & Schröder.
@@ -178,6 +180,7 @@ fn quadrilateral_integrals(mesh: &Rc<HalfedgeMesh>, x: &[DVec3], p: f64) -> Opti
 
 /// Where a session stands.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct State {
     /// Steps taken.

@@ -9,17 +9,18 @@ use super::history::Deed;
 use super::subdivide::SubdivideOptions;
 use super::work::Work;
 use crate::flow::options::FlowOptions;
-use crate::remesh::static_pass::Settings;
+use crate::remesh::static_pass::RegulariseOptions;
 use serde::Serialize;
 
 /// A part of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum Leg {
     /// So many steps.
     Steps(usize),
     /// A conformal regularisation of the mesh at rest.
-    Regularise(Settings),
+    Regularise(RegulariseOptions),
     /// The flow is made anew where it stands: it knows nothing of earlier steps.
     Anew,
     /// From here on another flow, or the same with other parameters.
@@ -28,6 +29,7 @@ pub enum Leg {
 
 /// What made another mesh of the one at hand.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum Edit {
     /// The surface as it was became the start.
@@ -44,6 +46,7 @@ pub enum Edit {
 
 /// A run, and the edit that ended it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Chapter {
     /// Options of the flow; absent where none was chosen.
     pub flow: Option<FlowOptions>,
@@ -55,6 +58,7 @@ pub struct Chapter {
 
 /// How the present surface came about.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Recipe {
     /// What made the mesh of the one that was loaded, oldest first.
     pub edits: Vec<Chapter>,

@@ -11,8 +11,9 @@ use std::rc::Rc;
 
 /// How faces are divided into four.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
-pub enum Scheme {
+pub enum SubdivisionScheme {
     /// At the midpoints of edges: the surface stays the same point set.
     #[default]
     Linear,
@@ -22,10 +23,11 @@ pub enum Scheme {
 
 /// Options of [`Session::subdivide`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct SubdivideOptions {
     /// How.
-    pub scheme: Scheme,
+    pub scheme: SubdivisionScheme,
 }
 
 /// Faces at most; no flow could take a step on more.
@@ -65,8 +67,8 @@ impl Work {
         let soup = document.polygons.to_soup(&document.start);
         let parents = subdivide::parents(&soup)?;
         let finer = match options.scheme {
-            Scheme::Linear => subdivide::linear(&soup)?,
-            Scheme::Loop => subdivide::loop_scheme(&soup)?,
+            SubdivisionScheme::Linear => subdivide::linear(&soup)?,
+            SubdivisionScheme::Loop => subdivide::loop_scheme(&soup)?,
         };
         let polygons: Rc<HalfedgeMesh> = Rc::new(mesh::build(&finer)?.mesh);
         let n_old = document.start.len();

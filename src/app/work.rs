@@ -10,6 +10,7 @@ use super::pane::Arrangement;
 use super::readings::{Info, State};
 use super::recipe::Chapter;
 use super::timeline::Shown;
+use crate::arrays::TypedArray;
 use crate::flow::flips::EdgeFlips;
 use crate::flow::options::FlowOptions;
 use crate::flow::{FlowError, Progress, Status, StepReport, Verdict, p_willmore};
@@ -17,7 +18,7 @@ use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::operator::Elements;
 use crate::remesh::Regulariser;
-use crate::remesh::static_pass::{self, Outcome, Settings};
+use crate::remesh::static_pass::{self, RegulariseOptions, Regularised};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 use serde::Serialize;
@@ -25,6 +26,7 @@ use std::rc::Rc;
 
 /// What a configuration amounts to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Configured {
     /// Number of vertices that move.
@@ -37,6 +39,8 @@ pub struct Configured {
     pub tau: f64,
     /// Readings at the start.
     pub state: State,
+    /// 1 for each vertex that is held, 0 for each that moves.
+    pub held_vertices: TypedArray<u8>,
 }
 
 /// A document with its flow.
@@ -226,7 +230,10 @@ impl Work {
     }
 
     /// Regularises the mesh as it is now, as a move that a step back undoes.
-    pub(super) fn regularise(&mut self, settings: &Settings) -> Result<Outcome, Fault> {
+    pub(super) fn regularise(
+        &mut self,
+        settings: &RegulariseOptions,
+    ) -> Result<Regularised, Fault> {
         let flow = self.flow.as_ref().ok_or_else(Fault::no_mesh)?;
         if flow.flips().is_some() {
             let message = "edge flips hold the positions, which a regularisation would move";
@@ -264,7 +271,7 @@ impl Work {
 
     pub(super) fn restore(
         &mut self,
-        positions: &[f32],
+        positions: &[f64],
         step: usize,
         time: f64,
     ) -> Result<State, Fault> {
@@ -274,10 +281,7 @@ impl Work {
             let message = format!("{found} coordinates do not fit {wanted} vertices");
             return Err(Fault::new("BadPositions", message, "Load the mesh again."));
         }
-        self.x = positions
-            .chunks_exact(3)
-            .map(|c| DVec3::new(f64::from(c[0]), f64::from(c[1]), f64::from(c[2])))
-            .collect();
+        self.x = positions.chunks_exact(3).map(DVec3::from_slice).collect();
         self.begin_history();
         self.is_restored = true;
         if let Some(flow) = &mut self.flow {

@@ -12,6 +12,7 @@ const SINGULAR: f64 = 1e-9;
 
 /// The jump of H across the boundary of the free patches.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct CurvatureJump {
     /// J = rms |H_in − H_out| over the boundary vertices, unit 1/length.
     pub absolute: f64,

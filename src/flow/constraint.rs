@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// What can be kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Kept {
     /// Total area.

@@ -20,6 +20,7 @@ const SHOWN: usize = 100;
 
 /// Where the optimisation by one criterion stands.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct FlipReading {
     /// What is to become small.

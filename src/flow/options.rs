@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// Which flow runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 pub enum FlowName {
     /// Bobenko & Schröder's circle-angle Willmore flow.
@@ -30,6 +31,7 @@ pub enum FlowName {
 
 /// Recommended treatment or the paper's own.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Scheme {
     /// Smoothed angles, semi-definite K, automatic step size: needs no tuning.
@@ -41,6 +43,7 @@ pub enum Scheme {
 
 /// How time is discretised.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 pub enum Integrator {
     /// (M/dt + K) Δx = −∇E, the paper's choice.
@@ -57,6 +60,7 @@ pub enum Integrator {
 
 /// What the run is for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Goal {
     /// As far down as possible, with growing steps.
@@ -68,6 +72,7 @@ pub enum Goal {
 
 /// The metric the gradient is taken in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum MassChoice {
     /// Uniform for relaxing, area for smoothing.
@@ -81,6 +86,7 @@ pub enum MassChoice {
 
 /// Options of a flow. Unknown names are refused.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct FlowOptions {
     /// Which flow.

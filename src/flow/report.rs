@@ -5,6 +5,7 @@ use serde::Serialize;
 
 /// Where a run stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Default)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum Status {
     /// Steps can be taken.
@@ -38,6 +39,7 @@ impl Status {
 
 /// The functional that does not rise on an accepted step of the recommended scheme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Default)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum Monitored {
     /// U_ε = Σ 2√(β² + ε²) − 2πN, which is W = Σ W_i as printed at ε = 0 and never below it.
@@ -126,6 +128,7 @@ impl WarningsGiven {
 
 /// One accepted step. Keys in JSON are the field names in camel case.
 #[derive(Clone, Debug, Default, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct StepReport {
     /// Number of the step, from 1.
@@ -183,20 +186,25 @@ pub struct StepReport {
     pub max_displacement: f64,
     /// What keeps area and volume, where they are kept.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub multipliers: Option<Multipliers>,
     /// 6√π V / A^(3/2), 1 for a sphere; of closed surfaces under the p-Willmore flow.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub reduced_volume: Option<f64>,
     /// Edge flips: where each criterion stands, the chosen one first.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub flips: Option<Vec<FlipReading>>,
     /// Largest distance a vertex was to move, in mean edge lengths; under the flows by mean
     /// curvature and its derivatives, where it tells convergence.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub update: Option<f64>,
     /// Norm of the residual of the linear system over that of its right-hand side, under the
     /// same flows.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub linear_residual: Option<f64>,
     /// Time for energy, gradient and matrix.
     pub assemble_milliseconds: f64,
@@ -212,6 +220,7 @@ pub struct StepReport {
 
 /// Lagrange multipliers of a step: ∇∫|H|^p + tension ∇A − pressure ∇V would vanish at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Multipliers {
     /// Of the area.
     pub tension: Option<f64>,

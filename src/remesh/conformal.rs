@@ -22,6 +22,7 @@ use serde::{Deserialize, Serialize};
 
 /// Where the normals are taken that a pass holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Mode {
     /// No regularisation.

@@ -1,39 +1,12 @@
 //! What `Session` can do with connectivity: edge flips, pictures side by side, the
 //! conjecture, fills, edits and their undoing.
 
-use super::fault::{fault, object};
-use super::session::{Session, field, floats, from_js, indices, loaded, to_js};
-use crate::app::{Arrangement, ConjectureReport, FillOptions, FlipOptions, Pane, SubdivideOptions};
-use js_sys::{Float64Array, Function};
+use super::fault::fault;
+use super::session::{Session, from_js, to_js};
+use crate::app::{Arrangement, FillOptions, FlipOptions, SubdivideOptions};
+use js_sys::Function;
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
-
-fn pane(p: &Pane) -> JsValue {
-    object(&[
-        ("name", p.name.into()),
-        ("standing", to_js(&p.standing)),
-        ("positions", floats(&p.positions)),
-        ("triangles", indices(&p.triangles)),
-        ("wireEdges", indices(&p.wire_edges)),
-        ("boundaryEdges", indices(&p.boundary_edges)),
-        ("highlight", indices(&p.highlight)),
-        ("field", p.field.as_ref().map_or(JsValue::NULL, field)),
-    ])
-}
-
-fn conjecture(r: &ConjectureReport) -> JsValue {
-    let count = |n: usize| JsValue::from(n as f64);
-    object(&[
-        ("both", count(r.counts.both)),
-        ("neither", count(r.counts.neither)),
-        ("areaOnly", count(r.counts.area_only)),
-        ("localisedOnly", count(r.counts.localised_only)),
-        ("counterexamples", count(r.n_counterexamples)),
-        ("corners", indices(&r.corners)),
-        ("area", floats(&r.area)),
-        ("localised", floats(&r.localised)),
-    ])
-}
 
 #[wasm_bindgen]
 impl Session {
@@ -64,8 +37,7 @@ impl Session {
     /// # Errors
     /// Unknown fields.
     pub fn panes(&self, field: &str) -> Result<JsValue, JsValue> {
-        let panes = self.0.panes(field)?;
-        Ok(panes.iter().map(pane).collect::<js_sys::Array>().into())
+        Ok(to_js(&self.0.panes(field)?))
     }
 
     /// Area and W against the number of flips: `Curves`.
@@ -73,20 +45,7 @@ impl Session {
     /// # Errors
     /// Without a mesh.
     pub fn curves(&self) -> Result<JsValue, JsValue> {
-        let curves = self.0.curves()?;
-        let numbers = |values: &[f64]| Float64Array::from(values).into();
-        let runs = js_sys::Array::new();
-        for (criterion, area, circle) in &curves.runs {
-            runs.push(&object(&[
-                ("criterion", (*criterion).into()),
-                ("area", numbers(area)),
-                ("circle", numbers(circle)),
-            ]));
-        }
-        Ok(object(&[
-            ("flips", numbers(&curves.flips)),
-            ("runs", runs.into()),
-        ]))
+        Ok(to_js(&self.0.curves()?))
     }
 
     /// f_a against f_l on the surface as it is now: `Conjecture`.
@@ -94,7 +53,7 @@ impl Session {
     /// # Errors
     /// Without a mesh.
     pub fn conjecture(&self) -> Result<JsValue, JsValue> {
-        Ok(conjecture(&self.0.conjecture()?))
+        Ok(to_js(&self.0.conjecture()?))
     }
 
     /// The numbers of the quadrilateral of vertices i, j, k, l: `Quadrilateral`.
@@ -119,7 +78,7 @@ impl Session {
     /// # Errors
     /// Without a mesh.
     pub fn adopt(&mut self) -> Result<JsValue, JsValue> {
-        Ok(loaded(&self.0.adopt()?))
+        Ok(to_js(&self.0.adopt()?))
     }
 
     /// Divides each triangle into four: `Loaded`. `options` is `{ scheme?: 'linear' | 'loop' }`.
@@ -128,7 +87,7 @@ impl Session {
     /// Meshes with faces other than triangles, or that would become too large.
     pub fn subdivide(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
         let options: SubdivideOptions = from_js(options)?;
-        Ok(loaded(&self.0.subdivide(options)?))
+        Ok(to_js(&self.0.subdivide(options)?))
     }
 
     /// Boundary loops of the surface as it is now: `[{ edges, length, vertices }]`.
@@ -166,7 +125,7 @@ impl Session {
     /// # Errors
     /// Without a mesh.
     pub fn loaded(&self) -> Result<JsValue, JsValue> {
-        Ok(loaded(&self.0.loaded()?))
+        Ok(to_js(&self.0.loaded()?))
     }
 
     /// Undoes the last edit: `Loaded`.
@@ -175,6 +134,6 @@ impl Session {
     /// If there is nothing to undo.
     #[wasm_bindgen(js_name = undoEdit)]
     pub fn undo_edit(&mut self) -> Result<JsValue, JsValue> {
-        Ok(loaded(&self.0.undo_edit()?))
+        Ok(to_js(&self.0.undo_edit()?))
     }
 }

@@ -14,6 +14,8 @@ mod see;
 pub mod session;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]
 mod time;
+#[cfg(all(feature = "solver", test))]
+mod types;
 #[cfg(all(
     any(feature = "viewer", feature = "viewer-webgl"),
     target_arch = "wasm32"

@@ -1,9 +1,7 @@
 //! What `Session` shows of the mathematics: Möbius inversion, circles, curvature lines.
 
-use super::fault::{fault, object};
-use super::session::{Session, field, floats, from_js, indices, to_js};
-use crate::app::{Look, SelfIntersections};
-use js_sys::Uint8Array;
+use super::fault::fault;
+use super::session::{Session, from_js, to_js};
 use wasm_bindgen::prelude::*;
 
 fn point(centre: &[f64]) -> Result<[f64; 3], JsValue> {
@@ -11,25 +9,6 @@ fn point(centre: &[f64]) -> Result<[f64; 3], JsValue> {
         let message = format!("{} coordinates are given", centre.len());
         fault("BadOption", &message, "A centre has three.")
     })
-}
-
-fn look(l: &Look) -> JsValue {
-    let kinds: Vec<u8> = l.kinds.iter().map(|&kind| kind as u8).collect();
-    object(&[
-        ("probe", to_js(&l.probe)),
-        ("ends", floats(&l.ends)),
-        ("kinds", Uint8Array::from(kinds.as_slice()).into()),
-        ("circles", to_js(&l.circles)),
-        ("directions", to_js(&l.directions)),
-        ("alignment", to_js(&l.alignment)),
-    ])
-}
-
-fn self_intersections(found: &SelfIntersections) -> JsValue {
-    object(&[
-        ("pairs", indices(found.pairs.as_flattened())),
-        ("triangles", indices(&found.triangles)),
-    ])
 }
 
 #[wasm_bindgen]
@@ -41,8 +20,7 @@ impl Session {
     /// Without a mesh.
     #[wasm_bindgen(js_name = selfIntersections)]
     pub fn self_intersections(&self) -> Result<JsValue, JsValue> {
-        let found = self.0.self_intersections()?;
-        Ok(found.as_ref().map_or(JsValue::NULL, self_intersections))
+        Ok(to_js(&self.0.self_intersections()?))
     }
 
     /// Looks closer at the surface as it is now: `Look`. `wanted` is `{ probe?: number,
@@ -51,31 +29,7 @@ impl Session {
     /// # Errors
     /// Without a mesh.
     pub fn look(&self, wanted: JsValue) -> Result<JsValue, JsValue> {
-        Ok(look(&self.0.look(from_js(wanted)?)?))
-    }
-
-    /// The surface inverted, without changing it: `Inverted`. The centre is given from the
-    /// middle of the surface's bounding box in diagonals of it.
-    ///
-    /// # Errors
-    /// Centres on the surface or far away, unknown fields.
-    #[wasm_bindgen(js_name = previewInversion)]
-    pub fn preview_inversion(
-        &self,
-        centre: &[f64],
-        colour: &str,
-        wanted: JsValue,
-    ) -> Result<JsValue, JsValue> {
-        let inverted = self
-            .0
-            .preview_inversion(point(centre)?, colour, from_js(wanted)?)?;
-        let colours = inverted.field.as_ref().map_or(JsValue::NULL, field);
-        Ok(object(&[
-            ("report", to_js(&inverted.report)),
-            ("positions", floats(&inverted.positions)),
-            ("field", colours),
-            ("look", look(&inverted.look)),
-        ]))
+        Ok(to_js(&self.0.look(from_js(wanted)?)?))
     }
 
     /// Makes the surface inverted the start of what comes: `InversionReport`; `loaded` tells

@@ -3,7 +3,7 @@
 //! Typed arrays given out are copies owned by JavaScript, safe to transfer.
 
 use super::fault::{fault, object};
-use crate::app::{Fault, Field, Loaded, RegulariseOptions, Session as Inner};
+use crate::app::{Command, Fault, RegulariseOptions, Session as Inner};
 use crate::energy::circle::Boundary;
 use crate::flow::options::FlowOptions;
 use crate::io::Format;
@@ -34,50 +34,15 @@ pub(super) fn from_js<T: DeserializeOwned + Default>(value: JsValue) -> Result<T
     if value.is_undefined() || value.is_null() {
         return Ok(T::default());
     }
-    serde_wasm_bindgen::from_value(value).map_err(|error| {
-        fault(
-            "BadOption",
-            &error.to_string(),
-            "See the list of options and their values.",
-        )
-    })
+    serde_wasm_bindgen::from_value(value).map_err(|error| bad_option(&error))
 }
 
-pub(super) fn floats(values: &[f32]) -> JsValue {
-    Float32Array::from(values).into()
-}
-
-pub(super) fn indices(values: &[u32]) -> JsValue {
-    Uint32Array::from(values).into()
-}
-
-fn list(values: Option<&Vec<u32>>) -> JsValue {
-    values.map_or(JsValue::NULL, |values| indices(values))
-}
-
-pub(super) fn loaded(l: &Loaded) -> JsValue {
-    object(&[
-        ("name", l.name.as_str().into()),
-        ("info", to_js(&l.info)),
-        ("positions", floats(&l.positions)),
-        ("triangles", indices(&l.triangles)),
-        ("wireEdges", indices(&l.wire_edges)),
-        ("boundaryEdges", indices(&l.boundary_edges)),
-        ("trianglesOnly", l.triangles_only.into()),
-        ("fixed", list(l.fixed.as_ref())),
-        ("free", list(l.free.as_ref())),
-    ])
-}
-
-pub(super) fn field(f: &Field) -> JsValue {
-    object(&[
-        ("name", to_js(&f.name)),
-        ("label", f.label.into()),
-        ("values", floats(&f.values)),
-        ("low", f.low.into()),
-        ("high", f.high.into()),
-        ("signed", f.signed.into()),
-    ])
+fn bad_option(error: &serde_wasm_bindgen::Error) -> JsValue {
+    fault(
+        "BadOption",
+        &error.to_string(),
+        "See the list of options and their values.",
+    )
 }
 
 /// What `energy` may be told: `{ p?: number[], boundary? }`.
@@ -165,12 +130,30 @@ impl Session {
             }));
     }
 
+    /// Does what a `Command` asks for: `Answer`.
+    ///
+    /// # Errors
+    /// What cannot be done, and why; nothing has changed then.
+    pub fn perform(&mut self, command: JsValue) -> Result<JsValue, JsValue> {
+        let command: Command =
+            serde_wasm_bindgen::from_value(command).map_err(|error| bad_option(&error))?;
+        Ok(to_js(&self.0.perform(command)?))
+    }
+
+    /// Everything to be shown now: `Frame`.
+    ///
+    /// # Errors
+    /// Without a mesh.
+    pub fn frame(&mut self, is_running: bool) -> Result<JsValue, JsValue> {
+        Ok(to_js(&self.0.frame(is_running)?))
+    }
+
     /// Loads a mesh file: `Loaded`.
     ///
     /// # Errors
     /// What is wrong with the file, and where.
     pub fn load(&mut self, bytes: &[u8], name: &str) -> Result<JsValue, JsValue> {
-        Ok(loaded(&self.0.load(bytes, name)?))
+        Ok(to_js(&self.0.load(bytes, name)?))
     }
 
     /// Loads a sample shape: `Loaded`. `parameters` is an object of numbers.
@@ -180,7 +163,7 @@ impl Session {
     pub fn sample(&mut self, name: &str, parameters: JsValue) -> Result<JsValue, JsValue> {
         let parameters: BTreeMap<String, f64> = from_js(parameters)?;
         let values: Vec<(String, f64)> = parameters.into_iter().collect();
-        Ok(loaded(&self.0.sample(name, &values)?))
+        Ok(to_js(&self.0.sample(name, &values)?))
     }
 
     /// Chooses flow and parameters, goes back to the start: `Configured`.
@@ -311,7 +294,7 @@ impl Session {
     /// # Errors
     /// Unknown names.
     pub fn field(&self, name: &str) -> Result<JsValue, JsValue> {
-        Ok(self.0.field(name)?.as_ref().map_or(JsValue::NULL, field))
+        Ok(to_js(&self.0.field(name)?))
     }
 
     /// `Info` of the surface as it is now.
@@ -359,12 +342,7 @@ impl Session {
     ///
     /// # Errors
     /// If they do not fit the mesh.
-    pub fn restore(
-        &mut self,
-        positions: &[f32],
-        step: usize,
-        time: f64,
-    ) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.restore(positions, step, time)?))
+    pub fn restore(&mut self, exact: &[f64], step: usize, time: f64) -> Result<JsValue, JsValue> {
+        Ok(to_js(&self.0.restore(exact, step, time)?))
     }
 }

@@ -1,20 +1,8 @@
 //! What `Session` says of itself: why it stands as it does, and what energies tend to.
 
-use super::fault::object;
-use super::session::{Session, from_js, indices, to_js};
-use crate::app::{Diagnosis, StudyOptions};
+use super::session::{Session, from_js, to_js};
+use crate::app::StudyOptions;
 use wasm_bindgen::prelude::*;
-
-fn diagnosis(d: &Diagnosis) -> JsValue {
-    object(&[
-        ("kind", to_js(&d.kind)),
-        ("sentence", to_js(&d.sentence)),
-        ("vertices", indices(&d.vertices)),
-        ("faces", indices(&d.faces)),
-        ("edges", indices(&d.edges)),
-        ("remedies", to_js(&d.remedies)),
-    ])
-}
 
 #[wasm_bindgen]
 impl Session {
@@ -23,7 +11,7 @@ impl Session {
     /// # Errors
     /// Without a mesh.
     pub fn why(&self) -> Result<JsValue, JsValue> {
-        Ok(self.0.why()?.as_ref().map_or(JsValue::NULL, diagnosis))
+        Ok(to_js(&self.0.why()?))
     }
 
     /// One more resolution of a refinement study: `Study`. With `options`, `{ shape?,

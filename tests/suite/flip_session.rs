@@ -1,7 +1,7 @@
 //! Edge flips in a session: steps and the way back, criteria side by side, samples with
 //! known ends, edits and their undoing.
 
-use umbilic::app::{Arrangement, Compare, FlipOptions, Session};
+use umbilic::app::{Arrangement, Compare, Curve, FlipOptions, Session};
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::io::Format;
@@ -156,7 +156,7 @@ fn steps_of_any_length_lead_the_same_way_and_back() {
     assert_eq!(export(&single), end);
     // As after a crash: positions and the number of flips.
     let mut again = run(Some(7));
-    let positions = again.positions().expect("positions");
+    let positions = again.frame(false).expect("a frame").exact;
     again.restore(&positions, 240, 240.0).expect("restored");
     assert_eq!(export(&again).len(), end.len());
     assert!(edges_of(&export(&again)) == edges_of(&end));
@@ -309,11 +309,11 @@ fn the_conjecture_fails_on_its_counterexample() {
     let mut s = session("counterexample", &[]);
     let report = s.conjecture().expect("a report");
     assert_eq!(
-        (report.n_counterexamples, report.counts.localised_only),
+        (report.counterexamples, report.counts.localised_only),
         (1, 1)
     );
     assert_eq!(report.counts.total(), 1);
-    let corners = <[u32; 4]>::try_from(report.corners).expect("one edge");
+    let corners = <[u32; 4]>::try_from(report.corners.0).expect("one edge");
     let quad = s.quadrilateral(corners).expect("numbers");
     let area = 7.5 - 8f64.sqrt() - 0.5 * 89f64.sqrt();
     assert!((quad.area - area).abs() < 1e-14, "{}", quad.area);
@@ -346,7 +346,7 @@ fn the_conjecture_fails_on_its_counterexample() {
         let mut plane = Session::new();
         plane.load(text.as_bytes(), "plane.obj").expect("a mesh");
         let report = plane.conjecture().expect("a report");
-        assert_eq!(report.n_counterexamples, expected, "{text}");
+        assert_eq!(report.counterexamples, expected, "{text}");
     }
     let face = session("creased-face", &[]).conjecture().expect("a report");
     assert_eq!((face.counts.both, face.counts.area_only), (1601, 1));
@@ -398,19 +398,21 @@ fn curves_follow_every_run_to_its_end() {
     let mut s = session("sampled-torus", &[]);
     s.configure(options(Criterion::Area)).expect("configured");
     let curves = s.curves().expect("curves");
-    assert_eq!((curves.flips, curves.runs.len()), (vec![0.0], 1));
+    assert_eq!((curves.flips.0, curves.runs.len()), (vec![0.0], 1));
     arrange(&mut s, Compare::Criteria, 0, Some(50));
     s.run(100).expect("runs");
     let curves = s.curves().expect("curves");
     assert_eq!(curves.flips.len(), 241);
     let state = s.state().expect("a state").flips.expect("flips");
-    for (name, area, circle) in &curves.runs {
-        let n = if *name == "willmore" { 235 } else { 240 };
+    for curve in &curves.runs {
+        let (area, circle) = (&curve.area, &curve.circle);
+        let is_willmore = curve.criterion == Criterion::Willmore;
+        let n = if is_willmore { 235 } else { 240 };
         let falls = |values: &[f64]| values[..=n].windows(2).all(|w| w[1] < w[0]);
-        match *name {
-            "area" => assert!(falls(area)),
-            "willmore" => assert!(falls(circle)),
-            _ => {}
+        match curve.criterion {
+            Criterion::Area => assert!(falls(area)),
+            Criterion::Willmore => assert!(falls(circle)),
+            Criterion::Localised => {}
         }
         let end = state.iter().find(|r| r.flips == n && r.circle == circle[n]);
         assert_eq!(end.expect("as in the readings").area, area[n]);
@@ -431,8 +433,8 @@ fn curves_follow_every_run_to_its_end() {
     assert_eq!(curves.flips.last(), Some(&1843.0));
     // Every curve has its end, also one between two points of the plot.
     for reading in large.state().expect("a state").flips.expect("flips") {
-        let found = |(_, area, circle): &(_, Vec<f64>, Vec<f64>)| {
-            area.contains(&reading.area) && circle.contains(&reading.circle)
+        let found = |curve: &Curve| {
+            curve.area.contains(&reading.area) && curve.circle.contains(&reading.circle)
         };
         assert!(curves.runs.iter().any(found), "{:?}", reading.criterion);
     }

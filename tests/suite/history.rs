@@ -361,7 +361,7 @@ fn a_new_start_has_no_history_and_a_recipe_with_all_that_was_done() {
     session.seek(1).expect("sought");
     assert_eq!(session.recipe().expect("a recipe").edits.len(), 1);
     // After a loss nothing is known any more.
-    let positions = session.positions().expect("positions");
+    let positions = session.frame(false).expect("a frame").exact;
     session
         .configure(flowing(FlowName::Circle))
         .expect("options");

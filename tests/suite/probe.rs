@@ -3,7 +3,7 @@
 use crate::support::surface;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
-use umbilic::app::{Kind, MAX_CIRCLES, Probe, Session, Wanted, edge_angle};
+use umbilic::app::{MAX_CIRCLES, Probe, SegmentKind, Session, Wanted, edge_angle};
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
 use umbilic::flow::options::FlowOptions;
@@ -146,11 +146,11 @@ fn circles_pass_through_their_corners() {
             assert!((p.distance(centre) / radius - 1.0).abs() < 1e-5);
         }
     }
-    let count = |kind| look.kinds.iter().filter(|k| **k == kind).count();
+    let count = |kind| look.kinds.iter().filter(|k| **k == kind as u8).count();
     let valence = look.probe.as_ref().expect("a vertex").edges.len();
-    assert_eq!(count(Kind::Spoke), valence);
-    assert_eq!(count(Kind::ProbedCircle), 96 * valence);
-    assert_eq!(count(Kind::Circle), 32 * 320);
+    assert_eq!(count(SegmentKind::Spoke), valence);
+    assert_eq!(count(SegmentKind::ProbedCircle), 96 * valence);
+    assert_eq!(count(SegmentKind::Circle), 32 * 320);
 }
 
 #[test]

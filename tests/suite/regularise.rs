@@ -12,7 +12,9 @@ use umbilic::geometry::measure;
 use umbilic::io::Format;
 use umbilic::mesh::shape;
 use umbilic::operator::Elements;
-use umbilic::remesh::static_pass::{Outcome, RegulariseError, Settings, quality, regularise};
+use umbilic::remesh::static_pass::{
+    RegulariseError, RegulariseOptions, Regularised, quality, regularise,
+};
 use umbilic::remesh::{Mode, Regulariser};
 use umbilic::soup::PolygonSoup;
 
@@ -55,9 +57,9 @@ fn the_distortion_is_that_of_the_energy_and_falls() {
 fn an_inverted_mesh_is_repaired_and_keeps_its_shape() {
     let surface = jittered();
     let mut regulariser = regulariser(&surface);
-    let settings = Settings {
+    let settings = RegulariseOptions {
         features: 0.0,
-        ..Settings::default()
+        ..RegulariseOptions::default()
     };
     let mut x = surface.x.clone();
     let outcome = regularise(&mut regulariser, &surface.mesh, &mut x, &settings).expect("passes");
@@ -131,7 +133,7 @@ fn a_round_icosphere_stays_and_quadrilaterals_are_taken() {
         &mut regulariser(&sphere),
         &sphere.mesh,
         &mut x,
-        &Settings::default(),
+        &RegulariseOptions::default(),
     )
     .expect("passes");
     assert!(outcome.distance < 1e-3, "{outcome:?}");
@@ -212,7 +214,7 @@ fn real_meshes_gain_and_keep_their_shape() {
             &mut regulariser,
             &surface.mesh,
             &mut x,
-            &Settings::default(),
+            &RegulariseOptions::default(),
         )
         .expect("passes");
         println!("{name}: {outcome:?} {:.2} s", watch.elapsed().as_secs_f64());
@@ -285,7 +287,11 @@ fn change_of_box(x: &[DVec3], y: &[DVec3]) -> f64 {
 
 /// Asserts that the surface is still the same one, or was refused, with its mesh unchanged;
 /// returns the outcome and the positions.
-fn keeps_its_shape(what: &str, s: &Surface, settings: &Settings) -> Option<(Outcome, Vec<DVec3>)> {
+fn keeps_its_shape(
+    what: &str,
+    s: &Surface,
+    settings: &RegulariseOptions,
+) -> Option<(Regularised, Vec<DVec3>)> {
     let mut y = s.x.clone();
     let outcome = match regularise(&mut regulariser(s), &s.mesh, &mut y, settings) {
         Ok(outcome) => outcome,
@@ -351,7 +357,7 @@ fn rod() -> PolygonSoup {
 fn a_rod_of_needles_is_refused_and_stays_as_it_is() {
     let refusal = |s: &Surface| {
         let mut y = s.x.clone();
-        let settings = Settings::default();
+        let settings = RegulariseOptions::default();
         let error = regularise(&mut regulariser(s), &s.mesh, &mut y, &settings);
         assert!(y == s.x);
         error.expect_err("refused")
@@ -363,9 +369,9 @@ fn a_rod_of_needles_is_refused_and_stays_as_it_is() {
     assert_eq!(expected.to_string(), text);
     assert!(expected.hint().starts_with("Refine the mesh first"));
     // With features left to slide it is the bounds that hold it.
-    let sliding = Settings {
+    let sliding = RegulariseOptions {
         features: 0.0,
-        ..Settings::default()
+        ..RegulariseOptions::default()
     };
     keeps_its_shape("a rod", &rod, &sliding);
     let Some(folder) = shared_meshes() else {
@@ -395,14 +401,16 @@ fn a_session_refuses_a_rod_of_needles_and_says_why() {
     let mut session = session_on(&rod());
     let before = shown(&session);
     let fault = session
-        .regularise(&Settings::default())
+        .regularise(&RegulariseOptions::default())
         .expect_err("refused");
     assert_eq!(fault.kind, "OnlyCreases");
     assert!(fault.message.contains("all 64 vertices") && fault.hint.contains("Refine"));
     assert!(shown(&session) == before);
     assert!(!session.state().expect("a mesh").can_step_back);
     let mut session = session_on(&parts::refined(&rod(), 2));
-    let outcome = session.regularise(&Settings::default()).expect("refined");
+    let outcome = session
+        .regularise(&RegulariseOptions::default())
+        .expect("refined");
     assert!(
         outcome.pinned >= 256 && outcome.distance <= 0.01,
         "{outcome:?}"
@@ -450,7 +458,7 @@ fn parts_with_flat_sides_are_meshed_better_and_stay_the_same() {
     ];
     for (what, soup, gains) in cases {
         let s = surface(&soup);
-        let (outcome, y) = keeps_its_shape(what, &s, &Settings::default()).expect("taken");
+        let (outcome, y) = keeps_its_shape(what, &s, &RegulariseOptions::default()).expect("taken");
         let size = measure::bounding_diagonal(&s.x);
         assert!(change_of_box(&s.x, &y) < 1e-9, "{what}");
         assert!(brute_two_sided(&s, &y) < 1e-9 * size, "{what}");
@@ -477,9 +485,9 @@ fn parts_with_flat_sides_are_meshed_better_and_stay_the_same() {
 fn creases_are_the_edges_of_over_forty_degrees() {
     let bar = parts::prism(&parts::chamfered(10.0, 6.0, 0.0), &[0.0, 1.0], Ends::Fan);
     let readings = |s: &Surface| {
-        let none = Settings {
+        let none = RegulariseOptions {
             iterations: 0,
-            ..Settings::default()
+            ..RegulariseOptions::default()
         };
         let mut x = s.x.clone();
         regularise(&mut regulariser(s), &s.mesh, &mut x, &none).expect("readings")
@@ -523,7 +531,7 @@ fn noisy_ellipsoid() -> Surface {
 #[test]
 fn a_noisy_ellipsoid_gains_and_keeps_its_shape() {
     let s = noisy_ellipsoid();
-    let settings = Settings::default();
+    let settings = RegulariseOptions::default();
     let (outcome, _) = keeps_its_shape("a noisy ellipsoid", &s, &settings).expect("taken");
     assert!(outcome.after.min_angle_degrees > 1.5 * outcome.before.min_angle_degrees);
     assert!(outcome.after.distortion < 0.5 * outcome.before.distortion);
@@ -535,7 +543,7 @@ fn a_sphere_with_a_thousand_inverted_faces_is_repaired() {
     let jitter = [("level", 5.0), ("jitter", 0.35)];
     let s = sample("ellipsoid", &[&axes[..], &jitter].concat());
     let mut y = s.x.clone();
-    let settings = Settings::default();
+    let settings = RegulariseOptions::default();
     let outcome = regularise(&mut regulariser(&s), &s.mesh, &mut y, &settings).expect("passes");
     println!("{outcome:?}");
     assert!(outcome.before.inverted > 1000, "{outcome:?}");
@@ -624,7 +632,7 @@ fn any_closed_surface_keeps_its_shape_or_is_refused() {
     let mut refused = 0;
     for n in 0..80 {
         let (what, s) = any_closed(&mut random);
-        let mut settings = Settings::default();
+        let mut settings = RegulariseOptions::default();
         if n % 3 == 2 {
             let one_of =
                 |values: &[f64], r: f64| values[(0.5 * (r + 1.0) * values.len() as f64) as usize];

@@ -683,12 +683,12 @@ fn a_session_tells_of_the_surface_as_it_is() {
     );
     let found = session.self_intersections().expect("a mesh").expect("few");
     assert_eq!(found.pairs.len(), n);
-    let mut own: Vec<u32> = found.pairs.iter().flatten().copied().collect();
+    let mut own: Vec<u32> = found.pairs.to_vec();
     own.sort_unstable();
     own.dedup();
     assert_eq!(found.triangles, own);
     // About the circle of radius 2, where both sheets are.
-    for t in found.triangles {
+    for t in found.triangles.0 {
         let corners = &loaded.triangles[3 * t as usize..][..3];
         let near = corners.iter().any(|&v| {
             let p = soup.positions[v as usize];

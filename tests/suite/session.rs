@@ -262,16 +262,14 @@ fn a_budget_of_time_holds_only_where_no_number_of_steps_is_set() {
 fn a_restored_session_goes_on_from_there() {
     let mut session = small();
     session.run(3).expect("steps");
-    let (positions, state) = (
-        session.positions().expect("x"),
-        session.state().expect("state"),
-    );
+    let frame = session.frame(false).expect("a frame");
+    let (positions, state) = (frame.exact, frame.state);
     let mut other = small();
     let restored = other
         .restore(&positions, state.step, state.time)
         .expect("restored");
     assert_eq!((restored.step, restored.time), (3, state.time));
-    assert!((restored.energy - state.energy).abs() < 1e-4);
+    assert_eq!(restored.energy, state.energy, "to the last bit");
     other.step().expect("a step");
     assert_eq!(other.state().expect("state").step, 4);
     assert_eq!(

@@ -349,7 +349,7 @@ fn a_neck_pinches_off_where_it_is_thinnest() {
     } else {
         DVec3::Z
     };
-    for &v in &found.vertices {
+    for &v in found.vertices.iter() {
         let at = mesh.x[v as usize];
         assert!(
             at.dot(along).abs() < 0.9 * size && at.reject_from(along).length() < 0.1,
@@ -442,7 +442,7 @@ fn faces_that_are_folded_over_are_counted_and_mended() {
         found.faces.len().to_string()
     );
     let mesh = case.mesh();
-    for &face in &found.faces {
+    for &face in found.faces.iter() {
         let own = mesh.faces[face as usize];
         let shares = |other: &[usize; 3]| other.iter().filter(|v| own.contains(v)).count() == 2;
         let neighbours = (0..mesh.faces.len() as u32)

@@ -17,12 +17,14 @@ pub use text::Text;
 use super::Session;
 use super::fault::Fault;
 use super::work::Work;
+use crate::arrays::TypedArray;
 use crate::flow::Status;
 use serde::Serialize;
 
 /// What is the matter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub enum Kind {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum DiagnosisKind {
     /// Trial steps were refused and a shorter one taken: nothing is wrong.
     RejectedSteps,
     /// Every trial step was refused.
@@ -56,29 +58,30 @@ pub enum Kind {
 
 /// What is the matter, where, and what helps.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Diagnosis {
     /// What it is.
-    pub kind: Kind,
+    pub kind: DiagnosisKind,
     /// The same in one sentence.
     pub sentence: Text,
     /// Vertices at fault.
-    pub vertices: Vec<u32>,
+    pub vertices: TypedArray<u32>,
     /// Triangles at fault.
-    pub faces: Vec<u32>,
+    pub faces: TypedArray<u32>,
     /// Two ends an edge at fault.
-    pub edges: Vec<u32>,
+    pub edges: TypedArray<u32>,
     /// What helps, the best first; three at most.
     pub remedies: Vec<Remedy>,
 }
 
 impl Diagnosis {
-    fn new(kind: Kind, sentence: Text) -> Self {
+    fn new(kind: DiagnosisKind, sentence: Text) -> Self {
         Self {
             kind,
             sentence,
-            vertices: Vec::new(),
-            faces: Vec::new(),
-            edges: Vec::new(),
+            vertices: TypedArray::default(),
+            faces: TypedArray::default(),
+            edges: TypedArray::default(),
             remedies: Vec::new(),
         }
     }

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// What is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum RemedyId {
     /// Conformal regularisation of the mesh as it is.
@@ -45,40 +46,52 @@ pub enum RemedyId {
 
 /// Options that a remedy changes; the others stay.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Change {
     /// See [`FlowOptions::flow`].
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub flow: Option<FlowName>,
     /// See [`FlowOptions::scheme`].
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub scheme: Option<Scheme>,
     /// See [`FlowOptions::boundary`].
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub boundary: Option<Boundary>,
     /// See [`FlowOptions::tau`]; the inner `None` leaves the step to the flow.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub tau: Option<Option<f64>>,
     /// See [`FlowOptions::dt`]; always back to none, so that τ rules.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub dt: Option<Option<f64>>,
     /// See [`FlowOptions::epsilon`].
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub epsilon: Option<f64>,
     /// See [`FlowOptions::prefill`].
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub prefill: Option<bool>,
     /// See [`FlowOptions::p`].
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub p: Option<f64>,
     /// See [`FlowOptions::keep`].
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub keep: Option<Vec<Kept>>,
     /// See [`FlowOptions::reduced_volume`].
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub reduced_volume: Option<Option<f64>>,
     /// See [`FlowOptions::regularise`].
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub regularise: Option<Mode>,
 }
 
@@ -106,6 +119,7 @@ impl Change {
 
 /// Something that helps.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Remedy {
     /// What is done.

@@ -3,7 +3,7 @@
 use super::elements;
 use super::remedy::Remedy;
 use super::text::{Text, number};
-use super::{Diagnosis, Kind};
+use super::{Diagnosis, DiagnosisKind};
 use crate::app::engine::Engine;
 use crate::app::work::Work;
 use crate::flow::options::FlowName;
@@ -45,12 +45,15 @@ impl Work {
         // the smooth one: a flow that does not go by angles leaves it.
         let mesh = &self.document.polygons;
         let is_closed = mesh.is_closed() && mesh.is_oriented();
-        let diagnosis = Diagnosis::new(Kind::CocircularKink, sentence).with([
+        let diagnosis = Diagnosis::new(DiagnosisKind::CocircularKink, sentence).with([
             is_closed.then(|| Remedy::other_flow(FlowName::PWillmore)),
             larger.map(Remedy::larger_epsilon),
             is_patch.then(Remedy::prefill),
         ]);
-        Some(Diagnosis { edges, ..diagnosis })
+        Some(Diagnosis {
+            edges: edges.into(),
+            ..diagnosis
+        })
     }
 
     /// Only the paper's schemes take steps that do not descend.
@@ -93,7 +96,7 @@ impl Work {
             Some(Remedy::smaller_step(last.tau).anew()),
             self.can_go_back(),
         ];
-        let diagnosis = Diagnosis::new(Kind::RisingEnergy, sentence);
+        let diagnosis = Diagnosis::new(DiagnosisKind::RisingEnergy, sentence);
         Some(diagnosis.at_vertices([vertex]).with(remedies))
     }
 
@@ -108,7 +111,8 @@ impl Work {
                 );
                 let circle = Remedy::other_flow(FlowName::Circle).anew();
                 let remedies = [Some(circle), self.can_regularise(), self.can_go_back()];
-                let diagnosis = Diagnosis::new(Kind::Unfit, sentence).at_vertices([*vertex]);
+                let diagnosis =
+                    Diagnosis::new(DiagnosisKind::Unfit, sentence).at_vertices([*vertex]);
                 Some(diagnosis.with(remedies))
             }
             _ => None,
@@ -126,7 +130,7 @@ impl Work {
                  even the shortest step tried would go too far.",
                 [("p", number(p)), ("vertex", vertex.to_string())],
             );
-            let diagnosis = Diagnosis::new(Kind::TooRough, sentence).at_vertices([vertex]);
+            let diagnosis = Diagnosis::new(DiagnosisKind::TooRough, sentence).at_vertices([vertex]);
             return Some(diagnosis.with([Some(Remedy::exponent(2.0)), self.can_regularise()]));
         }
         let update = self.last()?.update.filter(|update| *update > LOST)?;
@@ -150,7 +154,7 @@ impl Work {
                 .map(|_| Remedy::regularise_and_diffuse().anew()),
             Some(Remedy::other_flow(FlowName::SurfaceDiffusion).anew()),
         ];
-        let diagnosis = Diagnosis::new(Kind::TooRough, sentence).at_vertices([vertex]);
+        let diagnosis = Diagnosis::new(DiagnosisKind::TooRough, sentence).at_vertices([vertex]);
         Some(diagnosis.with(remedies))
     }
 
@@ -189,7 +193,7 @@ impl Work {
         let vertex = refusal.vertex.to_string();
         let face = refusal.face.map(|face| face.to_string());
         let values = [("vertex", vertex), ("face", face.unwrap_or_default())];
-        let diagnosis = Diagnosis::new(Kind::RefusedSteps, Text::new(template, values));
+        let diagnosis = Diagnosis::new(DiagnosisKind::RefusedSteps, Text::new(template, values));
         let diagnosis = match refusal.face {
             Some(face) if self.document.polygons.is_triangular() => diagnosis.at_faces([face]),
             _ => diagnosis.at_vertices([refusal.vertex]),
@@ -224,7 +228,7 @@ impl Work {
                 values,
             )
         };
-        let diagnosis = Diagnosis::new(Kind::StepLimit, sentence).at_vertices([vertex]);
+        let diagnosis = Diagnosis::new(DiagnosisKind::StepLimit, sentence).at_vertices([vertex]);
         let fixed = self.options().tau.is_some() || self.options().dt.is_some();
         let automatic = (fixed && !self.is_paper()).then(Remedy::automatic_step);
         Some(diagnosis.with([Some(Remedy::go_on()), automatic]))
@@ -248,7 +252,8 @@ impl Work {
              falls."
         };
         let sentence = Text::new(template, values);
-        let diagnosis = Diagnosis::new(Kind::RejectedSteps, sentence).at_vertices([vertex]);
+        let diagnosis =
+            Diagnosis::new(DiagnosisKind::RejectedSteps, sentence).at_vertices([vertex]);
         Some(diagnosis.with([Some(Remedy::go_on())]))
     }
 }

@@ -4,7 +4,7 @@
 use super::elements;
 use super::remedy::Remedy;
 use super::text::{Text, number};
-use super::{Diagnosis, Kind};
+use super::{Diagnosis, DiagnosisKind};
 use crate::app::engine::Engine;
 use crate::app::work::Work;
 use crate::flow::Status;
@@ -54,7 +54,7 @@ impl Work {
                 values(now / start),
             );
             let keep = [self.can_keep(&[Kept::Volume]), self.can_keep(&[Kept::Area])];
-            return Some(Diagnosis::new(Kind::Growing, sentence).with(keep));
+            return Some(Diagnosis::new(DiagnosisKind::Growing, sentence).with(keep));
         }
         let shrinks = p < 2.0 && now * SCALED < start && !self.is_narrow(NARROW);
         shrinks.then(|| {
@@ -68,7 +68,7 @@ impl Work {
                 self.can_keep(&[Kept::Area]),
                 self.keeps_volume_instead(),
             ];
-            Diagnosis::new(Kind::Shrinking, sentence).with(remedies)
+            Diagnosis::new(DiagnosisKind::Shrinking, sentence).with(remedies)
         })
     }
 
@@ -138,7 +138,7 @@ impl Work {
             self.can_go_back(),
             self.can_regularise(),
         ];
-        let diagnosis = Diagnosis::new(Kind::Pinch, sentence).at_vertices(found.ring);
+        let diagnosis = Diagnosis::new(DiagnosisKind::Pinch, sentence).at_vertices(found.ring);
         Some(diagnosis.with(remedies))
     }
 
@@ -163,7 +163,7 @@ impl Work {
             ],
         );
         let keep = self.can_keep(&[Kept::Area, Kept::Volume]);
-        let diagnosis = Diagnosis::new(Kind::Inflating, sentence).at_faces([face]);
+        let diagnosis = Diagnosis::new(DiagnosisKind::Inflating, sentence).at_faces([face]);
         Some(diagnosis.with([keep, self.can_go_back(), self.can_flip()]))
     }
 
@@ -222,7 +222,7 @@ impl Work {
             ],
         );
         let diagnosis =
-            Diagnosis::new(Kind::BelowSmoothMinimum, sentence).at_vertices([bent.vertex]);
+            Diagnosis::new(DiagnosisKind::BelowSmoothMinimum, sentence).at_vertices([bent.vertex]);
         let finer = Some(self.can_subdivide().unwrap_or_else(Remedy::refine));
         Some(diagnosis.with([finer, Some(Remedy::refine()), self.can_go_back()]))
     }
@@ -254,7 +254,7 @@ impl Work {
         };
         let remedies = [self.can_regularise(), self.can_flip(), self.can_go_back()];
         let shown = faces.into_iter().take(SHOWN);
-        let diagnosis = Diagnosis::new(Kind::FoldedFaces, sentence).at_faces(shown);
+        let diagnosis = Diagnosis::new(DiagnosisKind::FoldedFaces, sentence).at_faces(shown);
         Some(diagnosis.with(remedies))
     }
 
@@ -275,7 +275,7 @@ impl Work {
             self.can_flip(),
             self.can_go_back(),
         ];
-        let diagnosis = Diagnosis::new(Kind::DegenerateFaces, sentence).at_faces([face]);
+        let diagnosis = Diagnosis::new(DiagnosisKind::DegenerateFaces, sentence).at_faces([face]);
         Some(diagnosis.with(remedies))
     }
 }

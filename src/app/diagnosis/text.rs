@@ -6,6 +6,7 @@ use std::fmt;
 
 /// A sentence in English with `{name}` where a value stands, and the values.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Text {
     /// The sentence.
     pub template: &'static str,

@@ -54,6 +54,7 @@ impl Default for Limits {
 
 /// What is studied.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct StudyOptions {
     /// A sample shape by name; the present surface if absent.
@@ -66,6 +67,7 @@ pub struct StudyOptions {
 
 /// The surface at one resolution.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Resolution {
     /// Vertices.
@@ -120,6 +122,7 @@ impl Resolution {
 
 /// A study as far as it has come.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct StudyReport {
     /// How the surface is refined.

@@ -11,6 +11,7 @@ use std::collections::BTreeMap;
 
 /// How a surface is refined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum Manner {
     /// A smooth shape, sampled anew.

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// Where the values of a quantity lead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum Tendency {
     /// Right on every mesh, up to roundoff.
@@ -22,6 +23,7 @@ pub enum Tendency {
 
 /// A quantity over all resolutions.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Trend {
     /// Its name among the fields of [`Resolution`].

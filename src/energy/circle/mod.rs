@@ -23,6 +23,7 @@ use std::f64::consts::TAU;
 
 /// What the energy of an open surface is (Section 3.3 of the paper).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, serde::Deserialize, serde::Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Boundary {
     /// W summed over interior vertices; with the boundary vertices and those within

@@ -11,6 +11,7 @@ use super::reduction::Quad;
 use crate::mesh::flip::Flippable;
 use crate::mesh::{Edge, HalfedgeMesh};
 use glam::DVec3;
+use serde::Serialize;
 
 /// Reductions up to this are zero but for rounding, as a share of the area or in radians.
 const ROUNDING: f64 = 1e-13;
@@ -69,7 +70,9 @@ pub fn survey(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<(Edge, Reductions)> {
 }
 
 /// How many edges there are in each quadrant.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Quadrants {
     /// The flip lowers both.
     pub both: usize,

@@ -15,6 +15,7 @@ const LEAST_ANGLE_GAIN: f64 = 1e-11;
 
 /// What is to become small.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Criterion {
     /// Surface area.

@@ -36,8 +36,9 @@ use surroundings::{inverted, smoothed};
 
 /// How a mesh at rest is regularised. Unknown names are refused.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
-pub struct Settings {
+pub struct RegulariseOptions {
     /// Linear or nonlinear.
     pub mode: Mode,
     /// ε, a pure number: 1e-3 is faithful to the surface, 1e-1 aggressive.
@@ -50,7 +51,7 @@ pub struct Settings {
     pub features: f64,
 }
 
-impl Default for Settings {
+impl Default for RegulariseOptions {
     fn default() -> Self {
         Self {
             mode: Mode::Nonlinear,
@@ -63,8 +64,9 @@ impl Default for Settings {
 
 /// How good a mesh is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
-pub struct Quality {
+pub struct MeshQuality {
     /// Smallest corner angle.
     pub min_angle_degrees: f64,
     /// CD / A: 0 where every element has its reference shape.
@@ -80,14 +82,15 @@ pub struct Quality {
 
 /// What the passes did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
-pub struct Outcome {
+pub struct Regularised {
     /// Passes that were taken.
     pub passes: usize,
     /// Before the first.
-    pub before: Quality,
+    pub before: MeshQuality,
     /// After the last.
-    pub after: Quality,
+    pub after: MeshQuality,
     /// Two-sided distance from the surface at the start, as a share of the diagonal of its
     /// bounding box: of the vertices at the end from that surface, and of its vertices from
     /// the surface at the end, the largest.
@@ -112,8 +115,8 @@ pub fn regularise(
     regulariser: &mut Regulariser,
     mesh: &Rc<HalfedgeMesh>,
     x: &mut Vec<DVec3>,
-    settings: &Settings,
-) -> Result<Outcome, RegulariseError> {
+    settings: &RegulariseOptions,
+) -> Result<Regularised, RegulariseError> {
     let start = x.clone();
     let creases = match settings.features > 0.0 {
         true => Creases::of(regulariser, mesh, x),
@@ -125,11 +128,11 @@ pub fn regularise(
     for (damping, _) in damping.iter_mut().zip(&creases.on).filter(|(_, on)| **on) {
         *damping = f64::INFINITY;
     }
-    let mut outcome = Outcome {
+    let mut outcome = Regularised {
         before,
         after: before,
         pinned,
-        ..Outcome::default()
+        ..Regularised::default()
     };
     if settings.iterations == 0 {
         return Ok(outcome);
@@ -176,7 +179,7 @@ pub fn regularise(
 }
 
 /// Readings of a mesh.
-pub fn quality(regulariser: &Regulariser, mesh: &HalfedgeMesh, x: &[DVec3]) -> Quality {
+pub fn quality(regulariser: &Regulariser, mesh: &HalfedgeMesh, x: &[DVec3]) -> MeshQuality {
     readings(regulariser, mesh, x, &Creases::of(regulariser, mesh, x).on)
 }
 
@@ -185,10 +188,10 @@ fn readings(
     mesh: &HalfedgeMesh,
     x: &[DVec3],
     on_creases: &[bool],
-) -> Quality {
+) -> MeshQuality {
     let area = measure::area(mesh, x);
     let around = smoothed(regulariser, x, on_creases);
-    Quality {
+    MeshQuality {
         min_angle_degrees: measure::min_angle_degrees(mesh, x),
         distortion: regulariser.distortion(x) / area,
         inverted: inverted(regulariser, x, &around).count(),

@@ -1,6 +1,6 @@
 //! One pass: the displacement, and how much of it does no harm.
 
-use super::Settings;
+use super::RegulariseOptions;
 use super::likeness::{Likeness, Property};
 use super::surroundings::{inverted, smoothed};
 use crate::linalg::LinalgError;
@@ -46,7 +46,7 @@ pub(super) enum Pass {
 pub(super) struct Search<'a> {
     pub(super) regulariser: &'a mut Regulariser,
     pub(super) mesh: &'a HalfedgeMesh,
-    pub(super) settings: &'a Settings,
+    pub(super) settings: &'a RegulariseOptions,
     pub(super) damping: &'a [f64],
     pub(super) on_creases: &'a [bool],
     pub(super) likeness: &'a Likeness<'a>,

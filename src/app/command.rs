@@ -1,0 +1,376 @@
+//! What may be asked of the application, and what it answers: the one seam to JavaScript
+//! beside [`Frame`](super::Frame).
+
+use super::conjecture::{ConjectureReport, LabReport, QuadReport};
+use super::crossing::SelfIntersections;
+use super::diagnosis::Diagnosis;
+use super::fault::Fault;
+use super::field::{Field, FieldName};
+use super::fill::{FillOptions, FillOutcome, LoopInfo};
+use super::flip::{FlipOptions, FlipOutcome};
+use super::invert::{InversionReport, Inverted};
+use super::look::{Look, Wanted};
+use super::pane::Arrangement;
+use super::readings::{EnergyReadings, Info, State};
+use super::recipe::Recipe;
+use super::study::{StudyOptions, StudyReport};
+use super::subdivide::SubdivideOptions;
+use super::work::Configured;
+use super::{Loaded, RegulariseOptions, Regularised, Session};
+use crate::arrays::TypedArray;
+use crate::energy::circle::Boundary;
+use crate::energy::curvature_jump::CurvatureJump;
+use crate::flow::StepReport;
+use crate::flow::options::FlowOptions;
+use crate::io::Format;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::rc::Rc;
+
+/// A request by name, with its fields.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(
+    rename_all = "camelCase",
+    rename_all_fields = "camelCase",
+    deny_unknown_fields
+)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum Command {
+    /// Loads a mesh file; the format is found from its content.
+    Load {
+        /// The file.
+        bytes: TypedArray<u8>,
+        /// Its name.
+        name: String,
+    },
+    /// Loads a sample shape.
+    Sample {
+        /// Its name.
+        name: String,
+        /// Parameters that are not the usual ones.
+        #[serde(default)]
+        parameters: BTreeMap<String, f64>,
+    },
+    /// The mesh as it is now.
+    Loaded {},
+    /// Diagnosis card.
+    Info {},
+    /// Energies of the surface as it is now.
+    Energy {
+        /// Exponents beside the usual ones.
+        #[serde(default)]
+        p: Vec<f64>,
+        /// What holds at the boundary.
+        #[serde(default)]
+        boundary: Boundary,
+    },
+    /// Chooses flow and parameters, and goes back to the start.
+    Configure {
+        /// Those that are not the usual ones.
+        options: Box<FlowOptions>,
+    },
+    /// Goes on from the surface as it is with other options.
+    ContinueWith {
+        /// All of them.
+        options: Box<FlowOptions>,
+    },
+    /// Takes a step, if there is one to take.
+    Step {},
+    /// Where the session stands.
+    State {},
+    /// One stored step back.
+    Back {},
+    /// Back to the start.
+    Reset {},
+    /// Shows a stored step, the nearest at or before this one.
+    Seek {
+        /// Its number.
+        step: usize,
+    },
+    /// Goes to the end of a branch.
+    Branch {
+        /// Its number.
+        branch: u32,
+    },
+    /// The flow is made anew where it stands, as a step after a look back does.
+    Renew {},
+    /// Puts positions from outside in place, as after a crash.
+    Restore {
+        /// Three coordinates a vertex.
+        exact: TypedArray<f64>,
+        /// The step they belong to.
+        step: usize,
+        /// Its time.
+        time: f64,
+    },
+    /// Conformal regularisation.
+    Regularise {
+        /// How.
+        #[serde(default)]
+        options: RegulariseOptions,
+    },
+    /// Edge flips to the end.
+    Flip {
+        /// Which, and how many.
+        #[serde(default)]
+        options: FlipOptions,
+    },
+    /// Fills holes or connects boundary loops.
+    Fill {
+        /// Which, and how.
+        #[serde(default)]
+        options: FillOptions,
+    },
+    /// Divides each triangle into four.
+    Subdivide {
+        /// By which scheme.
+        #[serde(default)]
+        options: SubdivideOptions,
+    },
+    /// Makes the surface inverted in a sphere the start.
+    Invert {
+        /// From the middle of the bounding box, in diagonals of it.
+        centre: [f64; 3],
+    },
+    /// Makes the surface as it is the start.
+    Adopt {},
+    /// Undoes the last edit.
+    Undo {},
+    /// The boundary loops of the surface as it is now.
+    Loops {},
+    /// How edge flips, or flows side by side, are shown.
+    Arrange {
+        /// All of it.
+        arrangement: Arrangement,
+    },
+    /// What frames are coloured by from now on.
+    Colour {
+        /// A field by name, or `none`.
+        field: String,
+    },
+    /// What frames look at more closely from now on.
+    Look {
+        /// All of it.
+        wanted: Wanted,
+    },
+    /// The surface inverted, without changing it.
+    PreviewInversion {
+        /// As for `invert`.
+        centre: [f64; 3],
+    },
+    /// f_a against f_l on the surface as it is now.
+    Conjecture {},
+    /// The numbers of a quadrilateral.
+    Quadrilateral {
+        /// Vertices i, j, k, l.
+        corners: [u32; 4],
+    },
+    /// Draws more random quadrilaterals; 0 begins anew.
+    Lab {
+        /// So many of each kind.
+        pairs: usize,
+    },
+    /// Why the flow stands as it does.
+    Why {},
+    /// Where the surface passes through itself.
+    SelfIntersections {},
+    /// One more resolution of a refinement study; with options it begins anew.
+    Study {
+        /// Of what.
+        #[serde(default)]
+        options: Option<StudyOptions>,
+    },
+    /// The jump of H across the boundary of what moves.
+    CurvatureJump {},
+    /// How the present surface came about.
+    Recipe {},
+    /// The surface as a file.
+    Export {
+        /// Its format by name.
+        format: String,
+    },
+    /// The history as CSV.
+    History {},
+}
+
+/// What a command of the same name is answered with.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[allow(missing_docs, reason = "each is described at the command of its name")]
+pub enum Answer {
+    Load(Loaded),
+    Sample(Loaded),
+    Loaded(Loaded),
+    Info(Info),
+    Energy(EnergyReadings),
+    Configure(Configured),
+    ContinueWith(Configured),
+    /// None where there was none to take; the state says why.
+    Step(Option<Box<StepReport>>),
+    State(State),
+    Back(State),
+    Reset(State),
+    Seek(State),
+    Branch(State),
+    Renew(()),
+    Restore(State),
+    Regularise(Regularised),
+    Flip(FlipOutcome),
+    Fill(FillOutcome),
+    Subdivide(Loaded),
+    Invert(InversionReport),
+    Adopt(Loaded),
+    Undo(Loaded),
+    Loops(Vec<LoopInfo>),
+    Arrange(State),
+    Colour(Option<Field>),
+    Look(Look),
+    PreviewInversion(Inverted),
+    Conjecture(ConjectureReport),
+    Quadrilateral(QuadReport),
+    Lab(LabReport),
+    Why(Option<Diagnosis>),
+    /// None where there are too many triangles near each other.
+    SelfIntersections(Option<SelfIntersections>),
+    Study(StudyReport),
+    CurvatureJump(Option<CurvatureJump>),
+    Recipe(Recipe),
+    Export(TypedArray<u8>),
+    History(String),
+}
+
+impl Session {
+    /// Does what a command asks for.
+    ///
+    /// # Errors
+    /// Those of the method it stands for; nothing has changed then.
+    pub fn perform(&mut self, command: Command) -> Result<Answer, Fault> {
+        use Command as C;
+        if matches!(
+            command,
+            C::Configure { .. }
+                | C::ContinueWith { .. }
+                | C::Back {}
+                | C::Reset {}
+                | C::Seek { .. }
+                | C::Branch { .. }
+                | C::Restore { .. }
+                | C::Undo {}
+        ) {
+            self.view.forget_steps();
+        }
+        Ok(match command {
+            C::Load { bytes, name } => Answer::Load(self.load(&bytes, &name)?),
+            C::Sample { name, parameters } => {
+                let values: Vec<(String, f64)> = parameters.into_iter().collect();
+                Answer::Sample(self.sample(&name, &values)?)
+            }
+            C::Loaded {} => Answer::Loaded(self.loaded()?),
+            C::Info {} => Answer::Info(self.info()?),
+            C::Energy { p, boundary } => Answer::Energy(self.energy(boundary, &p)?),
+            C::Configure { options } => {
+                let configured = self.configure(*options)?;
+                self.tell_flow();
+                Answer::Configure(configured)
+            }
+            C::ContinueWith { options } => {
+                let configured = self.continue_with(*options)?;
+                self.tell_flow();
+                Answer::ContinueWith(configured)
+            }
+            C::Step {} => {
+                let report = self.step()?;
+                if let Some(report) = &report {
+                    self.view.add(report);
+                }
+                Answer::Step(report.map(Box::new))
+            }
+            C::State {} => Answer::State(self.state()?),
+            C::Back {} => Answer::Back(self.back()?),
+            C::Reset {} => Answer::Reset(self.reset()?),
+            C::Seek { step } => {
+                let known = self.state()?.step;
+                let state = self.seek(step)?;
+                self.tell_steps_after(known);
+                Answer::Seek(state)
+            }
+            C::Branch { branch } => {
+                let known = self.timeline()?.start;
+                let state = self.branch(branch)?;
+                self.tell_steps_after(known);
+                Answer::Branch(state)
+            }
+            C::Renew {} => Answer::Renew(self.renew()?),
+            C::Restore { exact, step, time } => Answer::Restore(self.restore(&exact, step, time)?),
+            C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),
+            C::Flip { options } => Answer::Flip(self.flip(&options)?),
+            C::Fill { options } => Answer::Fill(self.fill_telling(&options)?),
+            C::Subdivide { options } => Answer::Subdivide(self.subdivide(options)?),
+            C::Invert { centre } => Answer::Invert(self.invert(centre)?.1),
+            C::Adopt {} => Answer::Adopt(self.adopt()?),
+            C::Undo {} => Answer::Undo(self.undo_edit()?),
+            C::Loops {} => Answer::Loops(self.boundary_loops()?),
+            C::Arrange { arrangement } => {
+                self.arrange(arrangement)?;
+                Answer::Arrange(self.state()?)
+            }
+            C::Colour { field } => {
+                let answer = self.field(&field)?;
+                self.view.field = match &*field {
+                    "none" => None,
+                    name => Some(FieldName::parse(name)?),
+                };
+                Answer::Colour(answer)
+            }
+            C::Look { wanted } => {
+                let look = self.look(wanted)?;
+                self.view.look = (wanted != Wanted::default()).then_some(wanted);
+                Answer::Look(look)
+            }
+            C::PreviewInversion { centre } => {
+                let wanted = self.view.look.unwrap_or_default();
+                Answer::PreviewInversion(self.preview_inversion(centre, self.view.field, wanted)?)
+            }
+            C::Conjecture {} => Answer::Conjecture(self.conjecture()?),
+            C::Quadrilateral { corners } => Answer::Quadrilateral(self.quadrilateral(corners)?),
+            C::Lab { pairs } => Answer::Lab(self.lab(pairs)),
+            C::Why {} => Answer::Why(self.why()?),
+            C::SelfIntersections {} => Answer::SelfIntersections(self.self_intersections()?),
+            C::Study { options } => Answer::Study(self.study(options.as_ref())?),
+            C::CurvatureJump {} => Answer::CurvatureJump(self.curvature_jump()?),
+            C::Recipe {} => Answer::Recipe(self.recipe()?),
+            C::Export { format } => {
+                let format =
+                    Format::from_name(&format).ok_or_else(|| Fault::unknown_format(&format))?;
+                Answer::Export(self.export(format)?.into())
+            }
+            C::History {} => Answer::History(self.history_csv()?),
+        })
+    }
+
+    /// Whoever chose the flow knows it: no frame need tell.
+    fn tell_flow(&mut self) {
+        self.view.flow = self.work.as_ref().map(|work| Rc::clone(&work.course));
+    }
+
+    /// Whoever watches frames may not know the steps after this one any more.
+    fn tell_steps_after(&mut self, step: usize) {
+        if let Some(work) = &self.work {
+            self.view.repeat_after(step, work);
+        }
+    }
+
+    /// A fill that tells its progress to whom steps tell theirs.
+    fn fill_telling(&mut self, options: &FillOptions) -> Result<FillOutcome, Fault> {
+        let progress = self.progress.clone();
+        let mut tell = |stage: &str, share: f64| {
+            if let Some(progress) = &progress {
+                progress(stage, share);
+            }
+            ControlFlow::Continue(())
+        };
+        self.fill(options, &mut tell)
+    }
+}

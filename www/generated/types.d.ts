@@ -1,0 +1,1971 @@
+// Written by a test from the Rust types (src/web/types.rs); changes here are lost.
+
+/**
+ * How edges lie to the lines of curvature.
+ */
+export type Alignment = { 
+/**
+ * Edges within [`ALIGNED_DEGREES`] of a line of curvature …
+ */
+aligned: number, 
+/**
+ * … of those not between umbilics.
+ */
+edges: number, };
+
+/**
+ * What a command of the same name is answered with.
+ */
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "renew": null } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "curvatureJump": CurvatureJump | null } | { "recipe": Recipe } | { "export": Uint8Array } | { "history": string };
+
+/**
+ * What is shown of edge flips.
+ */
+export type Arrangement = { 
+/**
+ * Side by side.
+ */
+compare: Compare, 
+/**
+ * Steps of Loop's scheme before drawing.
+ */
+subdivide: number, 
+/**
+ * Flips a step makes; all that gain anything if absent.
+ */
+flipsPerStep: number | null, };
+
+/**
+ * What the energy of an open surface is (Section 3.3 of the paper).
+ */
+export type Boundary = "clamped" | "fixed" | "free";
+
+/**
+ * A branch, for people to choose from.
+ */
+export type BranchInfo = { 
+/**
+ * Its number.
+ */
+id: number, 
+/**
+ * The step it leaves.
+ */
+from: number, 
+/**
+ * Its last step.
+ */
+last: number, 
+/**
+ * The flow's own energy there.
+ */
+energy: number, };
+
+/**
+ * Options that a remedy changes; the others stay.
+ */
+export type Change = { 
+/**
+ * See [`FlowOptions::flow`].
+ */
+flow?: FlowName, 
+/**
+ * See [`FlowOptions::scheme`].
+ */
+scheme?: Scheme, 
+/**
+ * See [`FlowOptions::boundary`].
+ */
+boundary?: Boundary, 
+/**
+ * See [`FlowOptions::tau`]; the inner `None` leaves the step to the flow.
+ */
+tau?: number | null, 
+/**
+ * See [`FlowOptions::dt`]; always back to none, so that τ rules.
+ */
+dt?: number | null, 
+/**
+ * See [`FlowOptions::epsilon`].
+ */
+epsilon?: number, 
+/**
+ * See [`FlowOptions::prefill`].
+ */
+prefill?: boolean, 
+/**
+ * See [`FlowOptions::p`].
+ */
+p?: number, 
+/**
+ * See [`FlowOptions::keep`].
+ */
+keep?: Array<Kept>, 
+/**
+ * See [`FlowOptions::reduced_volume`].
+ */
+reducedVolume?: number | null, 
+/**
+ * See [`FlowOptions::regularise`].
+ */
+regularise?: Mode, };
+
+/**
+ * A run, and the edit that ended it.
+ */
+export type Chapter = { 
+/**
+ * Options of the flow; absent where none was chosen.
+ */
+flow: FlowOptions | null, 
+/**
+ * What was done.
+ */
+path: Array<Leg>, 
+/**
+ * The edit.
+ */
+edit: Edit, };
+
+/**
+ * The flow that stands where the session does.
+ */
+export type ChosenFlow = { 
+/**
+ * Its options.
+ */
+options: FlowOptions, 
+/**
+ * What they amount to.
+ */
+configured: Configured, };
+
+/**
+ * A class of random quadrilaterals.
+ */
+export type ClassReport = { 
+/**
+ * Upper end of the angle between the faces, in degrees.
+ */
+below: number, 
+/**
+ * Quadrilaterals drawn.
+ */
+total: number, 
+/**
+ * Of which counterexamples.
+ */
+counterexamples: number, };
+
+/**
+ * A request by name, with its fields.
+ */
+export type Command = { "load": { 
+/**
+ * The file.
+ */
+bytes: Uint8Array, 
+/**
+ * Its name.
+ */
+name: string, } } | { "sample": { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * Parameters that are not the usual ones.
+ */
+parameters: { [key in string]: number }, } } | { "loaded": Record<symbol, never> } | { "info": Record<symbol, never> } | { "energy": { 
+/**
+ * Exponents beside the usual ones.
+ */
+p: Array<number>, 
+/**
+ * What holds at the boundary.
+ */
+boundary: Boundary, } } | { "configure": { 
+/**
+ * Those that are not the usual ones.
+ */
+options: FlowOptions, } } | { "continueWith": { 
+/**
+ * All of them.
+ */
+options: FlowOptions, } } | { "step": Record<symbol, never> } | { "state": Record<symbol, never> } | { "back": Record<symbol, never> } | { "reset": Record<symbol, never> } | { "seek": { 
+/**
+ * Its number.
+ */
+step: number, } } | { "branch": { 
+/**
+ * Its number.
+ */
+branch: number, } } | { "renew": Record<symbol, never> } | { "restore": { 
+/**
+ * Three coordinates a vertex.
+ */
+exact: Float64Array, 
+/**
+ * The step they belong to.
+ */
+step: number, 
+/**
+ * Its time.
+ */
+time: number, } } | { "regularise": { 
+/**
+ * How.
+ */
+options: RegulariseOptions, } } | { "flip": { 
+/**
+ * Which, and how many.
+ */
+options: FlipOptions, } } | { "fill": { 
+/**
+ * Which, and how.
+ */
+options: FillOptions, } } | { "subdivide": { 
+/**
+ * By which scheme.
+ */
+options: SubdivideOptions, } } | { "invert": { 
+/**
+ * From the middle of the bounding box, in diagonals of it.
+ */
+centre: [number, number, number], } } | { "adopt": Record<symbol, never> } | { "undo": Record<symbol, never> } | { "loops": Record<symbol, never> } | { "arrange": { 
+/**
+ * All of it.
+ */
+arrangement: Arrangement, } } | { "colour": { 
+/**
+ * A field by name, or `none`.
+ */
+field: string, } } | { "look": { 
+/**
+ * All of it.
+ */
+wanted: Wanted, } } | { "previewInversion": { 
+/**
+ * As for `invert`.
+ */
+centre: [number, number, number], } } | { "conjecture": Record<symbol, never> } | { "quadrilateral": { 
+/**
+ * Vertices i, j, k, l.
+ */
+corners: [number, number, number, number], } } | { "lab": { 
+/**
+ * So many of each kind.
+ */
+pairs: number, } } | { "why": Record<symbol, never> } | { "selfIntersections": Record<symbol, never> } | { "study": { 
+/**
+ * Of what.
+ */
+options: StudyOptions | null, } } | { "curvatureJump": Record<symbol, never> } | { "recipe": Record<symbol, never> } | { "export": { 
+/**
+ * Its format by name.
+ */
+format: string, } } | { "history": Record<symbol, never> };
+
+/**
+ * What stands beside the surface.
+ */
+export type Compare = "none" | "start" | "criteria" | "flows";
+
+/**
+ * What a configuration amounts to.
+ */
+export type Configured = { 
+/**
+ * Number of vertices that move.
+ */
+freeVertices: number, 
+/**
+ * h, the mean edge length.
+ */
+meanEdgeLength: number, 
+/**
+ * The first step's raw size.
+ */
+dt: number, 
+/**
+ * The same without a unit.
+ */
+tau: number, 
+/**
+ * Readings at the start.
+ */
+state: State, 
+/**
+ * 1 for each vertex that is held, 0 for each that moves.
+ */
+heldVertices: Uint8Array, };
+
+/**
+ * f_a against f_l for the edges of a mesh that can be flipped.
+ */
+export type ConjectureReport = { 
+/**
+ * Those shown: ends and apexes i, j, k, l, …
+ */
+corners: Uint32Array, 
+/**
+ * … f_a over the area of both triangles …
+ */
+area: Float32Array, 
+/**
+ * … and f_l in radians. Counterexamples come first, the strongest of them foremost.
+ */
+localised: Float32Array, 
+/**
+ * How many of those shown are counterexamples.
+ */
+counterexamples: number, 
+/**
+ * The flip lowers both.
+ */
+both: number, 
+/**
+ * It lowers neither.
+ */
+neither: number, 
+/**
+ * It lowers the area only: a counterexample.
+ */
+areaOnly: number, 
+/**
+ * It lowers the localised energy only: a counterexample.
+ */
+localisedOnly: number, };
+
+/**
+ * Costs before or after.
+ */
+export type Costs = { 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * W = 2 Σ β − 2πV over interior edges: Σ W_i as printed on closed meshes.
+ */
+circle: number, };
+
+/**
+ * What is to become small.
+ */
+export type Criterion = "area" | "willmore" | "localised";
+
+/**
+ * The jump of H across the boundary of the free patches.
+ */
+export type CurvatureJump = { 
+/**
+ * J = rms |H_in − H_out| over the boundary vertices, unit 1/length.
+ */
+absolute: number, 
+/**
+ * J over rms H_out: without a unit. 0 where a patch joins with continuous curvature;
+ * on a mesh it is then of the size of an edge, and halves with it.
+ */
+relative: number, 
+/**
+ * Number of boundary vertices where both sides could be extrapolated.
+ */
+vertices: number, };
+
+/**
+ * Area and W by one criterion after each of the [`Curves::flips`]; NaN after its last flip.
+ */
+export type Curve = { 
+/**
+ * The criterion.
+ */
+criterion: Criterion, 
+/**
+ * Total area.
+ */
+area: Float64Array, 
+/**
+ * W.
+ */
+circle: Float64Array, };
+
+/**
+ * Area and W against the number of flips, for plots.
+ */
+export type Curves = { 
+/**
+ * Numbers of flips, from 0 to those of the run that made most.
+ */
+flips: Float64Array, 
+/**
+ * One a criterion.
+ */
+runs: Array<Curve>, };
+
+/**
+ * What is the matter, where, and what helps.
+ */
+export type Diagnosis = { 
+/**
+ * What it is.
+ */
+kind: DiagnosisKind, 
+/**
+ * The same in one sentence.
+ */
+sentence: Text, 
+/**
+ * Vertices at fault.
+ */
+vertices: Uint32Array, 
+/**
+ * Triangles at fault.
+ */
+faces: Uint32Array, 
+/**
+ * Two ends an edge at fault.
+ */
+edges: Uint32Array, 
+/**
+ * What helps, the best first; three at most.
+ */
+remedies: Array<Remedy>, };
+
+/**
+ * What is the matter.
+ */
+export type DiagnosisKind = "RejectedSteps" | "RefusedSteps" | "CocircularKink" | "RisingEnergy" | "Pinch" | "Inflating" | "Growing" | "Shrinking" | "DegenerateFaces" | "FoldedFaces" | "BelowSmoothMinimum" | "TooRough" | "Unfit" | "StepLimit";
+
+/**
+ * Circles or crosses drawn of those there are.
+ */
+export type Drawn = { 
+/**
+ * So many of them …
+ */
+drawn: number, 
+/**
+ * … of so many.
+ */
+total: number, 
+/**
+ * Left out: circles larger than the surface, umbilics.
+ */
+leftOut: number, };
+
+/**
+ * What made another mesh of the one at hand.
+ */
+export type Edit = "adopt" | { "fill": FillOptions } | { "flip": FlipOptions } | { "subdivide": SubdivideOptions } | { "invert": [number, number, number] };
+
+/**
+ * All energies and integrals of a surface.
+ */
+export type EnergyReadings = { 
+/**
+ * W = Σ W_i as printed by Bobenko & Schröder.
+ */
+circle: number, 
+/**
+ * W/2, which tends to ∫(H² − K) dA on curvature-aligned lattices.
+ */
+circleNormalised: number, 
+/**
+ * ∫H² dA, H = (κ₁+κ₂)/2, with the lumped mass.
+ */
+willmore: number, 
+/**
+ * The same with the consistent mass, never less. Where they part by more than a few per
+ * cent, the mesh does not resolve its curvature.
+ */
+willmoreConsistent: number, 
+/**
+ * ∫|H|^p dA by p.
+ */
+pWillmore: { [key in string]: number }, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * Signed volume, of a closed oriented surface.
+ */
+volume: number | null, 
+/**
+ * Σ 2(D_T − A_T) against the reference angles of Gruber & Aulisa's Algorithm 1.
+ */
+conformalDistortion: number, 
+/**
+ * Frobenius norm of ∇W over the vertices free under the boundary condition.
+ */
+gradientNorm: number, };
+
+/**
+ * A refusal or failure: what is wrong and where, and what to do about it.
+ *
+ * Code switches on `kind`, never on the text.
+ */
+export type Fault = { 
+/**
+ * Noun of what is wrong.
+ */
+kind: string, 
+/**
+ * What is wrong and where.
+ */
+message: string, 
+/**
+ * What the user can do.
+ */
+hint: string, 
+/**
+ * The elements at fault: lists of indices by name.
+ */
+detail: { [key in string]: Array<number> }, };
+
+/**
+ * A value per vertex and how to show it.
+ */
+export type Field = { 
+/**
+ * Which field.
+ */
+name: FieldName, 
+/**
+ * For people.
+ */
+label: string, 
+/**
+ * One value a vertex.
+ */
+values: Float32Array, 
+/**
+ * Lower end of the robust range; −`high` when signed.
+ */
+low: number, 
+/**
+ * Upper end of the robust range.
+ */
+high: number, 
+/**
+ * Whether the sign matters: diverging colours about 0.
+ */
+signed: boolean, };
+
+/**
+ * What a surface can be coloured by.
+ */
+export type FieldName = "mean-curvature" | "gauss-curvature" | "willmore" | "gradient" | "displacement";
+
+/**
+ * How holes are filled. Unknown names are refused.
+ */
+export type FillOptions = { 
+/**
+ * Which loops.
+ */
+loops: Loops, 
+/**
+ * Whether one patch connects them all.
+ */
+connect: boolean, 
+/**
+ * New vertices at most; 200,000 if absent.
+ */
+maxVertices: number | null, };
+
+/**
+ * What the fill did. The new vertices are those from `first_vertex` on, and the free ones
+ * of the next flow.
+ */
+export type FillOutcome = { 
+/**
+ * The loops that are no more, by the numbers they had.
+ */
+loops: Array<number>, 
+/**
+ * Number of new vertices.
+ */
+verticesAdded: number, 
+/**
+ * Number of new faces.
+ */
+facesAdded: number, 
+/**
+ * The first new vertex.
+ */
+firstVertex: number, 
+/**
+ * What is worth knowing, a sentence each.
+ */
+warnings: Array<string>, };
+
+/**
+ * How connectivity is optimised. Unknown names are refused.
+ */
+export type FlipOptions = { 
+/**
+ * What is to become small.
+ */
+criterion: Criterion, 
+/**
+ * Flips at most; all that gain anything if absent.
+ */
+max: number | null, 
+/**
+ * Whether faces may not be turned over.
+ */
+guardFolds: boolean, 
+/**
+ * Whether every flip is listed.
+ */
+history: boolean, };
+
+/**
+ * What the flips did.
+ */
+export type FlipOutcome = { 
+/**
+ * Flips made.
+ */
+flips: number, 
+/**
+ * Flips that would have gained and were refused.
+ */
+rejected: number, 
+/**
+ * Before the first.
+ */
+before: Costs, 
+/**
+ * After the last.
+ */
+after: Costs, 
+/**
+ * A row a flip with a header, as comma-separated values, if asked for.
+ */
+history?: string, };
+
+/**
+ * Where the optimisation by one criterion stands.
+ */
+export type FlipReading = { 
+/**
+ * What is to become small.
+ */
+criterion: Criterion, 
+/**
+ * Flips made.
+ */
+flips: number, 
+/**
+ * Flips refused that would have gained.
+ */
+rejected: number, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * W = 2 Σ β − 2πV over interior edges.
+ */
+circle: number, 
+/**
+ * What the last flip gained.
+ */
+reduction: number | null, };
+
+/**
+ * Which flow runs.
+ */
+export type FlowName = "circle" | "p-willmore" | "flips" | "mean-curvature" | "surface-diffusion" | "willmore" | "mmcv";
+
+/**
+ * Options of a flow. Unknown names are refused.
+ */
+export type FlowOptions = { 
+/**
+ * Which flow.
+ */
+flow: FlowName, 
+/**
+ * Recommended or the paper's.
+ */
+scheme: Scheme, 
+/**
+ * Time discretisation.
+ */
+integrator: Integrator, 
+/**
+ * What happens at the boundary; by default it is clamped under the circle flow and
+ * fixed under the flows by mean curvature and its derivatives.
+ */
+boundary: Boundary | null, 
+/**
+ * Relax or smooth.
+ */
+goal: Goal, 
+/**
+ * Smoothing: wavelengths below this many mean edge lengths are at least halved.
+ */
+detail: number | null, 
+/**
+ * Smoothing: in so many steps.
+ */
+smoothSteps: number, 
+/**
+ * Raw step size; overrides `tau` and `detail`.
+ */
+dt: number | null, 
+/**
+ * Step size over h², h the mean edge length at the start; overrides `detail`. Under the
+ * flows by mean curvature and its derivatives, over L^k, k the order of the flow and L²
+ * the area of a free patch.
+ */
+tau: number | null, 
+/**
+ * Metric.
+ */
+mass: MassChoice, 
+/**
+ * ε of the angle smoothing, in radians.
+ */
+epsilon: number, 
+/**
+ * Whether ε goes to 0 at the end of relaxing.
+ */
+sharpen: boolean, 
+/**
+ * Pre-fill of the free vertices before the first step: harmonic under the circle flow,
+ * smooth under the flows by mean curvature and its derivatives.
+ */
+prefill: boolean, 
+/**
+ * Only these vertices move.
+ */
+free: Array<number> | null, 
+/**
+ * These vertices never move.
+ */
+fixed: Array<number> | null, 
+/**
+ * Budget of steps, for a set number of them.
+ */
+maxSteps: number | null, 
+/**
+ * Budget of seconds of computing, counted anew each time a run is asked to go on; it
+ * holds only where no number of steps is set, as a set amount of smoothing does.
+ */
+maxSeconds: number | null, 
+/**
+ * p-Willmore: the start is pushed along its normals by up to so many mean edge lengths, so
+ * that a symmetric one can leave a shape that is unstable.
+ */
+perturbation: number, 
+/**
+ * p-Willmore: the exponent; 0 (mean-curvature flow) or at least 1.
+ */
+p: number, 
+/**
+ * p-Willmore: what is kept.
+ */
+keep: Array<Kept>, 
+/**
+ * p-Willmore: conformal regularisation after each step.
+ */
+regularise: Mode, 
+/**
+ * p-Willmore: ε of the regularisation, a pure number.
+ */
+regulariseEpsilon: number, 
+/**
+ * p-Willmore, paper's scheme: factor on the step size after each step.
+ */
+tauGrowth: number, 
+/**
+ * p-Willmore, paper's scheme: largest τ.
+ */
+tauMax: number | null, 
+/**
+ * p-Willmore: the volume is led to this share of the volume of the ball of the same
+ * area; needs area and volume kept.
+ */
+reducedVolume: number | null, 
+/**
+ * p-Willmore, p = 2: spontaneous curvature H₀ in ∫(H − H₀)² dA, times L.
+ */
+spontaneousCurvature: number, 
+/**
+ * p-Willmore, p = 2: tension σ in ∫|Y|² dA + σA, times L².
+ */
+tension: number, 
+/**
+ * p-Willmore, p = 2: pressure P in ∫|Y|² dA − PV, times L³.
+ */
+pressure: number, 
+/**
+ * Edge flips: what is to become small.
+ */
+criterion: Criterion, 
+/**
+ * Edge flips: no flip may turn a face over.
+ */
+guardFolds: boolean, 
+/**
+ * Mean-curvature variation: steps of surface diffusion taken first; by default some
+ * where the start is rough.
+ */
+rungs: number | null, };
+
+/**
+ * A picture of the surface with everything that is shown beside it.
+ */
+export type Frame = { 
+/**
+ * Readings.
+ */
+state: State, 
+/**
+ * The steps that no frame has told of yet, oldest first.
+ */
+reports: Array<Sample>, 
+/**
+ * Three coordinates a vertex, relative to the mesh's frame, for drawing.
+ */
+positions: Float32Array, 
+/**
+ * The same in full precision, to go on from after a crash.
+ */
+exact: Float64Array, 
+/**
+ * Colours; null where there are none, or panes have their own.
+ */
+field: Field | null, 
+/**
+ * Triangles that folded over in the last step.
+ */
+flippedTriangles: Uint32Array, 
+/**
+ * Pictures side by side; none of a single flow.
+ */
+panes: Array<Pane>, 
+/**
+ * Of edge flips.
+ */
+curves: Curves | null, 
+/**
+ * Across the boundary of what moves.
+ */
+jump: CurvatureJump | null, 
+/**
+ * Null where nothing is looked at more closely.
+ */
+look: Look | null, 
+/**
+ * The steps that can be shown.
+ */
+timeline: Timeline, 
+/**
+ * How the surface came about; null while the flow runs, and where that is not known.
+ */
+story: Recipe | null, 
+/**
+ * The flow that stands there, where no frame has told of it yet.
+ */
+flow?: ChosenFlow, };
+
+/**
+ * What the run is for.
+ */
+export type Goal = "relax" | "smooth";
+
+/**
+ * Diagnosis card of a mesh.
+ */
+export type Info = { 
+/**
+ * Number of vertices.
+ */
+vertices: number, 
+/**
+ * Number of edges.
+ */
+edges: number, 
+/**
+ * Number of faces, of any degree.
+ */
+faces: number, 
+/**
+ * Number of connected components.
+ */
+components: number, 
+/**
+ * Number of boundary loops.
+ */
+boundaryLoops: number, 
+/**
+ * V − E + F.
+ */
+eulerCharacteristic: number, 
+/**
+ * Summed over components with loops capped; none if not orientable.
+ */
+genus: number | null, 
+/**
+ * Whether there is no boundary.
+ */
+closed: boolean, 
+/**
+ * Whether the faces are, or could be, consistently oriented.
+ */
+oriented: boolean, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * Signed volume, of a closed oriented surface.
+ */
+volume: number | null, 
+/**
+ * Mean edge length.
+ */
+meanEdgeLength: number, 
+/**
+ * Smallest corner angle.
+ */
+minAngleDegrees: number, 
+/**
+ * Pairs of triangles that pass through each other, see
+ * [`self_intersection`](crate::geometry::self_intersection); `None` where there are too
+ * many triangles to be compared in about a second.
+ */
+selfIntersections: number | null, 
+/**
+ * What was repaired or is worth knowing.
+ */
+warnings: Array<string>, };
+
+/**
+ * How time is discretised.
+ */
+export type Integrator = "semi-implicit" | "forward-euler" | "backward-euler" | "l-bfgs";
+
+/**
+ * What an inversion leaves and what it changes.
+ */
+export type InversionReadings = { 
+/**
+ * W over interior vertices, made of angles between circles through vertices: invariant.
+ */
+circle: number, 
+/**
+ * Of an open surface W with a vertex at infinity closing each boundary loop. An inversion
+ * takes infinity to a point, and another vertex closes the loop: not invariant.
+ */
+circleClosed: number | null, 
+/**
+ * ∫H² dA by the lumped formula. It is invariant on smooth closed surfaces; a mesh has it
+ * up to the error of discretisation.
+ */
+willmore: number, 
+/**
+ * Total area.
+ */
+area: number, };
+
+/**
+ * An inversion in numbers.
+ */
+export type InversionReport = { 
+/**
+ * Its centre, in the coordinates of the file.
+ */
+centre: [number, number, number], 
+/**
+ * Radius of the sphere with which the surface keeps its size.
+ */
+radius: number, 
+/**
+ * Whether a reflection follows, so that normals point where they did.
+ */
+mirrored: boolean, 
+/**
+ * Distance of the centre from the surface, in diagonals of its bounding box.
+ */
+distance: number, 
+/**
+ * Of the surface at hand.
+ */
+before: InversionReadings, 
+/**
+ * Of its image.
+ */
+after: InversionReadings, 
+/**
+ * Sum of all angles, W + 2πN: what the rounding of W is measured by.
+ */
+angles: number, 
+/**
+ * Largest change of a W_i.
+ */
+largestChange: number, };
+
+/**
+ * A surface inverted, to look at.
+ */
+export type Inverted = { 
+/**
+ * What changes.
+ */
+report: InversionReport, 
+/**
+ * Three coordinates a vertex.
+ */
+positions: Float32Array, 
+/**
+ * The colours asked for.
+ */
+field: Field | null, 
+/**
+ * What is drawn over it: circles stay circles.
+ */
+look: Look, };
+
+/**
+ * What can be kept.
+ */
+export type Kept = "area" | "volume";
+
+/**
+ * What the random quadrilaterals say so far.
+ */
+export type LabReport = { 
+/**
+ * Random tetrahedra drawn …
+ */
+tetrahedra: number, 
+/**
+ * … and those that lower the area only, or the localised energy only.
+ */
+counterexamples: [number, number], 
+/**
+ * Of all quadrilaterals, flattened ones too.
+ */
+classes: Array<ClassReport>, 
+/**
+ * The clearest counterexample.
+ */
+strongest: QuadReport | null, };
+
+/**
+ * A part of a run.
+ */
+export type Leg = { "steps": number } | { "regularise": RegulariseOptions } | "anew" | { "flow": FlowOptions };
+
+/**
+ * What is known after a mesh was loaded, and everything a viewer needs to draw it.
+ */
+export type Loaded = { 
+/**
+ * Base name without extension, for downloads.
+ */
+name: string, 
+/**
+ * Diagnosis card.
+ */
+info: Info, 
+/**
+ * Three coordinates a vertex, relative to the mesh's frame.
+ */
+positions: Float32Array, 
+/**
+ * Three corners a triangle.
+ */
+triangles: Uint32Array, 
+/**
+ * Two ends an edge of the file's own faces.
+ */
+wireEdges: Uint32Array, 
+/**
+ * Two ends a boundary edge.
+ */
+boundaryEdges: Uint32Array, 
+/**
+ * Whether the file has triangles only.
+ */
+trianglesOnly: boolean, 
+/**
+ * Vertices a sample suggests to hold.
+ */
+fixed: Uint32Array | null, 
+/**
+ * Vertices a sample suggests to move.
+ */
+free: Uint32Array | null, };
+
+/**
+ * What is seen.
+ */
+export type Look = { 
+/**
+ * The vertex probed.
+ */
+probe: Probe | null, 
+/**
+ * Two ends a segment, three coordinates each, relative to the mesh's frame.
+ */
+ends: Float32Array, 
+/**
+ * The [`SegmentKind`] of each segment, by its number.
+ */
+kinds: Uint8Array, 
+/**
+ * Of all circumcircles.
+ */
+circles: Drawn | null, 
+/**
+ * Of principal directions.
+ */
+directions: Drawn | null, 
+/**
+ * Likewise.
+ */
+alignment: Alignment | null, };
+
+/**
+ * A boundary loop, for people to choose from.
+ */
+export type LoopInfo = { 
+/**
+ * Number of edges, and of vertices.
+ */
+edges: number, 
+/**
+ * Sum of the edge lengths.
+ */
+length: number, 
+/**
+ * Its vertices in order.
+ */
+vertices: Array<number>, };
+
+/**
+ * Which loops are filled: the word `all`, or their numbers, counted from 0.
+ */
+export type Loops = Array<number> | string;
+
+/**
+ * How a surface is refined.
+ */
+export type Manner = "sampled" | "polyhedron" | "loop";
+
+/**
+ * The metric the gradient is taken in.
+ */
+export type MassChoice = "auto" | "uniform" | "area";
+
+/**
+ * How good a mesh is.
+ */
+export type MeshQuality = { 
+/**
+ * Smallest corner angle.
+ */
+minAngleDegrees: number, 
+/**
+ * CD / A: 0 where every element has its reference shape.
+ */
+distortion: number, 
+/**
+ * Elements whose normal opposes that of the surface around them, on their side of
+ * creases.
+ */
+inverted: number, 
+/**
+ * Area.
+ */
+area: number, 
+/**
+ * Signed volume, of a closed oriented surface.
+ */
+volume: number | null, };
+
+/**
+ * Where the normals are taken that a pass holds.
+ */
+export type Mode = "off" | "linear" | "nonlinear";
+
+/**
+ * The functional that does not rise on an accepted step of the recommended scheme.
+ */
+export type Monitored = "smoothedCircle" | "area" | "willmore" | "pWillmore" | "helfrich" | "curvatureVariation";
+
+/**
+ * Lagrange multipliers of a step: ∇∫|H|^p + tension ∇A − pressure ∇V would vanish at rest.
+ */
+export type Multipliers = { 
+/**
+ * Of the area.
+ */
+tension: number | null, 
+/**
+ * Of the volume; positive pushes outwards.
+ */
+pressure: number | null, };
+
+/**
+ * A picture: all of what a viewer draws.
+ */
+export type Pane = { 
+/**
+ * `start`, the criterion, or the flow.
+ */
+name: string, 
+/**
+ * Of flows beside each other: where this one stands.
+ */
+standing: Standing | null, 
+/**
+ * Three coordinates a vertex.
+ */
+positions: Float32Array, 
+/**
+ * Three corners a triangle.
+ */
+triangles: Uint32Array, 
+/**
+ * Two ends an edge.
+ */
+wireEdges: Uint32Array, 
+/**
+ * Two ends a boundary edge.
+ */
+boundaryEdges: Uint32Array, 
+/**
+ * Two ends an edge that the last step made.
+ */
+highlight: Uint32Array, 
+/**
+ * Colours.
+ */
+field: Field | null, };
+
+/**
+ * What is known of a vertex. Angles are in radians; H, K and the areas have the units of the
+ * file, 1/length, 1/length² and length².
+ */
+export type Probe = { 
+/**
+ * Its number, from 0.
+ */
+vertex: number, 
+/**
+ * In the coordinates of the file.
+ */
+position: [number, number, number], 
+/**
+ * Whether it lies on the boundary.
+ */
+boundary: boolean, 
+/**
+ * Its edges in cyclic order.
+ */
+edges: Array<ProbedEdge>, 
+/**
+ * β₃ of a boundary vertex, the exterior angle of the boundary there, where it counts.
+ */
+turn: number | null, 
+/**
+ * Σβ over its edges, with β₃.
+ */
+sum: number, 
+/**
+ * W_i = Σβ − 2π; absent where it is no part of the energy.
+ */
+energy: number | null, 
+/**
+ * K_i, the angle defect 2π − Σ angles, π − Σ on the boundary.
+ */
+defect: number, 
+/**
+ * Pointwise H as the flow measures it.
+ */
+meanCurvature: number, 
+/**
+ * Pointwise K, the defect over the area; 0 on the boundary.
+ */
+gaussCurvature: number, 
+/**
+ * κ₁ ≥ κ₂ by the quadratic fit.
+ */
+principal: [number, number] | null, 
+/**
+ * A third of the area of its triangles.
+ */
+area: number, 
+/**
+ * Circumradii of its triangles.
+ */
+radii: Array<number>, };
+
+/**
+ * An edge at the vertex.
+ */
+export type ProbedEdge = { 
+/**
+ * Its other end.
+ */
+neighbour: number, 
+/**
+ * Its length.
+ */
+length: number, 
+/**
+ * Angle between the circumcircles of its two triangles, in radians; of a boundary edge β₂,
+ * to the line through it, where a vertex at infinity closes the boundary. Absent where
+ * the energy has no angle there.
+ */
+beta: number | null, 
+/**
+ * Whether it has one triangle only.
+ */
+boundary: boolean, };
+
+/**
+ * The numbers of one quadrilateral.
+ */
+export type QuadReport = { 
+/**
+ * Positions of i, j, k, l.
+ */
+points: [[number, number, number], [number, number, number], [number, number, number], [number, number, number]], 
+/**
+ * f_a.
+ */
+area: number, 
+/**
+ * f_l.
+ */
+localised: number, 
+/**
+ * Area of both triangles before the flip.
+ */
+totalArea: number, 
+/**
+ * Angle between the normals before and after the flip, in degrees.
+ */
+foldDegrees: [number, number], 
+/**
+ * Smallest angle of the triangles before and after, in degrees.
+ */
+minAngleDegrees: [number, number], };
+
+/**
+ * How the present surface came about.
+ */
+export type Recipe = { 
+/**
+ * What made the mesh of the one that was loaded, oldest first.
+ */
+edits: Array<Chapter>, 
+/**
+ * Options of the flow it began with; absent where none was chosen.
+ */
+flow: FlowOptions | null, 
+/**
+ * What was done since.
+ */
+path: Array<Leg>, };
+
+/**
+ * How a mesh at rest is regularised. Unknown names are refused.
+ */
+export type RegulariseOptions = { 
+/**
+ * Linear or nonlinear.
+ */
+mode: Mode, 
+/**
+ * ε, a pure number: 1e-3 is faithful to the surface, 1e-1 aggressive.
+ */
+epsilon: number, 
+/**
+ * Passes at most.
+ */
+iterations: number, 
+/**
+ * η: damping by η (|Y_i| h_i)² keeps vertices where the surface bends within an edge
+ * length, so that features stay; 0 lets them slide, those on creases too, as far as
+ * the bounds allow.
+ */
+features: number, };
+
+/**
+ * What the passes did.
+ */
+export type Regularised = { 
+/**
+ * Passes that were taken.
+ */
+passes: number, 
+/**
+ * Before the first.
+ */
+before: MeshQuality, 
+/**
+ * After the last.
+ */
+after: MeshQuality, 
+/**
+ * Two-sided distance from the surface at the start, as a share of the diagonal of its
+ * bounding box: of the vertices at the end from that surface, and of its vertices from
+ * the surface at the end, the largest.
+ */
+distance: number, 
+/**
+ * Vertices on creases, which stay where they are.
+ */
+pinned: number, };
+
+/**
+ * Something that helps.
+ */
+export type Remedy = { 
+/**
+ * What is done.
+ */
+id: RemedyId, 
+/**
+ * What the button says.
+ */
+label: Text, 
+/**
+ * Options that change.
+ */
+change: Change, 
+/**
+ * Whether the run begins anew, the present surface being past help; otherwise that is
+ * the new start.
+ */
+fromStart: boolean, 
+/**
+ * Steps to go back.
+ */
+steps: number, };
+
+/**
+ * What is done.
+ */
+export type RemedyId = "regularise" | "regulariseEachStep" | "subdivide" | "smallerStep" | "automaticStep" | "largerEpsilon" | "recommendedScheme" | "continue" | "back" | "keepAndFlips" | "keepVolume" | "otherFlow" | "prefill" | "lowerExponent" | "refine";
+
+/**
+ * The surface at one resolution.
+ */
+export type Resolution = { 
+/**
+ * Vertices.
+ */
+vertices: number, 
+/**
+ * Triangles.
+ */
+faces: number, 
+/**
+ * Mean edge length.
+ */
+h: number, 
+/**
+ * Area.
+ */
+area: number, 
+/**
+ * Half the circle-angle energy, ½ Σ W_i over interior vertices; no unit.
+ */
+circle: number, 
+/**
+ * ∫H² dA by cotangents, over interior vertices.
+ */
+cotangent: number, 
+/**
+ * ∫H² dA by quadratic fits, Σ m_i H_i² with m_i a third of the area about vertex i.
+ */
+fitted: number, 
+/**
+ * ∫|H|^p dA by cotangents, unit length^(2−p).
+ */
+power: number, 
+/**
+ * ∫K dA by quadratic fits.
+ */
+gauss: number, 
+/**
+ * Vertices that no quadratic surface fits; left out of what is fitted.
+ */
+unfit: number, };
+
+/**
+ * What a plot has of a step, and what the step warns of.
+ */
+export type Sample = { 
+/**
+ * Number of the step.
+ */
+step: number, 
+/**
+ * Flow time after it.
+ */
+time: number, 
+/**
+ * Raw step size.
+ */
+dt: number, 
+/**
+ * See [`StepReport::energy`].
+ */
+energy: number, 
+/**
+ * See [`StepReport::objective`].
+ */
+objective: number, 
+/**
+ * Worth telling the user; none where the step was told of before.
+ */
+warnings: Array<string>, };
+
+/**
+ * Recommended treatment or the paper's own.
+ */
+export type Scheme = "auto" | "paper";
+
+/**
+ * The triangles that pass through each other.
+ */
+export type SelfIntersections = { 
+/**
+ * Two triangles a pair, the smaller number first; sorted.
+ */
+pairs: Uint32Array, 
+/**
+ * The triangles of all pairs, each once; sorted.
+ */
+triangles: Uint32Array, };
+
+/**
+ * Where a flow beside others stands.
+ */
+export type Standing = { 
+/**
+ * Steps taken.
+ */
+step: number, 
+/**
+ * Whether it is over.
+ */
+status: Status, 
+/**
+ * Why.
+ */
+message: string, 
+/**
+ * The jump of H across the boundary of what moves.
+ */
+jump: CurvatureJump | null, };
+
+/**
+ * Where a session stands.
+ */
+export type State = { 
+/**
+ * Steps taken.
+ */
+step: number, 
+/**
+ * Flow time.
+ */
+time: number, 
+/**
+ * Whether and why the run is over.
+ */
+status: Status, 
+/**
+ * The reason, a sentence.
+ */
+message: string, 
+/**
+ * The flow's own energy, as in [`StepReport::energy`].
+ */
+energy: number, 
+/**
+ * See [`StepReport::energy_normalised`].
+ */
+energyNormalised: number, 
+/**
+ * The next step's raw size.
+ */
+dt: number, 
+/**
+ * The same without a unit.
+ */
+tau: number, 
+/**
+ * What keeps area and volume, where they are kept.
+ */
+multipliers: Multipliers | null, 
+/**
+ * See [`StepReport::reduced_volume`].
+ */
+reducedVolume: number | null, 
+/**
+ * Edge flips: where each criterion stands, the chosen one first.
+ */
+flips: Array<FlipReading> | null, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * Signed volume, of a closed oriented surface.
+ */
+volume: number | null, 
+/**
+ * Smallest corner angle.
+ */
+minAngleDegrees: number, 
+/**
+ * Which functional a step must not raise.
+ */
+monitored: Monitored, 
+/**
+ * What it is.
+ */
+objective: number, 
+/**
+ * Norm of the objective's gradient.
+ */
+gradientNorm: number, 
+/**
+ * Duration of the last step.
+ */
+milliseconds: number, 
+/**
+ * Whether an earlier state is stored.
+ */
+canStepBack: boolean, };
+
+/**
+ * Where a run stands.
+ */
+export type Status = "ready" | "converged" | "stepLimit" | "stalled" | "singular" | "collapsed" | "failed";
+
+/**
+ * One accepted step. Keys in JSON are the field names in camel case.
+ */
+export type StepReport = { 
+/**
+ * Number of the step, from 1.
+ */
+step: number, 
+/**
+ * Flow time after it, Σ dt; for the circle flow with uniform mass unit length².
+ */
+time: number, 
+/**
+ * Raw step size.
+ */
+dt: number, 
+/**
+ * The flow's own reading: W = Σ W_i as printed, or ∫|H|^p dA, or with the terms of
+ * Helfrich ∫(H − H₀)² dA + (σA − PV)/4; the area under the flow by mean curvature and
+ * surface diffusion, ∫H² dA under the Willmore flow, ∫|∇H|² dA under mean-curvature
+ * variation, within two edges of the free vertices.
+ */
+energy: number, 
+/**
+ * The same made comparable: W/2, or ∫|H|^p dA over its value on the round sphere of
+ * the same area.
+ */
+energyNormalised: number, 
+/**
+ * Which functional the step must not raise.
+ */
+monitored: Monitored, 
+/**
+ * Whether the step only prepares a rough start for the flow, and so may raise it.
+ */
+prepares: boolean, 
+/**
+ * That functional before the step.
+ */
+objectiveBefore: number, 
+/**
+ * The same after.
+ */
+objective: number, 
+/**
+ * Circle flow: Frobenius norm of the objective's gradient over the free vertices, after.
+ * p-Willmore flow: its normal, constrained part, scale-free. Flows by mean curvature and
+ * its derivatives: root mean square of the velocity, scale-free; it need not vanish at
+ * rest on irregular meshes.
+ */
+gradientNorm: number, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * Signed volume of a closed oriented surface.
+ */
+volume: number | null, 
+/**
+ * Smallest corner angle.
+ */
+minAngleDegrees: number, 
+/**
+ * Trial steps refused before this one.
+ */
+rejected: number, 
+/**
+ * Inner iterations: of the linear solver, or of Newton's method.
+ */
+iterations: number, 
+/**
+ * Wall-clock time of the step.
+ */
+milliseconds: number, 
+/**
+ * dt without a unit: dt/h², h the mean edge length at the start, or dt/L^(p+2), L the
+ * radius of the sphere with the area at the start.
+ */
+tau: number, 
+/**
+ * Angle smoothing ε.
+ */
+epsilon: number, 
+/**
+ * Negative eigenvalues of the system matrix, where it was factored.
+ */
+negativePivots: number, 
+/**
+ * Angles left out of the gradient.
+ */
+skippedAngles: number, 
+/**
+ * Faces that folded over in this step: turned by more than a right angle, against
+ * their neighbours.
+ */
+flippedFaces: number, 
+/**
+ * Largest displacement of a vertex from the start, in units of h.
+ */
+maxDisplacement: number, 
+/**
+ * What keeps area and volume, where they are kept.
+ */
+multipliers?: Multipliers, 
+/**
+ * 6√π V / A^(3/2), 1 for a sphere; of closed surfaces under the p-Willmore flow.
+ */
+reducedVolume?: number, 
+/**
+ * Edge flips: where each criterion stands, the chosen one first.
+ */
+flips?: Array<FlipReading>, 
+/**
+ * Largest distance a vertex was to move, in mean edge lengths; under the flows by mean
+ * curvature and its derivatives, where it tells convergence.
+ */
+update?: number, 
+/**
+ * Norm of the residual of the linear system over that of its right-hand side, under the
+ * same flows.
+ */
+linearResidual?: number, 
+/**
+ * Time for energy, gradient and matrix.
+ */
+assembleMilliseconds: number, 
+/**
+ * Time for factorisations.
+ */
+factorMilliseconds: number, 
+/**
+ * Time for triangular solves and iterations.
+ */
+solveMilliseconds: number, 
+/**
+ * Time for sliding vertices along the surface.
+ */
+regulariseMilliseconds: number, 
+/**
+ * Worth telling the user.
+ */
+warnings: Array<string>, };
+
+/**
+ * What is studied.
+ */
+export type StudyOptions = { 
+/**
+ * A sample shape by name; the present surface if absent.
+ */
+shape: string | null, 
+/**
+ * Its parameters.
+ */
+parameters: { [key in string]: number }, 
+/**
+ * Exponent of ∫|H|^p dA.
+ */
+p: number | null, };
+
+/**
+ * A study as far as it has come.
+ */
+export type StudyReport = { 
+/**
+ * How the surface is refined.
+ */
+manner: Manner, 
+/**
+ * Exponent of [`Resolution::power`].
+ */
+p: number, 
+/**
+ * Coarsest first.
+ */
+rows: Array<Resolution>, 
+/**
+ * What each quantity tends to.
+ */
+trends: Array<Trend>, 
+/**
+ * Whether there is no finer one to come.
+ */
+finished: boolean, 
+/**
+ * Vertices of the finest mesh at most.
+ */
+mostVertices: number, };
+
+/**
+ * Options of [`Session::subdivide`].
+ */
+export type SubdivideOptions = { 
+/**
+ * How.
+ */
+scheme: SubdivisionScheme, };
+
+/**
+ * How faces are divided into four.
+ */
+export type SubdivisionScheme = "linear" | "loop";
+
+/**
+ * Where the values of a quantity lead.
+ */
+export type Tendency = "exact" | "converges" | "elsewhere" | "diverges" | "unknown";
+
+/**
+ * A sentence in English with `{name}` where a value stands, and the values.
+ */
+export type Text = { 
+/**
+ * The sentence.
+ */
+template: string, 
+/**
+ * What stands in it.
+ */
+values: { [key in string]: string }, };
+
+/**
+ * The steps that can be shown.
+ */
+export type Timeline = { 
+/**
+ * The step of the start, which is always stored.
+ */
+start: number, 
+/**
+ * From here to `last` every step is stored; between it and the start, none.
+ */
+first: number, 
+/**
+ * The last step of the present path.
+ */
+last: number, 
+/**
+ * The step that is shown.
+ */
+at: number, 
+/**
+ * The stored step before it.
+ */
+previous: number | null, 
+/**
+ * The stored step after it; the same where the mesh was regularised next.
+ */
+next: number | null, 
+/**
+ * Moments of the present path that are stored.
+ */
+stored: number, 
+/**
+ * Other ways on, oldest first.
+ */
+branches: Array<BranchInfo>, };
+
+/**
+ * A quantity over all resolutions.
+ */
+export type Trend = { 
+/**
+ * Its name among the fields of [`Resolution`].
+ */
+quantity: string, 
+/**
+ * One a resolution.
+ */
+values: Array<number>, 
+/**
+ * The smooth value.
+ */
+smooth: number | null, 
+/**
+ * Whether that is known, and not taken from the finest mesh by quadratic fits.
+ */
+isKnown: boolean, 
+/**
+ * |value − smooth| of each resolution; where no smooth value is known, the distance to
+ * the finest.
+ */
+errors: Array<number>, 
+/**
+ * Observed order between this and the resolution before: log of the ratio of errors, or
+ * where no smooth value is known of successive differences, over that of the widths.
+ */
+orders: Array<number | null>, 
+/**
+ * Where it leads.
+ */
+tendency: Tendency, };
+
+/**
+ * What to look at.
+ */
+export type Wanted = { 
+/**
+ * A vertex with its star and the circumcircles of its triangles.
+ */
+probe: number | null, 
+/**
+ * The circumcircles of all triangles.
+ */
+circles: boolean, 
+/**
+ * Principal directions.
+ */
+directions: boolean, };
