@@ -277,7 +277,7 @@ export function createController(store, voice) {
     /** @param {File} file @param {Partial<Scene>} [scene] */
     open: (file, scene = {}) =>
       enqueue(async () => {
-        const bytes = await file.arrayBuffer();
+        const bytes = new Uint8Array(await file.arrayBuffer());
         const name = file.name.replace(/\.[^.]+$/, "");
         // Of what an earlier mesh was shown with, the choice of flow is the user's; the rest
         // says nothing about this one.

@@ -20,6 +20,8 @@ import {
   stepsIn,
 } from "./recipe-schema.js";
 
+import { perform } from "./session.js";
+
 /** @typedef {import("./pkg/solver/solver.js").Session} Session */
 
 /**
@@ -138,19 +140,20 @@ export const isOwn = (mesh) => "sha256" in mesh;
  * @param {(share: number) => void} tell
  */
 export function prepare(session, { mesh, edits = [] }, bytes, tell) {
-  if (!isOwn(mesh)) session.sample(mesh.shape, mesh.parameters);
-  else if (bytes) session.load(bytes, mesh.name);
+  if (!isOwn(mesh)) {
+    perform(session, "sample", { name: mesh.shape, parameters: mesh.parameters });
+  } else if (bytes) perform(session, "load", { bytes, name: mesh.name });
   else throw new BadRecipe(`The recipe needs the mesh ${mesh.name}.`, "Open it first.");
   for (const { flow, path, edit } of edits) {
     if (flow) {
-      session.configure(flow);
+      perform(session, "configure", { options: flow });
       walk(session, flow, path, tell);
     }
-    if (edit === "adopt") session.adopt();
-    else if ("fill" in edit) session.fill(edit.fill, undefined);
-    else if ("flip" in edit) session.flip(edit.flip);
-    else if ("subdivide" in edit) session.subdivide(edit.subdivide);
-    else session.invert(new Float64Array(edit.invert));
+    if (edit === "adopt") perform(session, "adopt");
+    else if ("fill" in edit) perform(session, "fill", { options: edit.fill });
+    else if ("flip" in edit) perform(session, "flip", { options: edit.flip });
+    else if ("subdivide" in edit) perform(session, "subdivide", { options: edit.subdivide });
+    else perform(session, "invert", { centre: edit.invert });
   }
 }
 
@@ -172,13 +175,15 @@ function walk(session, flow, path, tell) {
   const total = Math.max(stepsIn(path), 1);
   let done = 0;
   for (const leg of path) {
-    if (leg === "anew") session.renew();
-    else if ("regularise" in leg) session.regularise(leg.regularise);
-    else if ("flow" in leg) session.continueWith(leg.flow);
+    if (leg === "anew") perform(session, "renew");
+    else if ("regularise" in leg) perform(session, "regularise", { options: leg.regularise });
+    else if ("flow" in leg) perform(session, "continueWith", { options: leg.flow });
     else {
       if (flow.flow === "flips") {
         // One by one or all at once, they are the same.
-        session.arrange({ compare: "none", subdivide: 0, flipsPerStep: Math.max(leg.steps, 1) });
+        const compare = /** @type {const} */ ("none");
+        const arrangement = { compare, subdivide: 0, flipsPerStep: Math.max(leg.steps, 1) };
+        perform(session, "arrange", { arrangement });
       }
       advance(session, leg.steps, (taken) => tell((done + taken) / total));
       done += leg.steps;
@@ -192,15 +197,15 @@ function walk(session, flow, path, tell) {
  * @param {(taken: number) => void} tell
  */
 function advance(session, steps, tell) {
-  const first = session.state().step;
+  const first = perform(session, "state").step;
   const goal = first + steps;
   let step = first;
   let isOver = false;
   while (step < goal) {
-    const report = session.step();
+    const report = perform(session, "step");
     // At an end there is none to take; asked again, a flow goes on with its budget anew.
     if (!report && isOver) {
-      const { message } = session.state();
+      const { message } = perform(session, "state");
       throw new BadRecipe(`The flow ends at step ${step} of ${goal}: ${message}.`, "");
     }
     isOver = !report;

@@ -1,6 +1,8 @@
 // @ts-check
 // The stored steps as files in a ZIP. Runs in the worker.
 
+import { perform } from "./session.js";
+
 /** @typedef {import("./pkg/solver/solver.js").Session} Session */
 
 /** Bytes before compression at most: the ZIP is put together in memory. */
@@ -15,13 +17,13 @@ const PIECE = 1 << 20;
  * @param {number} every
  */
 function* chosen(session, every) {
-  const { start, last } = session.timeline();
-  session.seek(start);
+  const { start, last } = perform(session, "timeline");
+  perform(session, "seek", { step: start });
   for (let n = 0; ; n += 1) {
-    const { at, next } = session.timeline();
+    const { at, next } = perform(session, "timeline");
     if (n % every === 0 || next === null) yield at;
     if (next === null || at > last) return;
-    session.seek(next);
+    perform(session, "seek", { step: next });
   }
 }
 
@@ -32,9 +34,9 @@ function* chosen(session, every) {
  * @returns {{ meshes: number, bytes: number }}
  */
 export function sequenceSize(session, format, every) {
-  const { stored } = session.timeline();
+  const { stored } = perform(session, "timeline");
   const meshes = 1 + Math.ceil((stored - 1) / every);
-  return { meshes, bytes: meshes * session.export(format).length };
+  return { meshes, bytes: meshes * perform(session, "export", { format }).length };
 }
 
 /**
@@ -62,10 +64,10 @@ export async function sequence(session, format, every, tell) {
     if (error) throw error;
     parts.push(part);
   });
-  const { at } = session.timeline();
-  const { name } = session.loaded();
+  const { at } = perform(session, "timeline");
+  const { name } = perform(session, "loaded");
   const stem = name.replace(/[^\p{L}\p{N}._-]+/gu, "-");
-  const digits = String(session.timeline().last).length;
+  const digits = String(perform(session, "timeline").last).length;
   const seen = new Set();
   try {
     for (const step of chosen(session, every)) {
@@ -75,14 +77,14 @@ export async function sequence(session, format, every, tell) {
       seen.add(step);
       const entry = new ZipDeflate(`${stem}-step${number}${twice}.${format.replace("-ascii", "")}`);
       zip.add(entry);
-      const file = session.export(format);
+      const file = perform(session, "export", { format });
       for (let i = 0; i < file.length; i += PIECE) {
         entry.push(file.subarray(i, i + PIECE), i + PIECE >= file.length);
       }
       tell(seen.size / meshes);
     }
   } finally {
-    session.seek(at);
+    perform(session, "seek", { step: at });
   }
   zip.end();
   const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));

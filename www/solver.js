@@ -2,8 +2,9 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, Frame, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Stopped, Story, Study, StudyOptions, Wanted } from "./protocol.js" */
+/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Stopped, Story, Study, StudyOptions, Wanted } from "./protocol.js" */
 /** @import { Recipe } from "./recipe.js" */
+/** @import { Frame } from "./generated/types.js" */
 
 import { t } from "./language.js";
 
@@ -37,6 +38,8 @@ function begun() {
   }
 }
 
+/** How a mesh is made: a command. @typedef {{ name: string, fields: any }} Origin */
+
 /** @param {Listener} listener */
 export function createSolver(listener) {
   /** @type {Worker | null} */
@@ -46,9 +49,9 @@ export function createSolver(listener) {
   /** @type {Map<number, { resolve: (ok: any) => void, reject: (fault: Fault) => void }>} */
   const waiting = new Map();
   // The scene, for a new worker: how the mesh was made, its options, and where it stands.
-  /** @type {Record<string, unknown> | null} */
+  /** @type {Origin | null} */
   let origin = null;
-  /** Those of before the edits that can be undone. @type {(Record<string, unknown> | null)[]} */
+  /** Those of before the edits that can be undone. @type {(Origin | null)[]} */
   let origins = [];
   /** @type {FlowOptions} */
   let options = {};
@@ -58,8 +61,10 @@ export function createSolver(listener) {
   let arrangement = null;
   /** @type {Wanted | null} */
   let lookedAt = null;
-  /** @type {{ positions: Float32Array, step: number, time: number } | null} */
+  /** @type {Frame | null} */
   let last = null;
+  /** Whether a flow was chosen for the mesh: before, there is nothing to see. */
+  let isConfigured = false;
 
   /** @param {string} reason */
   function lost(reason) {
@@ -105,30 +110,41 @@ export function createSolver(listener) {
 
   /** @param {Frame} frame */
   function take(frame) {
-    const { step, time } = frame.state;
     options = frame.flow?.options ?? options;
-    last = { positions: frame.positions, step, time };
+    last = frame;
     listener.onFrame(frame);
     // Only when the page has had its turn to draw may the next one come.
-    requestAnimationFrame(() => worker?.postMessage({ id: 0, type: "ack", run: frame.run }));
+    requestAnimationFrame(() => worker?.postMessage({ ack: frame.run }));
   }
 
-  /** @param {string} type @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
-  function ask(type, fields = {}) {
+  /**
+   * @param {string} name  a command of the session, or what the worker itself can do
+   * @param {Record<string, unknown>} [fields]
+   * @param {{ run?: number, shown?: boolean }} [way]  see the worker's `Request`
+   * @returns {Promise<any>}
+   */
+  function ask(name, fields = {}, way = {}) {
     lastId += 1;
     const id = lastId;
     worker ??= start();
     const asked = worker;
     return new Promise((resolve, reject) => {
       waiting.set(id, { resolve, reject });
-      asked.postMessage({ id, type, ...fields });
+      asked.postMessage({ id, name, fields, ...way });
     });
   }
 
-  /** @param {string} type @param {Record<string, unknown>} fields @returns {Promise<Loaded>} */
-  async function make(type, fields) {
-    const loaded = await ask(type, fields);
-    origin = { type, ...fields };
+  /** Ends the run at hand. @param {string} name @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
+  function stop(name, fields) {
+    run += 1;
+    return ask(name, fields, { run });
+  }
+
+  /** @param {string} name @param {Record<string, unknown>} fields @returns {Promise<Loaded>} */
+  async function make(name, fields) {
+    const loaded = await stop(name, fields);
+    isConfigured = false;
+    origin = { name, fields };
     origins = [];
     last = null;
     return loaded;
@@ -141,7 +157,7 @@ export function createSolver(listener) {
    * @returns {Promise<Loaded>}
    */
   async function edit(type, fields) {
-    const loaded = await ask(type, fields);
+    const loaded = await stop(type, fields);
     await keep(loaded);
     return loaded;
   }
@@ -150,14 +166,15 @@ export function createSolver(listener) {
   async function keep(loaded) {
     const bytes = await ask("export", { format: "ply" });
     origins.push(origin);
-    origin = { type: "load", name: `${loaded.name}.ply`, bytes: bytes.buffer };
+    isConfigured = false;
+    origin = { name: "load", fields: { name: `${loaded.name}.ply`, bytes } };
     last = null;
   }
 
-  /** @param {string} type @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
-  function move(type, fields) {
+  /** The same, and what comes of it is shown. @param {string} name @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
+  function move(name, fields) {
     run += 1;
-    return ask(type, { ...fields, run });
+    return ask(name, fields, { run, shown: true });
   }
 
   return {
@@ -166,19 +183,20 @@ export function createSolver(listener) {
     begin() {
       worker ??= start();
     },
-    /** @param {string} name @param {ArrayBuffer} bytes  kept, so that a lost worker can be replaced */
+    /** @param {string} name @param {Uint8Array<ArrayBuffer>} bytes  kept, so that a lost worker can be replaced */
     load: (name, bytes) => make("load", { name, bytes }),
-    /** What the mesh was read from, if it was. @returns {ArrayBuffer | null} */
-    file: () => /** @type {ArrayBuffer | undefined} */ (origin?.bytes) ?? null,
+    /** What the mesh was read from, if it was. @returns {Uint8Array<ArrayBuffer> | null} */
+    file: () => origin?.fields.bytes ?? null,
     /** @param {string} name @param {Record<string, number>} parameters */
     sample: (name, parameters) => make("sample", { name, parameters }),
     /** How the mesh was made, so that another solver can make the same. */
     origin: () => origin,
-    /** @param {Record<string, unknown>} of  another solver's `origin` */
-    same: ({ type, ...fields }) => make(/** @type {string} */ (type), fields),
+    /** @param {Origin} of  another solver's `origin` */
+    same: ({ name, fields }) => make(name, fields),
     /** @param {FlowOptions} wanted @returns {Promise<Configured>} */
     async configure(wanted) {
       const configured = await move("configure", { options: wanted });
+      isConfigured = true;
       options = wanted;
       return configured;
     },
@@ -190,12 +208,13 @@ export function createSolver(listener) {
     },
     /** @param {FieldName} name @returns {Promise<Field | null>} */
     async colour(name) {
-      const answer = await ask("colour", { field: name });
+      const shown = (last?.panes.length ?? 0) > 0;
+      const answer = await ask("colour", { field: name }, { shown });
       field = name;
       return answer;
     },
     /** @param {number | null} until  the step to pause at */
-    run: (until) => /** @type {Promise<true>} */ (move("run", { until })),
+    run: (until) => /** @type {Promise<true>} */ (stop("run", { until })),
     /** @returns {Promise<State>} */
     pause: () => ask("pause"),
     /** @returns {Promise<StepReport | null>} */
@@ -204,7 +223,7 @@ export function createSolver(listener) {
     regularise: (wanted) => move("regularise", { options: wanted }),
     /** @param {Arrangement} wanted @returns {Promise<State>} */
     async arrange(wanted) {
-      const state = await ask("arrange", { arrangement: wanted });
+      const state = await ask("arrange", { arrangement: wanted }, { shown: isConfigured });
       arrangement = wanted;
       return state;
     },
@@ -214,7 +233,8 @@ export function createSolver(listener) {
     async undo() {
       // Its frame tells where that run had come to.
       last = null;
-      const loaded = await move("undo", {});
+      const loaded = await move("undo");
+      isConfigured = true;
       origin = origins.pop() ?? origin;
       return loaded;
     },
@@ -234,9 +254,10 @@ export function createSolver(listener) {
      * @returns {Promise<{ filled: Filled, loaded: Loaded }>}
      */
     async fill(wanted) {
-      const answer = await move("fill", { options: wanted });
-      await keep(answer.loaded);
-      return answer;
+      const filled = await stop("fill", { options: wanted });
+      const loaded = await ask("loaded");
+      await keep(loaded);
+      return { filled, loaded };
     },
     /** @param {Wanted} wanted @returns {Promise<Look>} */
     async look(wanted) {
@@ -248,9 +269,10 @@ export function createSolver(listener) {
     previewInversion: (centre) => ask("previewInversion", { centre }),
     /** @param {number[]} centre @returns {Promise<{ report: InversionReport, loaded: Loaded }>} */
     async invert(centre) {
-      const answer = await ask("invert", { centre });
-      await keep(answer.loaded);
-      return answer;
+      const report = await stop("invert", { centre });
+      const loaded = await ask("loaded");
+      await keep(loaded);
+      return { report, loaded };
     },
     /** @returns {Promise<Conjecture>} */
     conjecture: () => ask("conjecture"),
@@ -267,11 +289,22 @@ export function createSolver(listener) {
     /** @param {number} branch @returns {Promise<State>} */
     branch: (branch) => move("branch", { branch }),
     /** @returns {Promise<{ story: Story, state: State, positions: Float32Array<ArrayBuffer> }>} */
-    story: () => ask("story"),
-    /** @param {Pick<Recipe, "mesh" | "edits">} recipe @param {ArrayBuffer | null} bytes  of its mesh */
+    async story() {
+      const [story, state] = [await ask("recipe"), await ask("state")];
+      return {
+        story,
+        state,
+        positions: /** @type {Float32Array<ArrayBuffer>} */ (last?.positions),
+      };
+    },
+    /** @param {Pick<Recipe, "mesh" | "edits">} recipe @param {Uint8Array<ArrayBuffer> | null} bytes  of its mesh */
     prepare: (recipe, bytes) => make("prepare", { recipe, bytes }),
     /** @param {Pick<Recipe, "flow" | "steps" | "path">} recipe @returns {Promise<State>} */
-    follow: (recipe) => move("follow", { recipe }),
+    async follow(recipe) {
+      const state = await move("follow", { recipe });
+      isConfigured = true;
+      return state;
+    },
     /** @param {string} format @param {number} every @returns {Promise<Uint8Array<ArrayBuffer>>} ZIP */
     sequence: (format, every) => ask("sequence", { format, every }),
     /** @param {string} format @param {number} every @returns {Promise<{ meshes: number, bytes: number }>} */
@@ -281,7 +314,7 @@ export function createSolver(listener) {
     /** @returns {Promise<string>} CSV */
     history: () => ask("history"),
     /** @returns {Promise<number>} ∫H² dA of the surface as it is */
-    bending: () => ask("bending"),
+    bending: async () => (await ask("energy")).willmore,
 
     /**
      * After `dismiss` or a crash: a new worker with the mesh, options and positions of
@@ -291,14 +324,14 @@ export function createSolver(listener) {
     async revive() {
       if (!origin) return null;
       origins = [];
-      const { type, ...fields } = origin;
-      await ask(/** @type {string} */ (type), fields);
-      // As part of no run: its frame, of the start, must not be taken for the last one.
-      await ask("configure", { options, run: 0 });
+      await ask(origin.name, origin.fields);
+      await ask("configure", { options });
       if (field !== "none") await ask("colour", { field });
       if (arrangement) await ask("arrange", { arrangement });
       if (lookedAt) await ask("look", { wanted: lookedAt });
-      return last && last.step > 0 ? move("restore", last) : move("reset");
+      if (!last || last.state.step === 0) return move("reset");
+      const { exact, state } = last;
+      return move("restore", { exact, step: state.step, time: state.time });
     },
   };
 }

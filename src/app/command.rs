@@ -8,6 +8,7 @@ use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::fill::{FillOptions, FillOutcome, LoopInfo};
 use super::flip::{FlipOptions, FlipOutcome};
+use super::history::Timeline;
 use super::invert::{InversionReport, Inverted};
 use super::look::{Look, Wanted};
 use super::pane::Arrangement;
@@ -93,6 +94,8 @@ pub enum Command {
         /// Its number.
         branch: u32,
     },
+    /// The steps that can be shown.
+    Timeline {},
     /// The flow is made anew where it stands, as a step after a look back does.
     Renew {},
     /// Puts positions from outside in place, as after a crash.
@@ -214,6 +217,7 @@ pub enum Answer {
     Reset(State),
     Seek(State),
     Branch(State),
+    Timeline(Timeline),
     Renew(()),
     Restore(State),
     Regularise(Regularised),
@@ -302,6 +306,7 @@ impl Session {
                 self.tell_steps_after(known);
                 Answer::Branch(state)
             }
+            C::Timeline {} => Answer::Timeline(self.timeline()?),
             C::Renew {} => Answer::Renew(self.renew()?),
             C::Restore { exact, step, time } => Answer::Restore(self.restore(&exact, step, time)?),
             C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),

@@ -87,8 +87,10 @@ pub struct Frame {
     pub look: Option<Look>,
     /// The steps that can be shown.
     pub timeline: Timeline,
-    /// How the surface came about; null while the flow runs, and where that is not known.
-    pub story: Option<Recipe>,
+    /// How the surface came about, null where that is not known; left out while the flow runs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub story: Option<Option<Recipe>>,
     /// The flow that stands there, where no frame has told of it yet.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
@@ -133,7 +135,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn frame(&mut self, is_running: bool) -> Result<Frame, Fault> {
-        let story = if is_running { None } else { self.recipe().ok() };
+        let story = (!is_running).then(|| self.recipe().ok());
         let view = &mut self.view;
         let work = self.work.as_ref().ok_or_else(Fault::no_mesh)?;
         let panes = work.panes(view.field);

@@ -31,21 +31,29 @@ async function firstError(page) {
 }
 
 /**
- * Gives the first worker, and no later one, a solver whose step reads outside its memory
- * at a chosen call: a true trap of true wasm.
- * @param {Page} page @param {number} call
+ * Gives the first worker, and no later one, a solver that reads outside its memory after so many
+ * pictures of a run: a true trap of true wasm.
+ * @param {Page} page @param {number} pictures
  */
-async function trapFirstWorker(page, call) {
+async function trapFirstWorker(page, pictures) {
   let served = 0;
   await page.route(/worker-[^/]*\.js$/, async (route) => {
     served += 1;
     if (served > 1) return route.continue();
     const response = await route.fetch();
     const trap = `{
-      let calls = 0;
+      let shown = 0;
       const spoil = ({ instance, module }) => {
-        const step = (self) => instance.exports.session_step(++calls === ${call} ? -64 : self);
-        return { module, instance: { exports: { ...instance.exports, session_step: step } } };
+        const { session_frame, session_perform } = instance.exports;
+        const spoiled = {
+          session_frame: (self, isRunning) => {
+            shown += isRunning;
+            return session_frame(self, isRunning);
+          },
+          session_perform: (self, command) =>
+            session_perform(shown === ${pictures} ? -64 : self, command),
+        };
+        return { module, instance: { exports: { ...instance.exports, ...spoiled } } };
       };
       for (const name of ["instantiate", "instantiateStreaming"]) {
         const original = WebAssembly[name];
@@ -62,7 +70,7 @@ const stepIn = (said) => Number(/step (\d+)/.exec(said)?.[1]);
 
 test("a trap in the middle of a run costs nothing but the step it was in", async () => {
   const { page, faults, close } = await site.blank();
-  const workers = await trapFirstWorker(page, 6);
+  const workers = await trapFirstWorker(page, 3);
   await page.goto(`${site.url}?msaa=1`);
   await until(page, "Ready");
   await openMesh(page, "wavy.obj", obj(wavyTorus()));
@@ -72,12 +80,12 @@ test("a trap in the middle of a run costs nothing but the step it was in", async
   assert.match(said, /stopped unexpectedly.*goes on from step \d+/);
   assert.match(said, /memory/, "with what to do");
   const step = stepIn(said);
-  assert.ok(step <= 5, `five steps were whole, and it goes on from ${step}`);
-  await until(page, step > 0 ? `Paused at step ${step}` : "Ready");
+  assert.ok(step >= 1, `steps were shown, and it goes on from ${step}`);
+  await until(page, `Paused at step ${step}`);
   assert.equal(workers(), 2);
   assert.match(await surface(page), new RegExp(`^Surface: \\S+, step ${step}, `));
   const restored = await energy(page);
-  assert.ok(step === 0 ? restored === atStart : restored < atStart);
+  assert.ok(restored < atStart);
 
   const later = await playAndPause(page, 2);
   assert.ok(later >= step + 2);
@@ -108,7 +116,6 @@ test("an exception that nobody caught is survived, colours and options with it",
   assert.match(said, /made by the test/);
   assert.equal(stepIn(said), 3);
   await until(page, "Paused at step 3");
-  // Positions come back in single precision: the same to the digits shown.
   assert.deepEqual([await surface(page), await reading(page, "Time")], before);
   await page.waitForFunction(() => location.hash.includes("epsilon=0.05"));
   await page.getByRole("img", { name: /^Colours: Willmore/ }).waitFor();

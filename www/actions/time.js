@@ -106,7 +106,7 @@ export function createTime({ store, solver, voice, enqueue, rest, load }) {
   /**
    * Loads the mesh that a recipe or a link begins with, and makes of it what its edits made.
    * @param {Pick<Recipe, "mesh" | "edits">} told
-   * @param {ArrayBuffer | null} bytes  of the mesh
+   * @param {Uint8Array<ArrayBuffer> | null} bytes  of the mesh
    * @param {Pick<Loading, "options" | "fallback" | "scene">} shown
    */
   function replay({ mesh, edits = [] }, bytes, shown) {
@@ -128,7 +128,7 @@ export function createTime({ store, solver, voice, enqueue, rest, load }) {
 
   /**
    * @param {Recipe} recipe
-   * @param {ArrayBuffer | null} bytes  of its mesh
+   * @param {Uint8Array<ArrayBuffer> | null} bytes  of its mesh
    */
   async function followRecipe(recipe, bytes) {
     const options = { ...defaults, ...recipe.flow };
@@ -223,7 +223,7 @@ export function createTime({ store, solver, voice, enqueue, rest, load }) {
     async takes(file, open) {
       const isRecipe = /\.json$/i.test(file.name);
       if (!isRecipe && !awaited) return false;
-      const bytes = await file.arrayBuffer();
+      const bytes = new Uint8Array(await file.arrayBuffer());
       if (isRecipe) {
         await enqueue(async () => {
           const recipe = readRecipe(new TextDecoder().decode(bytes));

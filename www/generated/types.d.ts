@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "renew": null } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "curvatureJump": CurvatureJump | null } | { "recipe": Recipe } | { "export": Uint8Array } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "renew": null } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "curvatureJump": CurvatureJump | null } | { "recipe": Recipe } | { "export": Uint8Array } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -200,7 +200,7 @@ step: number, } } | { "branch": {
 /**
  * Its number.
  */
-branch: number, } } | { "renew": Record<symbol, never> } | { "restore": { 
+branch: number, } } | { "timeline": Record<symbol, never> } | { "renew": Record<symbol, never> } | { "restore": { 
 /**
  * Three coordinates a vertex.
  */
@@ -867,9 +867,9 @@ look: Look | null,
  */
 timeline: Timeline, 
 /**
- * How the surface came about; null while the flow runs, and where that is not known.
+ * How the surface came about, null where that is not known; left out while the flow runs.
  */
-story: Recipe | null, 
+story?: Recipe | null, 
 /**
  * The flow that stands there, where no frame has told of it yet.
  */
