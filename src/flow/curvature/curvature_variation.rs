@@ -12,7 +12,7 @@
 //! vertices inflate.
 
 use super::curvatures::Curvatures;
-use super::law::Velocity;
+use super::velocity::Velocity;
 use crate::flow::FlowError;
 
 /// |∇H|².

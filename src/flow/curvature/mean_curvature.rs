@@ -2,7 +2,7 @@
 //!
 //! In the paper's sign of H the velocity is +H.
 
-use super::law::Velocity;
+use super::velocity::Velocity;
 
 /// V_i = −H_i.
 pub(super) fn linearise(i: usize, velocity: &mut Velocity) {

@@ -33,6 +33,7 @@ mod solver;
 mod step;
 mod surface_diffusion;
 mod system;
+mod velocity;
 mod warning;
 mod willmore;
 

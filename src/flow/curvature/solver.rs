@@ -1,7 +1,6 @@
 //! Solving a step's system: directly, or for very many unknowns by GMRES.
 
-use super::system::Quality;
-use crate::flow::FlowError;
+use crate::flow::{Cost, FlowError};
 use crate::linalg::{LinalgError, Lu, Pattern, Symbolic, Unsymmetric, gmres};
 use glam::DVec3;
 use std::sync::Arc;
@@ -21,8 +20,33 @@ const SUFFICIENT: f64 = 1e-5;
 /// A solution with a larger residual is none.
 const WORTHLESS: f64 = 0.1;
 
+/// What a system's solution is worth.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Quality {
+    /// Norm of the residual of φ over that of the velocity.
+    pub(super) residual: f64,
+    /// Iterations, where the matrix is not factored.
+    pub(super) iterations: usize,
+    pub(super) is_iterative: bool,
+    /// Seconds.
+    pub(super) assemble: f64,
+    pub(super) factor: f64,
+    pub(super) solve: f64,
+}
+
+impl Quality {
+    /// Adds it to what a step costs.
+    pub(super) fn tell(&self, cost: &mut Cost) {
+        cost.assemble += self.assemble;
+        cost.factor += self.factor;
+        cost.solve += self.solve;
+        cost.iterations += self.iterations;
+        cost.residual = Some(self.residual);
+    }
+}
+
 /// A step's matrix, and what is like it.
-pub(super) struct System<'a> {
+pub(super) struct Equations<'a> {
     pub(super) pattern: &'a Pattern,
     pub(super) matrix: &'a Unsymmetric,
     /// Makes Δ among the unknowns.
@@ -61,7 +85,7 @@ impl Solver {
     /// would hide it.
     pub(super) fn solve(
         &mut self,
-        system: &System<'_>,
+        system: &Equations<'_>,
         rhs: &[f64],
         quality: &mut Quality,
     ) -> Result<Vec<f64>, FlowError> {
@@ -126,7 +150,7 @@ impl Solver {
 
 /// Factor of α − Δ, whose power k/2 is, but for the factor 2, like 1/dt plus the leading term
 /// of a flow of order k: ½(α − Δ)^(k/2) with α^(k/2) = 2/dt.
-fn preconditioner(system: &System<'_>, points: &[DVec3]) -> Result<Lu, LinalgError> {
+fn preconditioner(system: &Equations<'_>, points: &[DVec3]) -> Result<Lu, LinalgError> {
     let (pattern, mut values) = (system.laplacian)();
     let alpha = (2.0 / system.dt).powf(1.0 / f64::from(system.power));
     let all = values.lower.iter_mut().chain(&mut values.upper);
@@ -139,7 +163,7 @@ fn preconditioner(system: &System<'_>, points: &[DVec3]) -> Result<Lu, LinalgErr
     Ok(lu)
 }
 
-fn residual(system: &System<'_>, phi: &[f64], rhs: &[f64]) -> Vec<f64> {
+fn residual(system: &Equations<'_>, phi: &[f64], rhs: &[f64]) -> Vec<f64> {
     let mut rest = vec![0.0; rhs.len()];
     system.matrix.multiply(system.pattern, phi, &mut rest);
     rest.iter_mut().zip(rhs).for_each(|(r, b)| *r = b - *r);
@@ -164,7 +188,7 @@ mod tests {
             matrix.lower[slot as usize] = if k == 2 { 0.0 } else { 1.0 };
             like.lower[slot as usize] = -1.0;
         }
-        let system = System {
+        let system = Equations {
             pattern: &pattern,
             matrix: &matrix,
             laplacian: &|| (pattern.clone(), like.clone()),

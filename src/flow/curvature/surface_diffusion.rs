@@ -3,7 +3,7 @@
 //! In the paper's sign of H the velocity is −ΔH.
 
 use super::curvatures::Curvatures;
-use super::law::Velocity;
+use super::velocity::Velocity;
 use crate::flow::FlowError;
 
 /// V_i = Σ_j Δ_ij H_j.

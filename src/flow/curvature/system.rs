@@ -11,9 +11,10 @@
 //! solution from a third of the unknowns and a ninth of the entries.
 
 use super::curvatures::Curvatures;
-use super::law::{Law, Velocity};
+use super::law::Law;
 use super::region::Region;
-use super::solver::Solver;
+use super::solver::{Equations, Quality, Solver};
+use super::velocity::Velocity;
 use crate::flow::{Cost, FlowError};
 use crate::linalg::{Pattern, Unsymmetric};
 use crate::operator::FittedOperators;
@@ -30,31 +31,6 @@ pub(super) struct Structure {
     slots: Vec<u32>,
     /// Operators whose stencils these are.
     stencils: FittedOperators,
-}
-
-/// What a system's solution is worth.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Quality {
-    /// Norm of the residual of φ over that of the velocity.
-    pub(super) residual: f64,
-    /// Iterations, where the matrix is not factored.
-    pub(super) iterations: usize,
-    pub(super) is_iterative: bool,
-    /// Seconds.
-    pub(super) assemble: f64,
-    pub(super) factor: f64,
-    pub(super) solve: f64,
-}
-
-impl Quality {
-    /// Adds it to what a step costs.
-    pub(super) fn tell(&self, cost: &mut Cost) {
-        cost.assemble += self.assemble;
-        cost.factor += self.factor;
-        cost.solve += self.solve;
-        cost.iterations += self.iterations;
-        cost.residual = Some(self.residual);
-    }
 }
 
 /// The system of one law; what depends on the stencils alone is kept from step to step.
@@ -132,7 +108,7 @@ impl System {
         };
         let make_laplacian = || laplacian(at, region, &self.row_of_vertex);
         let power = self.law.order() / 2;
-        let system = super::solver::System {
+        let system = Equations {
             pattern: &structure.pattern,
             matrix: &self.matrix,
             laplacian: &make_laplacian,

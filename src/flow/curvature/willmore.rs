@@ -3,8 +3,8 @@
 //! In the paper's sign of H the velocity is −(ΔH + 2H(H² − K)).
 
 use super::curvatures::Curvatures;
-use super::law::Velocity;
 use super::surface_diffusion;
+use super::velocity::Velocity;
 use crate::flow::FlowError;
 
 /// H².
