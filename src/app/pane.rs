@@ -7,9 +7,10 @@ use super::field::{Field, FieldName};
 use super::work::Work;
 use super::{Session, as_f32};
 use crate::flow::flips::EdgeFlips;
+use crate::flow::option;
+use crate::flow::option::kind::id_of;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
 use crate::remesh::flips::FlipOptimiser;
-use crate::remesh::flips::reduction::Criterion;
 use glam::DVec3;
 use serde::Deserialize;
 
@@ -29,8 +30,7 @@ pub enum Compare {
 }
 
 /// What is shown of edge flips.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arrangement {
     /// Side by side.
     pub compare: Compare,
@@ -92,10 +92,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`]; steps of no flip.
     pub fn arrange(&mut self, arrangement: Arrangement) -> Result<(), Fault> {
-        if arrangement.flips_per_step == Some(0) {
-            let hint = "It is 1 or more, or absent for all that gain anything.";
-            return Err(Fault::new("BadOption", "flipsPerStep cannot be 0", hint));
-        }
+        option::check(&arrangement)?;
         self.work_mut()?.arrange(arrangement);
         Ok(())
     }
@@ -149,7 +146,7 @@ impl Work {
             panes.push(self.pane("start", flips.start(), Vec::new(), field));
         }
         for run in flips.runs() {
-            let name = name_of(run.criterion());
+            let name = id_of(&run.criterion());
             let edges = flips.last_edges(run);
             panes.push(self.pane(name, run.mesh(), edges, field));
         }
@@ -192,14 +189,6 @@ impl Work {
     }
 }
 
-fn name_of(criterion: Criterion) -> &'static str {
-    match criterion {
-        Criterion::Area => "area",
-        Criterion::Willmore => "willmore",
-        Criterion::Localised => "localised",
-    }
-}
-
 fn curves(flow: &EdgeFlips) -> Curves {
     let most = flow.runs().iter().map(FlipOptimiser::flips).max();
     let most = most.unwrap_or_default();
@@ -214,7 +203,7 @@ fn curves(flow: &EdgeFlips) -> Curves {
             *gap = [run.area(), run.willmore()];
         }
         let [area, circle] = [0, 1].map(|i| both.iter().map(|c| c[i]).collect());
-        (name_of(run.criterion()), area, circle)
+        (id_of(&run.criterion()), area, circle)
     };
     Curves {
         runs: flow.runs().iter().map(run).collect(),

@@ -2,7 +2,7 @@
 //! conjecture, fills, edits and their undoing.
 
 use super::fault::{fault, object};
-use super::session::{Session, field, floats, from_js, indices, loaded, to_js};
+use super::session::{Session, field, floats, from_js, indices, loaded, options_from_js, to_js};
 use crate::app::{Arrangement, ConjectureReport, FillOptions, FlipOptions, Pane, SubdivideOptions};
 use js_sys::{Float64Array, Function};
 use std::ops::ControlFlow;
@@ -54,7 +54,7 @@ impl Session {
     /// # Errors
     /// Unknown options.
     pub fn arrange(&mut self, arrangement: JsValue) -> Result<(), JsValue> {
-        let arrangement: Arrangement = from_js(arrangement)?;
+        let arrangement: Arrangement = options_from_js(arrangement)?;
         Ok(self.0.arrange(arrangement)?)
     }
 

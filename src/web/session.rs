@@ -5,6 +5,7 @@
 use super::fault::{fault, object};
 use crate::app::{Fault, Field, Loaded, RegulariseOptions, Session as Inner};
 use crate::energy::circle::Boundary;
+use crate::flow::option::{self, Options, Values};
 use crate::flow::options::FlowOptions;
 use crate::io::Format;
 use crate::mesh::shape;
@@ -41,6 +42,12 @@ pub(super) fn from_js<T: DeserializeOwned + Default>(value: JsValue) -> Result<T
             "See the list of options and their values.",
         )
     })
+}
+
+/// Options of which each has a row.
+pub(super) fn options_from_js<T: Options>(value: JsValue) -> Result<T, JsValue> {
+    let values: Values = from_js(value)?;
+    Ok(option::options_of(&values).map_err(Fault::from)?)
 }
 
 pub(super) fn floats(values: &[f32]) -> JsValue {
@@ -188,7 +195,7 @@ impl Session {
     /// # Errors
     /// Options that cannot be, meshes the flow cannot take.
     pub fn configure(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
-        let options: FlowOptions = from_js(options)?;
+        let options: FlowOptions = options_from_js(options)?;
         Ok(to_js(&self.0.configure(options)?))
     }
 
@@ -199,7 +206,7 @@ impl Session {
     /// As `configure`, and where edge flips or flows beside each other go from the mesh itself.
     #[wasm_bindgen(js_name = continueWith)]
     pub fn continue_with(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
-        let options: FlowOptions = from_js(options)?;
+        let options: FlowOptions = options_from_js(options)?;
         Ok(to_js(&self.0.continue_with(options)?))
     }
 

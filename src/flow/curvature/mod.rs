@@ -44,7 +44,6 @@ use super::{
     Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal, Reading,
     Refusal, Rules, StepReport, boundary, prefill,
 };
-use crate::energy::circle::Boundary;
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::operator::FittedOperators;
@@ -125,7 +124,7 @@ impl CurvatureFlow {
     /// Prepares the flow at positions `x`, which a smooth pre-fill may change.
     ///
     /// # Errors
-    /// [`FlowError::NotTriangular`], [`FlowError::NotOriented`], [`FlowError::BadOption`],
+    /// [`FlowError::NotTriangular`], [`FlowError::NotOriented`], [`FlowError::Option`],
     /// [`FlowError::SelectionOutOfRange`], [`FlowError::NothingFree`],
     /// [`FlowError::Linear`].
     pub fn new(
@@ -137,7 +136,7 @@ impl CurvatureFlow {
         let law = Law::of(options.flow)?;
         let is_free = boundary::free_vertices(
             mesh,
-            options.boundary.unwrap_or(Boundary::Fixed),
+            options.boundary(),
             options.free.as_deref(),
             options.fixed.as_deref(),
         )?;
