@@ -18,6 +18,7 @@ import { createWhyActions } from "./actions/why.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { t, translated } from "./language.js";
+import { isPlainLink, sceneOf } from "./link.js";
 import { defaults, plainArrangement } from "./options.js";
 import { stepsIn } from "./recipe-schema.js";
 import { samples } from "./samples.js";
@@ -260,6 +261,14 @@ export function createController(store, voice) {
         throw error;
       }
     },
+
+    /**
+     * The scene of a link; where an option in it cannot be, there is none.
+     * @param {import("./link.js").Link} link
+     * @returns {Promise<Scene>}
+     */
+    sceneOf: async (link) =>
+      isPlainLink(link) ? sceneOf(link) : sceneOf(link, await solver.readOptions(link.asked)),
 
     /** @param {string} id @param {Partial<Scene>} [scene] */
     sample: (id, scene = {}) => enqueue(() => loadSample(id, scene)),

@@ -4,7 +4,7 @@
 
 /** @import { Configured, Fault, FieldName, Pane, Request, State, StepReport, Wanted } from "./protocol.js" */
 
-import init, { Session } from "./pkg/solver/solver.js";
+import init, { readOptions, Session } from "./pkg/solver/solver.js";
 import { follow, prepare } from "./recipe.js";
 import { sequence, sequenceSize } from "./sequence.js";
 import { isOver } from "./standing.js";
@@ -149,6 +149,7 @@ const replayed = (share) => tell("replay", share);
 
 /** @type {Record<string, (request: any) => unknown>} */
 const actions = {
+  readOptions: ({ asked }) => readOptions(asked),
   load({ bytes, name }) {
     running = false;
     return session.load(new Uint8Array(bytes), name);

@@ -85,9 +85,12 @@ impl ReadBy {
 
     fn in_words(&self) -> String {
         let flows: Vec<&str> = self.flows.iter().map(|flow| flow.id()).collect();
-        let scheme = self.scheme.map(|s| format!(" with scheme {}", id_of(&s)));
-        let goal = self.goal.map(|g| format!(" with goal {}", id_of(&g)));
-        flows.join(", ") + &scheme.unwrap_or_default() + &goal.unwrap_or_default()
+        let flows = flows.join(", ");
+        match (self.scheme, self.goal) {
+            (Some(scheme), _) => format!("{flows} with scheme {}", id_of(&scheme)),
+            (None, Some(goal)) => format!("{flows} with goal {}", id_of(&goal)),
+            (None, None) => flows,
+        }
     }
 }
 
@@ -143,8 +146,11 @@ impl<S> Row<S> {
 
     /// The allowed values, in half a sentence.
     pub fn allowed(&self) -> String {
-        let absent = self.absent.map(|word| format!("{word}, or "));
-        absent.unwrap_or_default() + &self.kind.allowed()
+        let allowed = self.kind.allowed();
+        match self.absent {
+            Some(word) => format!("{word}, or {allowed}"),
+            None => allowed,
+        }
     }
 
     /// Refuses what it cannot be.

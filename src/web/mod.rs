@@ -7,7 +7,7 @@ mod edit;
 #[cfg(target_arch = "wasm32")]
 mod fault;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]
-mod option;
+pub mod option;
 #[cfg(target_arch = "wasm32")]
 mod panic;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]

@@ -6,7 +6,7 @@
 /** @import { Core } from "./core.js" */
 
 import { t } from "../language.js";
-import { byCurvature } from "../options.js";
+import { byCurvature, toFlow } from "../options.js";
 import { transitions as to } from "../state.js";
 import { say } from "../words.js";
 
@@ -145,8 +145,7 @@ export function createEdits(core) {
         for (const warning of outcome.warnings) voice.note(warning);
         const flow = byCurvature.includes(before.flow) ? before.flow : "mmcv";
         const free = loaded.free ? [...loaded.free] : null;
-        const plain = { boundary: null, fixed: null, dt: null, tau: null, prefill: false };
-        await configure({ ...before, ...plain, goal: "relax", flow, free });
+        await configure({ ...before, ...toFlow(flow), fixed: null, prefill: false, free });
         await colour(store.get().colour);
         voice.answer(say("filled", { count, vertices: outcome.verticesAdded }));
       }),

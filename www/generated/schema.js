@@ -122,7 +122,7 @@ export const options = [
   {"absent":null,"default":0,"flag":"perturbation","flows":["p-willmore"],"goal":null,"group":"method","ids":[],"kind":"number","name":"perturbation","ofOneFlow":false,"range":{"also":null,"high":0.3,"low":0,"lowOpen":false,"whole":false},"scheme":null,"unit":"mean edge lengths"},
   {"absent":"auto","default":null,"flag":"rungs","flows":["mmcv"],"goal":null,"group":"method","ids":[],"kind":"number","name":"rungs","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":"steps"},
   {"absent":"auto","default":null,"flag":"steps","flows":["circle","p-willmore","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxSteps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":"steps"},
-  {"absent":"auto","default":120,"flag":"seconds","flows":["circle","p-willmore","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxSeconds","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":"s"},
+  {"absent":"auto","default":120,"flag":"seconds","flows":["circle","p-willmore","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":"relax","group":"budget","ids":[],"kind":"number","name":"maxSeconds","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":"s"},
 ];
 
 /** @type {readonly Row[]} */

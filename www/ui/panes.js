@@ -8,13 +8,12 @@
 /** @import { Shown } from "./extra-pane.js" */
 
 import { t } from "../language.js";
-import { byCurvature } from "../options.js";
+import { byCurvature, choiceLabel, flowLabel } from "../options.js";
 import { say } from "../words.js";
 import { captionParts, rivalPictures } from "./comparison-words.js";
-import { flowLabel, jumpText } from "./curvature-form.js";
+import { jumpText } from "./curvature-form.js";
 import { byId } from "./element.js";
 import { ExtraPane, setCaption } from "./extra-pane.js";
-import { criterionLabel } from "./flips-form.js";
 import { createMontage } from "./montage.js";
 import { formatNumber } from "./number.js";
 import { ownPane } from "./picture.js";
@@ -31,7 +30,7 @@ function captionOf(name, { reading, frame }) {
       ? t("{flow}: step {step}, jump of H {jump}", values)
       : t("{flow}: step {step}", values);
   }
-  const named = name === "localised" ? t("Localised") : criterionLabel(name);
+  const named = name === "localised" ? t("Localised") : choiceLabel("criterion", name);
   const label = name === "start" ? t("Start") : named;
   const run = reading?.flips?.find(({ criterion }) => criterion === name);
   const first = frame?.curves?.runs[0];

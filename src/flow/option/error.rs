@@ -71,7 +71,11 @@ impl OptionError {
                 near: Some((name, flag)),
                 ..
             } => format!("Did you mean `{name}` (--{flag})?"),
-            Self::Unknown { near: None, .. } => "--help lists the options.".into(),
+            Self::Unknown { near: None, .. } => {
+                "--help lists the options; a link that is copied from the page shows how they are \
+                 written."
+                    .into()
+            }
             Self::BadValue { allowed, .. } | Self::Empty { allowed, .. } => {
                 format!("It may be {allowed}.")
             }

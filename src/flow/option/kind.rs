@@ -75,17 +75,16 @@ impl Range {
 
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(also) = self.also {
-            write!(f, "{also}, or ")?;
-        }
-        let noun = if self.whole {
-            "a whole number"
-        } else {
-            "a number"
-        };
         let [low, high] = [self.low, self.high].map(Value::Number);
-        let from = if self.low_open { "above" } else { "from" };
-        write!(f, "{noun} {from} {low} to {high}")
+        let numbers = match (self.whole, self.low_open) {
+            (true, _) => format!("a whole number from {low} to {high}"),
+            (false, false) => format!("a number from {low} to {high}"),
+            (false, true) => format!("a number above {low}, at most {high}"),
+        };
+        match self.also {
+            Some(also) => write!(f, "{also}, or {numbers}"),
+            None => f.write_str(&numbers),
+        }
     }
 }
 

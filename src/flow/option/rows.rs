@@ -109,7 +109,7 @@ impl Options for FlowOptions {
             row!(max_steps, "maxSteps", "steps",
                 Number(Range::count(0.0)), "steps", Budget, moving).or("auto"),
             row!(max_seconds, "maxSeconds", "seconds",
-                Number(Range::positive(1e9)), "s", Budget, moving).or("auto"),
+                Number(Range::positive(1e9)), "s", Budget, moving.goal(Goal::Relax)).or("auto"),
         ]
     };
 }
