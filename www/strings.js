@@ -748,7 +748,6 @@ export const german = {
 
   // Goal and method
   "Goal and method": "Ziel und Verfahren",
-  Goal: "Ziel",
   "L = {edges} mean edge lengths = {length}": "L = {edges} mittlere Kantenlängen = {length}",
   steps: "Schritte",
   "Choose the time step automatically": "Zeitschritt automatisch wählen",
@@ -760,7 +759,6 @@ export const german = {
     "Eine reine Zahl: 0.001 ist der Fläche treu, 0.1 greift stark ein.",
   "Canham–Helfrich, with p = 2 only: ∫(2H − 2H₀)² dA + σA − PV. L is the radius of the sphere with the area at the start.":
     "Canham–Helfrich, nur mit p = 2: ∫(2H − 2H₀)² dA + σA − PV. L ist der Radius der Sphäre, die den Flächeninhalt des Anfangs hat.",
-  never: "nie",
   "Seconds of computing, not of waiting. Either may be left empty; with a step limit the time does not count.":
     "Sekunden Rechenzeit, ohne Pausen. Beide Felder dürfen leer bleiben; mit einer Schrittgrenze zählt die Zeit nicht.",
   "Use recommended values": "Empfohlene Werte verwenden",

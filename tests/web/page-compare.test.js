@@ -317,7 +317,7 @@ test("panes follow the mesh and the first flow; one that cannot says why", async
   await untilCaptions(page, /^A: .*step 1,.*\nB: .*step 1,/);
   // What the first does anew, the others do too; they all are at the start again.
   await page.locator("#method > summary").click();
-  await page.locator("#scheme").selectOption("paper");
+  await page.locator("#option-scheme").selectOption("paper");
   await untilCaptions(page, /^A: .*step 0,.*\nB: .*step 0,/);
   // A new pane comes to where the others are.
   await button(page, "Step").click();

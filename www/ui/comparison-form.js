@@ -110,7 +110,7 @@ class PaneForm {
     else {
       element.type = "number";
       limit(element, name);
-      if (!element.required) element.placeholder = say("option-automatic");
+      if (!element.required) element.placeholder = say(`option-${name}.absent`);
     }
     element.addEventListener("change", () => {
       if (!element.reportValidity()) return;

@@ -14,14 +14,14 @@ import { chosen, dress, show } from "./option-form.js";
 /** @param {Controller} controller */
 export function createMethodForm(controller) {
   const form = byId("method-form", HTMLFormElement);
+  dress(form);
   const detail = byId("detail", HTMLInputElement);
-  const count = byId("smooth-count", HTMLInputElement);
+  const count = byId("option-smoothSteps", HTMLInputElement);
   const tau = byId("tau", HTMLInputElement);
   const tauAuto = byId("tau-auto", HTMLInputElement);
   const detailValue = byId("detail-value", HTMLOutputElement);
   const tauValue = byId("tau-value", HTMLOutputElement);
   const note = byId("step-note", HTMLElement);
-  dress(form);
 
   /** Mean edge length at the start, and dt/τ; 0 until a mesh is there. */
   let h = 0;

@@ -27,24 +27,70 @@ export function limit(control, name) {
   control.required = absent === null;
 }
 
+/** @param {string} text @param {HTMLElement} control */
+function labelled(text, control) {
+  const label = document.createElement("label");
+  label.textContent = text;
+  label.htmlFor = control.id;
+  return label;
+}
+
+/** @param {string} text @param {HTMLInputElement} box */
+function choice(text, box) {
+  const label = document.createElement("label");
+  label.className = "choice";
+  label.append(box, ` ${text}`);
+  return label;
+}
+
+/** @param {string} name @param {string} type  of an input */
+function input(name, type) {
+  const control = document.createElement("input");
+  Object.assign(control, { name, type });
+  return control;
+}
+
 /**
- * Gives the controls of a form that are named like options what the tables say of them: choices,
- * limits, and labels where the page has none.
+ * The controls of an option.
+ * @param {string} name
+ * @param {HTMLElement} place  for them; a fieldset shows all choices
+ * @returns {Node[]}
+ */
+function controlsOf(name, place) {
+  const { kind, ids, absent } = rowOf(name);
+  const words = say(`option-${name}`);
+  if (kind === "switch") return [choice(words, input(name, "checkbox"))];
+  if (place instanceof HTMLFieldSetElement) {
+    const legend = document.createElement("legend");
+    legend.textContent = words;
+    const radios = ids.map((value) => Object.assign(input(name, "radio"), { value }));
+    return [legend, ...radios.map((radio) => choice(choiceLabel(name, radio.value), radio))];
+  }
+  const control = kind === "number" ? input(name, "number") : document.createElement("select");
+  Object.assign(control, { name, id: `option-${name}` });
+  limit(control, name);
+  if (control instanceof HTMLInputElement && absent)
+    control.placeholder = say(`option-${name}.absent`);
+  if (place.dataset.note) control.setAttribute("aria-describedby", place.dataset.note);
+  return [labelled(words, control), control];
+}
+
+/**
+ * Makes the controls of a form: of each option that a part names by `data-option` and has no
+ * controls for; those that the page has get their labels.
  * @param {HTMLFormElement} form
  */
 export function dress(form) {
+  /** @type {NodeListOf<HTMLElement>} */
+  const places = form.querySelectorAll("[data-option]:empty");
+  for (const place of places) {
+    const name = String(place.dataset.option);
+    place.append(...controlsOf(name, place));
+  }
   for (const control of form.elements) {
-    const isControl = control instanceof HTMLInputElement || control instanceof HTMLSelectElement;
-    if (!isControl || !isOption(control.name)) continue;
-    limit(control, control.name);
-    const isRadio = control.type === "radio";
-    const words = isRadio
-      ? choiceLabel(control.name, control.value)
-      : say(`option-${control.name}`);
-    for (const label of control.labels ?? []) {
-      if (label.textContent?.trim()) continue;
-      label.append(label.contains(control) ? ` ${words}` : words);
-    }
+    if (!(control instanceof HTMLInputElement) || !isOption(control.name)) continue;
+    if (control.labels?.length === 0)
+      control.before(labelled(say(`option-${control.name}`), control));
   }
 }
 

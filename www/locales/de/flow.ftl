@@ -63,10 +63,11 @@ option-goal = Ziel
 option-goal-help = relax geht zu einem Minimum; smooth entfernt ein festes Maß an Einzelheiten
 option-detail = Einzelheiten unter L glätten
 option-detail-help = entfernt Einzelheiten unter so vielen mittleren Kantenlängen
-option-smoothSteps = Verteilt auf
+option-smoothSteps = Verteilt auf (Schritte)
 option-smoothSteps-help = in so vielen Schritten
 
 option-tau = Zeitschritt τ
+    .absent = automatisch
 option-tau-help = Schrittweite ohne Einheit: durch h² (circle), durch L^k eines Flusses der Ordnung k, L die Größe dessen, was sich bewegt (die anderen)
 option-dt = Zeitschritt dt
 option-dt-help = Schrittweite in der Einheit des Netzes: Länge², bei p-willmore Länge^(p+2), bei einem Fluss der Ordnung k Länge^k
@@ -99,12 +100,13 @@ option-rungs = Zuvor Schritte der Oberflächendiffusion
 option-rungs-help = zuvor so viele Schritte der Oberflächendiffusion; auto sind so viele, wie ein rauer Anfang braucht
 
 option-maxSteps = Schrittgrenze
+    .absent = keine
 option-maxSteps-help = höchstens so viele Schritte, wie lange sie auch dauern
 option-maxSeconds = Halt nach (Sekunden)
+    .absent = nie
 option-maxSeconds-help = höchstens so viele Sekunden Rechenzeit, wo keine Zahl von Schritten gesetzt ist
 
 # Neben dem, was gewählt werden kann.
 option-nothing = Nichts
 option-no = Nein
 option-yes = Ja
-option-automatic = automatisch

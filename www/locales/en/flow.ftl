@@ -63,10 +63,11 @@ option-goal = Goal
 option-goal-help = relax goes to a minimum; smooth removes a set amount of detail
 option-detail = Smooth away detail below L
 option-detail-help = removes detail below so many mean edge lengths
-option-smoothSteps = Spread over
+option-smoothSteps = Spread over (steps)
 option-smoothSteps-help = in so many steps
 
 option-tau = Time step τ
+    .absent = automatic
 option-tau-help = step size without a unit: over h² (circle), over L^k of a flow of order k, L the size of what moves (the others)
 option-dt = Time step dt
 option-dt-help = step size in the unit of the mesh: length², for p-willmore length^(p+2), for a flow of order k length^k
@@ -99,12 +100,13 @@ option-rungs = Steps of surface diffusion first
 option-rungs-help = so many steps of surface diffusion first; auto is as many as a rough start needs
 
 option-maxSteps = Step limit
+    .absent = none
 option-maxSteps-help = at most so many steps, however long they take
 option-maxSeconds = Stop after (seconds)
+    .absent = never
 option-maxSeconds-help = at most so many seconds of computing, where no number of steps is set
 
 # Beside what may be chosen.
 option-nothing = Nothing
 option-no = No
 option-yes = Yes
-option-automatic = automatic
