@@ -6,8 +6,8 @@ import { realpathSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { commands, laterCommands, overview } from "./cli/commands.js";
 import { failureOf, usage } from "./cli/failure.js";
-import { help, similar } from "./cli/options.js";
-import { openSession, packageVersion } from "./cli/solver.js";
+import { help } from "./cli/options.js";
+import { loadSolver, openSession, packageVersion } from "./cli/solver.js";
 import { terminal } from "./cli/terminal.js";
 
 /** @typedef {import("./cli/terminal.js").Terminal} Terminal */
@@ -49,7 +49,8 @@ async function dispatch([name = "", ...rest], io, open) {
   }
   if (laterCommands.includes(name)) throw usage(`\`${name}\` is not in this version.`);
   if (!Object.hasOwn(commands, name)) {
-    const near = similar(name, Object.keys(commands));
+    const { nearest } = await loadSolver();
+    const near = nearest(name, Object.keys(commands));
     const hint = near ? `Did you mean \`${near}\`?` : "umbilic --help lists the commands.";
     throw usage(name ? `There is no command \`${name}\`.` : "A command is missing.", hint);
   }

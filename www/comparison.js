@@ -7,7 +7,7 @@
 /** @import { Sample } from "./state.js" */
 
 import { t } from "./language.js";
-import { asText } from "./options.js";
+import { asText, flowOf, toFlow } from "./options.js";
 
 /** Panes at most, that of the surface itself among them. */
 export const MOST_PANES = 4;
@@ -85,9 +85,6 @@ export const letter = (index) => "ABCD"[index];
 export const paneOf = ({ rivals }, id) =>
   letter(id === MAIN ? 0 : 1 + rivals.findIndex((one) => one.id === id));
 
-/** Sizes of steps and what depends on them mean nothing to another flow. */
-const ofOneFlow = Object.freeze({ dt: null, tau: null, goal: "relax", boundary: null });
-
 /**
  * What a pane does.
  * @param {Options} main  what the first does
@@ -95,8 +92,9 @@ const ofOneFlow = Object.freeze({ dt: null, tau: null, goal: "relax", boundary: 
  * @returns {Options}
  */
 export function optionsOf(main, change) {
-  const isOther = change.flow !== undefined && change.flow !== main.flow;
-  return { ...main, ...(isOther ? ofOneFlow : {}), ...change };
+  const { flow } = change;
+  const isOther = flow !== undefined && flow !== main.flow;
+  return { ...main, ...(isOther ? toFlow(flow) : {}), ...change };
 }
 
 /**
@@ -132,15 +130,12 @@ export function rebased(comparison, from, to) {
 }
 
 /**
- * A flow's time is a length to this power: the order of its equation, and that of p-Willmore
- * flow is p + 2.
+ * A flow's time is a length to this power.
  * @param {Options} options
  */
 export function timeExponent({ flow, p }) {
-  const orders = { "mean-curvature": 2, "surface-diffusion": 4, willmore: 4, mmcv: 6 };
-  if (flow === "p-willmore") return p + 2;
-  // The circle-angle energy has no unit, and its gradient is 1 / length.
-  return orders[/** @type {keyof typeof orders} */ (flow)] ?? 2;
+  const { timePower, timePowerAddsP } = flowOf(flow);
+  return timePower + (timePowerAddsP ? p : 0);
 }
 
 /** Whether times can be compared. @param {readonly Options[]} all */

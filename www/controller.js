@@ -18,12 +18,13 @@ import { createWhyActions } from "./actions/why.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { t, translated } from "./language.js";
+import { isPlainLink, sceneOf } from "./link.js";
 import { defaults, plainArrangement } from "./options.js";
 import { stepsIn } from "./recipe-schema.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
 import { goesOn, transitions as to } from "./state.js";
-import { formatCount } from "./ui/number.js";
+import { say } from "./words.js";
 
 /**
  * @typedef {object} Voice  how the controller speaks to the user
@@ -261,6 +262,14 @@ export function createController(store, voice) {
       }
     },
 
+    /**
+     * The scene of a link; where an option in it cannot be, there is none.
+     * @param {import("./link.js").Link} link
+     * @returns {Promise<Scene>}
+     */
+    sceneOf: async (link) =>
+      isPlainLink(link) ? sceneOf(link) : sceneOf(link, await solver.readOptions(link.asked)),
+
     /** @param {string} id @param {Partial<Scene>} [scene] */
     sample: (id, scene = {}) => enqueue(() => loadSample(id, scene)),
 
@@ -341,7 +350,7 @@ export function createController(store, voice) {
         try {
           if (before.flow === "flips" && options.flow !== "flips" && reading && reading.step > 0) {
             // The point of better edges is what is done with them next.
-            const count = formatCount(reading.step, { one: "# flip", other: "# flips" });
+            const count = say("count-flips", { count: reading.step });
             await edits.adopt(options, count);
             voice.answer(
               t(

@@ -3,29 +3,35 @@
 // panes=epsilon_0.01*scheme_paper_step_7 says that B has another ε than A, and C, at step 7,
 // another scheme. `same` stands for a pane that does as the first.
 
-/** @import { Linked } from "./actions/compare.js" */
 /** @import { Comparison } from "./comparison.js" */
 /** @import { Options } from "./options.js" */
 
-import { letter, MOST_PANES, optionsOf, timeUnitsAgree } from "./comparison.js";
-import { asText, readers } from "./options.js";
+import { letter, MOST_PANES } from "./comparison.js";
+import { asText, wordOptions } from "./options.js";
 
 const SAME = "same";
 
-/** @param {string} text  of one pane @returns {Linked["panes"][number]} */
+/**
+ * A comparison as it is written, its options not read yet.
+ * @typedef {object} Written
+ * @property {{ words: Record<string, string>, step: number | null }[]} panes
+ * @property {boolean} byTime
+ * @property {number | null} shown
+ * @property {number | null} difference
+ */
+
+/** @param {string} text  of one pane @returns {Written["panes"][number]} */
 function readPane(text) {
-  const words = text.split("_");
-  /** @type {Record<string, unknown>} */
-  const change = {};
+  const parts = text.split("_");
+  /** @type {Record<string, string>} */
+  const words = {};
   let step = null;
-  for (let n = 0; n + 1 < words.length; n += 2) {
-    const [key, value] = [words[n], words[n + 1]];
-    if (key === "step" && /^\d{1,7}$/.test(value)) step = Number(value);
-    const read = Object.hasOwn(readers, key) ? readers[key](value) : undefined;
-    // Flips change the mesh: nothing can be beside them.
-    if (read !== undefined && read !== "flips") change[key] = read;
+  for (let n = 0; n + 1 < parts.length; n += 2) {
+    const [key, value] = [parts[n], parts[n + 1]];
+    if (key !== "step") words[key] = value;
+    else if (/^\d{1,7}$/.test(value)) step = Number(value);
   }
-  return { change, step };
+  return { words, step };
 }
 
 /** @param {string | null} text @param {number} count  of panes */
@@ -36,23 +42,20 @@ function readLetter(text, count) {
 
 /**
  * @param {URLSearchParams} words
- * @param {Options} options  of the first pane
- * @returns {Linked | null} null where nothing is compared
+ * @returns {Written | null} null where nothing is compared
  */
-export function readComparison(words, options) {
+export function readComparison(words) {
   const text = words.get("panes");
-  if (!text || options.flow === "flips") return null;
+  if (!text) return null;
   const panes = text
     .split("*")
     .slice(0, MOST_PANES - 1)
     .map(readPane);
-  const all = [options, ...panes.map(({ change }) => optionsOf(options, change))];
-  const byTime = words.get("lockstep") === "time" && timeUnitsAgree(all);
   return {
     panes,
-    lockstep: byTime ? "time" : "step",
-    shown: readLetter(words.get("shown"), all.length) ?? "side",
-    difference: readLetter(words.get("difference"), all.length),
+    byTime: words.get("lockstep") === "time",
+    shown: readLetter(words.get("shown"), panes.length + 1),
+    difference: readLetter(words.get("difference"), panes.length + 1),
   };
 }
 
@@ -66,9 +69,10 @@ export function writeComparison(words, comparison, options, reading) {
   const { rivals, lockstep, shown, difference } = comparison;
   if (rivals.length === 0 || options.flow === "flips") return;
   const panes = rivals.map((rival) => {
-    const pairs = Object.entries(rival.change)
-      .filter(([key]) => Object.hasOwn(readers, key))
-      .map(([key, value]) => `${key}_${asText(value)}`);
+    const change = /** @type {Record<string, unknown>} */ (rival.change);
+    const pairs = wordOptions
+      .filter(({ name }) => name in change)
+      .map(({ name }) => `${name}_${asText(change[name], name)}`);
     const step = rival.reading?.step ?? 0;
     if (step !== (reading?.step ?? 0)) pairs.push(`step_${step}`);
     return pairs.join("_") || SAME;

@@ -52,7 +52,8 @@ function compact(flow) {
 /** @param {any} flow */
 function whole(flow) {
   const all = { ...defaults, ...flow };
-  for (const key of regions) if (all[key] !== null) all[key] = decodeRegion(String(all[key]));
+  // What is none is left as it is, for the solver to refuse.
+  for (const key of regions) all[key] = decodeRegion(String(all[key])) ?? all[key];
   return all;
 }
 

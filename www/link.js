@@ -5,20 +5,22 @@
 /** @import { FieldName } from "./protocol.js" */
 /** @import { PageState, View } from "./state.js" */
 
-import { rebased } from "./comparison.js";
+import { optionsOf, rebased, timeUnitsAgree } from "./comparison.js";
 import { isReading } from "./link-check.js";
 import { readComparison, writeComparison } from "./link-comparison.js";
 import { beginning, decodeEdits, decodePath, encodePath, firstOptions } from "./link-edits.js";
 import { decodeRegion, encodeRegion } from "./link-region.js";
 import {
-  arrangementReaders,
   asText,
   byCurvature,
   choices,
   defaults,
+  isOption,
   plainArrangement,
-  readers,
+  rowOf,
+  wordOptions,
 } from "./options.js";
+import { flowsIn } from "./recipe-schema.js";
 import { samples } from "./samples.js";
 
 /**
@@ -40,59 +42,92 @@ import { samples } from "./samples.js";
  * @property {string | null} version  of the solver that computed it
  */
 
+/**
+ * What the solver is asked to read: words as text, and options of flows with their types.
+ * @typedef {object} Asked
+ * @property {Record<string, string | number[]>} [words]  of the flow and of the arrangement
+ * @property {Record<string, string>[]} [panes]           of each further pane
+ * @property {object[]} [flows]
+ * @property {object} [arrangement]
+ */
+
+/**
+ * What it answers: the same with their types, once all of them can be.
+ * @typedef {object} Given
+ * @property {Partial<import("./options.js").Options>} options
+ * @property {Partial<import("./protocol.js").Arrangement>} arrangement
+ * @property {Partial<import("./options.js").Options>[]} panes
+ */
+
+/**
+ * A link as it is written, its options not read yet.
+ * @typedef {Omit<Scene, "options" | "arrangement" | "comparison"> & {
+ *   asked: Asked, compared: import("./link-comparison.js").Written | null }} Link
+ */
+
+/** @type {Readonly<Given>} */
+const nothing = Object.freeze({ options: {}, arrangement: {}, panes: [] });
+
+/** Words of a link that are no options. */
+export const otherWords = [
+  ...["sample", "mesh", "hash", "figure", "edits", "path", "step", "check", "version", "colour"],
+  ...["camera", "shading", "wireframe", "border", "scale"],
+  ...["panes", "lockstep", "shown", "difference"],
+];
+
 /** @param {string | null} id the options a sample comes with */
 const suggested = (id) => ({ ...defaults, ...samples.find((sample) => sample.id === id)?.options });
 
 /**
- * Values that make no sense are passed over, so an old or mistyped link still opens.
+ * Options are for the solver to read; other values that make no sense are passed over, so an old
+ * or mistyped link still opens.
  * @param {{ search: string, hash: string }} address
- * @returns {Scene}
+ * @returns {Link}
  */
 export function readLink({ search, hash }) {
   // A query is understood too, for whoever writes a link by hand; the page itself writes the other.
-  const words = new URLSearchParams(hash.length > 1 ? hash.slice(1) : search);
+  const isOwn = hash.length > 1;
+  const words = new URLSearchParams(isOwn ? hash.slice(1) : search);
   const asked = words.get("sample");
   const mesh = words.get("mesh");
   const known = samples.some(({ id }) => id === asked);
-  /** @param {Readonly<Record<string, (text: string) => unknown>>} known */
-  const understood = (known) => {
-    /** @type {Record<string, unknown>} */
-    const values = {};
-    for (const [key, read] of Object.entries(known)) {
-      const value = read(words.get(key) ?? "");
-      if (value !== undefined) values[key] = value;
-    }
-    return values;
-  };
+  /** @type {Record<string, string | number[]>} */
+  const options = {};
+  for (const [word, text] of words) {
+    // In a query there may be words of others.
+    if (isOption(word) || (isOwn && !otherWords.includes(word))) options[word] = text;
+  }
+  for (const key of ["free", "fixed"]) {
+    const text = words.get(key);
+    if (text !== null) options[key] = decodeRegion(text) ?? text;
+  }
   const camera = (words.get("camera") ?? "").split(",").map(Number);
   const shading = words.get("shading");
   const scale = words.get("scale");
   const digest = /^[\da-f]{16,64}$/.exec(words.get("hash") ?? "")?.[0].slice(0, 16) ?? null;
   const figure = /^[\w.-]{1,60}$/.exec(words.get("figure") ?? "")?.[0] ?? null;
   const check = words.get("check");
-  /** @type {{ free?: number[], fixed?: number[] }} */
-  const region = {};
-  for (const key of /** @type {const} */ (["free", "fixed"])) {
-    const vertices = decodeRegion(words.get(key) ?? "");
-    if (vertices) region[key] = vertices;
-  }
-  const options = { ...understood(readers), ...region };
   const step = Number(/^\d{1,7}$/.exec(words.get("step") ?? "")?.[0] ?? 0);
-  const base = suggested(known ? asked : mesh || figure ? null : samples[0].id);
   const colour = choices.colour.find(({ id }) => id === words.get("colour"))?.id ?? "none";
+  // Made of a sample that there is no more, they mean nothing.
+  const edits = known || asked === null ? decodeEdits(words.get("edits")) : null;
+  const path = decodePath(words.get("path"), step);
+  const compared = readComparison(words);
   return {
     sample: known ? asked : mesh || figure ? null : samples[0].id,
     mesh: known ? null : mesh,
     hash: known || !mesh ? null : digest,
     figure,
-    // Made of a sample that there is no more, they mean nothing.
-    edits: known || asked === null ? decodeEdits(words.get("edits")) : null,
-    options,
-    arrangement: understood(arrangementReaders),
+    edits,
+    asked: {
+      ...(Object.keys(options).length > 0 && { words: options }),
+      ...(compared && { panes: compared.panes.map((pane) => pane.words) }),
+      ...((edits || path) && { flows: flowsIn({ edits, path }) }),
+    },
+    compared,
     colour: /** @type {FieldName} */ (colour),
-    comparison: readComparison(words, { ...base, ...options }),
     step,
-    path: decodePath(words.get("path"), step),
+    path,
     camera: camera.length > 1 && camera.every(Number.isFinite) ? new Float32Array(camera) : null,
     view: {
       ...(shading === "flat" || shading === "smooth" ? { shading } : {}),
@@ -103,6 +138,29 @@ export function readLink({ search, hash }) {
     check: isReading(check) ? check : null,
     version: /^[\w.+-]{1,40}$/.exec(words.get("version") ?? "")?.[0] ?? null,
   };
+}
+
+/** Whether there is nothing for the solver to read. @param {Link} link */
+export const isPlainLink = ({ asked }) => Object.keys(asked).length === 0;
+
+/**
+ * The scene of a link whose options were read.
+ * @param {Link} link
+ * @param {Readonly<Given>} [given]
+ * @returns {Scene}
+ */
+export function sceneOf({ asked, compared, ...link }, { options, arrangement, panes } = nothing) {
+  const first = { ...suggested(link.sample), ...options };
+  const all = [first, ...panes.map((change) => optionsOf(first, change))];
+  /** @type {Scene["comparison"] | false | null} */
+  const comparison = compared &&
+    first.flow !== "flips" && {
+      panes: compared.panes.map(({ step }, n) => ({ change: panes[n], step })),
+      lockstep: compared.byTime && timeUnitsAgree(all) ? "time" : "step",
+      shown: compared.shown ?? "side",
+      difference: compared.difference,
+    };
+  return { ...link, options, arrangement, comparison: comparison || null };
 }
 
 /**
@@ -124,25 +182,25 @@ export function writeLink(state) {
   else if (from.kind === "sample" && from.id === figure?.sample) words.set("figure", figure.id);
   words.set("flow", options.flow);
   const base = suggested(from.kind === "sample" ? from.id : null);
-  for (const key of /** @type {(keyof typeof options)[]} */ (Object.keys(readers))) {
+  for (const { name } of wordOptions) {
+    const key = /** @type {keyof typeof options} */ (name);
     if (key !== "flow" && asText(options[key]) !== asText(base[key]))
-      words.set(key, asText(options[key]));
+      words.set(key, asText(options[key], key));
   }
   for (const key of /** @type {const} */ (["free", "fixed"])) {
     const region = options[key] && encodeRegion(options[key]);
     if (region) words.set(key, region);
   }
-  const { compare, subdivide, flipsPerStep } = arrangement;
+  const { compare } = arrangement;
   const own = byCurvature.includes(options.flow)
     ? ["flows"]
     : options.flow === "flips"
       ? ["start", "criteria"]
       : [];
   if (own.includes(compare)) words.set("compare", compare);
-  if (options.flow === "flips") {
-    if (subdivide !== plainArrangement.subdivide) words.set("subdivide", String(subdivide));
-    if (flipsPerStep !== plainArrangement.flipsPerStep)
-      words.set("flipsPerStep", String(flipsPerStep ?? "all"));
+  for (const key of /** @type {const} */ (["subdivide", "flipsPerStep"])) {
+    if (rowOf(key).flows.includes(options.flow) && arrangement[key] !== plainArrangement[key])
+      words.set(key, asText(arrangement[key], key));
   }
   if (colour !== "none") words.set("colour", colour);
   writeComparison(words, rebased(comparison, state.options, options), options, reading);

@@ -5,7 +5,7 @@ import { createArrival, sceneOfFigure } from "./arrival.js";
 import { createController } from "./controller.js";
 import { createEmbedding, isEmbedded } from "./embed/host.js";
 import { openLanguage, t } from "./language.js";
-import { createLinkWriter, readLink } from "./link.js";
+import { createLinkWriter, readLink, sceneOf } from "./link.js";
 import { keepOffline } from "./offline.js";
 import { samples } from "./samples.js";
 import { createStore } from "./state.js";
@@ -69,11 +69,12 @@ createLanguageChoice(store.get);
 createLab(controller);
 createKeys(controller, store.get, help.open);
 createDownload(controller, store.get, panes.snapshot);
-/** A link to a mesh names it only; its scene waits for the user to open the file. */
-let awaited = readLink(location);
+const first = readLink(location);
 // The page without a link shows its sample before the solver is there.
-const isFirst = awaited.sample === samples[0].id && awaited.step === 0 && !awaited.camera;
-controller.view(awaited.view);
+const isFirst = first.sample === samples[0].id && first.step === 0 && !first.camera;
+controller.view(first.view);
+/** A link to a mesh names it only; its scene waits for the user to open the file. */
+let awaited = sceneOf(readLink({ search: "", hash: "" }));
 const pictured = picture.start(isFirst ? samples[0].parameters.level : null);
 
 const { get } = store;
@@ -124,10 +125,15 @@ const parts = [
 for (const part of parts) store.subscribe((state) => part.update(state));
 
 /** @param {{ search: string, hash: string }} address */
-function openLink(address) {
-  awaited = readLink(address);
+async function openLink(address) {
+  const scene = await controller.sceneOf(readLink(address)).catch((error) => {
+    controller.report(error);
+    // Where nothing is shown yet, that would be a dead end.
+    return store.get().mesh ? null : sceneOf(readLink({ search: "", hash: "" }));
+  });
+  if (!scene) return;
+  awaited = scene;
   controller.view(awaited.view);
-  const scene = awaited;
   if (scene.sample) return controller.sample(scene.sample, scene).then(() => arrival.check(scene));
   if (scene.figure) {
     const open = (/** @type {import("./link.js").Scene & { sample: string }} */ whole) =>

@@ -56,62 +56,18 @@
  * @property {Uint32Array | null} [free]   vertices to move, likewise, or new ones after a fill
  */
 
-/**
- * @typedef {'circle' | 'p-willmore' | 'mean-curvature' | 'surface-diffusion' | 'willmore' |
- *           'mmcv' | 'flips'} FlowName
- */
+/** @typedef {import("./generated/schema.js").FlowName} FlowName */
 
 /**
  * Options of a flow. Every field may be left out; `Configured` tells what was chosen.
- * @typedef {object} FlowOptions
- * @property {FlowName} [flow]
- * @property {'auto' | 'paper'} [scheme]   `paper`: constant dt, exact energy, plain K, uniform mass
- * @property {'semi-implicit' | 'forward-euler' | 'backward-euler' | 'l-bfgs'} [integrator]
- * @property {'clamped' | 'fixed' | 'free' | null} [boundary]  default clamped; of the flows by mean
- *                                         curvature and its derivatives fixed
- * @property {'relax' | 'smooth'} [goal]   `relax`: adaptive step towards a minimum; `smooth`: a set amount
- * @property {number} [detail]             smooth: removes detail below this many mean edge lengths
- * @property {number} [smoothSteps]        smooth: in so many steps (default 10)
- * @property {number | null} [dt]          raw step size, unit length²; null or absent = automatic
- * @property {number | null} [tau]         dt / h², the same scale-free; h = mean edge length at the start;
- *                                         flows by mean curvature and its derivatives: dt / L^k,
- *                                         k the order, L² the area of a free patch (default 1)
- * @property {'auto' | 'uniform' | 'area'} [mass]
- * @property {number} [epsilon]            angle smoothing φ(β) = √(β²+ε²) − ε (default 0.1)
- * @property {boolean} [sharpen]           lets ε go to 0 at the end (default true)
- * @property {boolean} [prefill]           pre-fill of the free region before the first step: harmonic, or
- *                                         smooth under the flows by mean curvature
- * @property {number[] | null} [free]      only these vertices move
- * @property {number[] | null} [fixed]     these vertices never move
- * @property {number | null} [maxSteps]    budget of steps (default null: none)
- * @property {number | null} [maxSeconds]  budget of seconds of computing, where no number of steps is
- *                                         set (default 120; null: none)
- * @property {number} [perturbation]       p-Willmore: the start is pushed along its normals by up to so
- *                                         many mean edge lengths, 0 to 0.3 (default 0)
- * @property {number} [p]                  p-Willmore: exponent, 0 or at least 1 (default 2)
- * @property {('area' | 'volume')[]} [keep]  p-Willmore: what is kept
- * @property {'off' | 'linear' | 'nonlinear'} [regularise]  p-Willmore: after each step (default nonlinear)
- * @property {number} [regulariseEpsilon]  p-Willmore: ε of it (default 0.01)
- * @property {number} [tauGrowth]          p-Willmore, paper's scheme: factor on the step (default 1.2)
- * @property {number | null} [tauMax]      p-Willmore, paper's scheme: largest τ
- * @property {number | null} [reducedVolume]  p-Willmore: 6√π V/A^(3/2) to lead the volume to
- * @property {number} [spontaneousCurvature]  p-Willmore, p = 2: H₀ L, L = √(A/4π) at the start
- * @property {number} [tension]            p-Willmore, p = 2: σ L²
- * @property {number} [pressure]           p-Willmore, p = 2: P L³
- * @property {number | null} [rungs]       mmcv: steps of surface diffusion first; null or absent
- *                                         = as many as a rough start needs
- * @property {Criterion} [criterion]       edge flips: what is to become small (default localised)
- * @property {boolean} [guardFolds]        edge flips: faces may not be turned over
+ * @typedef {import("./generated/schema.js").FlowOptions} FlowOptions
  */
 
-/** @typedef {'area' | 'willmore' | 'localised'} Criterion */
+/** @typedef {NonNullable<FlowOptions["criterion"]>} Criterion */
 
 /**
- * How edge flips are shown, and how many a step makes.
- * @typedef {object} Arrangement
- * @property {'none' | 'start' | 'criteria' | 'flows'} compare  what stands beside the surface
- * @property {number} subdivide            steps of Loop's scheme before drawing
- * @property {number | null} flipsPerStep  null: all that gain anything
+ * How edge flips are shown, and how many a step makes; null: all that gain anything.
+ * @typedef {Required<import("./generated/schema.js").Arrangement>} Arrangement
  */
 
 /**

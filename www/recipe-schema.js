@@ -1,9 +1,7 @@
 // @ts-check
-// What a recipe, or a part of one in a link, may be.
+// What a recipe, or a part of one in a link, is made of. Its options the solver checks.
 
-/** @import { RecipeLeg } from "./protocol.js" */
-
-import { asText, defaults, readers } from "./options.js";
+/** @import { RecipeChapter, RecipeLeg } from "./protocol.js" */
 
 /** @param {unknown} value @returns {value is Record<string, any>} */
 export const isObject = (value) =>
@@ -14,36 +12,6 @@ export const isNumber = (value) => typeof value === "number" && Number.isFinite(
 
 /** @param {unknown} value */
 export const isCount = (value) => Number.isSafeInteger(value) && Number(value) >= 0;
-
-/** Options that are left to the solver, or are no limit, by null, and what they are otherwise. @type {Readonly<Record<string, string>>} */
-const optional = {
-  ...{ boundary: "string", detail: "number", dt: "number", tau: "number" },
-  ...{ tauMax: "number", reducedVolume: "number", rungs: "number" },
-  ...{ maxSteps: "number", maxSeconds: "number" },
-};
-
-/**
- * The first option that cannot be.
- * @param {Record<string, any>} flow
- * @returns {{ key: string, wanted: string } | null}
- */
-function flowFault(flow) {
-  for (const [key, value] of Object.entries(flow)) {
-    if (!Object.hasOwn(defaults, key)) return { key, wanted: "left out: there is no such option" };
-    if (key === "free" || key === "fixed") {
-      const fits = value === null || (Array.isArray(value) && value.every(isCount));
-      if (!fits) return { key, wanted: "null or a list of vertex numbers" };
-    } else if (value !== null || !Object.hasOwn(optional, key)) {
-      const usual = /** @type {Record<string, unknown>} */ (defaults)[key];
-      const type = optional[key] ?? typeof usual;
-      const fits = typeof value === type && readers[key](asText(value)) !== undefined;
-      if (!fits) {
-        return { key, wanted: `another value: ${JSON.stringify(value)} is not one of this option` };
-      }
-    }
-  }
-  return null;
-}
 
 /** A recipe that cannot be followed, told in the shape of a `Fault`. */
 export class BadRecipe extends Error {
@@ -79,11 +47,7 @@ export function checkMesh(mesh) {
 }
 
 /** @param {any} flow @param {string} key */
-export function checkFlow(flow, key) {
-  check(isObject(flow), key, "an object of options");
-  const fault = flowFault(flow);
-  if (fault) check(false, `${key}.${fault.key}`, fault.wanted);
-}
+export const checkFlow = (flow, key) => check(isObject(flow), key, "an object of options");
 
 /** @param {any} path @param {string} [key] */
 export function checkPath(path, key = "path") {
@@ -121,6 +85,21 @@ function checkChapter(chapter, key) {
 export function checkEdits(edits) {
   check(Array.isArray(edits), "edits", "a list");
   for (const [n, chapter] of edits.entries()) checkChapter(chapter, `edits[${n}]`);
+}
+
+/**
+ * The options of all flows in what was done.
+ * @param {{ edits?: readonly RecipeChapter[] | null, path?: readonly RecipeLeg[] | null }} done
+ * @returns {object[]}
+ */
+export function flowsIn({ edits, path }) {
+  const on = (path ?? []).flatMap((leg) =>
+    typeof leg === "object" && "flow" in leg ? leg.flow : [],
+  );
+  return [
+    ...(edits ?? []).flatMap((chapter) => [chapter.flow ?? [], flowsIn(chapter)].flat()),
+    ...on,
+  ];
 }
 
 /** Steps of a path. @param {readonly RecipeLeg[]} path */

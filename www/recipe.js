@@ -12,6 +12,7 @@ import {
   checkFlow,
   checkMesh,
   checkPath,
+  flowsIn,
   isCount,
   isHash,
   isNumber,
@@ -128,6 +129,12 @@ export function readRecipe(text) {
   check(positions === undefined || isHash(positions), "result.positions", "a SHA-256");
   return recipe;
 }
+
+/** What of a recipe the solver must check before anything is done. @param {Recipe} recipe */
+export const askedBy = ({ flow, edits, path, arrangement = {} }) => ({
+  flows: [flow, ...flowsIn({ edits, path })],
+  arrangement,
+});
 
 /** Whether the recipe begins with a mesh of the author's. @param {Recipe["mesh"]} mesh @returns {mesh is FileMesh} */
 export const isOwn = (mesh) => "sha256" in mesh;

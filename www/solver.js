@@ -183,6 +183,11 @@ export function createSolver(listener) {
     begin() {
       worker ??= start();
     },
+    /**
+     * Options of a link or a recipe with their types, or the refusal of one.
+     * @param {import("./link.js").Asked} asked @returns {Promise<import("./link.js").Given>}
+     */
+    readOptions: (asked) => ask("readOptions", { asked }),
     /** @param {string} name @param {Uint8Array<ArrayBuffer>} bytes  kept, so that a lost worker can be replaced */
     load: (name, bytes) => make("load", { name, bytes }),
     /** What the mesh was read from, if it was. @returns {Uint8Array<ArrayBuffer> | null} */

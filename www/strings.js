@@ -54,18 +54,6 @@ export const german = {
   "Paused at step {step}": "Angehalten bei Schritt {step}",
   "{reason}. Play goes on.": "{reason}. „Start“ macht weiter.",
   "Step {step} of {goal}": "Schritt {step} von {goal}",
-  "Converged after # step": "Konvergiert nach # Schritt",
-  "Converged after # steps": "Konvergiert nach # Schritten",
-  "Stalled after # step": "Stecken geblieben nach # Schritt",
-  "Stalled after # steps": "Stecken geblieben nach # Schritten",
-  "Stopped after # step": "Angehalten nach # Schritt",
-  "Stopped after # steps": "Angehalten nach # Schritten",
-  "Singular after # step": "Singulär nach # Schritt",
-  "Singular after # steps": "Singulär nach # Schritten",
-  "Collapsed after # step": "Kollabiert nach # Schritt",
-  "Collapsed after # steps": "Kollabiert nach # Schritten",
-  "Failed after # step": "Gescheitert nach # Schritt",
-  "Failed after # steps": "Gescheitert nach # Schritten",
   Assembling: "Matrix aufstellen",
   Factorising: "Matrix zerlegen",
   "Newton iterations": "Newton-Iterationen",
@@ -213,16 +201,7 @@ export const german = {
   Flow: "Fluss",
   Boundary: "Rand",
   "Colour by": "Färben nach",
-  "Willmore, circle angles": "Willmore, Kreiswinkel",
-  "p-Willmore": "p-Willmore",
-  "Mean curvature": "Mittlere Krümmung",
-  "Surface diffusion": "Oberflächendiffusion",
-  "Willmore, fitted operators": "Willmore, angepasste Operatoren",
-  "Mean-curvature variation": "Variation der mittleren Krümmung",
   "Edge flips": "Kantenflips",
-  "Clamped (with tangent)": "Eingespannt (Tangente)",
-  "Fixed (position only)": "Fest (nur die Lage)",
-  Free: "Frei",
   Nothing: "Nichts",
   "Mean curvature H": "Mittlere Krümmung H",
   "Gaussian curvature K": "Gaußsche Krümmung K",
@@ -237,29 +216,19 @@ export const german = {
 
   // p-Willmore flow
   "p-Willmore flow": "p-Willmore-Fluss",
-  "Exponent p": "Exponent p",
   "0: mean-curvature flow; 2: Willmore flow; above 2 free surfaces grow.":
     "0: Fluss nach der mittleren Krümmung; 2: Willmore-Fluss; über 2 wachsen freie Flächen.",
   Keep: "Beibehalten",
   Area: "Flächeninhalt",
   Volume: "Volumen",
   "Lead the reduced volume to": "Reduziertes Volumen führen auf",
-  "Perturb the start by": "Anfang stören um",
   "In mean edge lengths: lets a symmetric vesicle leave a shape that is unstable.":
     "In mittleren Kantenlängen: So verlässt ein symmetrisches Vesikel eine Form, die instabil ist.",
   "Reduced volume": "Reduziertes Volumen",
-  Regularise: "Regularisieren",
-  "After each step": "Nach jedem Schritt",
-  "After each step, linear": "Nach jedem Schritt, linear",
-  Never: "Nie",
   "Regularise the mesh now": "Netz jetzt regularisieren",
   "The mesh is as regular as it gets.": "Regelmäßiger wird das Netz nicht.",
   "The mesh is as regular as it gets while its vertices on creases stay, {pinned} of them; a finer mesh has more to move.":
     "Regelmäßiger wird das Netz nicht, solange seine Ecken auf Kanten der Form bleiben, {pinned} davon; ein feineres Netz hat mehr, das sich bewegen kann.",
-  "Regularised in {count} pass: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.":
-    "In {count} Durchgang regularisiert: kleinster Winkel {angle}° → {angleNow}°, Verzerrung {distortion} → {distortionNow}; keine Ecke ist weiter als {distance} % der Größe von der vorigen Fläche entfernt. „Zurück“ nimmt es zurück.",
-  "Regularised in {count} passes: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.":
-    "In {count} Durchgängen regularisiert: kleinster Winkel {angle}° → {angleNow}°, Verzerrung {distortion} → {distortionNow}; keine Ecke ist weiter als {distance} % der Größe von der vorigen Fläche entfernt. „Zurück“ nimmt es zurück.",
   "Lagrange multipliers: {values}": "Lagrange-Multiplikatoren: {values}",
   "tension {value}": "Spannung {value}",
   "pressure {value}": "Druck {value}",
@@ -284,9 +253,6 @@ export const german = {
   "{flow}: step {step}": "{flow}: Schritt {step}",
 
   // Edge flips
-  Criterion: "Kriterium",
-  "Willmore energy": "Willmore-Energie",
-  "Localised Willmore energy": "Lokalisierte Willmore-Energie",
   Localised: "Lokalisiert",
   "The flip that lowers this most comes first. A change takes the mesh back to the start.":
     "Zuerst kommt der Flip, der dies am stärksten senkt. Eine Änderung bringt das Netz zurück zum Anfang.",
@@ -296,8 +262,6 @@ export const german = {
   "100 flips": "100 Flips",
   "1000 flips": "1000 Flips",
   "All flips": "Alle Flips",
-  "# flip": "# Flip",
-  "# flips": "# Flips",
   "Beside it": "Daneben",
   "The start": "Der Anfang",
   Start: "Anfang",
@@ -306,7 +270,6 @@ export const german = {
   Not: "Nicht",
   "Once, by Loop’s scheme": "Einmal, nach Loop",
   Twice: "Zweimal",
-  "No flip may turn a face over": "Kein Flip darf eine Facette umklappen",
   "Flip to the end": "Bis zum Ende flippen",
   Curves: "Kurven",
   "Plot of area against the number of flips; where each criterion stands is in the table below":
@@ -376,8 +339,6 @@ export const german = {
   "Choose boundary loops here or by a click on the surface. What is filled becomes a new start; only the new vertices move.":
     "Wählen Sie Randkurven hier oder durch einen Klick auf die Fläche. Gefülltes wird zum neuen Anfang; nur die neuen Ecken bewegen sich.",
   "Boundary loops": "Randkurven",
-  "# boundary loop.": "# Randkurve.",
-  "# boundary loops.": "# Randkurven.",
   "{count} boundary loops, the first {listed} of them listed.":
     "{count} Randkurven, die ersten {listed} davon in der Liste.",
   "{n}: {edges} edges, length {length}": "{n}: {edges} Kanten, Länge {length}",
@@ -388,12 +349,6 @@ export const german = {
   "Connect chosen": "Gewählte verbinden",
   "New vertices": "Neue Ecken",
   "at most": "höchstens",
-  "the fill of {count} loop": "das Füllen von {count} Randkurve",
-  "the fill of {count} loops": "das Füllen von {count} Randkurven",
-  "Filled {count} loop with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.":
-    "{count} Randkurve mit {vertices} neuen Ecken gefüllt. „Start“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.",
-  "Filled {count} loops with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.":
-    "{count} Randkurven mit {vertices} neuen Ecken gefüllt. „Start“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.",
   "Region that moves": "Bereich, der sich bewegt",
   "Paint what the flow may change; the rest keeps its place.":
     "Malen Sie an, was der Fluss verändern darf; der Rest bleibt, wo er ist.",
@@ -412,8 +367,6 @@ export const german = {
   "Keep as new start": "Als neuen Anfang behalten",
   Undo: "Rückgängig",
   "takes back {what}": "nimmt zurück: {what}",
-  "{count} step": "{count} Schritt",
-  "{count} steps": "{count} Schritte",
 
   // Möbius inversion, subdivision
   "Möbius inversion": "Möbius-Inversion",
@@ -480,11 +433,6 @@ export const german = {
   "Willmore flow: circle angles, p-Willmore": "Willmore-Fluss: Kreiswinkel, p-Willmore",
   "Pane {pane}": "Teilfenster {pane}",
   "Remove pane {pane}": "Teilfenster {pane} entfernen",
-  "Area and volume": "Flächeninhalt und Volumen",
-  "Smoothing ε": "Glättung ε",
-  "First guess": "Erster Ansatz",
-  "The start as it is": "Der Anfang, wie er ist",
-  automatic: "automatisch",
   "Flip A and B": "Zwischen A und B wechseln",
   "One in the place of the other ( B )": "Eines anstelle des anderen ( B )",
   "Flip panes A and B in place; <kbd>Esc</kbd> side by side":
@@ -567,8 +515,6 @@ export const german = {
   "The surface does not pass through itself.": "Die Fläche durchdringt sich nirgends selbst.",
   "Too many triangles are near each other to compare them all.":
     "Zu viele Dreiecke liegen beieinander, um sie alle zu vergleichen.",
-  "# pair of triangles passes through each other.": "# Dreieckspaar durchdringt sich.",
-  "# pairs of triangles pass through each other.": "# Dreieckspaare durchdringen sich.",
   "Pick a vertex": "Ecke auswählen",
   "Vertex number": "Nummer der Ecke",
   number: "Nummer",
@@ -802,43 +748,17 @@ export const german = {
 
   // Goal and method
   "Goal and method": "Ziel und Verfahren",
-  Goal: "Ziel",
-  "Relax towards a minimum": "Zu einem Minimum hin entspannen",
-  "Smooth by a set amount": "Um ein festes Maß glätten",
-  "Smooth away detail below L": "Einzelheiten unter L glätten",
   "L = {edges} mean edge lengths = {length}": "L = {edges} mittlere Kantenlängen = {length}",
-  "Spread over": "Verteilt auf",
   steps: "Schritte",
   "Choose the time step automatically": "Zeitschritt automatisch wählen",
-  "Time step τ": "Zeitschritt τ",
   "First time step: {numbers}": "Erster Zeitschritt: {numbers}",
-  Scheme: "Schema",
-  Recommended: "Empfohlen",
-  "As in the paper": "Wie in der Arbeit",
-  Integrator: "Integrator",
-  "Semi-implicit": "Semi-implizit",
-  "Forward Euler": "Explizites Euler-Verfahren",
-  "Backward Euler (Newton)": "Implizites Euler-Verfahren (Newton)",
-  "L-BFGS": "L-BFGS",
-  Mass: "Masse",
-  Uniform: "Gleichmäßig",
-  "Vertex area": "Inhalt je Ecke",
-  "Angle smoothing ε": "Winkelglättung ε",
   "Circle angles β are rounded to √(β²+ε²) − ε. 0.1 never sticks; 0.01 or less lets edges align with curvature.":
     "Kreiswinkel β werden zu √(β²+ε²) − ε gerundet. 0.1 bleibt nie stecken; mit 0.01 oder weniger richten sich Kanten nach der Krümmung aus.",
-  "Sharpen at the end (ε → 0)": "Am Ende schärfen (ε → 0)",
   "Harmonic pre-fill of the free region": "Harmonische Vorfüllung des freien Bereichs",
-  "Regularisation ε": "Regularisierung ε",
   "A pure number: 0.001 is faithful to the surface, 0.1 aggressive.":
     "Eine reine Zahl: 0.001 ist der Fläche treu, 0.1 greift stark ein.",
-  "Spontaneous H₀ · L": "Spontane H₀ · L",
-  "Tension σ · L²": "Spannung σ · L²",
-  "Pressure P · L³": "Druck P · L³",
   "Canham–Helfrich, with p = 2 only: ∫(2H − 2H₀)² dA + σA − PV. L is the radius of the sphere with the area at the start.":
     "Canham–Helfrich, nur mit p = 2: ∫(2H − 2H₀)² dA + σA − PV. L ist der Radius der Sphäre, die den Flächeninhalt des Anfangs hat.",
-  "Step limit": "Schrittgrenze",
-  "Stop after (seconds)": "Halt nach (Sekunden)",
-  never: "nie",
   "Seconds of computing, not of waiting. Either may be left empty; with a step limit the time does not count.":
     "Sekunden Rechenzeit, ohne Pausen. Beide Felder dürfen leer bleiben; mit einer Schrittgrenze zählt die Zeit nicht.",
   "Use recommended values": "Empfohlene Werte verwenden",
@@ -942,9 +862,6 @@ export const german = {
   "There is no mesh yet.": "Es gibt noch kein Netz.",
   "There is no request “{type}”.": "Es gibt keine Anfrage „{type}“.",
   "Known are {known}.": "Bekannt sind {known}.",
-  "There is nothing called “{word}” to set.":
-    "Es gibt nichts namens „{word}“, das sich setzen ließe.",
-  "Known are the words of a link: {words}.": "Bekannt sind die Wörter eines Links: {words}.",
   "“{word}” cannot be “{text}”.": "„{word}“ kann nicht „{text}“ sein.",
   "Copy a link from the page to see how its words are written.":
     "Kopieren Sie einen Link von der Seite, um zu sehen, wie seine Wörter geschrieben werden.",
@@ -1546,7 +1463,6 @@ export const german = {
   "no vertex is free to move": "keine Ecke kann sich bewegen",
   "the selection names vertex {}, but there are only {} vertices":
     "die Auswahl nennt Ecke {}, es gibt aber nur {} Ecken",
-  "{} cannot be {}": "{} kann nicht {} sein",
   "the surface has {} boundary loop; this flow is for closed surfaces":
     "die Fläche hat {} Randkurve; dieser Fluss ist für geschlossene Flächen",
   "the surface has {} boundary loops; this flow is for closed surfaces":
@@ -1586,23 +1502,6 @@ export const german = {
     "Gehen Sie einen Schritt zurück, wählen Sie eine kleinere Schrittweite oder das empfohlene Schema, und suchen Sie nach einem umgeklappten oder zusammengefallenen Dreieck.",
   "one by mean curvature or its derivatives":
     "einer nach der mittleren Krümmung oder ihren Ableitungen",
-  "the largest τ": "das größte τ",
-  "the growth of τ": "das Wachstum von τ",
-  "the budget of seconds": "das Zeitbudget in Sekunden",
-  "the perturbation": "die Störung",
-  "a number from 0 to 0.3": "eine Zahl von 0 bis 0.3",
-  "the ε of the regularisation": "das ε der Regularisierung",
-  "any positive number": "jede positive Zahl",
-  "a number from 0 to 1": "eine Zahl von 0 bis 1",
-  "1 or more": "1 oder mehr",
-  "the exponent p": "der Exponent p",
-  "0, or a number from 1 to 16": "0 oder eine Zahl von 1 bis 16",
-  "the reduced volume": "das reduzierte Volumen",
-  "above 0 and at most 1": "über 0 und höchstens 1",
-  "the spontaneous curvature": "die spontane Krümmung",
-  "the tension": "die Spannung",
-  "the pressure": "der Druck",
-  "any finite number": "jede endliche Zahl",
   "given only where both area and volume are kept":
     "nur dort, wo Flächeninhalt und Volumen fest sind",
   "only 2 with spontaneous curvature, tension or pressure":
@@ -1641,9 +1540,27 @@ export const german = {
     "Verfeinern Sie zuerst das Netz: Neue Ecken im Innern seiner Facetten können gleiten.",
   "A fill or edge flips can be undone once they are done.":
     "Ein Füllen oder Kantenflips lassen sich rückgängig machen, sobald sie geschehen sind.",
-  "It is 1 or more, or absent for all that gain anything.":
-    "Erlaubt ist 1 oder mehr; ohne Angabe sind es alle, die etwas bringen.",
-  "flipsPerStep cannot be 0": "flipsPerStep kann nicht 0 sein",
+  "{} with scheme {}": "{} mit Schema {}",
+  "{} with goal {}": "{} mit Ziel {}",
+  "{}, or {}": "{} oder {}",
+  "there is no option `{}`": "es gibt keine Option `{}`",
+  "`{}` cannot be `{}`": "`{}` kann nicht `{}` sein",
+  "`{}` has no value": "`{}` hat keinen Wert",
+  "`{}` changes nothing here: it is for {}": "`{}` ändert hier nichts: Das ist für {}",
+  "`{}` and `{}` cannot both be given": "`{}` und `{}` lassen sich nicht beide angeben",
+  "Did you mean `{}`?": "Meinten Sie `{}`?",
+  "Did you mean `{}` (--{})?": "Meinten Sie `{}` (--{})?",
+  "--help lists the options; a link that is copied from the page shows how they are written.":
+    "--help nennt die Optionen; ein Link, der von der Seite kopiert ist, zeigt, wie sie geschrieben werden.",
+  "Leave it out, or choose what reads it.": "Lassen Sie sie weg, oder wählen Sie, was sie liest.",
+  "Each says the same thing in its own way.": "Jede sagt dasselbe auf ihre Weise.",
+  "a number from {} to {}": "eine Zahl von {} bis {}",
+  "a number above {}, at most {}": "eine Zahl über {}, höchstens {}",
+  "a whole number from {} to {}": "eine ganze Zahl von {} bis {}",
+  "one of {}": "eines von {}",
+  "none, or any of {}": "none oder beliebige von {}",
+  "true or false": "true oder false",
+  "a list of vertex numbers from 0": "eine Liste von Nummern von Ecken ab 0",
   "there are no vertices {}": "es gibt keine Ecken {}",
   "Choose an edge anew.": "Wählen Sie eine andere Kante.",
   "{} corners are given": "{} Ecken sind angegeben",
@@ -1940,9 +1857,6 @@ export const german = {
     "{ steps }, { regularise }, { flow } oder „anew“",
   "“adopt”, { fill }, { flip }, { subdivide } or { invert: [x, y, z] }":
     "„adopt“, { fill }, { flip }, { subdivide } oder { invert: [x, y, z] }",
-  "left out: there is no such option": "weggelassen: Diese Option gibt es nicht",
-  "null or a list of vertex numbers": "null oder eine Liste von Eckennummern",
-  "another value: {} is not one of this option": "ein anderer Wert: {} ist keiner dieser Option",
 
   // Slides
   "Willmore flow in eight slides": "Willmore-Fluss auf acht Folien",

@@ -5,7 +5,7 @@
 /** @import { Fault } from "./generated/types.js" */
 /** @import { CommandName } from "./session.js" */
 
-import init, { Session } from "./pkg/solver/solver.js";
+import init, { readOptions, Session } from "./pkg/solver/solver.js";
 import { follow, prepare } from "./recipe.js";
 import { sequence, sequenceSize } from "./sequence.js";
 import { perform } from "./session.js";
@@ -80,6 +80,7 @@ const replayed = (share) => tell("replay", share);
 
 /** What is asked of the worker itself. @type {Record<string, (fields: any) => unknown>} */
 const own = {
+  readOptions: ({ asked }) => readOptions(asked),
   /** Steps until `until`, or until the run is over: ends with one `stopped` unless paused. */
   run(fields) {
     until = fields.until;

@@ -9,15 +9,8 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::Status;
 use crate::flow::options::{FlowName, FlowOptions};
+use crate::flow::spec::{self, Family};
 use serde::Serialize;
-
-/// The flows that can stand beside each other.
-const FLOWS: [(FlowName, &str); 4] = [
-    (FlowName::MeanCurvature, "mean-curvature"),
-    (FlowName::SurfaceDiffusion, "surface-diffusion"),
-    (FlowName::Willmore, "willmore"),
-    (FlowName::Mmcv, "mmcv"),
-];
 
 /// Steps that the others still take after the chosen flow has come to rest.
 const FURTHER: usize = 60;
@@ -37,15 +30,15 @@ pub struct Standing {
     pub jump: Option<CurvatureJump>,
 }
 
-fn name_of(flow: FlowName) -> Option<&'static str> {
-    let found = FLOWS.iter().find(|(known, _)| *known == flow);
-    found.map(|(_, name)| *name)
+/// Whether a flow can stand beside others.
+fn has_others(flow: FlowName) -> bool {
+    spec::of(flow).family == Family::Curvature
 }
 
 impl Work {
     /// Starts the other flows and lets them catch up, or ends them.
     pub(super) fn run_beside(&mut self, wanted: bool) {
-        if !wanted || name_of(self.options().flow).is_none() || self.flow.is_none() {
+        if !wanted || !has_others(self.options().flow) || self.flow.is_none() {
             self.beside.clear();
             return;
         }
@@ -53,14 +46,11 @@ impl Work {
             return;
         }
         let own = self.options().flow;
-        for (flow, _) in FLOWS.into_iter().filter(|(f, _)| *f != own) {
+        for flow in FlowName::all().filter(|flow| *flow != own && has_others(*flow)) {
             let mut other = Self::new(self.document.clone(), self.document.start.clone());
             let options = FlowOptions {
-                flow,
-                // A step of one order means nothing to another.
-                dt: None,
-                tau: None,
-                ..self.options().clone()
+                boundary: self.options().boundary,
+                ..self.options().with_flow(flow)
             };
             // What the chosen flow takes, the others take.
             if other.configure(options, None).is_ok() {
@@ -134,18 +124,17 @@ impl Work {
             field: field.and_then(|f| work.field(f).ok()),
         };
         // In the order of the paper, whichever was chosen.
-        let mut panes: Vec<Pane> = FLOWS
-            .iter()
-            .flat_map(|(flow, name)| {
+        let mut panes: Vec<Pane> = FlowName::all()
+            .flat_map(|flow| {
                 works()
-                    .filter(|work| work.options().flow == *flow)
-                    .map(|work| pane(name, work))
+                    .filter(move |work| work.options().flow == flow)
+                    .map(move |work| pane(flow.id(), work))
             })
             .collect();
         // That of the chosen flow: where another breaks, it may go out of the scale.
         let range = panes
             .iter()
-            .find(|pane| Some(pane.name) == name_of(self.options().flow))
+            .find(|pane| pane.name == self.options().flow.id())
             .and_then(|pane| pane.field.as_ref().map(|f| (f.low, f.high)));
         for field in panes.iter_mut().filter_map(|pane| pane.field.as_mut()) {
             (field.low, field.high) = range.unwrap_or((field.low, field.high));

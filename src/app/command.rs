@@ -11,7 +11,6 @@ use super::flip::{FlipOptions, FlipOutcome};
 use super::history::Timeline;
 use super::invert::{InversionReport, Inverted};
 use super::look::{Look, Wanted};
-use super::pane::Arrangement;
 use super::readings::{EnergyReadings, Info, State};
 use super::recipe::Recipe;
 use super::study::{StudyOptions, StudyReport};
@@ -22,7 +21,7 @@ use crate::arrays::TypedArray;
 use crate::energy::circle::Boundary;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::StepReport;
-use crate::flow::options::FlowOptions;
+use crate::flow::option::{Values, options_of};
 use crate::io::Format;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -69,12 +68,14 @@ pub enum Command {
     /// Chooses flow and parameters, and goes back to the start.
     Configure {
         /// Those that are not the usual ones.
-        options: Box<FlowOptions>,
+        #[cfg_attr(test, ts(as = "crate::flow::options::FlowOptions"))]
+        options: Values,
     },
     /// Goes on from the surface as it is with other options.
     ContinueWith {
         /// All of them.
-        options: Box<FlowOptions>,
+        #[cfg_attr(test, ts(as = "crate::flow::options::FlowOptions"))]
+        options: Values,
     },
     /// Takes a step, if there is one to take.
     Step {},
@@ -145,7 +146,8 @@ pub enum Command {
     /// How edge flips, or flows side by side, are shown.
     Arrange {
         /// All of it.
-        arrangement: Arrangement,
+        #[cfg_attr(test, ts(as = "super::pane::Arrangement"))]
+        arrangement: Values,
     },
     /// What frames are coloured by from now on.
     Colour {
@@ -275,12 +277,12 @@ impl Session {
             C::Info {} => Answer::Info(self.info()?),
             C::Energy { p, boundary } => Answer::Energy(self.energy(boundary, &p)?),
             C::Configure { options } => {
-                let configured = self.configure(*options)?;
+                let configured = self.configure(options_of(&options)?)?;
                 self.tell_flow();
                 Answer::Configure(configured)
             }
             C::ContinueWith { options } => {
-                let configured = self.continue_with(*options)?;
+                let configured = self.continue_with(options_of(&options)?)?;
                 self.tell_flow();
                 Answer::ContinueWith(configured)
             }
@@ -318,7 +320,7 @@ impl Session {
             C::Undo {} => Answer::Undo(self.undo_edit()?),
             C::Loops {} => Answer::Loops(self.boundary_loops()?),
             C::Arrange { arrangement } => {
-                self.arrange(arrangement)?;
+                self.arrange(options_of(&arrangement)?)?;
                 Answer::Arrange(self.state()?)
             }
             C::Colour { field } => {

@@ -1,6 +1,7 @@
 //! The one shape of error that leaves the crate.
 
 use crate::flow::FlowError;
+use crate::flow::option::OptionError;
 use crate::io::{ReadError, WriteError};
 use crate::mesh::MeshError;
 use crate::mesh::shape::ShapeError;
@@ -96,6 +97,12 @@ impl From<MeshError> for Fault {
 impl From<FlowError> for Fault {
     fn from(error: FlowError) -> Self {
         Self::new(error.kind(), error.to_string(), error.hint()).with(error.detail())
+    }
+}
+
+impl From<OptionError> for Fault {
+    fn from(error: OptionError) -> Self {
+        Self::new(error.kind(), error.to_string(), error.hint())
     }
 }
 

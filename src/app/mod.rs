@@ -17,6 +17,7 @@ mod field;
 mod fill;
 mod flip;
 mod frame;
+mod given;
 mod history;
 mod invert;
 mod look;
@@ -41,6 +42,7 @@ pub use field::{Field, FieldName};
 pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
 pub use frame::{ChosenFlow, Frame, Sample};
+pub use given::{Asked, Given, read_flags, read_options, unknown_flag};
 pub use history::{BranchInfo, Timeline};
 pub use invert::{InversionReadings, InversionReport, Inverted};
 pub use look::{

@@ -8,6 +8,8 @@ use super::work::Work;
 use super::{Session, as_f32};
 use crate::arrays::TypedArray;
 use crate::flow::flips::EdgeFlips;
+use crate::flow::option;
+use crate::flow::option::kind::id_of;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
 use crate::remesh::flips::FlipOptimiser;
 use crate::remesh::flips::reduction::Criterion;
@@ -31,9 +33,9 @@ pub enum Compare {
 }
 
 /// What is shown of edge flips.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[cfg_attr(test, ts(rename_all = "camelCase"))]
 pub struct Arrangement {
     /// Side by side.
     pub compare: Compare,
@@ -110,10 +112,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`]; steps of no flip.
     pub fn arrange(&mut self, arrangement: Arrangement) -> Result<(), Fault> {
-        if arrangement.flips_per_step == Some(0) {
-            let hint = "It is 1 or more, or absent for all that gain anything.";
-            return Err(Fault::new("BadOption", "flipsPerStep cannot be 0", hint));
-        }
+        option::check(&arrangement)?;
         self.work_mut()?.arrange(arrangement);
         Ok(())
     }
@@ -170,7 +169,7 @@ impl Work {
             panes.push(self.pane("start", flips.start(), Vec::new(), field));
         }
         for run in flips.runs() {
-            let name = name_of(run.criterion());
+            let name = id_of(&run.criterion());
             let edges = flips.last_edges(run);
             panes.push(self.pane(name, run.mesh(), edges, field));
         }
@@ -210,14 +209,6 @@ impl Work {
             },
             field: field.map(|f| Field::compute(f, drawn, boundary, x, |_| None)),
         }
-    }
-}
-
-fn name_of(criterion: Criterion) -> &'static str {
-    match criterion {
-        Criterion::Area => "area",
-        Criterion::Willmore => "willmore",
-        Criterion::Localised => "localised",
     }
 }
 

@@ -53,7 +53,7 @@ impl Driver {
     /// perturbation may change `x`.
     ///
     /// # Errors
-    /// See [`FlowError`]; [`FlowError::BadOption`] of edge flips, which are no flow.
+    /// See [`FlowError`]; [`FlowError::Option`] of edge flips, which are no flow.
     pub fn start(
         triangles: &Rc<HalfedgeMesh>,
         polygons: &Rc<HalfedgeMesh>,
@@ -74,11 +74,11 @@ impl Driver {
             | FlowName::Willmore
             | FlowName::Mmcv => Box::new(CurvatureFlow::new(&mesh, x, &options)?),
             FlowName::Flips => {
-                return Err(FlowError::BadOption {
-                    name: "flow",
-                    value: "flips".into(),
-                    allowed: "one that moves vertices",
-                });
+                return Err(FlowError::option(
+                    "flow",
+                    "flips",
+                    "one that moves vertices",
+                ));
             }
         };
         Ok(Self::of(flow, mesh, x, options))

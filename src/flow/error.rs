@@ -1,5 +1,6 @@
 //! Why a flow cannot start or cannot go on.
 
+use super::option::OptionError;
 use crate::linalg::LinalgError;
 use crate::mesh::error::and_others;
 use thiserror::Error;
@@ -36,16 +37,9 @@ pub enum FlowError {
         /// How many vertices there are.
         vertices: usize,
     },
-    /// An option has a value it cannot have.
-    #[error("{name} cannot be {value}")]
-    BadOption {
-        /// The option.
-        name: &'static str,
-        /// What was given.
-        value: String,
-        /// What it may be.
-        allowed: &'static str,
-    },
+    /// An option has a value it cannot have, by itself or with the others.
+    #[error(transparent)]
+    Option(#[from] OptionError),
     /// The method is for closed surfaces.
     #[error("the surface has {loops} boundary loop{}; this flow is for closed surfaces", if *loops == 1 { "" } else { "s" })]
     NotClosed {
@@ -90,6 +84,16 @@ pub enum FlowError {
 }
 
 impl FlowError {
+    /// An option that cannot be so together with the others or with the mesh; `allowed` tells
+    /// what it may be then.
+    pub(super) fn option(name: &'static str, value: impl ToString, allowed: &str) -> Self {
+        Self::Option(OptionError::BadValue {
+            name,
+            value: value.to_string(),
+            allowed: allowed.into(),
+        })
+    }
+
     /// The variant's name.
     pub fn kind(&self) -> &'static str {
         match self {
@@ -97,7 +101,7 @@ impl FlowError {
             Self::ZeroLengthEdge { .. } => "ZeroLengthEdge",
             Self::NothingFree => "NothingFree",
             Self::SelectionOutOfRange { .. } => "SelectionOutOfRange",
-            Self::BadOption { .. } => "BadOption",
+            Self::Option(error) => error.kind(),
             Self::NotClosed { .. } => "NotClosed",
             Self::NotOriented => "NotOriented",
             Self::MixedFaces => "MixedFaces",
@@ -125,7 +129,7 @@ impl FlowError {
             Self::SelectionOutOfRange { .. } => {
                 "Vertex indices count from 0 in the order of the file.".into()
             }
-            Self::BadOption { allowed, .. } => format!("It may be {allowed}."),
+            Self::Option(error) => error.hint(),
             Self::NotClosed { .. } => {
                 "Close its holes in a mesh editor and open it again, or choose the circle-angle \
                  Willmore flow, which takes boundaries."

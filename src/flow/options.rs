@@ -1,7 +1,7 @@
 //! What a user may choose about a flow; every field has a default.
 
-use super::FlowError;
 use super::constraint::Kept;
+use super::{FlowError, option, spec};
 use crate::energy::circle::Boundary;
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
@@ -17,8 +17,6 @@ pub enum FlowName {
     Circle,
     /// Gruber & Aulisa's p-Willmore flow.
     PWillmore,
-    /// Brink & Alboul's edge flips.
-    Flips,
     /// Flow by mean curvature.
     MeanCurvature,
     /// Surface diffusion.
@@ -27,6 +25,8 @@ pub enum FlowName {
     Willmore,
     /// Xu & Zhang's minimal mean-curvature-variation flow.
     Mmcv,
+    /// Brink & Alboul's edge flips.
+    Flips,
 }
 
 /// Recommended treatment or the paper's own.
@@ -84,10 +84,10 @@ pub enum MassChoice {
     Area,
 }
 
-/// Options of a flow. Unknown names are refused.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+/// Options of a flow; what each may be, and which flows read it, is in [`option`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct FlowOptions {
     /// Which flow.
     pub flow: FlowName,
@@ -95,13 +95,12 @@ pub struct FlowOptions {
     pub scheme: Scheme,
     /// Time discretisation.
     pub integrator: Integrator,
-    /// What happens at the boundary; by default it is clamped under the circle flow and
-    /// fixed under the flows by mean curvature and its derivatives.
+    /// What happens at the boundary; by default as usual of the flow ([`spec`]).
     pub boundary: Option<Boundary>,
     /// Relax or smooth.
     pub goal: Goal,
     /// Smoothing: wavelengths below this many mean edge lengths are at least halved.
-    pub detail: Option<f64>,
+    pub detail: f64,
     /// Smoothing: in so many steps.
     pub smooth_steps: usize,
     /// Raw step size; overrides `tau` and `detail`.
@@ -169,7 +168,7 @@ impl Default for FlowOptions {
             integrator: Integrator::default(),
             boundary: None,
             goal: Goal::default(),
-            detail: None,
+            detail: 4.0,
             smooth_steps: 10,
             dt: None,
             tau: None,
@@ -202,12 +201,6 @@ impl Default for FlowOptions {
 /// Most surfaces come to rest in this time; longer, and one would rather be asked.
 const DEFAULT_SECONDS: f64 = 120.0;
 
-/// A larger perturbation folds faces.
-const MAX_PERTURBATION: f64 = 0.3;
-
-/// |Y|^p and its derivatives stay within double precision.
-const MAX_EXPONENT: f64 = 16.0;
-
 /// Wavelength in edge lengths that a unit of total τ halves: λ h² ≈ 2025 (h/L)⁴ on an
 /// equilateral mesh, so Nτ λh² = ln 2 gives L ≈ 6.7 (Nτ)^¼, less 9 % for many steps.
 const HALVED_WAVELENGTH: f64 = 6.7;
@@ -221,69 +214,24 @@ impl FlowOptions {
     /// Refuses values that make no sense.
     ///
     /// # Errors
-    /// [`FlowError::BadOption`] naming the option.
+    /// [`FlowError::Option`] naming the option.
     pub fn check(&self) -> Result<(), FlowError> {
-        let bad = |name, value: String, allowed| {
-            Err(FlowError::BadOption {
-                name,
-                value,
-                allowed,
-            })
-        };
-        let positive = [
-            ("dt", self.dt),
-            ("tau", self.tau),
-            ("detail", self.detail),
-            ("the largest τ", self.tau_max),
-            ("the growth of τ", Some(self.tau_growth)),
-            ("the ε of the regularisation", Some(self.regularise_epsilon)),
-            ("the budget of seconds", self.max_seconds),
-        ];
-        for (name, value) in positive {
-            if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
-                return bad(name, value.to_string(), "any positive number");
-            }
-        }
-        if !(0.0..=1.0).contains(&self.epsilon) {
-            return bad("epsilon", self.epsilon.to_string(), "a number from 0 to 1");
-        }
-        if !(0.0..=MAX_PERTURBATION).contains(&self.perturbation) {
-            let value = self.perturbation.to_string();
-            return bad("the perturbation", value, "a number from 0 to 0.3");
-        }
-        if self.smooth_steps == 0 {
-            return bad("smoothSteps", "0".into(), "1 or more");
-        }
-        if self.p != 0.0 && !(1.0..=MAX_EXPONENT).contains(&self.p) {
-            return bad(
-                "the exponent p",
-                self.p.to_string(),
-                "0, or a number from 1 to 16",
-            );
-        }
-        if let Some(v) = self.reduced_volume.filter(|v| !(*v > 0.0 && *v <= 1.0)) {
-            return bad("the reduced volume", v.to_string(), "above 0 and at most 1");
-        }
-        let terms = [
-            ("the spontaneous curvature", self.spontaneous_curvature),
-            ("the tension", self.tension),
-            ("the pressure", self.pressure),
-        ];
-        match terms.into_iter().find(|(_, value)| !value.is_finite()) {
-            Some((name, value)) => bad(name, value.to_string(), "any finite number"),
-            None => Ok(()),
-        }
+        Ok(option::check(self)?)
+    }
+
+    /// What happens at the boundary: as chosen, or as usual of the flow.
+    pub fn boundary(&self) -> Boundary {
+        let usual = || spec::of(self.flow).boundary.unwrap_or_default();
+        self.boundary.unwrap_or_else(usual)
     }
 
     /// The first step's τ: given, or from the detail to remove, or the scheme's own.
     pub fn first_tau(&self) -> f64 {
-        match (self.tau, self.detail, self.goal, self.scheme) {
+        match (self.tau, self.goal, self.scheme) {
             (Some(tau), ..) => tau,
-            (None, Some(detail), Goal::Smooth, _) => {
-                Self::tau_for_detail(detail, self.smooth_steps)
-            }
-            (None, _, Goal::Relax, Scheme::Auto) => 1.0,
-            _ => 0.01,
+            (None, Goal::Smooth, _) => Self::tau_for_detail(self.detail, self.smooth_steps),
+            (None, Goal::Relax, Scheme::Auto) => 1.0,
+            (None, Goal::Relax, Scheme::Paper) => 0.01,
         }
     }
 }

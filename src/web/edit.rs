@@ -2,7 +2,7 @@
 //! conjecture, fills, edits and their undoing.
 
 use super::fault::fault;
-use super::session::{Session, from_js, to_js};
+use super::session::{Session, from_js, options_from_js, to_js};
 use crate::app::{Arrangement, FillOptions, FlipOptions, SubdivideOptions};
 use js_sys::Function;
 use std::ops::ControlFlow;
@@ -27,7 +27,7 @@ impl Session {
     /// # Errors
     /// Unknown options.
     pub fn arrange(&mut self, arrangement: JsValue) -> Result<(), JsValue> {
-        let arrangement: Arrangement = from_js(arrangement)?;
+        let arrangement: Arrangement = options_from_js(arrangement)?;
         Ok(self.0.arrange(arrangement)?)
     }
 

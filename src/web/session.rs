@@ -5,6 +5,7 @@
 use super::fault::{fault, object};
 use crate::app::{Command, Fault, RegulariseOptions, Session as Inner};
 use crate::energy::circle::Boundary;
+use crate::flow::option::{self, Options, Values};
 use crate::flow::options::FlowOptions;
 use crate::io::Format;
 use crate::mesh::shape;
@@ -43,6 +44,12 @@ fn bad_option(error: &serde_wasm_bindgen::Error) -> JsValue {
         &error.to_string(),
         "See the list of options and their values.",
     )
+}
+
+/// Options of which each has a row.
+pub(super) fn options_from_js<T: Options>(value: JsValue) -> Result<T, JsValue> {
+    let values: Values = from_js(value)?;
+    Ok(option::options_of(&values).map_err(Fault::from)?)
 }
 
 /// What `energy` may be told: `{ p?: number[], boundary? }`.
@@ -171,7 +178,7 @@ impl Session {
     /// # Errors
     /// Options that cannot be, meshes the flow cannot take.
     pub fn configure(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
-        let options: FlowOptions = from_js(options)?;
+        let options: FlowOptions = options_from_js(options)?;
         Ok(to_js(&self.0.configure(options)?))
     }
 
@@ -182,7 +189,7 @@ impl Session {
     /// As `configure`, and where edge flips or flows beside each other go from the mesh itself.
     #[wasm_bindgen(js_name = continueWith)]
     pub fn continue_with(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
-        let options: FlowOptions = from_js(options)?;
+        let options: FlowOptions = options_from_js(options)?;
         Ok(to_js(&self.0.continue_with(options)?))
     }
 

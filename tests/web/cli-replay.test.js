@@ -11,11 +11,12 @@ import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { openSession, packageVersion } from "../../www/cli/solver.js";
 import { sha256 } from "../../www/digest.js";
-import { readLink, writeLink } from "../../www/link.js";
+import { writeLink } from "../../www/link.js";
 import { defaults } from "../../www/options.js";
 import { follow, makeRecipe, prepare, readRecipe } from "../../www/recipe.js";
 import { initial } from "../../www/state.js";
 import { obj, wavyTorus } from "./support/meshes.js";
+import { readScene } from "./support/scene.js";
 
 const program = fileURLToPath(new URL("../../www/cli.js", import.meta.url));
 
@@ -189,7 +190,7 @@ test("edits of every kind go through a link, and give the same surface to the la
     source: { kind: "file", name: "tubes" },
     origin: { kind: "sample", id: "two-tubes" },
   });
-  const { edits, path, ...scene } = readLink({ search: "", hash: writeLink(state) });
+  const { edits, path, ...scene } = readScene({ search: "", hash: writeLink(state) });
   assert.deepEqual([edits, path, scene.step], [story.edits, story.path, step]);
   const positions = new Float32Array(session.positions());
   session.configure({ flow: "circle" });
@@ -219,10 +220,11 @@ test("a recipe that cannot be followed is refused, with the line or the key", as
   /** @param {object} change @param {RegExp} said */
   const without = (change, said) => refused(JSON.stringify({ ...made, ...change }), said);
   without({ steps: -1 }, /“steps” must be a whole number from 0/);
-  without({ flow: { ...made.flow, flo: 1 } }, /“flow\.flo” must be left out/);
-  without({ flow: { ...made.flow, epsilon: "small" } }, /“flow\.epsilon”.*"small"/);
-  without({ flow: { ...made.flow, maxSeconds: 0 } }, /“flow\.maxSeconds”/);
-  without({ flow: { ...made.flow, perturbation: 0.5 } }, /“flow\.perturbation”/);
+  without({ flow: { ...made.flow, flo: 1 } }, /no option `flo`\n.*mean `flow`/);
+  without({ flow: { ...made.flow, epsilon: "small" } }, /`epsilon` cannot be `small`/);
+  without({ flow: { ...made.flow, maxSeconds: 0 } }, /`maxSeconds` cannot be `0`/);
+  without({ path: [{ flow: { perturbation: 0.5 } }, { steps: 1 }] }, /`perturbation`/);
+  without({ arrangement: { subdivide: 9 } }, /`subdivide` cannot be `9`/);
   // As versions wrote it that had a budget of steps only.
   const { maxSeconds: _, perturbation: __, ...before } = made.flow;
   const older = { ...made, flow: { ...before, maxSteps: 200 } };

@@ -17,12 +17,13 @@ import {
   timeUnitsAgree,
 } from "../../www/comparison.js";
 import { canStepBack, comparisonTransitions as on } from "../../www/comparison-state.js";
-import { readLink, writeLink } from "../../www/link.js";
+import { writeLink } from "../../www/link.js";
 import { defaults } from "../../www/options.js";
 import { initial, transitions as to } from "../../www/state.js";
 import { curvesOf } from "../../www/ui/comparison-plot.js";
 import { objection, presets } from "../../www/ui/comparison-presets.js";
 import { captions, differences } from "../../www/ui/comparison-words.js";
+import { readScene } from "./support/scene.js";
 
 /** @param {Partial<import("../../www/protocol.js").State>} [change] @returns {any} */
 const reading = (change) => ({
@@ -262,7 +263,7 @@ test("a link names the panes in plain characters, and brings them back", () => {
   const link = writeLink(state);
   const panes = /panes=([^&]*)/.exec(link)?.[1];
   assert.equal(panes, "epsilon_0.01*flow_p-willmore_p_2_keep_area,volume_tau_1e-7_step_1*same");
-  const { comparison } = readLink({ search: "", hash: link });
+  const { comparison } = readScene({ search: "", hash: link });
   assert.deepEqual(comparison, {
     panes: [
       { change: changes[0], step: null },
@@ -274,22 +275,25 @@ test("a link names the panes in plain characters, and brings them back", () => {
     difference: 0,
   });
   const byTime = on.compared(page([{ epsilon: 0.5 }]), { lockstep: "time" });
-  assert.equal(readLink({ search: "", hash: writeLink(byTime) }).comparison?.lockstep, "time");
+  assert.equal(readScene({ search: "", hash: writeLink(byTime) }).comparison?.lockstep, "time");
 });
 
 test("a mistyped comparison in a link opens as far as it makes sense", () => {
   /** @param {string} words */
-  const read = (words) => readLink({ search: "", hash: `#sample=icosahedron&${words}` }).comparison;
+  const read = (words) =>
+    readScene({ search: "", hash: `#sample=icosahedron&${words}` }).comparison;
   assert.equal(read(""), null);
   assert.equal(read("lockstep=time&shown=B"), null);
   // Flips change the mesh.
   assert.equal(read("flow=flips&panes=epsilon_0.01"), null);
-  assert.deepEqual(read("panes=flow_flips_epsilon_7x_p_3")?.panes, [
-    { change: { p: 3 }, step: null },
-  ]);
-  assert.deepEqual(read("panes=constructor_1_step_x_toString")?.panes, [
-    { change: {}, step: null },
-  ]);
+  assert.deepEqual(read("panes=p_3_step_x_toString")?.panes, [{ change: { p: 3 }, step: null }]);
+  for (const [panes, kind] of [
+    ["flow_flips", "BadOption"],
+    ["epsilon_7x", "BadOption"],
+    ["same*constructor_1", "UnknownOption"],
+  ]) {
+    assert.throws(() => read(`panes=${panes}`), { kind });
+  }
   assert.equal(read("panes=same*same*same*same*same")?.panes.length, 3);
   const odd = read("panes=flow_mmcv&lockstep=time&shown=D&difference=Z");
   assert.deepEqual([odd?.lockstep, odd?.shown, odd?.difference], ["step", "side", null]);

@@ -84,12 +84,12 @@ for (const [device, shape] of Object.entries({ desktop, phone })) {
     await choice(page, "Sample").selectOption({ label: "Four bumps, flows compared" });
     await until(page, "Ready");
     await unfold(page);
-    for (const label of ["Mean curvature", "Surface diffusion", "Willmore, fitted operators"]) {
+    for (const label of ["Mean curvature", "Surface diffusion", "Willmore by fitted operators"]) {
       await choice(page, "Flow").selectOption({ label });
       await page.locator("#brief", { hasText: /^(Area|∫H²) = / }).waitFor({ state: "attached" });
       await check(page, `under ${label}`);
     }
-    await choice(page, "Flow").selectOption({ label: "Mean-curvature variation" });
+    await choice(page, "Flow").selectOption({ label: "Minimal curvature variation, sixth order" });
     await page.locator("#brief", { hasText: "∫|∇H|² = " }).waitFor({ state: "attached" });
     await page.getByLabel("All four flows side by side").check();
     await page.locator("#loops input").first().check();

@@ -297,12 +297,12 @@ test("a pane opens beside a coloured run whose flow was changed on the way", asy
   await button(page, "Back").click();
   await untilCaptions(
     page,
-    /^A: Willmore, circle angles.*step 2,.*\nB: p-Willmore, p = 2 · step 1,/,
+    /^A: Willmore by circle angles.*step 2,.*\nB: p-Willmore, p = 2 · step 1,/,
   );
   // The one that is behind steps first.
   for (const step of [2, 3]) {
     await button(page, "Step").click();
-    const both = `^A: Willmore, circle angles.*step ${step},.*\nB: p-Willmore, p = 2 · step ${step},`;
+    const both = `^A: Willmore by circle angles.*step ${step},.*\nB: p-Willmore, p = 2 · step ${step},`;
     await untilCaptions(page, new RegExp(both));
   }
   assert.equal(await page.getByRole("alert").textContent(), "");
@@ -317,7 +317,7 @@ test("panes follow the mesh and the first flow; one that cannot says why", async
   await untilCaptions(page, /^A: .*step 1,.*\nB: .*step 1,/);
   // What the first does anew, the others do too; they all are at the start again.
   await page.locator("#method > summary").click();
-  await page.locator("#scheme").selectOption("paper");
+  await page.locator("#option-scheme").selectOption("paper");
   await untilCaptions(page, /^A: .*step 0,.*\nB: .*step 0,/);
   // A new pane comes to where the others are.
   await button(page, "Step").click();

@@ -100,8 +100,8 @@ test("a hole is filled, faired by two flows beside each other, and the fill undo
     [
       "Mean curvature",
       "Surface diffusion",
-      "Willmore, fitted operators",
-      "Mean-curvature variation",
+      "Willmore by fitted operators",
+      "Minimal curvature variation, sixth order",
     ],
   );
   const [flat, diffusion, , variation] = rows.map((row) => Number(row[2]));

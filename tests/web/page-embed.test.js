@@ -177,9 +177,9 @@ test("the element plays, steps, seeks, is set, and gives its mesh away", async (
 
   // Words of other people are refused by name, and change nothing.
   for (const [words, said] of /** @type {const} */ ([
-    [{ tau: -1 }, /“tau” cannot be “-1”/],
+    [{ tau: -1 }, /`tau` cannot be `-1`/],
     [{ colour: "<img src=x>" }, /“colour” cannot be “<img src=x>”/],
-    [{ innerHTML: "x" }, /nothing called “innerHTML”/],
+    [{ innerHTML: "x" }, /no option `innerHTML`/],
   ])) {
     const { refused } = await call(page, "set", words);
     assert.match(refused?.message ?? "", said);

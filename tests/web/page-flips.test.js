@@ -178,7 +178,7 @@ test("a flow goes on from the flipped mesh, and Undo brings the old one back", a
   );
   const flipped = await edges(page);
   const low = await energy(page);
-  await choice(page, "Flow").selectOption("Willmore, circle angles");
+  await choice(page, "Flow").selectOption("Willmore by circle angles");
   await page
     .getByRole("log")
     .getByText(/Undo brings the one before back/)

@@ -56,7 +56,7 @@ test("a copied address restores sample, method, camera, view and step", async ()
   await until(second.page, "Paused at step 3");
   assert.equal(await surface(second.page), await surface(first.page));
   assert.equal(await energy(second.page), await energy(first.page));
-  assert.equal(await second.page.locator("#epsilon").inputValue(), "0.02");
+  assert.equal(await second.page.locator("#option-epsilon").inputValue(), "0.02");
   assert.equal(await choice(second.page, "Colour by").inputValue(), "mean-curvature");
   // The ring of the focus is no part of the picture.
   await canvas(first.page).blur();
@@ -81,6 +81,34 @@ test("a link in the same tab is followed, even if the address is about to be wri
   assert.equal(await page.locator("#detail").inputValue(), "9");
   assert.deepEqual(faults, []);
   await close();
+});
+
+test("a link with a bad value is refused whole, and the scene stays", async () => {
+  const { page, faults, close } = await site.open("sample=coarse-torus&step=1");
+  await until(page, "Paused at step 1");
+  const before = [await surface(page), await energy(page)];
+  for (const [words, message] of [
+    ["epsilon=7", "`epsilon` cannot be `7`"],
+    ["epsilonn=0.5", "there is no option `epsilonn`"],
+    ["flow=mmcv&panes=tau_soon", "`tau` cannot be `soon`"],
+  ]) {
+    await page.evaluate((hash) => {
+      location.hash = hash;
+    }, `#sample=icosahedron&shading=flat&${words}`);
+    await page.getByRole("alert").getByText(message).first().waitFor();
+    assert.deepEqual([await surface(page), await energy(page)], before);
+    assert.equal(await page.locator("#shading").inputValue(), "smooth");
+  }
+  await close();
+  assert.deepEqual(faults, []);
+
+  // Where nothing is shown yet, the page opens as without a link.
+  const { page: fresh, close: end } = await site.blank();
+  await fresh.goto(`${site.url}?msaa=1#sample=pipe&integrator=rk4`);
+  await fresh.getByRole("alert").getByText("`integrator` cannot be `rk4`").waitFor();
+  await until(fresh, "Ready");
+  assert.match(await surface(fresh), /^Surface: icosahedron, /);
+  await end();
 });
 
 test("a link to somebody's file asks for it, and goes on once it is opened", async () => {

@@ -147,7 +147,7 @@ test("steps are scrubbed, branched and played, on the keyboard too", async () =>
   assert.deepEqual(await accessibilityFaults(page), []);
 
   // A change takes the surface back to the start, and there is no history any more.
-  await choice(page, "Flow").selectOption({ label: "Willmore, circle angles" });
+  await choice(page, "Flow").selectOption({ label: "Willmore by circle angles" });
   await until(page, "Ready");
   assert.equal(await slider(page).isVisible(), false);
   assert.deepEqual(faults, []);

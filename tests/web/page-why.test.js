@@ -80,7 +80,7 @@ test("a stalled flow says why, shows where, and a remedy makes it go on", async 
   await page.waitForFunction(
     () => Number(document.querySelector("[data-reading=step]")?.textContent) > 3,
   );
-  assert.equal(await page.locator("#epsilon").inputValue(), "0.01");
+  assert.equal(await page.locator("#option-epsilon").inputValue(), "0.01");
   assert.equal(await page.locator("#why").isVisible(), false, "a flow that runs has no reasons");
   await page.locator("#play").click();
   assert.deepEqual(faults, []);

@@ -11,7 +11,7 @@
 import { sha256 } from "../digest.js";
 import { t } from "../language.js";
 import { defaults, plainArrangement } from "../options.js";
-import { isOwn, makeRecipe, pathOf, readRecipe } from "../recipe.js";
+import { askedBy, isOwn, makeRecipe, pathOf, readRecipe } from "../recipe.js";
 import { samples } from "../samples.js";
 import { transitions as to } from "../state.js";
 
@@ -227,6 +227,7 @@ export function createTime({ store, solver, voice, enqueue, rest, load }) {
       if (isRecipe) {
         await enqueue(async () => {
           const recipe = readRecipe(new TextDecoder().decode(bytes));
+          await solver.readOptions(askedBy(recipe));
           if (!isOwn(recipe.mesh)) return followRecipe(recipe, null);
           const { origin, source } = store.get();
           const isOpen = origin === source && source?.kind === "file";

@@ -119,7 +119,7 @@ const syntax = {
 export const bench = {
   syntax,
   async run({ parameters, io, open }) {
-    const { values } = parse(parameters, syntax);
+    const { values } = await parse(parameters, syntax);
     const name = values.table;
     if (name === undefined) throw usage("--table NAME is missing.", `There are: ${names()}.`);
     const maxVertices = number(values, "max-vertices", { low: 1 }) ?? Infinity;

@@ -1,6 +1,7 @@
 // @ts-check
 // `umbilic energy`: the energies and integrals of a mesh.
 
+import { rowOf } from "../options.js";
 import { orExit, usage } from "./failure.js";
 import { readMesh } from "./files.js";
 import { parse } from "./options.js";
@@ -14,7 +15,7 @@ const syntax = {
     p: { value: "P", many: true, help: "a further exponent of ∫|H|^p dA, beside 0 to 4" },
     boundary: {
       value: "CONDITION",
-      choices: ["fixed", "clamped", "free"],
+      choices: [...rowOf("boundary").ids],
       help: "of open meshes: which terms count and which vertices move",
     },
   },
@@ -24,7 +25,7 @@ const syntax = {
 export const energy = {
   syntax,
   async run({ parameters, io, open }) {
-    const { operands, values } = parse(parameters, syntax);
+    const { operands, values } = await parse(parameters, syntax);
     const p = (values.p ?? []).map(exponent);
     const { bytes, name } = readMesh(operands[0], io);
     const session = await open();

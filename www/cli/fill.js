@@ -1,10 +1,11 @@
 // @ts-check
 // `umbilic fill`: closes holes or connects boundary loops, and fairs what is new.
 
+import { rowOf } from "../options.js";
 import { isBreakdown } from "../standing.js";
 import { orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
-import { budgetOf, budgetOptions, runSteps } from "./flow.js";
+import { budgetFlags, budgetOf, readFlags, runSteps } from "./flow.js";
 import { number, parse } from "./options.js";
 import { format } from "./text.js";
 
@@ -14,7 +15,8 @@ import { format } from "./text.js";
 /** @typedef {import("../protocol.js").StepReport} StepReport */
 /** @typedef {import("./options.js").Values} Values */
 
-const fairings = ["none", "circle", "mean-curvature", "surface-diffusion", "willmore", "mmcv"];
+/** Flows that can hold what is around a patch. */
+const fairings = ["none", ...rowOf("free").flows];
 
 /** @type {import("./options.js").Syntax} */
 const syntax = {
@@ -28,7 +30,7 @@ const syntax = {
       choices: fairings,
       help: "a flow that moves the new vertices afterwards (default none)",
     },
-    ...budgetOptions,
+    ...budgetFlags,
     "max-vertices": { value: "N", help: "at most so many new vertices (default 200000)" },
     out: { value: "FILE", help: "the filled mesh: .obj, .off, .ply, .stl or .glb" },
   },
@@ -38,17 +40,18 @@ const syntax = {
 export const fill = {
   syntax,
   async run({ parameters, io, open }) {
-    const { operands, values } = parse(parameters, syntax);
+    const { operands, values } = await parse(parameters, syntax);
     const maxVertices = number(values, "max-vertices", { low: 0, integer: true });
-    const budget = budgetOf(values);
     const options = {
       loops: loops(values),
       connect: values.connect === true,
       ...(maxVertices !== undefined && { maxVertices }),
     };
     const flow = values.fair ?? "none";
-    const limit = Object.keys(budgetOptions).find((name) => values[name] !== undefined);
+    const limit = Object.keys(budgetFlags).find((name) => values[name] !== undefined);
     if (limit && flow === "none") throw usage(`--${limit} needs --fair FLOW.`);
+    const asked = { flow, boundary: "fixed", ...budgetOf(values) };
+    const chosen = flow === "none" ? null : await readFlags(asked);
     checkOutputs([values.out]);
     const outFormat = values.out && formatOf(values.out);
     const { bytes, name } = readMesh(operands[0], io);
@@ -59,22 +62,22 @@ export const fill = {
     const { firstVertex, ...filled } = orExit(3, () => session.fill(options, undefined));
     const { verticesAdded } = filled;
     /** @type {Fairing | undefined} */
-    let fairing;
-    if (flow !== "none" && verticesAdded === 0) {
+    let faired;
+    if (chosen && verticesAdded === 0) {
       filled.warnings.push(`There is no new vertex, and nothing for ${flow} to move.`);
-    } else if (flow !== "none") {
-      const { warnings, ...rest } = fair(session, flow, firstVertex, verticesAdded, budget, io);
+    } else if (chosen) {
+      const { warnings, ...rest } = fair(session, chosen, firstVertex, verticesAdded, io);
       filled.warnings.push(...warnings);
-      fairing = rest;
+      faired = rest;
     }
     /** @type {Info} */
     const info = session.info();
 
     if (values.out) writeOutput(values.out, session.export(outFormat));
-    const report = { ...filled, ...(fairing && { fair: fairing }), info };
+    const report = { ...filled, ...(faired && { fair: faired }), info };
     if (values.json) io.write(`${JSON.stringify(report)}\n`);
-    else io.write(summary(filled, fairing, info));
-    return fairing && isBreakdown(fairing.status) ? 4 : 0;
+    else io.write(summary(filled, faired, info));
+    return faired && isBreakdown(faired.status) ? 4 : 0;
   },
 };
 
@@ -96,16 +99,15 @@ function loops(values) {
 /**
  * Runs a flow on the new vertices, everything else held.
  * @param {import("./solver.js").Session} session
- * @param {string} flow
+ * @param {import("../protocol.js").FlowOptions} options
  * @param {number} first
  * @param {number} count
- * @param {ReturnType<typeof budgetOf>} budget
  * @param {import("./terminal.js").Terminal} io
  * @returns {Fairing & { warnings: string[] }}
  */
-function fair(session, flow, first, count, budget, io) {
+function fair(session, options, first, count, io) {
   const free = Array.from({ length: count }, (_, i) => first + i);
-  orExit(3, () => session.configure({ ...budget, flow, boundary: "fixed", free }));
+  orExit(3, () => session.configure({ ...options, free }));
   const { status, message, steps } = runSteps(session, ({ step, energy }) =>
     io.log(`step ${step}  energy ${energy}`),
   );
@@ -113,6 +115,7 @@ function fair(session, flow, first, count, budget, io) {
   const warnings = told(steps);
   // The best patch there is, but not the one that was meant.
   if (status === "stalled") warnings.push(`The patch is not at rest. ${message}.`);
+  const flow = String(options.flow);
   return { flow, status, message, steps: steps.length, curvatureJump, warnings };
 }
 

@@ -1,25 +1,24 @@
 // @ts-check
 // `umbilic flips`: edge-flip optimisation.
 
+import { rowOf } from "../options.js";
 import { orExit } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
-import { number, parse } from "./options.js";
+import { readFlags } from "./flow.js";
+import { flagsOf, number, parse, typed } from "./options.js";
 import { format, table } from "./text.js";
 
 /** @typedef {import("../protocol.js").Flipped} Flipped */
+
+const rows = [rowOf("criterion"), rowOf("guardFolds")];
 
 /** @type {import("./options.js").Syntax} */
 const syntax = {
   summary: "flips edges as long as that lowers area or Willmore energy",
   operands: ["MESH"],
   options: {
-    criterion: {
-      value: "NAME",
-      choices: ["area", "willmore", "localised"],
-      help: "what is to fall (default localised: Willmore energy about the edge)",
-    },
+    ...flagsOf(rows),
     max: { value: "N", help: "at most so many flips" },
-    "guard-folds": { help: "no flip turns a face over (it also forbids unfolding)" },
     out: { value: "FILE", help: "the mesh at the end: .obj, .off, .ply, .stl or .glb" },
     history: { value: "FILE.csv", help: "every flip: edge, reduction, area, W" },
   },
@@ -29,17 +28,17 @@ const syntax = {
 export const flips = {
   syntax,
   async run({ parameters, io, open }) {
-    const { operands, values } = parse(parameters, syntax);
+    const { operands, values } = await parse(parameters, syntax);
     const max = number(values, "max", { low: 0, integer: true });
+    const { flow, ...chosen } = await readFlags({ flow: "flips", ...typed(rows, values) });
     checkOutputs([values.out, values.history]);
     const outFormat = values.out && formatOf(values.out);
     const { bytes, name } = readMesh(operands[0], io);
     const session = await open();
     orExit(3, () => session.load(bytes, name));
     const options = {
-      ...(values.criterion && { criterion: values.criterion }),
+      ...chosen,
       ...(max !== undefined && { max }),
-      guardFolds: values["guard-folds"] === true,
       history: values.history !== undefined,
     };
     /** @type {Flipped} */

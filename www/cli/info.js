@@ -17,7 +17,7 @@ const syntax = {
 export const info = {
   syntax,
   async run({ parameters, io, open }) {
-    const { operands, values } = parse(parameters, syntax);
+    const { operands, values } = await parse(parameters, syntax);
     const { bytes, name } = readMesh(operands[0], io);
     const session = await open();
     const { info } = orExit(3, () => session.load(bytes, name));

@@ -2,7 +2,12 @@
 // Options of a command: what they are, their help, and reading them strictly.
 
 import { parseArgs } from "node:util";
-import { usage } from "./failure.js";
+import * as schema from "../generated/schema.js";
+import { say } from "../words.js";
+import { Failure, usage } from "./failure.js";
+import { loadSolver } from "./solver.js";
+
+/** @typedef {import("../generated/schema.js").Row} Row */
 
 /**
  * @typedef {object} Option
@@ -20,7 +25,6 @@ import { usage } from "./failure.js";
  * @property {string} summary     one line
  * @property {string[]} operands  names of the arguments without a dash, e.g. `MESH`; `[MESH]` may be left out
  * @property {Options} options
- * @property {string[]} [later]   options of a coming version
  */
 
 /** The values as typed: text, lists of text for `many`, booleans for switches. */
@@ -35,12 +39,12 @@ const common = {
 /**
  * @param {string[]} parameters
  * @param {Syntax} syntax
- * @returns {{ operands: string[], values: Values }}
- * @throws {import("./failure.js").Failure} usage
+ * @returns {Promise<{ operands: string[], values: Values }>}
+ * @throws {Failure} usage
  */
-export function parse(parameters, syntax) {
+export async function parse(parameters, syntax) {
   const options = { ...syntax.options, ...common };
-  const { values, positionals } = strictly(parameters, options, syntax.later ?? []);
+  const { values, positionals } = await strictly(parameters, options);
   for (const [name, { choices }] of Object.entries(options)) {
     const value = values[name];
     if (choices && value !== undefined && !choices.includes(String(value))) {
@@ -59,9 +63,8 @@ export function parse(parameters, syntax) {
 /**
  * @param {string[]} args
  * @param {Options} options
- * @param {string[]} later
  */
-function strictly(args, options, later) {
+async function strictly(args, options) {
   try {
     return parseArgs({
       args,
@@ -78,15 +81,83 @@ function strictly(args, options, later) {
     const { code = "", message } = /** @type {NodeJS.ErrnoException} */ (error);
     if (!code.startsWith("ERR_PARSE_ARGS")) throw error;
     if (code !== "ERR_PARSE_ARGS_UNKNOWN_OPTION") throw usage(message);
-    const name = /'--?(?:no-)?([^' ]*)/.exec(message)?.[1] ?? "";
-    if (later.includes(name)) throw usage(`--${name} is not in this version.`);
-    const near = similar(name, Object.keys(options));
-    throw usage(
-      `There is no option --${name}.`,
-      near ? `Did you mean --${near}?` : "--help lists the options.",
-    );
+    const typed = /'--?(?:no-)?([^' ]*)/.exec(message)?.[1] ?? "";
+    const { unknownFlag } = await loadSolver();
+    /** @type {import("../protocol.js").Fault} */
+    const fault = unknownFlag(typed, Object.keys(options));
+    throw new Failure(2, fault.kind, fault.message, fault.hint);
   }
 }
+
+/** Flows that have a place on the command line's `flow`. */
+const moving = schema.flows.filter(({ order }) => order > 0).map(({ id }) => id);
+
+/** @param {Row} row */
+function placeholder({ kind, ids, absent, range }) {
+  if (kind === "vertices") return "FILE.json";
+  if (kind === "set") return ids.join(",");
+  if (kind !== "number") return [...(absent ? [absent] : []), ...ids].join("|");
+  const value = range?.whole ? "N" : "VALUE";
+  return absent ? `${absent}|${value}` : value;
+}
+
+/** @param {NonNullable<Row["range"]>} range */
+function limits({ low, high, lowOpen, also }) {
+  const from = lowOpen ? `above ${low}` : `from ${low}`;
+  const to = high < 1e4 ? ` to ${high}` : "";
+  return `${also === null ? "" : `${also} or `}${from}${to}`;
+}
+
+/** What reads an option, where that is not every flow. @param {Row} row */
+function readers({ flows, scheme, goal }) {
+  const others = moving.filter((flow) => !flows.includes(flow));
+  const of = others.length < flows.length ? others.map((flow) => `not ${flow}`) : flows;
+  return [...of, ...(scheme ? [`--scheme ${scheme}`] : []), ...(goal ? [`--goal ${goal}`] : [])];
+}
+
+/**
+ * What its words do not say of an option.
+ * @param {Row} row
+ */
+function notes({ default: usual, kind, range, absent, flag }) {
+  if (kind === "switch") return usual ? [`default; --no-${flag} for not`] : [];
+  if (kind === "set" || kind === "vertices") return [];
+  const isLimited = range && range.low > -1e4;
+  return [`default ${usual ?? absent}`, ...(isLimited ? [limits(range)] : [])];
+}
+
+/**
+ * The flags of options that tables know, with their help.
+ * @param {readonly Row[]} rows
+ * @returns {Options}
+ */
+export function flagsOf(rows) {
+  return Object.fromEntries(
+    rows.map((row) => {
+      const [of, more] = [readers(row), notes(row)];
+      const help = [
+        ...(of.length > 0 ? [`${of.join(", ")}:`] : []),
+        say(`option-${row.name}-help`),
+        ...(more.length > 0 ? [`(${more.join("; ")})`] : []),
+      ];
+      const value = row.kind === "switch" ? {} : { value: placeholder(row) };
+      return [row.flag, { ...value, help: help.join(" ") }];
+    }),
+  );
+}
+
+/**
+ * What was typed for the options of these rows, by their names.
+ * @param {readonly Row[]} rows
+ * @param {Values} values
+ * @returns {Record<string, string>}
+ */
+export const typed = (rows, values) =>
+  Object.fromEntries(
+    rows.flatMap(({ name, flag }) =>
+      values[flag] === undefined ? [] : [[name, String(values[flag])]],
+    ),
+  );
 
 /**
  * A number given as an option.
@@ -102,37 +173,6 @@ export function number(values, name, { low = -Infinity, integer = false } = {}) 
   if (Number.isFinite(value) && value >= low && (!integer || Number.isInteger(value))) return value;
   const kind = integer ? "a whole number" : "a number";
   throw usage(`--${name} is \`${text}\`, not ${kind}${low > -Infinity ? ` from ${low}` : ""}.`);
-}
-
-/**
- * The nearest of `names`, when it is near enough to be a slip of the hand.
- * @param {string} typed
- * @param {string[]} names
- * @returns {string | undefined}
- */
-export function similar(typed, names) {
-  const ranked = names
-    .map((name) => ({ name, distance: editDistance(typed, name) }))
-    .sort((a, b) => a.distance - b.distance);
-  return ranked[0]?.distance <= 2 ? ranked[0].name : undefined;
-}
-
-/**
- * Levenshtein's distance.
- * @param {string} a
- * @param {string} b
- */
-function editDistance(a, b) {
-  let row = Array.from({ length: b.length + 1 }, (_, j) => j);
-  for (let i = 1; i <= a.length; i++) {
-    const next = [i];
-    for (let j = 1; j <= b.length; j++) {
-      const replaced = row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1);
-      next.push(Math.min(replaced, row[j] + 1, next[j - 1] + 1));
-    }
-    row = next;
-  }
-  return row[b.length];
 }
 
 /**

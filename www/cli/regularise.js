@@ -32,7 +32,7 @@ const syntax = {
 export const regularise = {
   syntax,
   async run({ parameters, io, open }) {
-    const { operands, values } = parse(parameters, syntax);
+    const { operands, values } = await parse(parameters, syntax);
     const given = {
       mode: values.mode,
       epsilon: number(values, "epsilon", { low: Number.MIN_VALUE }),

@@ -4,11 +4,20 @@
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { sha256 } from "../digest.js";
-import { compare, follow, isOwn, prepare, readRecipe, resultOf, TOLERANCE } from "../recipe.js";
+import {
+  askedBy,
+  compare,
+  follow,
+  isOwn,
+  prepare,
+  readRecipe,
+  resultOf,
+  TOLERANCE,
+} from "../recipe.js";
 import { Failure, orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
 import { parse } from "./options.js";
-import { packageVersion } from "./solver.js";
+import { loadSolver, packageVersion } from "./solver.js";
 import { table } from "./text.js";
 
 /** @typedef {import("../recipe.js").Recipe} Recipe */
@@ -27,13 +36,15 @@ const syntax = {
 export const replay = {
   syntax,
   async run({ parameters, io, open }) {
-    const { operands, values } = parse(parameters, syntax);
+    const { operands, values } = await parse(parameters, syntax);
     checkOutputs([values.out]);
     const outFormat = values.out && formatOf(values.out);
     const [file, given] = operands;
     const recipe = orRefuse(() => readRecipe(textOf(file, io)));
     const bytes = await meshOf(recipe, file, given, io);
 
+    const { readOptions } = await loadSolver();
+    orRefuse(() => readOptions(askedBy(recipe)));
     const session = await open();
     const tell = progress(io);
     orRefuse(() => prepare(session, recipe, bytes, tell));

@@ -3,7 +3,8 @@
 
 import { orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, writeOutput } from "./files.js";
-import { number, parse, similar } from "./options.js";
+import { number, parse } from "./options.js";
+import { loadSolver } from "./solver.js";
 import { format, table } from "./text.js";
 
 /** @typedef {import("../protocol.js").Info} Info */
@@ -33,13 +34,13 @@ export const shape = {
     /** @type {Shape[]} */
     const shapes = session.shapes();
     if (parameters.includes("--list")) {
-      const { values } = parse(parameters, { ...syntax, operands: [] });
+      const { values } = await parse(parameters, { ...syntax, operands: [] });
       io.write(values.json ? `${JSON.stringify(shapes)}\n` : list(shapes));
       return 0;
     }
 
-    const chosen = find(shapes, parameters[0]);
-    const { operands, values } = parse(parameters, {
+    const chosen = await find(shapes, parameters[0]);
+    const { operands, values } = await parse(parameters, {
       ...syntax,
       options: { ...syntax.options, ...options(chosen) },
     });
@@ -66,15 +67,16 @@ export const shape = {
 /**
  * @param {Shape[]} shapes
  * @param {string | undefined} name
- * @returns {Shape}
+ * @returns {Promise<Shape>}
  */
-function find(shapes, name) {
+async function find(shapes, name) {
   if (name === undefined || name.startsWith("-")) {
     throw usage("Name the shape first: umbilic shape NAME.", "--list shows all there are.");
   }
   const found = shapes.find((shape) => shape.name === name);
   if (found) return found;
-  const near = similar(
+  const { nearest } = await loadSolver();
+  const near = nearest(
     name,
     shapes.map((shape) => shape.name),
   );

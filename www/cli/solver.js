@@ -16,17 +16,24 @@ let memory = null;
 export const memoryBytes = () => memory?.buffer.byteLength ?? 0;
 
 /**
- * @returns {Promise<Session>}
+ * What the solver can do without a session.
+ * @returns {Promise<typeof import("../pkg/solver/solver.js")>}
  * @throws {Failure} when the solver has not been built
  */
-export async function openSession() {
+export async function loadSolver() {
   if (!existsSync(wasm)) {
     const hint = "Run `npm run build` once in the project's folder.";
     throw new Failure(2, "NotBuilt", "The solver has not been built yet.", hint);
   }
   const solver = await import(glue.href);
-  memory = solver.initSync({ module: readFileSync(wasm) }).memory;
-  return new solver.Session();
+  memory ??= solver.initSync({ module: readFileSync(wasm) }).memory;
+  return solver;
+}
+
+/** @returns {Promise<Session>} */
+export async function openSession() {
+  const { Session } = await loadSolver();
+  return new Session();
 }
 
 /** @returns {string} */

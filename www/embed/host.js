@@ -137,7 +137,8 @@ export function createEmbedding({ controller, get, still, openLink, messages, sn
     async load(request) {
       const file = fileOf(request);
       const address = { search: "", hash: asHash(request.scene ?? "") };
-      await (file ? controller.open(file, readLink(address)) : openLink(address));
+      if (file) await controller.open(file, await controller.sceneOf(readLink(address)));
+      else await openLink(address);
       await still();
       arrived();
     },
@@ -155,7 +156,8 @@ export function createEmbedding({ controller, get, still, openLink, messages, sn
       await toStep(step);
     },
     async set({ words }) {
-      const { options, arrangement, colour, camera, view, step, named } = readWords(words);
+      const { link, named } = readWords(words);
+      const { options, arrangement, colour, camera, view, step } = await controller.sceneOf(link);
       if (Object.keys(options).length > 0) await controller.configure(options, { fromStart: true });
       if (Object.keys(arrangement).length > 0) await controller.arrange(arrangement);
       if (named.has("colour")) await controller.colour(colour);

@@ -19,11 +19,11 @@
 // pressed in the surface).
 
 /** @import { Fault } from "../protocol.js" */
-/** @import { Scene } from "../link.js" */
+/** @import { Link } from "../link.js" */
 
 import { t } from "../language.js";
-import { readLink } from "../link.js";
-import { arrangementReaders, asText, choices, readers } from "../options.js";
+import { otherWords, readLink } from "../link.js";
+import { asText, choices } from "../options.js";
 
 /** The version of what is said here. */
 export const PROTOCOL = 1;
@@ -59,47 +59,33 @@ export function asHash(scene) {
   if (typeof scene === "string") return `#${scene.replace(/^#/, "")}`;
   const words = new URLSearchParams();
   for (const [word, value] of Object.entries(asObject(scene))) {
-    words.set(word, ArrayBuffer.isView(value) ? String(value) : asText(value));
+    words.set(word, ArrayBuffer.isView(value) ? String(value) : asText(value, word));
   }
   return `#${words}`;
 }
 
 /**
  * @param {unknown} words
- * @returns {Scene & { named: Set<string> }} with the words that were said
- * @throws {Fault} that names a word there is not, or a value it cannot have
+ * @returns {{ link: Link, named: Set<string> }} its options not read yet, and the words that were said
+ * @throws {Fault} that names a value that a word cannot have
  */
 export function readWords(words) {
   const hash = asHash(words);
   const said = new URLSearchParams(hash.slice(1));
-  const scene = readLink({ search: "", hash });
+  const link = readLink({ search: "", hash });
   /** @type {Record<string, (text: string) => boolean>} */
   const known = {
-    colour: (text) => scene.colour === text,
-    camera: () => scene.camera !== null,
-    step: (text) => String(scene.step) === text,
-    shading: () => scene.view.shading !== undefined,
-    wireframe: () => scene.view.wireframe !== undefined,
-    border: () => scene.view.boundary !== undefined,
-    scale: (text) => text === "auto" || scene.view.scale !== undefined,
-    free: () => scene.options.free !== undefined,
-    fixed: () => scene.options.fixed !== undefined,
+    colour: (text) => link.colour === text,
+    camera: () => link.camera !== null,
+    step: (text) => String(link.step) === text,
+    shading: () => link.view.shading !== undefined,
+    wireframe: () => link.view.wireframe !== undefined,
+    border: () => link.view.boundary !== undefined,
+    scale: (text) => text === "auto" || link.view.scale !== undefined,
   };
   for (const [word, text] of said) {
-    const isOption = Object.hasOwn(readers, word) || Object.hasOwn(arrangementReaders, word);
-    if (!isOption && !Object.hasOwn(known, word)) {
-      throw fault(
-        "UnknownWord",
-        t("There is nothing called “{word}” to set.", { word: word.slice(0, 60) }),
-        t("Known are the words of a link: {words}.", {
-          words: [...Object.keys(known), ...Object.keys(readers)].join(", "),
-        }),
-      );
-    }
-    const isRead = isOption
-      ? Object.hasOwn(scene.options, word) || Object.hasOwn(scene.arrangement, word)
-      : known[word](text);
-    if (!isRead) {
+    // The others are options, or none, which is for the solver to say.
+    if (otherWords.includes(word) && !known[word]?.(text)) {
       throw fault(
         "BadValue",
         t("“{word}” cannot be “{text}”.", { word, text: text.slice(0, 60) }),
@@ -107,7 +93,7 @@ export function readWords(words) {
       );
     }
   }
-  return { ...scene, named: new Set(said.keys()) };
+  return { link, named: new Set(said.keys()) };
 }
 
 /** @param {Request} request @returns {number} */

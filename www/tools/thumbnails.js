@@ -6,6 +6,7 @@ import path from "node:path";
 import { launch, openPage } from "../../tests/web/support/browser.js";
 import { serve } from "../../tests/web/support/server.js";
 import { figures } from "../figures.js";
+import { asText } from "../options.js";
 import { root } from "./process.js";
 
 /** Steps that are worth waiting for in a picture. */
@@ -24,7 +25,7 @@ try {
     const steps = figure.steps === "rest" ? MOST : Math.min(figure.steps, MOST);
     const words = new URLSearchParams({ sample: figure.sample });
     for (const [key, value] of Object.entries({ ...figure.options, ...figure.arrangement })) {
-      words.set(key, String(value ?? (key === "flipsPerStep" ? "all" : "auto")));
+      words.set(key, asText(value, key));
     }
     if (figure.colour) words.set("colour", figure.colour);
     if (steps > 0) words.set("step", String(steps));

@@ -7,7 +7,7 @@
 /** @import { Options } from "../options.js" */
 
 import { translated } from "../language.js";
-import { choices, usualBoundary } from "../options.js";
+import { choices, choicesOf, isRead, toFlow, usualBoundary } from "../options.js";
 import { samples } from "../samples.js";
 import { byId, fillSelect, setText } from "./element.js";
 
@@ -20,8 +20,8 @@ export function createChoices(controller) {
   const colour = byId("colour", HTMLSelectElement);
 
   fillSelect(sample, samples);
-  fillSelect(flow, choices.flow);
-  fillSelect(boundary, choices.boundary);
+  fillSelect(flow, choicesOf("flow"));
+  fillSelect(boundary, choicesOf("boundary"));
   fillSelect(colour, choices.colour);
   // Stands for a mesh from a file; it cannot be picked again.
   const own = new Option("", "");
@@ -30,14 +30,7 @@ export function createChoices(controller) {
 
   sample.addEventListener("change", () => controller.sample(sample.value));
   flow.addEventListener("change", () =>
-    // A step size of the one flow means nothing to the other.
-    controller.configure({
-      flow: /** @type {Options["flow"]} */ (flow.value),
-      dt: null,
-      tau: null,
-      goal: "relax",
-      boundary: null,
-    }),
+    controller.configure(toFlow(/** @type {Options["flow"]} */ (flow.value))),
   );
   boundary.addEventListener("change", () =>
     controller.configure({ boundary: /** @type {Options["boundary"]} */ (boundary.value) }),
@@ -65,9 +58,8 @@ export function createChoices(controller) {
       if (state.options !== options) {
         options = state.options;
         flow.value = options.flow;
-        boundary.value = options.boundary ?? usualBoundary(options.flow);
-        // The p-Willmore flow is for closed surfaces, and flips leave every vertex where it is.
-        byId("boundary-field", HTMLElement).hidden = ["p-willmore", "flips"].includes(options.flow);
+        boundary.value = options.boundary ?? usualBoundary(options.flow) ?? "";
+        byId("boundary-field", HTMLElement).hidden = !isRead("boundary", options);
       }
       if (colour.value !== state.colour && state.phase !== "loading") colour.value = state.colour;
     },

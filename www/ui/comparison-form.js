@@ -8,100 +8,69 @@
 
 import { letter, MOST_PANES, optionsOf, timeExponent, timeUnitsAgree } from "../comparison.js";
 import { t } from "../language.js";
-import { byCurvature, choices, readers, usualBoundary } from "../options.js";
+import { choicesOf, flowOf, isRead, rowOf, usualBoundary } from "../options.js";
+import { say } from "../words.js";
 import { objection, presets } from "./comparison-presets.js";
 import { captions, differences } from "./comparison-words.js";
 import { byId, fillSelect, setText } from "./element.js";
+import { limit } from "./option-form.js";
 
-/**
- * A control of a pane's form.
- * @typedef {object} Control
- * @property {keyof Options} name
- * @property {string} label
- * @property {readonly string[] | null} flows  that it has a meaning for; null: all
- * @property {readonly { id: string, label: string }[]} [choices]  else a number
- */
-
-/** @returns {Control[]} */
-const controls = () => [
-  {
-    name: "flow",
-    label: t("Flow"),
-    flows: null,
-    choices: choices.flow.filter(({ id }) => id !== "flips"),
-  },
-  {
-    name: "scheme",
-    label: t("Scheme"),
-    flows: null,
-    choices: [
-      { id: "auto", label: t("Recommended") },
-      { id: "paper", label: t("As in the paper") },
-    ],
-  },
-  { name: "p", label: t("Exponent p"), flows: ["p-willmore"] },
-  {
-    name: "keep",
-    label: t("Keep"),
-    flows: ["p-willmore"],
-    choices: [
-      { id: "none", label: t("Nothing") },
-      { id: "area", label: t("Area") },
-      { id: "volume", label: t("Volume") },
-      { id: "area,volume", label: t("Area and volume") },
-    ],
-  },
-  {
-    name: "regularise",
-    label: t("Regularise"),
-    flows: ["p-willmore"],
-    choices: [
-      { id: "nonlinear", label: t("After each step") },
-      { id: "linear", label: t("After each step, linear") },
-      { id: "off", label: t("Never") },
-    ],
-  },
-  { name: "epsilon", label: t("Smoothing ε"), flows: ["circle"] },
-  {
-    name: "integrator",
-    label: t("Integrator"),
-    flows: ["circle"],
-    choices: [
-      { id: "semi-implicit", label: t("Semi-implicit") },
-      { id: "forward-euler", label: t("Forward Euler") },
-      { id: "backward-euler", label: t("Backward Euler (Newton)") },
-      { id: "l-bfgs", label: "L-BFGS" },
-    ],
-  },
-  {
-    name: "boundary",
-    label: t("Boundary"),
-    flows: ["circle", ...byCurvature],
-    choices: choices.boundary,
-  },
-  {
-    name: "prefill",
-    label: t("First guess"),
-    flows: ["circle", ...byCurvature],
-    choices: [
-      { id: "false", label: t("The start as it is") },
-      { id: "true", label: t("Smooth") },
-    ],
-  },
-  { name: "tau", label: t("Time step τ"), flows: null },
+/** What a pane may do otherwise, in this order. @type {readonly (keyof Options)[]} */
+const controls = [
+  "flow",
+  "scheme",
+  "p",
+  "keep",
+  "regularise",
+  "epsilon",
+  "integrator",
+  "boundary",
+  "prefill",
+  "tau",
 ];
 
-/** What stands in a control. @param {Control} control @param {Options} options */
-function chosenIn({ name }, options) {
-  if (name === "boundary") return options.boundary ?? usualBoundary(options.flow);
+/** All that a select can say of an option. @param {keyof Options} name */
+function offered(name) {
+  const { kind, ids } = rowOf(name);
+  if (kind === "switch") {
+    return [
+      { id: "false", label: say("option-no") },
+      { id: "true", label: say("option-yes") },
+    ];
+  }
+  // Flips change the mesh: nothing can be beside them.
+  const single = choicesOf(name).filter(({ id }) => name !== "flow" || flowOf(id).order > 0);
+  if (kind !== "set") return single;
+  const all = single.map(({ label }) => label).join(", ");
+  return [{ id: "none", label: say("option-nothing") }, ...single, { id: ids.join(), label: all }];
+}
+
+/** What stands in a control. @param {keyof Options} name @param {Options} options */
+function chosenIn(name, options) {
+  if (name === "boundary") return options.boundary ?? usualBoundary(options.flow) ?? "";
   const value = options[name];
   if (Array.isArray(value)) return value.length === 0 ? "none" : [...value].sort().join();
   return value === null ? "" : String(value);
 }
 
+/**
+ * What a control says.
+ * @param {HTMLInputElement | HTMLSelectElement} control
+ * @param {keyof Options} name
+ * @returns {unknown}
+ */
+function saidBy(control, name) {
+  if (control instanceof HTMLInputElement)
+    return control.value === "" ? null : control.valueAsNumber;
+  const { kind } = rowOf(name);
+  if (kind === "switch") return control.value === "true";
+  if (kind !== "set") return control.value;
+  return control.value === "none" ? [] : control.value.split(",");
+}
+
 /** The form of one pane. */
 class PaneForm {
-  /** @type {Map<HTMLInputElement | HTMLSelectElement, Control>} */
+  /** @type {Map<HTMLInputElement | HTMLSelectElement, keyof Options>} */
   #controls = new Map();
   /** @type {Rival["change"] | null} */
   #change = null;
@@ -120,7 +89,7 @@ class PaneForm {
     this.legend.className = "visually-hidden";
     this.fields.append(this.legend);
     this.root.append(this.title, this.fields);
-    for (const control of controls()) this.#add(control, controller);
+    for (const name of controls) this.#add(name, controller);
     this.remove = document.createElement("button");
     this.remove.type = "button";
     this.remove.className = "small";
@@ -128,36 +97,32 @@ class PaneForm {
     this.fields.append(this.remove);
   }
 
-  /** @param {Control} control @param {Controller} controller */
-  #add(control, controller) {
+  /** @param {keyof Options} name @param {Controller} controller */
+  #add(name, controller) {
     const field = document.createElement("div");
     field.className = "field";
     const label = document.createElement("label");
-    label.textContent = control.label;
-    label.htmlFor = `pane-${this.id}-${control.name}`;
-    const element = document.createElement(control.choices ? "select" : "input");
+    label.textContent = say(`option-${name}`);
+    label.htmlFor = `pane-${this.id}-${name}`;
+    const element = document.createElement(rowOf(name).kind === "number" ? "input" : "select");
     element.id = label.htmlFor;
-    if (element instanceof HTMLSelectElement) fillSelect(element, control.choices ?? []);
+    if (element instanceof HTMLSelectElement) fillSelect(element, offered(name));
     else {
       element.type = "number";
-      element.step = "any";
-      element.min = "0";
-      if (control.name === "tau") element.placeholder = t("automatic");
-      else element.required = true;
+      limit(element, name);
+      if (!element.required) element.placeholder = say(`option-${name}.absent`);
     }
     element.addEventListener("change", () => {
-      const text = control.name === "tau" && element.value === "" ? "auto" : element.value;
-      const value = readers[control.name](text);
-      if (value === undefined) return void element.reportValidity();
+      if (!element.reportValidity()) return;
       // A raw step size would override the other.
-      const own = control.name === "tau" ? { dt: null } : {};
-      controller.changePane(this.id, { [control.name]: value, ...own });
+      const own = name === "tau" ? { dt: null } : {};
+      controller.changePane(this.id, { [name]: saidBy(element, name), ...own });
     });
     // A value that was refused must not stay beside the one in force.
     element.addEventListener("focusout", () => this.#fill());
     field.append(label, element);
     this.fields.append(field);
-    this.#controls.set(element, control);
+    this.#controls.set(element, name);
   }
 
   /** @param {Options} main @param {Rival} rival @param {number} index @param {string} words  what it does */
@@ -176,11 +141,11 @@ class PaneForm {
   #fill() {
     if (!this.#main || !this.#change) return;
     const options = optionsOf(this.#main, this.#change);
-    for (const [element, control] of this.#controls) {
-      element.value = chosenIn(control, options);
+    for (const [element, name] of this.#controls) {
+      element.value = chosenIn(name, options);
       const field = /** @type {HTMLElement} */ (element.parentElement);
-      field.hidden = control.flows !== null && !control.flows.includes(options.flow);
-      field.classList.toggle("differs", control.name in this.#change);
+      field.hidden = !isRead(name, options);
+      field.classList.toggle("differs", name in this.#change);
     }
   }
 }

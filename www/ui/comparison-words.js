@@ -7,9 +7,8 @@
 
 import { letter, optionsOf } from "../comparison.js";
 import { t, translated } from "../language.js";
-import { asText, choices, usualBoundary } from "../options.js";
+import { asText, choiceLabel, flowLabel, usualBoundary } from "../options.js";
 import { isOver, standings } from "../standing.js";
-import { flowLabel } from "./curvature-form.js";
 import { formatNumber } from "./number.js";
 
 /** @param {keyof Options} key @param {Options} options @returns {string} */
@@ -32,7 +31,7 @@ function inWords(key, options) {
       return value === "paper" ? t("the paper’s scheme") : t("recommended scheme");
     case "boundary": {
       const id = options.boundary ?? usualBoundary(options.flow);
-      return translated(choices.boundary.find((one) => one.id === id)?.label ?? id);
+      return id === null ? value : choiceLabel("boundary", id);
     }
     case "keep":
       return value === "none"

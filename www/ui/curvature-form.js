@@ -7,15 +7,11 @@
 /** @import { Options } from "../options.js" */
 
 import { t, translated } from "../language.js";
-import { byCurvature, choices, defaults } from "../options.js";
+import { byCurvature, defaults, flowLabel } from "../options.js";
 import { standings } from "../standing.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { chosen, show } from "./option-form.js";
-
-/** @param {string} flow */
-export const flowLabel = (flow) =>
-  translated(choices.flow.find(({ id }) => id === flow)?.label ?? flow);
 
 /** @param {import("../protocol.js").CurvatureJump | null | undefined} jump */
 export const jumpText = (jump) => (jump ? formatNumber(jump.relative, 3) : "–");

@@ -4,8 +4,8 @@
 /** @import { Curves } from "../protocol.js" */
 
 import { t } from "../language.js";
+import { choiceLabel } from "../options.js";
 import { byId } from "./element.js";
-import { criterionLabel } from "./flips-form.js";
 import { formatNumber } from "./number.js";
 
 const MOST = 100;
@@ -46,7 +46,7 @@ export function createFlipTable() {
     shown = curves;
     const { flips, runs } = curves;
     const titles = runs.flatMap(({ criterion }) => {
-      const by = criterionLabel(criterion);
+      const by = choiceLabel("criterion", criterion);
       return [
         t("Area by {criterion}", { criterion: by }),
         t("W by {criterion}", { criterion: by }),

@@ -7,15 +7,11 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
-import { t, translated } from "../language.js";
-import { choices, defaults, plainArrangement } from "../options.js";
-import { byId, fillSelect } from "./element.js";
+import { t } from "../language.js";
+import { choiceLabel, defaults, plainArrangement, rowOf } from "../options.js";
+import { byId } from "./element.js";
 import { formatNumber } from "./number.js";
-import { chosen, show } from "./option-form.js";
-
-/** @param {string} criterion */
-export const criterionLabel = (criterion) =>
-  translated(choices.criterion.find(({ id }) => id === criterion)?.label ?? criterion);
+import { chosen, dress, show } from "./option-form.js";
 
 /** @param {string} text */
 function cell(text) {
@@ -37,7 +33,7 @@ function row(name, label, numbers) {
 
 /** @param {FlipReading} reading */
 const runRow = ({ criterion, flips, rejected, area, circle }) =>
-  row(criterion, criterionLabel(criterion), [
+  row(criterion, choiceLabel("criterion", criterion), [
     String(flips),
     String(rejected),
     formatNumber(area, 6),
@@ -47,12 +43,11 @@ const runRow = ({ criterion, flips, rejected, area, circle }) =>
 /** @param {Controller} controller */
 export function createFlipsForm(controller) {
   const form = byId("flips", HTMLFormElement);
-  const criterion = byId("criterion", HTMLSelectElement);
   const perStep = byId("flips-per-step", HTMLSelectElement);
   const compare = byId("compare", HTMLSelectElement);
   const subdivide = byId("subdivide", HTMLSelectElement);
   const rows = byId("flips-rows", HTMLTableSectionElement);
-  fillSelect(criterion, choices.criterion);
+  dress(form);
 
   form.addEventListener("submit", (event) => event.preventDefault());
   form.addEventListener("change", ({ target }) => {
@@ -77,7 +72,7 @@ export function createFlipsForm(controller) {
         formatNumber(first.area[0], 6),
         formatNumber(first.circle[0], 5),
       ]);
-    const order = choices.criterion.map(({ id }) => id);
+    const order = rowOf("criterion").ids;
     const runs = [...(reading?.flips ?? [])].sort(
       (a, b) => order.indexOf(a.criterion) - order.indexOf(b.criterion),
     );

@@ -6,25 +6,17 @@
 /** @import { Options } from "../options.js" */
 
 import { t } from "../language.js";
-import { defaults, smoothingTau } from "../options.js";
+import { defaults, flowOf, smoothingTau } from "../options.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
-import { chosen, show } from "./option-form.js";
-
-/** What makes a time step a number without a unit. @type {Readonly<Record<string, string>>} */
-const ratios = {
-  circle: "dt/h²",
-  "mean-curvature": "dt/L²",
-  "surface-diffusion": "dt/L⁴",
-  willmore: "dt/L⁴",
-  mmcv: "dt/L⁶",
-};
+import { chosen, dress, show } from "./option-form.js";
 
 /** @param {Controller} controller */
 export function createMethodForm(controller) {
   const form = byId("method-form", HTMLFormElement);
+  dress(form);
   const detail = byId("detail", HTMLInputElement);
-  const count = byId("smooth-count", HTMLInputElement);
+  const count = byId("option-smoothSteps", HTMLInputElement);
   const tau = byId("tau", HTMLInputElement);
   const tauAuto = byId("tau-auto", HTMLInputElement);
   const detailValue = byId("detail-value", HTMLOutputElement);
@@ -46,7 +38,7 @@ export function createMethodForm(controller) {
     setText(detailValue, t("L = {edges} mean edge lengths = {length}", { edges, length }));
     setText(tauValue, `τ = ${formatNumber(wanted, 3)}`);
     const value = used ?? wanted;
-    const ratio = ratios[flow] ?? "dt/L^(p+2)";
+    const ratio = flowOf(flow).tau;
     const numbers = `τ = ${ratio} = ${formatNumber(value, 3)}, dt = ${formatNumber(value * unit, 3)}`;
     const first = goal === "relax" && tauAuto.checked;
     setText(note, first ? t("First time step: {numbers}", { numbers }) : numbers);

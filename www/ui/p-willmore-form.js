@@ -9,7 +9,7 @@ import { t } from "../language.js";
 import { defaults } from "../options.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
-import { chosen, show } from "./option-form.js";
+import { chosen, dress, show } from "./option-form.js";
 
 /** Where the deflation of a vesicle leads to, unless told otherwise: a biconcave disc. */
 const DISCOCYTE = 0.6;
@@ -22,6 +22,7 @@ export function createPWillmoreForm(controller) {
   const lead = byId("lead", HTMLInputElement);
   const target = byId("reduced-volume", HTMLInputElement);
   const forces = byId("forces", HTMLElement);
+  dress(form);
 
   const kept = () => [
     ...(area.checked ? /** @type {const} */ (["area"]) : []),

@@ -8,14 +8,14 @@
 /** @import { Shown } from "./extra-pane.js" */
 
 import { t } from "../language.js";
-import { byCurvature } from "../options.js";
+import { byCurvature, choiceLabel, flowLabel } from "../options.js";
+import { say } from "../words.js";
 import { captionParts, rivalPictures } from "./comparison-words.js";
-import { flowLabel, jumpText } from "./curvature-form.js";
+import { jumpText } from "./curvature-form.js";
 import { byId } from "./element.js";
 import { ExtraPane, setCaption } from "./extra-pane.js";
-import { criterionLabel } from "./flips-form.js";
 import { createMontage } from "./montage.js";
-import { formatCount, formatNumber } from "./number.js";
+import { formatNumber } from "./number.js";
 import { ownPane } from "./picture.js";
 
 const order = ["start", "area", ...byCurvature, "localised"];
@@ -30,7 +30,7 @@ function captionOf(name, { reading, frame }) {
       ? t("{flow}: step {step}, jump of H {jump}", values)
       : t("{flow}: step {step}", values);
   }
-  const named = name === "localised" ? t("Localised") : criterionLabel(name);
+  const named = name === "localised" ? t("Localised") : choiceLabel("criterion", name);
   const label = name === "start" ? t("Start") : named;
   const run = reading?.flips?.find(({ criterion }) => criterion === name);
   const first = frame?.curves?.runs[0];
@@ -40,7 +40,7 @@ function captionOf(name, { reading, frame }) {
     circle: formatNumber(run ? run.circle : first?.circle[0], 5),
   };
   if (!run) return t("{label}: area {area}, W {circle}", values);
-  const flips = formatCount(run.flips, { one: "# flip", other: "# flips" });
+  const flips = say("count-flips", { count: run.flips });
   return t("{label}: {flips}, area {area}, W {circle}", { ...values, flips });
 }
 

@@ -57,7 +57,7 @@ function circle(s) {
   };
   const plain = row("(", frac("I", "dt"), "+", "K", ")", change(), "= −", gradient("x"));
   const rounded = row("φ (", "β", ") =", root(row(square("β"), "+", square("ε"))), "− ε");
-  const boundary = options.boundary ?? usualBoundary(options.flow);
+  const boundary = options.boundary ?? usualBoundary(options.flow) ?? "clamped";
   /** @type {Record<string, string>} */
   const boundaries = {
     clamped: t("interior vertices count"),

@@ -95,7 +95,7 @@ impl CircleFlow {
         check_mesh(mesh, x)?;
         let free = boundary::free_vertices(
             mesh,
-            options.boundary.unwrap_or_default(),
+            options.boundary(),
             options.free.as_deref(),
             options.fixed.as_deref(),
         )?;
@@ -103,7 +103,7 @@ impl CircleFlow {
         if options.prefill {
             prefill::harmonic(mesh, &free, x)?;
         }
-        let energy = CircleEnergy::new(mesh, options.boundary.unwrap_or_default());
+        let energy = CircleEnergy::new(mesh, options.boundary());
         let schedule = Schedule::new(options, &energy, x);
         Ok(Self {
             mesh: Rc::clone(mesh),

@@ -23,11 +23,10 @@ impl Law {
             FlowName::SurfaceDiffusion => Ok(Self::SurfaceDiffusion),
             FlowName::Willmore => Ok(Self::Willmore),
             FlowName::Mmcv => Ok(Self::CurvatureVariation),
-            FlowName::Circle | FlowName::PWillmore | FlowName::Flips => Err(FlowError::BadOption {
-                name: "flow",
-                value: format!("{flow:?}"),
-                allowed: "one by mean curvature or its derivatives",
-            }),
+            FlowName::Circle | FlowName::PWillmore | FlowName::Flips => {
+                let allowed = "one by mean curvature or its derivatives";
+                Err(FlowError::option("flow", flow.id(), allowed))
+            }
         }
     }
 

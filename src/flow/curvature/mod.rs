@@ -46,7 +46,6 @@ use super::{
     Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal, Reading,
     Refusal, Rules, StepReport, boundary, prefill,
 };
-use crate::energy::circle::Boundary;
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::operator::FittedOperators;
@@ -127,7 +126,7 @@ impl CurvatureFlow {
     /// Prepares the flow at positions `x`, which a smooth pre-fill may change.
     ///
     /// # Errors
-    /// [`FlowError::NotTriangular`], [`FlowError::NotOriented`], [`FlowError::BadOption`],
+    /// [`FlowError::NotTriangular`], [`FlowError::NotOriented`], [`FlowError::Option`],
     /// [`FlowError::SelectionOutOfRange`], [`FlowError::NothingFree`],
     /// [`FlowError::Linear`].
     pub fn new(
@@ -139,7 +138,7 @@ impl CurvatureFlow {
         let law = Law::of(options.flow)?;
         let is_free = boundary::free_vertices(
             mesh,
-            options.boundary.unwrap_or(Boundary::Fixed),
+            options.boundary(),
             options.free.as_deref(),
             options.fixed.as_deref(),
         )?;

@@ -42,11 +42,8 @@ impl Kept {
             None => volume,
             Some(reduced) => {
                 if !(keeps_area && keeps_volume) {
-                    return Err(FlowError::BadOption {
-                        name: "the reduced volume",
-                        value: reduced.to_string(),
-                        allowed: "given only where both area and volume are kept",
-                    });
+                    let allowed = "given only where both area and volume are kept";
+                    return Err(FlowError::option("reducedVolume", reduced, allowed));
                 }
                 Some(reduced * ball_volume(start.area) * start.volume.signum())
             }

@@ -105,7 +105,7 @@ impl PWillmoreFlow {
     ///
     /// # Errors
     /// [`FlowError::NotClosed`], [`FlowError::NotOriented`], [`FlowError::MixedFaces`],
-    /// [`FlowError::BadOption`], [`FlowError::Linear`].
+    /// [`FlowError::Option`], [`FlowError::Linear`].
     pub fn new(
         mesh: &Rc<HalfedgeMesh>,
         x: &mut [DVec3],
@@ -436,18 +436,13 @@ fn helfrich(options: &FlowOptions, scale: f64, triangles: bool) -> Result<Helfri
         pressure: options.pressure / scale.powi(3),
     };
     if helfrich != Helfrich::default() && options.p != 2.0 {
-        return Err(FlowError::BadOption {
-            name: "the exponent p",
-            value: options.p.to_string(),
-            allowed: "only 2 with spontaneous curvature, tension or pressure",
-        });
+        let allowed = "only 2 with spontaneous curvature, tension or pressure";
+        return Err(FlowError::option("p", options.p, allowed));
     }
     if helfrich.spontaneous != 0.0 && !triangles {
-        return Err(FlowError::BadOption {
-            name: "the spontaneous curvature",
-            value: options.spontaneous_curvature.to_string(),
-            allowed: "0 on quadrilaterals; triangulate the mesh for others",
-        });
+        let (name, value) = ("spontaneousCurvature", options.spontaneous_curvature);
+        let allowed = "0 on quadrilaterals; triangulate the mesh for others";
+        return Err(FlowError::option(name, value, allowed));
     }
     Ok(helfrich)
 }
@@ -461,16 +456,15 @@ fn check_paper(options: &FlowOptions, vertices: usize) -> Result<(), FlowError> 
         });
     }
     let terms = [
-        ("the spontaneous curvature", options.spontaneous_curvature),
-        ("the tension", options.tension),
-        ("the pressure", options.pressure),
+        ("spontaneousCurvature", options.spontaneous_curvature),
+        ("tension", options.tension),
+        ("pressure", options.pressure),
     ];
     match terms.into_iter().find(|(_, value)| *value != 0.0) {
-        Some((name, value)) => Err(FlowError::BadOption {
-            name,
-            value: value.to_string(),
-            allowed: "only 0 in the paper's scheme",
-        }),
+        Some((name, value)) => {
+            let allowed = "only 0 in the paper's scheme";
+            Err(FlowError::option(name, value, allowed))
+        }
         None => Ok(()),
     }
 }

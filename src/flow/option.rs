@@ -1,0 +1,380 @@
+//! Options as rows of a table: one a field, with its name, what it may be and who reads it.
+//!
+//! Whoever gives options, a command line, a link, a recipe or a page, has them read and checked
+//! here, and so a bad value is refused with the same words everywhere. The rows of a flow are in
+//! [`rows`]; others give theirs by [`Options`].
+
+pub mod error;
+pub mod kind;
+mod rows;
+pub mod value;
+
+pub use error::{OptionError, nearest};
+pub use kind::{Kind, Range};
+pub(crate) use rows::row;
+pub use value::Value;
+
+use super::options::{FlowName, FlowOptions, Goal, Scheme};
+use kind::{id_of, ids, named};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
+
+/// Where an option stands among the others, in forms and in help.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Group {
+    /// Which flow, and how faithful to its paper.
+    Flow,
+    /// What moves and what is held.
+    Surface,
+    /// What the flow minimises, and what it keeps.
+    Functional,
+    /// How large a step is.
+    Step,
+    /// How a step is taken.
+    Method,
+    /// When a run ends.
+    Budget,
+    /// How it is shown.
+    Display,
+}
+
+/// What reads an option; what none of this holds for ignores it.
+#[derive(Clone, Copy, Debug)]
+pub struct ReadBy {
+    /// These flows …
+    pub flows: &'static [FlowName],
+    /// … under this scheme only …
+    pub scheme: Option<Scheme>,
+    /// … and with this goal only, where a flow has goals.
+    pub goal: Option<Goal>,
+}
+
+impl ReadBy {
+    /// Flows, whatever their scheme and goal.
+    pub const fn flows(flows: &'static [FlowName]) -> Self {
+        Self {
+            flows,
+            scheme: None,
+            goal: None,
+        }
+    }
+
+    /// Under this scheme only.
+    pub const fn scheme(self, scheme: Scheme) -> Self {
+        Self {
+            scheme: Some(scheme),
+            ..self
+        }
+    }
+
+    /// With this goal only.
+    pub const fn goal(self, goal: Goal) -> Self {
+        Self {
+            goal: Some(goal),
+            ..self
+        }
+    }
+
+    fn holds(&self, options: &FlowOptions) -> bool {
+        self.flows.contains(&options.flow)
+            && self.scheme.is_none_or(|scheme| scheme == options.scheme)
+            && self.goal.is_none_or(|goal| goal == options.goal)
+    }
+
+    fn in_words(&self) -> String {
+        let flows: Vec<&str> = self.flows.iter().map(|flow| flow.id()).collect();
+        let flows = flows.join(", ");
+        match (self.scheme, self.goal) {
+            (Some(scheme), _) => format!("{flows} with scheme {}", id_of(&scheme)),
+            (None, Some(goal)) => format!("{flows} with goal {}", id_of(&goal)),
+            (None, None) => flows,
+        }
+    }
+}
+
+/// One option of `S`.
+pub struct Row<S: 'static> {
+    /// Of the field, in recipes and links.
+    pub name: &'static str,
+    /// On the command line, without dashes.
+    pub flag: &'static str,
+    /// What it may be.
+    pub kind: Kind,
+    /// The word for `null`, where the option may be left to the program or be no limit.
+    pub absent: Option<&'static str>,
+    /// Of a number, as text; empty where it has none.
+    pub unit: &'static str,
+    /// Where it stands.
+    pub group: Group,
+    /// What reads it.
+    pub read_by: ReadBy,
+    /// Whether its value means nothing to another flow, so that a change of flow takes it back.
+    pub is_of_one_flow: bool,
+    /// The field's value.
+    pub get: fn(&S) -> Value,
+    /// Writes a value that was checked; false for one that does not fit.
+    pub set: fn(&mut S, &Value) -> bool,
+}
+
+impl<S> Row<S> {
+    /// The same, of which `word` is `null`.
+    pub const fn or(self, word: &'static str) -> Self {
+        Self {
+            absent: Some(word),
+            ..self
+        }
+    }
+
+    /// The same, of which a change of flow takes the value back.
+    pub const fn of_one_flow(self) -> Self {
+        Self {
+            is_of_one_flow: true,
+            ..self
+        }
+    }
+
+    /// A text as a value; other values are what they are.
+    pub fn read(&self, value: &Value) -> Value {
+        match value {
+            Value::Text(text) if Some(text.as_str()) == self.absent => Value::Absent,
+            Value::Text(text) => self.kind.read(text),
+            other => other.clone(),
+        }
+    }
+
+    /// The allowed values, in half a sentence.
+    pub fn allowed(&self) -> String {
+        let allowed = self.kind.allowed();
+        match self.absent {
+            Some(word) => format!("{word}, or {allowed}"),
+            None => allowed,
+        }
+    }
+
+    /// Refuses what it cannot be.
+    ///
+    /// # Errors
+    /// [`OptionError::Empty`], [`OptionError::BadValue`].
+    pub fn check(&self, value: &Value) -> Result<(), OptionError> {
+        if self.kind.holds(value) || *value == Value::Absent && self.absent.is_some() {
+            return Ok(());
+        }
+        let (name, allowed) = (self.name, self.allowed());
+        Err(match value {
+            Value::Text(text) if text.trim().is_empty() => OptionError::Empty { name, allowed },
+            _ => OptionError::BadValue {
+                name,
+                value: value.to_string(),
+                allowed,
+            },
+        })
+    }
+}
+
+/// What has a row for each of its fields.
+pub trait Options: Default + 'static {
+    /// The rows, in the order of forms and help.
+    const ROWS: &'static [Row<Self>];
+}
+
+/// Values by the names of their options.
+pub type Values = BTreeMap<String, Value>;
+
+/// The row of a name.
+///
+/// # Errors
+/// [`OptionError::Unknown`].
+pub fn find<S: Options>(name: &str) -> Result<&'static Row<S>, OptionError> {
+    let found = S::ROWS.iter().find(|row| row.name == name);
+    found.ok_or_else(|| unknown(name, S::ROWS.iter().map(|row| (row.name, row.flag))))
+}
+
+/// The refusal of a name that is none of these; each is also called by its flag.
+pub fn unknown<'a>(
+    name: &str,
+    known: impl Iterator<Item = (&'a str, &'a str)> + Clone,
+) -> OptionError {
+    let near = nearest(name, known.clone().flat_map(|(name, flag)| [name, flag]));
+    let near = near.and_then(|near| known.clone().find(|(a, b)| *a == near || *b == near));
+    OptionError::Unknown {
+        name: name.chars().take(60).collect(),
+        near: near.map(|(name, flag)| (name.into(), flag.into())),
+    }
+}
+
+/// The options that values amount to; those not given are the default.
+///
+/// # Errors
+/// The first that there is not, or that has a value it cannot have.
+pub fn options_of<S: Options>(values: &Values) -> Result<S, OptionError> {
+    let mut options = S::default();
+    for (name, value) in values {
+        let row = find::<S>(name)?;
+        row.check(value)?;
+        if !(row.set)(&mut options, value) {
+            return Err(OptionError::BadValue {
+                name: row.name,
+                value: value.to_string(),
+                allowed: row.allowed(),
+            });
+        }
+    }
+    Ok(options)
+}
+
+/// Reads the texts among `words` and checks all values: what a link or a command line gave.
+///
+/// # Errors
+/// As [`options_of`].
+pub fn read<S: Options>(words: &Values) -> Result<Values, OptionError> {
+    let mut values = Values::new();
+    for (name, word) in words {
+        let row = find::<S>(name)?;
+        let value = row.read(word);
+        row.check(&value)?;
+        values.insert(name.clone(), value);
+    }
+    Ok(values)
+}
+
+/// Checks every field.
+///
+/// # Errors
+/// [`OptionError::BadValue`] of the first that cannot be.
+pub fn check<S: Options>(options: &S) -> Result<(), OptionError> {
+    let mut rows = S::ROWS.iter();
+    rows.try_for_each(|row| row.check(&(row.get)(options)))
+}
+
+/// [`read`], and refuses what would change nothing: on a command line that is a mistake.
+///
+/// # Errors
+/// As [`read`]; [`OptionError::Unread`], [`OptionError::Conflict`].
+pub fn read_strictly(words: &Values) -> Result<Values, OptionError> {
+    let values = read::<FlowOptions>(words)?;
+    let options = options_of::<FlowOptions>(&values)?;
+    for name in values.keys() {
+        let row = find::<FlowOptions>(name)?;
+        if !row.read_by.holds(&options) {
+            let (name, of) = (row.name, row.read_by.in_words());
+            return Err(OptionError::Unread { name, of });
+        }
+    }
+    let both = |a, b| [a, b].iter().all(|name| values.contains_key(*name));
+    let same = [("dt", "tau"), ("maxSteps", "maxSeconds")];
+    match same.into_iter().find(|(a, b)| both(*a, *b)) {
+        Some((first, second)) => Err(OptionError::Conflict { first, second }),
+        None => Ok(values),
+    }
+}
+
+/// A field that values can be written into.
+pub trait Field: Sized {
+    /// As a value.
+    fn value(&self) -> Value;
+    /// From a value, where it fits.
+    fn of(value: &Value) -> Option<Self>;
+}
+
+impl Field for f64 {
+    fn value(&self) -> Value {
+        Value::Number(*self)
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Number(x) => Some(*x),
+            _ => None,
+        }
+    }
+}
+
+/// Counts, exact up to 2⁵³.
+impl Field for usize {
+    fn value(&self) -> Value {
+        Value::Number(*self as f64)
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        f64::of(value).filter(|x| *x >= 0.0).map(|x| x as Self)
+    }
+}
+
+impl Field for u32 {
+    fn value(&self) -> Value {
+        Value::Number(f64::from(*self))
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        f64::of(value).filter(|x| *x >= 0.0).map(|x| x as Self)
+    }
+}
+
+impl Field for bool {
+    fn value(&self) -> Value {
+        Value::Switch(*self)
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Switch(x) => Some(*x),
+            _ => None,
+        }
+    }
+}
+
+impl<T: Field> Field for Option<T> {
+    fn value(&self) -> Value {
+        self.as_ref().map_or(Value::Absent, T::value)
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Absent => Some(None),
+            value => T::of(value).map(Some),
+        }
+    }
+}
+
+impl<T: Field> Field for Vec<T> {
+    fn value(&self) -> Value {
+        Value::List(self.iter().map(T::value).collect())
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::List(values) => values.iter().map(T::of).collect(),
+            _ => None,
+        }
+    }
+}
+
+/// An enum whose names serde knows.
+pub trait Named: DeserializeOwned + PartialEq {}
+
+impl<T: Named> Field for T {
+    fn value(&self) -> Value {
+        Value::Text(id_of(self).into())
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Text(id) => named(id),
+            _ => None,
+        }
+    }
+}
+
+impl FlowName {
+    /// As it is called in recipes, links and on the command line.
+    pub fn id(self) -> &'static str {
+        id_of(&self)
+    }
+
+    /// All, in the order of menus.
+    pub fn all() -> impl Iterator<Item = Self> {
+        ids::<Self>().iter().filter_map(|id| named(id))
+    }
+}

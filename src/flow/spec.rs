@@ -1,0 +1,274 @@
+//! Flows as rows of a table: what each is, what it takes and what it minimises.
+//!
+//! Which options a flow reads is said by the rows of the options ([`super::option`]).
+
+use super::Monitored;
+use super::options::{FlowName, FlowOptions};
+use crate::energy::circle::Boundary;
+use serde::Serialize;
+
+/// The system that runs a flow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Family {
+    /// The circle-angle Willmore flow.
+    Circle,
+    /// The p-Willmore flow.
+    PWillmore,
+    /// The flows by mean curvature and its derivatives, on operators by quadratic fits.
+    Curvature,
+    /// Edge flips, which move no vertex.
+    Flips,
+}
+
+/// Which meshes a flow takes; triangles every flow takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Meshes {
+    /// Surfaces with a boundary.
+    pub open: bool,
+    /// Meshes of quadrilaterals as they are. Flows that move vertices triangulate what they
+    /// cannot take; edge flips refuse it.
+    pub quads: bool,
+    /// One-sided surfaces.
+    pub one_sided: bool,
+}
+
+/// One flow.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct FlowRow {
+    /// Which.
+    pub id: FlowName,
+    /// What runs it.
+    pub family: Family,
+    /// Where it comes from.
+    pub paper: &'static str,
+    /// Order of the equation in space at the usual exponent; 0 of edge flips.
+    pub order: u32,
+    /// dt has the unit length^k with this k …
+    pub time_power: u32,
+    /// … and the exponent p more.
+    pub time_power_adds_p: bool,
+    /// τ, the step size without a unit, as text; empty where there are no step sizes.
+    pub tau: &'static str,
+    /// What may be the functional that no accepted step raises, by options and phase.
+    pub monitored: &'static [Monitored],
+    /// Equation of motion, TeX.
+    pub formula: &'static str,
+    /// What it takes.
+    pub meshes: Meshes,
+    /// What happens at the boundary unless told otherwise; `None` where there is no choice.
+    pub boundary: Option<Boundary>,
+}
+
+use FlowName::{Circle, Flips, MeanCurvature, Mmcv, PWillmore, SurfaceDiffusion, Willmore};
+
+/// Every flow.
+pub const ALL: &[FlowName] = &[
+    Circle,
+    PWillmore,
+    MeanCurvature,
+    SurfaceDiffusion,
+    Willmore,
+    Mmcv,
+    Flips,
+];
+/// Those that move vertices.
+pub const MOVING: &[FlowName] = &[
+    Circle,
+    PWillmore,
+    MeanCurvature,
+    SurfaceDiffusion,
+    Willmore,
+    Mmcv,
+];
+/// Those with something to choose at a boundary, and with vertices to hold.
+pub const OPEN: &[FlowName] = &[Circle, MeanCurvature, SurfaceDiffusion, Willmore, Mmcv];
+/// The circle-angle flow.
+pub const CIRCLE: &[FlowName] = &[Circle];
+/// The p-Willmore flow.
+pub const P_WILLMORE: &[FlowName] = &[PWillmore];
+/// Minimal mean-curvature variation.
+pub const MMCV: &[FlowName] = &[Mmcv];
+/// Edge flips.
+pub const FLIPS: &[FlowName] = &[Flips];
+
+const XU_ZHANG: &str = "Xu & Zhang, Minimal Mean-Curvature-Variation Surfaces";
+
+const fn fitted(
+    id: FlowName,
+    order: u32,
+    tau: &'static str,
+    monitored: &'static [Monitored],
+    formula: &'static str,
+) -> FlowRow {
+    FlowRow {
+        id,
+        family: Family::Curvature,
+        paper: XU_ZHANG,
+        order,
+        time_power: order,
+        time_power_adds_p: false,
+        tau,
+        monitored,
+        formula,
+        meshes: Meshes {
+            open: true,
+            quads: false,
+            one_sided: false,
+        },
+        boundary: Some(Boundary::Fixed),
+    }
+}
+
+/// The flows, in the order of menus.
+pub static FLOWS: &[FlowRow] = &[
+    FlowRow {
+        id: Circle,
+        family: Family::Circle,
+        paper: "Bobenko & Schröder, Discrete Willmore Flow",
+        order: 4,
+        // The energy has no unit, so that its gradient is one over a length.
+        time_power: 2,
+        time_power_adds_p: false,
+        tau: "dt/h²",
+        monitored: &[Monitored::SmoothedCircle],
+        formula: r"\dot x = -M^{-1} \nabla W, \quad W = \sum_i \bigl(\sum_j \beta_{ij} - 2\pi\bigr)",
+        meshes: Meshes {
+            open: true,
+            quads: false,
+            one_sided: true,
+        },
+        boundary: Some(Boundary::Clamped),
+    },
+    FlowRow {
+        id: PWillmore,
+        family: Family::PWillmore,
+        paper: "Gruber & Aulisa, Computational p-Willmore Flow with Conformal Penalty",
+        order: 4,
+        time_power: 2,
+        time_power_adds_p: true,
+        tau: "dt/L^(p+2)",
+        monitored: &[
+            Monitored::Area,
+            Monitored::Willmore,
+            Monitored::PWillmore,
+            Monitored::Helfrich,
+        ],
+        formula: r"\dot x = -\nabla \int |Y|^p \, dA, \quad Y = 2 H n",
+        meshes: Meshes {
+            open: false,
+            quads: true,
+            one_sided: false,
+        },
+        boundary: None,
+    },
+    fitted(
+        MeanCurvature,
+        2,
+        "dt/L²",
+        &[Monitored::Area],
+        r"\dot x = -H n",
+    ),
+    fitted(
+        SurfaceDiffusion,
+        4,
+        "dt/L⁴",
+        &[Monitored::Area],
+        r"\dot x = \Delta H \, n",
+    ),
+    fitted(
+        Willmore,
+        4,
+        "dt/L⁴",
+        &[Monitored::Willmore],
+        r"\dot x = \bigl(\Delta H + 2 H (H^2 - K)\bigr) n",
+    ),
+    fitted(
+        Mmcv,
+        6,
+        "dt/L⁶",
+        &[Monitored::CurvatureVariation, Monitored::Area],
+        r"\dot x = -\tfrac12 \nabla \int |\nabla H|^2 \, dA",
+    ),
+    FlowRow {
+        id: Flips,
+        family: Family::Flips,
+        paper: "Brink & Alboul, Willmore energy vs area as criteria for mesh optimisation",
+        order: 0,
+        time_power: 2,
+        time_power_adds_p: false,
+        tau: "",
+        monitored: &[Monitored::SmoothedCircle, Monitored::Area],
+        formula: r"(i,j) \mapsto (k,l) \text{ where that lowers the criterion}",
+        meshes: Meshes {
+            open: true,
+            quads: false,
+            one_sided: true,
+        },
+        boundary: None,
+    },
+];
+
+/// The row of a flow.
+pub fn of(flow: FlowName) -> &'static FlowRow {
+    let found = FLOWS.iter().find(|row| row.id == flow);
+    // A test sees to it that each has one.
+    found.unwrap_or(&FLOWS[0])
+}
+
+impl FlowOptions {
+    /// The same under another flow: what means nothing to it goes back to its default.
+    #[must_use]
+    pub fn with_flow(&self, flow: FlowName) -> Self {
+        let usual = Self::default();
+        let mut options = Self {
+            flow,
+            ..self.clone()
+        };
+        let rows = <Self as super::option::Options>::ROWS.iter();
+        for row in rows.filter(|row| row.is_of_one_flow) {
+            (row.set)(&mut options, &(row.get)(&usual));
+        }
+        options
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_flow_has_one_row_and_they_stand_in_the_order_of_the_names() {
+        let rows: Vec<FlowName> = FLOWS.iter().map(|row| row.id).collect();
+        assert_eq!(rows, FlowName::all().collect::<Vec<_>>());
+        assert_eq!(rows, ALL);
+        let moving = rows
+            .iter()
+            .filter(|flow| of(**flow).family != Family::Flips);
+        assert!(moving.eq(MOVING));
+        let open = FLOWS.iter().filter(|row| row.boundary.is_some());
+        assert!(open.map(|row| &row.id).eq(OPEN));
+    }
+
+    #[test]
+    fn another_flow_takes_back_what_means_nothing_to_it() {
+        let before = FlowOptions {
+            tau: Some(0.5),
+            dt: Some(2.0),
+            boundary: Some(Boundary::Free),
+            goal: crate::flow::options::Goal::Smooth,
+            epsilon: 0.3,
+            free: Some(vec![1]),
+            ..FlowOptions::default()
+        };
+        let expected = FlowOptions {
+            flow: Mmcv,
+            epsilon: 0.3,
+            free: Some(vec![1]),
+            ..FlowOptions::default()
+        };
+        assert_eq!(before.with_flow(Mmcv), expected);
+    }
+}

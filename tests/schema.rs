@@ -1,0 +1,325 @@
+//! The tables of flows and options: they say what the flows do, and what JavaScript knows of them
+//! is written from them.
+
+use serde_json::{Value as Json, json};
+use std::path::Path;
+use umbilic::app::{Arrangement, Session};
+use umbilic::energy::circle::Boundary;
+use umbilic::flow::option::{Kind, Options, Row, Value};
+use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::spec::{FLOWS, Family, FlowRow};
+
+const WRITTEN: &str = "www/generated/schema.js";
+
+#[test]
+fn the_schema_in_javascript_is_that_of_the_tables() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(WRITTEN);
+    let text = schema();
+    if std::env::var_os("UPDATE_SCHEMA").is_some() {
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("the folder is made");
+        std::fs::write(&path, &text).expect("the schema is written");
+    }
+    let found = std::fs::read_to_string(&path).unwrap_or_default();
+    let same = found == text;
+    assert!(
+        same,
+        "{WRITTEN} is out of date: UPDATE_SCHEMA=1 cargo test --test schema"
+    );
+}
+
+fn schema() -> String {
+    let flows: Vec<Json> = FLOWS.iter().map(flow_json).collect();
+    let head = "// @ts-check
+// Flows and options as the solver knows them. Written from src/flow/spec.rs,
+// src/flow/option/rows.rs and src/app/given.rs by `UPDATE_SCHEMA=1 cargo test --test schema`.
+
+/**
+ * What an option may be, and what reads it. `absent` is the word for null.
+ * @typedef {object} Row
+ * @property {string} name
+ * @property {string} flag
+ * @property {'number' | 'choice' | 'set' | 'switch' | 'vertices'} kind
+ * @property {{ low: number, high: number, lowOpen: boolean, whole: boolean, also: number | null } | null} range
+ * @property {readonly string[]} ids
+ * @property {any} default
+ * @property {string | null} absent
+ * @property {string} unit
+ * @property {string} group
+ * @property {readonly FlowName[]} flows
+ * @property {string | null} scheme
+ * @property {string | null} goal
+ * @property {boolean} ofOneFlow  a change of flow takes its value back
+ */
+
+/**
+ * @typedef {object} Flow
+ * @property {FlowName} id
+ * @property {string} family
+ * @property {string} paper
+ * @property {number} order
+ * @property {number} timePower      dt has the unit length^k with this k …
+ * @property {boolean} timePowerAddsP  … and p more
+ * @property {string} tau
+ * @property {readonly string[]} monitored
+ * @property {string} formula
+ * @property {{ open: boolean, quads: boolean, oneSided: boolean }} meshes
+ * @property {'clamped' | 'fixed' | 'free' | null} boundary  unless told otherwise
+ */
+";
+    let ids: Vec<String> = FlowName::all().map(|f| format!("'{}'", f.id())).collect();
+    [
+        head.to_owned(),
+        format!("/** @typedef {{{}}} FlowName */\n", ids.join(" | ")),
+        typedef::<FlowOptions>("FlowOptions"),
+        typedef::<Arrangement>("Arrangement"),
+        list("readonly Flow[]", "flows", &flows),
+        list("readonly Row[]", "options", &rows::<FlowOptions>()),
+        list("readonly Row[]", "arrangement", &rows::<Arrangement>()),
+    ]
+    .join("\n")
+}
+
+fn list(kind: &str, name: &str, values: &[Json]) -> String {
+    let lines: Vec<String> = values.iter().map(|value| format!("  {value},")).collect();
+    let lines = lines.join("\n");
+    format!("/** @type {{{kind}}} */\nexport const {name} = [\n{lines}\n];\n")
+}
+
+fn flow_json(row: &FlowRow) -> Json {
+    serde_json::to_value(row).expect("JSON")
+}
+
+fn rows<S: Options>() -> Vec<Json> {
+    S::ROWS.iter().map(row_json).collect()
+}
+
+fn row_json<S: Options>(row: &Row<S>) -> Json {
+    let (kind, range, ids) = match row.kind {
+        Kind::Number(range) => ("number", Some(range), &[][..]),
+        Kind::Choice(ids) => ("choice", None, ids()),
+        Kind::Set(ids) => ("set", None, ids()),
+        Kind::Switch => ("switch", None, &[][..]),
+        Kind::Vertices => ("vertices", None, &[][..]),
+    };
+    let number = |x: f64| serde_json::to_value(Value::Number(x)).expect("JSON");
+    let range = range.map(|range| {
+        json!({
+            "low": number(range.low),
+            "high": number(range.high),
+            "lowOpen": range.low_open,
+            "whole": range.whole,
+            "also": range.also.map(number),
+        })
+    });
+    let flows: Vec<&str> = row.read_by.flows.iter().map(|flow| flow.id()).collect();
+    json!({
+        "name": row.name,
+        "flag": row.flag,
+        "kind": kind,
+        "range": range,
+        "ids": ids,
+        "default": (row.get)(&S::default()),
+        "absent": row.absent,
+        "unit": row.unit,
+        "group": row.group,
+        "flows": flows,
+        "scheme": row.read_by.scheme,
+        "goal": row.read_by.goal,
+        "ofOneFlow": row.is_of_one_flow,
+    })
+}
+
+fn typedef<S: Options>(name: &str) -> String {
+    let property = |row: &Row<S>| {
+        let of = |ids: &[&str]| {
+            let quoted: Vec<String> = ids.iter().map(|id| format!("'{id}'")).collect();
+            quoted.join(" | ")
+        };
+        let kind = match row.kind {
+            Kind::Number(_) => "number".into(),
+            Kind::Choice(ids) => of(ids()),
+            Kind::Set(ids) => format!("({})[]", of(ids())),
+            Kind::Switch => "boolean".into(),
+            Kind::Vertices => "number[]".into(),
+        };
+        let null = if row.absent.is_some() { " | null" } else { "" };
+        format!(" * @property {{{kind}{null}}} [{}]", row.name)
+    };
+    let properties: Vec<String> = S::ROWS.iter().map(property).collect();
+    format!(
+        "/**\n * @typedef {{object}} {name}\n{}\n */\n",
+        properties.join("\n")
+    )
+}
+
+/// A cap of 10 × 10 squares, scaled, as triangles or as quadrilaterals.
+fn cap(scale: f64, quads: bool) -> String {
+    const N: usize = 10;
+    let mut text = String::new();
+    for i in 0..=N {
+        for j in 0..=N {
+            let [x, y] = [i, j].map(|k| k as f64 / N as f64 - 0.5);
+            let z = (1.5 - x * x - y * y).sqrt() + 0.02 * (9.0 * x).sin() * (7.0 * y).cos();
+            let [x, y, z] = [x, y, z].map(|c| scale * c);
+            text += &format!("v {x} {y} {z}\n");
+        }
+    }
+    for i in 0..N {
+        for j in 0..N {
+            let [a, b] = [i * (N + 1) + j + 1, (i + 1) * (N + 1) + j + 1];
+            let faces = if quads {
+                vec![format!("f {a} {b} {} {}", b + 1, a + 1)]
+            } else {
+                vec![
+                    format!("f {a} {b} {}", b + 1),
+                    format!("f {a} {} {}", b + 1, a + 1),
+                ]
+            };
+            text += &(faces.join("\n") + "\n");
+        }
+    }
+    text
+}
+
+fn options(flow: FlowName) -> FlowOptions {
+    FlowOptions {
+        flow,
+        ..FlowOptions::default()
+    }
+}
+
+/// Whether a flow takes the mesh; the kind of its refusal otherwise.
+fn takes(session: &mut Session, flow: FlowName) -> Result<(), String> {
+    session
+        .configure(options(flow))
+        .map(|_| ())
+        .map_err(|fault| fault.kind)
+}
+
+#[test]
+fn flows_take_the_meshes_that_their_rows_say() {
+    let mut open = Session::new();
+    open.load(cap(1.0, false).as_bytes(), "cap.obj")
+        .expect("a cap");
+    let mut quads = Session::new();
+    quads
+        .load(cap(1.0, true).as_bytes(), "quads.obj")
+        .expect("a cap");
+    let mut one_sided = Session::new();
+    let size = [("along".into(), 24.0), ("around".into(), 12.0)];
+    one_sided.sample("klein-bottle", &size).expect("a bottle");
+    for row in FLOWS {
+        let refusal = |session, taken: bool, kind: &str| {
+            let expected = if taken { Ok(()) } else { Err(kind.to_owned()) };
+            assert_eq!(takes(session, row.id), expected, "{:?}", row.id);
+        };
+        refusal(&mut open, row.meshes.open, "NotClosed");
+        refusal(&mut one_sided, row.meshes.one_sided, "NotOriented");
+        // What moves vertices takes quadrilaterals as triangles, if not as they are.
+        if row.family == Family::Flips {
+            refusal(&mut quads, row.meshes.quads, "NotTriangular");
+        }
+    }
+}
+
+#[test]
+fn a_step_size_scales_as_its_unit_says() {
+    for row in FLOWS.iter().filter(|row| row.family != Family::Flips) {
+        for p in [1.0, 2.0, 4.0] {
+            let ratio = |level: f64, scale: f64| {
+                let mut session = Session::new();
+                if row.meshes.open {
+                    session
+                        .load(cap(scale, false).as_bytes(), "cap.obj")
+                        .expect("a cap");
+                } else {
+                    let size = [("level".into(), level)];
+                    session.sample("icosphere", &size).expect("a sphere");
+                    let mut obj =
+                        String::from_utf8(session.export(umbilic::io::Format::Obj).expect("OBJ"))
+                            .expect("text");
+                    obj = scaled(&obj, scale);
+                    session
+                        .load(obj.as_bytes(), "sphere.obj")
+                        .expect("a sphere");
+                }
+                let options = FlowOptions {
+                    p,
+                    ..options(row.id)
+                };
+                let configured = session.configure(options).expect("a flow");
+                configured.dt / configured.tau
+            };
+            let k = f64::from(row.time_power) + if row.time_power_adds_p { p } else { 0.0 };
+            let measured = (ratio(2.0, 3.0) / ratio(2.0, 1.0)).log(3.0);
+            assert!(
+                (measured - k).abs() < 1e-5,
+                "{:?} p {p}: {measured}",
+                row.id
+            );
+        }
+    }
+}
+
+/// The vertices of an OBJ file times a factor.
+fn scaled(obj: &str, factor: f64) -> String {
+    let line = |line: &str| match line.strip_prefix("v ") {
+        Some(rest) => {
+            let numbers = rest
+                .split_whitespace()
+                .map(|x| x.parse::<f64>().expect("a number"));
+            let numbers: Vec<String> = numbers.map(|x| (factor * x).to_string()).collect();
+            format!("v {}\n", numbers.join(" "))
+        }
+        None => format!("{line}\n"),
+    };
+    obj.lines().map(line).collect()
+}
+
+#[test]
+fn flows_monitor_one_of_the_functionals_of_their_rows() {
+    for row in FLOWS {
+        let mut session = Session::new();
+        session
+            .sample("ellipsoid", &[("level".into(), 2.0)])
+            .expect("an ellipsoid");
+        session.configure(options(row.id)).expect("a flow");
+        for _ in 0..3 {
+            session.step().expect("a step");
+            let monitored = session.state().expect("a state").monitored;
+            assert!(
+                row.monitored.contains(&monitored),
+                "{:?}: {monitored:?}",
+                row.id
+            );
+        }
+    }
+}
+
+#[test]
+fn a_flow_holds_at_the_boundary_what_its_row_says() {
+    for row in FLOWS {
+        let Some(usual) = row.boundary else { continue };
+        let held = |boundary| {
+            let mut session = Session::new();
+            session
+                .load(cap(1.0, false).as_bytes(), "cap.obj")
+                .expect("a cap");
+            let options = FlowOptions {
+                boundary,
+                ..options(row.id)
+            };
+            session.configure(options).expect("a flow");
+            session.held_vertices().expect("a flow")
+        };
+        assert_eq!(held(None), held(Some(usual)), "{:?}", row.id);
+        // Of 11 × 11 vertices the outermost 40, and with them the next 32.
+        let expected = match usual {
+            Boundary::Fixed => 40,
+            Boundary::Clamped => 72,
+            Boundary::Free => 0,
+        };
+        let count = held(None).iter().filter(|held| **held == 1).count();
+        assert_eq!(count, expected, "{:?}", row.id);
+    }
+}

@@ -1,0 +1,133 @@
+// @ts-check
+// Flows and options as the solver knows them. Written from src/flow/spec.rs,
+// src/flow/option/rows.rs and src/app/given.rs by `UPDATE_SCHEMA=1 cargo test --test schema`.
+
+/**
+ * What an option may be, and what reads it. `absent` is the word for null.
+ * @typedef {object} Row
+ * @property {string} name
+ * @property {string} flag
+ * @property {'number' | 'choice' | 'set' | 'switch' | 'vertices'} kind
+ * @property {{ low: number, high: number, lowOpen: boolean, whole: boolean, also: number | null } | null} range
+ * @property {readonly string[]} ids
+ * @property {any} default
+ * @property {string | null} absent
+ * @property {string} unit
+ * @property {string} group
+ * @property {readonly FlowName[]} flows
+ * @property {string | null} scheme
+ * @property {string | null} goal
+ * @property {boolean} ofOneFlow  a change of flow takes its value back
+ */
+
+/**
+ * @typedef {object} Flow
+ * @property {FlowName} id
+ * @property {string} family
+ * @property {string} paper
+ * @property {number} order
+ * @property {number} timePower      dt has the unit length^k with this k …
+ * @property {boolean} timePowerAddsP  … and p more
+ * @property {string} tau
+ * @property {readonly string[]} monitored
+ * @property {string} formula
+ * @property {{ open: boolean, quads: boolean, oneSided: boolean }} meshes
+ * @property {'clamped' | 'fixed' | 'free' | null} boundary  unless told otherwise
+ */
+
+/** @typedef {'circle' | 'p-willmore' | 'mean-curvature' | 'surface-diffusion' | 'willmore' | 'mmcv' | 'flips'} FlowName */
+
+/**
+ * @typedef {object} FlowOptions
+ * @property {'circle' | 'p-willmore' | 'mean-curvature' | 'surface-diffusion' | 'willmore' | 'mmcv' | 'flips'} [flow]
+ * @property {'auto' | 'paper'} [scheme]
+ * @property {'clamped' | 'fixed' | 'free' | null} [boundary]
+ * @property {number[] | null} [free]
+ * @property {number[] | null} [fixed]
+ * @property {boolean} [prefill]
+ * @property {number} [p]
+ * @property {('area' | 'volume')[]} [keep]
+ * @property {number | null} [reducedVolume]
+ * @property {number} [spontaneousCurvature]
+ * @property {number} [tension]
+ * @property {number} [pressure]
+ * @property {number} [epsilon]
+ * @property {boolean} [sharpen]
+ * @property {'area' | 'willmore' | 'localised'} [criterion]
+ * @property {boolean} [guardFolds]
+ * @property {'relax' | 'smooth'} [goal]
+ * @property {number} [detail]
+ * @property {number} [smoothSteps]
+ * @property {number | null} [tau]
+ * @property {number | null} [dt]
+ * @property {number} [tauGrowth]
+ * @property {number | null} [tauMax]
+ * @property {'semi-implicit' | 'forward-euler' | 'backward-euler' | 'l-bfgs'} [integrator]
+ * @property {'auto' | 'uniform' | 'area'} [mass]
+ * @property {'off' | 'linear' | 'nonlinear'} [regularise]
+ * @property {number} [regulariseEpsilon]
+ * @property {number} [perturbation]
+ * @property {number | null} [rungs]
+ * @property {number | null} [maxSteps]
+ * @property {number | null} [maxSeconds]
+ */
+
+/**
+ * @typedef {object} Arrangement
+ * @property {'none' | 'start' | 'criteria' | 'flows'} [compare]
+ * @property {number} [subdivide]
+ * @property {number | null} [flipsPerStep]
+ */
+
+/** @type {readonly Flow[]} */
+export const flows = [
+  {"boundary":"clamped","family":"circle","formula":"\\dot x = -M^{-1} \\nabla W, \\quad W = \\sum_i \\bigl(\\sum_j \\beta_{ij} - 2\\pi\\bigr)","id":"circle","meshes":{"oneSided":true,"open":true,"quads":false},"monitored":["smoothedCircle"],"order":4,"paper":"Bobenko & Schröder, Discrete Willmore Flow","tau":"dt/h²","timePower":2,"timePowerAddsP":false},
+  {"boundary":null,"family":"p-willmore","formula":"\\dot x = -\\nabla \\int |Y|^p \\, dA, \\quad Y = 2 H n","id":"p-willmore","meshes":{"oneSided":false,"open":false,"quads":true},"monitored":["area","willmore","pWillmore","helfrich"],"order":4,"paper":"Gruber & Aulisa, Computational p-Willmore Flow with Conformal Penalty","tau":"dt/L^(p+2)","timePower":2,"timePowerAddsP":true},
+  {"boundary":"fixed","family":"curvature","formula":"\\dot x = -H n","id":"mean-curvature","meshes":{"oneSided":false,"open":true,"quads":false},"monitored":["area"],"order":2,"paper":"Xu & Zhang, Minimal Mean-Curvature-Variation Surfaces","tau":"dt/L²","timePower":2,"timePowerAddsP":false},
+  {"boundary":"fixed","family":"curvature","formula":"\\dot x = \\Delta H \\, n","id":"surface-diffusion","meshes":{"oneSided":false,"open":true,"quads":false},"monitored":["area"],"order":4,"paper":"Xu & Zhang, Minimal Mean-Curvature-Variation Surfaces","tau":"dt/L⁴","timePower":4,"timePowerAddsP":false},
+  {"boundary":"fixed","family":"curvature","formula":"\\dot x = \\bigl(\\Delta H + 2 H (H^2 - K)\\bigr) n","id":"willmore","meshes":{"oneSided":false,"open":true,"quads":false},"monitored":["willmore"],"order":4,"paper":"Xu & Zhang, Minimal Mean-Curvature-Variation Surfaces","tau":"dt/L⁴","timePower":4,"timePowerAddsP":false},
+  {"boundary":"fixed","family":"curvature","formula":"\\dot x = -\\tfrac12 \\nabla \\int |\\nabla H|^2 \\, dA","id":"mmcv","meshes":{"oneSided":false,"open":true,"quads":false},"monitored":["curvatureVariation","area"],"order":6,"paper":"Xu & Zhang, Minimal Mean-Curvature-Variation Surfaces","tau":"dt/L⁶","timePower":6,"timePowerAddsP":false},
+  {"boundary":null,"family":"flips","formula":"(i,j) \\mapsto (k,l) \\text{ where that lowers the criterion}","id":"flips","meshes":{"oneSided":true,"open":true,"quads":false},"monitored":["smoothedCircle","area"],"order":0,"paper":"Brink & Alboul, Willmore energy vs area as criteria for mesh optimisation","tau":"","timePower":2,"timePowerAddsP":false},
+];
+
+/** @type {readonly Row[]} */
+export const options = [
+  {"absent":null,"default":"circle","flag":"flow","flows":["circle","p-willmore","mean-curvature","surface-diffusion","willmore","mmcv","flips"],"goal":null,"group":"flow","ids":["circle","p-willmore","mean-curvature","surface-diffusion","willmore","mmcv","flips"],"kind":"choice","name":"flow","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"auto","flag":"scheme","flows":["circle","p-willmore","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"flow","ids":["auto","paper"],"kind":"choice","name":"scheme","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"boundary","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":["clamped","fixed","free"],"kind":"choice","name":"boundary","ofOneFlow":true,"range":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"free","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":[],"kind":"vertices","name":"free","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"fixed","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":[],"kind":"vertices","name":"fixed","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":false,"flag":"prefill","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":[],"kind":"switch","name":"prefill","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":2,"flag":"p","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"p","ofOneFlow":false,"range":{"also":0,"high":16,"low":1,"lowOpen":false,"whole":false},"scheme":null,"unit":""},
+  {"absent":null,"default":[],"flag":"keep","flows":["p-willmore"],"goal":null,"group":"functional","ids":["area","volume"],"kind":"set","name":"keep","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"reduced-volume","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"reducedVolume","ofOneFlow":false,"range":{"also":null,"high":1,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":""},
+  {"absent":null,"default":0,"flag":"spontaneous-curvature","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"spontaneousCurvature","ofOneFlow":false,"range":{"also":null,"high":1000,"low":-1000,"lowOpen":false,"whole":false},"scheme":null,"unit":"1/L"},
+  {"absent":null,"default":0,"flag":"tension","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"tension","ofOneFlow":false,"range":{"also":null,"high":1000000,"low":-1000000,"lowOpen":false,"whole":false},"scheme":null,"unit":"1/L²"},
+  {"absent":null,"default":0,"flag":"pressure","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"pressure","ofOneFlow":false,"range":{"also":null,"high":1000000,"low":-1000000,"lowOpen":false,"whole":false},"scheme":null,"unit":"1/L³"},
+  {"absent":null,"default":0.1,"flag":"epsilon","flows":["circle"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"epsilon","ofOneFlow":false,"range":{"also":null,"high":1,"low":0,"lowOpen":false,"whole":false},"scheme":null,"unit":"rad"},
+  {"absent":null,"default":true,"flag":"sharpen","flows":["circle"],"goal":"relax","group":"functional","ids":[],"kind":"switch","name":"sharpen","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"localised","flag":"criterion","flows":["flips"],"goal":null,"group":"functional","ids":["area","willmore","localised"],"kind":"choice","name":"criterion","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":false,"flag":"guard-folds","flows":["flips"],"goal":null,"group":"functional","ids":[],"kind":"switch","name":"guardFolds","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"relax","flag":"goal","flows":["circle"],"goal":null,"group":"step","ids":["relax","smooth"],"kind":"choice","name":"goal","ofOneFlow":true,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":4,"flag":"detail","flows":["circle"],"goal":"smooth","group":"step","ids":[],"kind":"number","name":"detail","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0.1,"lowOpen":false,"whole":false},"scheme":null,"unit":"mean edge lengths"},
+  {"absent":null,"default":10,"flag":"smooth-steps","flows":["circle"],"goal":"smooth","group":"step","ids":[],"kind":"number","name":"smoothSteps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"scheme":null,"unit":"steps"},
+  {"absent":"auto","default":null,"flag":"tau","flows":["circle","p-willmore","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"step","ids":[],"kind":"number","name":"tau","ofOneFlow":true,"range":{"also":null,"high":1000000000000,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"dt","flows":["circle","p-willmore","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"step","ids":[],"kind":"number","name":"dt","ofOneFlow":true,"range":{"also":null,"high":1e+300,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":"length^k"},
+  {"absent":null,"default":1.2,"flag":"tau-growth","flows":["p-willmore"],"goal":null,"group":"step","ids":[],"kind":"number","name":"tauGrowth","ofOneFlow":false,"range":{"also":null,"high":100,"low":0,"lowOpen":true,"whole":false},"scheme":"paper","unit":""},
+  {"absent":"auto","default":null,"flag":"tau-max","flows":["p-willmore"],"goal":null,"group":"step","ids":[],"kind":"number","name":"tauMax","ofOneFlow":false,"range":{"also":null,"high":1000000000000,"low":0,"lowOpen":true,"whole":false},"scheme":"paper","unit":""},
+  {"absent":null,"default":"semi-implicit","flag":"integrator","flows":["circle"],"goal":null,"group":"method","ids":["semi-implicit","forward-euler","backward-euler","l-bfgs"],"kind":"choice","name":"integrator","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"auto","flag":"mass","flows":["circle"],"goal":null,"group":"method","ids":["auto","uniform","area"],"kind":"choice","name":"mass","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"nonlinear","flag":"regularise","flows":["p-willmore"],"goal":null,"group":"method","ids":["off","linear","nonlinear"],"kind":"choice","name":"regularise","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":0.01,"flag":"regularise-epsilon","flows":["p-willmore"],"goal":null,"group":"method","ids":[],"kind":"number","name":"regulariseEpsilon","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":""},
+  {"absent":null,"default":0,"flag":"perturbation","flows":["p-willmore"],"goal":null,"group":"method","ids":[],"kind":"number","name":"perturbation","ofOneFlow":false,"range":{"also":null,"high":0.3,"low":0,"lowOpen":false,"whole":false},"scheme":null,"unit":"mean edge lengths"},
+  {"absent":"auto","default":null,"flag":"rungs","flows":["mmcv"],"goal":null,"group":"method","ids":[],"kind":"number","name":"rungs","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":"steps"},
+  {"absent":"auto","default":null,"flag":"steps","flows":["circle","p-willmore","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxSteps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":"steps"},
+  {"absent":"auto","default":120,"flag":"seconds","flows":["circle","p-willmore","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":"relax","group":"budget","ids":[],"kind":"number","name":"maxSeconds","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":"s"},
+];
+
+/** @type {readonly Row[]} */
+export const arrangement = [
+  {"absent":null,"default":"none","flag":"compare","flows":["mean-curvature","surface-diffusion","willmore","mmcv","flips"],"goal":null,"group":"display","ids":["none","start","criteria","flows"],"kind":"choice","name":"compare","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":0,"flag":"subdivide","flows":["flips"],"goal":null,"group":"display","ids":[],"kind":"number","name":"subdivide","ofOneFlow":false,"range":{"also":null,"high":3,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":""},
+  {"absent":"all","default":1,"flag":"flips-per-step","flows":["flips"],"goal":null,"group":"display","ids":[],"kind":"number","name":"flipsPerStep","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"scheme":null,"unit":"flips"},
+];
