@@ -679,10 +679,10 @@ reduction: number | null, };
 /**
  * Which flow runs.
  */
-export type FlowName = "circle" | "p-willmore" | "flips" | "mean-curvature" | "surface-diffusion" | "willmore" | "mmcv";
+export type FlowName = "circle" | "p-willmore" | "mean-curvature" | "surface-diffusion" | "willmore" | "mmcv" | "flips";
 
 /**
- * Options of a flow. Unknown names are refused.
+ * Options of a flow; what each may be, and which flows read it, is in [`option`].
  */
 export type FlowOptions = { 
 /**
@@ -698,8 +698,7 @@ scheme: Scheme,
  */
 integrator: Integrator, 
 /**
- * What happens at the boundary; by default it is clamped under the circle flow and
- * fixed under the flows by mean curvature and its derivatives.
+ * What happens at the boundary; by default as usual of the flow ([`spec`]).
  */
 boundary: Boundary | null, 
 /**
@@ -709,7 +708,7 @@ goal: Goal,
 /**
  * Smoothing: wavelengths below this many mean edge lengths are at least halved.
  */
-detail: number | null, 
+detail: number, 
 /**
  * Smoothing: in so many steps.
  */
