@@ -17,6 +17,7 @@ mod fill;
 mod flip;
 mod history;
 mod invert;
+pub mod library;
 mod look;
 mod pane;
 mod probe;
@@ -251,8 +252,9 @@ impl Session {
         options: &FillOptions,
         progress: FillProgress<'_>,
     ) -> Result<FillOutcome, Fault> {
+        let options = self.work()?.numbered(options);
         self.edit(Edit::Fill(options.clone()), |work| {
-            work.filled(options, progress)
+            work.filled(&options, progress)
         })
     }
 

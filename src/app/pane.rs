@@ -11,10 +11,10 @@ use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
 use crate::remesh::flips::FlipOptimiser;
 use crate::remesh::flips::reduction::Criterion;
 use glam::DVec3;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// What stands beside the surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Compare {
     /// Nothing.
@@ -29,7 +29,7 @@ pub enum Compare {
 }
 
 /// What is shown of edge flips.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct Arrangement {
     /// Side by side.
@@ -40,13 +40,18 @@ pub struct Arrangement {
     pub flips_per_step: Option<usize>,
 }
 
+impl Arrangement {
+    /// The surface alone, flip by flip.
+    pub const PLAIN: Self = Self {
+        compare: Compare::None,
+        subdivide: 0,
+        flips_per_step: Some(1),
+    };
+}
+
 impl Default for Arrangement {
     fn default() -> Self {
-        Self {
-            compare: Compare::default(),
-            subdivide: 0,
-            flips_per_step: Some(1),
-        }
+        Self::PLAIN
     }
 }
 
@@ -140,7 +145,7 @@ impl Work {
         self.run_beside(arrangement.compare == Compare::Flows);
     }
 
-    fn panes(&self, field: Option<FieldName>) -> Vec<Pane> {
+    pub(super) fn panes(&self, field: Option<FieldName>) -> Vec<Pane> {
         let Some(flips) = self.flow.as_ref().and_then(|flow| flow.flips()) else {
             return self.flow_panes(field);
         };

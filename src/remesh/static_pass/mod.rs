@@ -50,14 +50,19 @@ pub struct Settings {
     pub features: f64,
 }
 
+impl Settings {
+    /// Five nonlinear passes that keep features.
+    pub const DEFAULT: Self = Self {
+        mode: Mode::Nonlinear,
+        epsilon: 1e-2,
+        iterations: 5,
+        features: 0.3,
+    };
+}
+
 impl Default for Settings {
     fn default() -> Self {
-        Self {
-            mode: Mode::Nonlinear,
-            epsilon: 1e-2,
-            iterations: 5,
-            features: 0.3,
-        }
+        Self::DEFAULT
     }
 }
 
