@@ -23,7 +23,7 @@ import { stepsIn } from "./recipe-schema.js";
 import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
 import { goesOn, transitions as to } from "./state.js";
-import { formatCount } from "./ui/number.js";
+import { say } from "./words.js";
 
 /**
  * @typedef {object} Voice  how the controller speaks to the user
@@ -341,7 +341,7 @@ export function createController(store, voice) {
         try {
           if (before.flow === "flips" && options.flow !== "flips" && reading && reading.step > 0) {
             // The point of better edges is what is done with them next.
-            const count = formatCount(reading.step, { one: "# flip", other: "# flips" });
+            const count = say("count-flips", { count: reading.step });
             await edits.adopt(options, count);
             voice.answer(
               t(

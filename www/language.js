@@ -6,6 +6,8 @@
 // Numbers keep the decimal point in every language: they are copied into other programs, and
 // stand beside the same numbers in files, tables and papers.
 
+import { speakWords } from "./words.js";
+
 /** Languages on offer, each by its own name. */
 export const languages = /** @type {const} */ ({ en: "English", de: "Deutsch" });
 
@@ -17,7 +19,6 @@ const KEY = "umbilic-language";
 let language = "en";
 /** @type {(english: string) => string} of whole sentences, values in them or not */
 let translate = (english) => english;
-let plurals = new Intl.PluralRules("en");
 
 /** The language that the page is in. */
 export const currentLanguage = () => language;
@@ -44,15 +45,6 @@ export const t = (english, values = {}) => filled(translate(english), values);
  * @param {Values} [values]
  */
 export const translated = (english, values = {}) => filled(translate(english), values);
-
-/**
- * Of two sentences the one that goes with a count, which is `{count}` in them.
- * @param {number} count
- * @param {{ one: string, other: string }} sentences
- * @param {Values} [values]
- */
-export const plural = (count, { one, other }, values = {}) =>
-  t(plurals.select(count) === "one" ? one : other, { count, ...values });
 
 /** @param {string | null | undefined} tag  as `de-CH` @returns {Language | null} */
 function known(tag) {
@@ -98,7 +90,7 @@ export function rememberLanguage(wanted) {
  */
 export async function speak(wanted) {
   language = wanted;
-  plurals = new Intl.PluralRules(wanted);
+  await speakWords(wanted);
   if (wanted === "en") {
     translate = (english) => english;
     return;

@@ -54,18 +54,6 @@ export const german = {
   "Paused at step {step}": "Angehalten bei Schritt {step}",
   "{reason}. Play goes on.": "{reason}. „Start“ macht weiter.",
   "Step {step} of {goal}": "Schritt {step} von {goal}",
-  "Converged after # step": "Konvergiert nach # Schritt",
-  "Converged after # steps": "Konvergiert nach # Schritten",
-  "Stalled after # step": "Stecken geblieben nach # Schritt",
-  "Stalled after # steps": "Stecken geblieben nach # Schritten",
-  "Stopped after # step": "Angehalten nach # Schritt",
-  "Stopped after # steps": "Angehalten nach # Schritten",
-  "Singular after # step": "Singulär nach # Schritt",
-  "Singular after # steps": "Singulär nach # Schritten",
-  "Collapsed after # step": "Kollabiert nach # Schritt",
-  "Collapsed after # steps": "Kollabiert nach # Schritten",
-  "Failed after # step": "Gescheitert nach # Schritt",
-  "Failed after # steps": "Gescheitert nach # Schritten",
   Assembling: "Matrix aufstellen",
   Factorising: "Matrix zerlegen",
   "Newton iterations": "Newton-Iterationen",
@@ -256,10 +244,6 @@ export const german = {
   "The mesh is as regular as it gets.": "Regelmäßiger wird das Netz nicht.",
   "The mesh is as regular as it gets while its vertices on creases stay, {pinned} of them; a finer mesh has more to move.":
     "Regelmäßiger wird das Netz nicht, solange seine Ecken auf Kanten der Form bleiben, {pinned} davon; ein feineres Netz hat mehr, das sich bewegen kann.",
-  "Regularised in {count} pass: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.":
-    "In {count} Durchgang regularisiert: kleinster Winkel {angle}° → {angleNow}°, Verzerrung {distortion} → {distortionNow}; keine Ecke ist weiter als {distance} % der Größe von der vorigen Fläche entfernt. „Zurück“ nimmt es zurück.",
-  "Regularised in {count} passes: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.":
-    "In {count} Durchgängen regularisiert: kleinster Winkel {angle}° → {angleNow}°, Verzerrung {distortion} → {distortionNow}; keine Ecke ist weiter als {distance} % der Größe von der vorigen Fläche entfernt. „Zurück“ nimmt es zurück.",
   "Lagrange multipliers: {values}": "Lagrange-Multiplikatoren: {values}",
   "tension {value}": "Spannung {value}",
   "pressure {value}": "Druck {value}",
@@ -296,8 +280,6 @@ export const german = {
   "100 flips": "100 Flips",
   "1000 flips": "1000 Flips",
   "All flips": "Alle Flips",
-  "# flip": "# Flip",
-  "# flips": "# Flips",
   "Beside it": "Daneben",
   "The start": "Der Anfang",
   Start: "Anfang",
@@ -376,8 +358,6 @@ export const german = {
   "Choose boundary loops here or by a click on the surface. What is filled becomes a new start; only the new vertices move.":
     "Wählen Sie Randkurven hier oder durch einen Klick auf die Fläche. Gefülltes wird zum neuen Anfang; nur die neuen Ecken bewegen sich.",
   "Boundary loops": "Randkurven",
-  "# boundary loop.": "# Randkurve.",
-  "# boundary loops.": "# Randkurven.",
   "{count} boundary loops, the first {listed} of them listed.":
     "{count} Randkurven, die ersten {listed} davon in der Liste.",
   "{n}: {edges} edges, length {length}": "{n}: {edges} Kanten, Länge {length}",
@@ -388,12 +368,6 @@ export const german = {
   "Connect chosen": "Gewählte verbinden",
   "New vertices": "Neue Ecken",
   "at most": "höchstens",
-  "the fill of {count} loop": "das Füllen von {count} Randkurve",
-  "the fill of {count} loops": "das Füllen von {count} Randkurven",
-  "Filled {count} loop with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.":
-    "{count} Randkurve mit {vertices} neuen Ecken gefüllt. „Start“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.",
-  "Filled {count} loops with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.":
-    "{count} Randkurven mit {vertices} neuen Ecken gefüllt. „Start“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.",
   "Region that moves": "Bereich, der sich bewegt",
   "Paint what the flow may change; the rest keeps its place.":
     "Malen Sie an, was der Fluss verändern darf; der Rest bleibt, wo er ist.",
@@ -412,8 +386,6 @@ export const german = {
   "Keep as new start": "Als neuen Anfang behalten",
   Undo: "Rückgängig",
   "takes back {what}": "nimmt zurück: {what}",
-  "{count} step": "{count} Schritt",
-  "{count} steps": "{count} Schritte",
 
   // Möbius inversion, subdivision
   "Möbius inversion": "Möbius-Inversion",
@@ -567,8 +539,6 @@ export const german = {
   "The surface does not pass through itself.": "Die Fläche durchdringt sich nirgends selbst.",
   "Too many triangles are near each other to compare them all.":
     "Zu viele Dreiecke liegen beieinander, um sie alle zu vergleichen.",
-  "# pair of triangles passes through each other.": "# Dreieckspaar durchdringt sich.",
-  "# pairs of triangles pass through each other.": "# Dreieckspaare durchdringen sich.",
   "Pick a vertex": "Ecke auswählen",
   "Vertex number": "Nummer der Ecke",
   number: "Nummer",

@@ -10,12 +10,13 @@ import { fileURLToPath } from "node:url";
 import { parseAst } from "vite";
 import { translateDocument, visitTexts } from "../../www/document-text.js";
 import { figures } from "../../www/figures.js";
-import { chooseLanguage, plural, speak, t, translated } from "../../www/language.js";
+import { chooseLanguage, speak, t, translated } from "../../www/language.js";
 import { choices } from "../../www/options.js";
 import { samples } from "../../www/samples.js";
 import { createFinder, createTranslator } from "../../www/sentences.js";
 import { standings } from "../../www/standing.js";
 import { german } from "../../www/strings.js";
+import { say } from "../../www/words.js";
 import { parseHtml } from "./support/html.js";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
@@ -59,7 +60,7 @@ function literalOf(node) {
 }
 
 const pageFiles = filesIn("www", ".js").filter(
-  (file) => !/^www\/(pkg|cli|tools)\/|^www\/(cli|strings)\.js$/.test(file),
+  (file) => !/^www\/(pkg|cli|tools|locales)\/|^www\/(cli|strings)\.js$/.test(file),
 );
 const syntax = new Map(pageFiles.map((file) => [file, parseAst(read(file))]));
 
@@ -382,16 +383,11 @@ test("the address chooses the language, then what was chosen before, then the br
 });
 
 test("one and many, in English and in German", async () => {
-  const sentences = { one: "{count} step", other: "{count} steps" };
-  assert.deepEqual(
-    [1, 2].map((n) => plural(n, sentences)),
-    ["1 step", "2 steps"],
-  );
+  const count = (/** @type {number} */ n) => say("count-steps", { count: n });
+  assert.deepEqual([1, 2].map(count), ["1 step", "2 steps"]);
   await speak("de");
-  assert.deepEqual(
-    [0, 1, 2].map((n) => plural(n, sentences)),
-    ["0 Schritte", "1 Schritt", "2 Schritte"],
-  );
+  assert.deepEqual([0, 1, 2].map(count), ["0 Schritte", "1 Schritt", "2 Schritte"]);
+  assert.equal(say("ended", { status: "stalled", steps: 2 }), "Stecken geblieben nach 2 Schritten");
   assert.equal(t("Paused at step {step}", { step: 12 }), "Angehalten bei Schritt 12");
   assert.equal(
     translated("the file is cut short: 84 bytes needed at byte 12, 7 there"),

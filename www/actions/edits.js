@@ -5,12 +5,13 @@
 /** @import { Options } from "../options.js" */
 /** @import { Core } from "./core.js" */
 
-import { plural, t } from "../language.js";
+import { t } from "../language.js";
 import { byCurvature } from "../options.js";
 import { transitions as to } from "../state.js";
+import { say } from "../words.js";
 
 /** What going on from a surface takes back when it is undone. @param {number} count */
-export const stepsOf = (count) => plural(count, { one: "{count} step", other: "{count} steps" });
+export const stepsOf = (count) => say("count-steps", { count });
 
 /** @param {Core} core */
 export function createEdits(core) {
@@ -60,21 +61,14 @@ export function createEdits(core) {
                   "The mesh is as regular as it gets while its vertices on creases stay, {pinned} of them; a finer mesh has more to move.",
                   { pinned },
                 )
-            : plural(
+            : say("regularised", {
                 passes,
-                {
-                  one: "Regularised in {count} pass: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.",
-                  other:
-                    "Regularised in {count} passes: smallest angle {angle}° → {angleNow}°, distortion {distortion} → {distortionNow}; no vertex is farther than {distance} % of the size from the surface before. Back undoes it.",
-                },
-                {
-                  angle: before.minAngleDegrees.toFixed(1),
-                  angleNow: after.minAngleDegrees.toFixed(1),
-                  distortion: before.distortion.toPrecision(2),
-                  distortionNow: after.distortion.toPrecision(2),
-                  distance: (100 * distance).toPrecision(2),
-                },
-              ),
+                angle: before.minAngleDegrees,
+                angleNow: after.minAngleDegrees,
+                distortion: before.distortion,
+                distortionNow: after.distortion,
+                distance: 100 * distance,
+              }),
         );
       }),
     /** All flips that gain anything, at once. */
@@ -142,10 +136,7 @@ export function createEdits(core) {
           .fill(wanted)
           .finally(() => store.update(to.progress, null));
         const count = outcome.loops.length;
-        const what = plural(count, {
-          one: "the fill of {count} loop",
-          other: "the fill of {count} loops",
-        });
+        const what = say("count-fills", { count });
         const own = /** @type {const} */ ({ kind: "file", name: mesh.name });
         store.update(to.edited, own, loaded, [
           ...earlier,
@@ -157,17 +148,7 @@ export function createEdits(core) {
         const plain = { boundary: null, fixed: null, dt: null, tau: null, prefill: false };
         await configure({ ...before, ...plain, goal: "relax", flow, free });
         await colour(store.get().colour);
-        voice.answer(
-          plural(
-            count,
-            {
-              one: "Filled {count} loop with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.",
-              other:
-                "Filled {count} loops with {vertices} new vertices. Play lets the flow fair them; Undo takes the fill back.",
-            },
-            { vertices: outcome.verticesAdded },
-          ),
-        );
+        voice.answer(say("filled", { count, vertices: outcome.verticesAdded }));
       }),
     /** Frees these vertices and holds the others; the surface as it is becomes the start. @param {number[] | null} free */
     select: (free) =>

@@ -5,17 +5,14 @@
 /** @import { Controller } from "../controller.js" */
 
 import { t } from "../language.js";
+import { say } from "../words.js";
 import { byId, setText } from "./element.js";
-import { formatCount } from "./number.js";
 
 /** @param {Awaited<ReturnType<Controller["selfIntersections"]>>} found */
 function countText(found) {
   if (!found) return t("Too many triangles are near each other to compare them all.");
   if (found.pairs.length === 0) return t("The surface does not pass through itself.");
-  return formatCount(found.pairs.length / 2, {
-    one: "# pair of triangles passes through each other.",
-    other: "# pairs of triangles pass through each other.",
-  });
+  return say("crossings", { count: found.pairs.length / 2 });
 }
 
 /** @param {Controller} controller */

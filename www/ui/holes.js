@@ -6,8 +6,9 @@
 /** @import { Controller } from "../controller.js" */
 
 import { t } from "../language.js";
+import { say } from "../words.js";
 import { byId, setText } from "./element.js";
-import { formatCount, formatNumber } from "./number.js";
+import { formatNumber } from "./number.js";
 
 /** Loops that the list names; a scan may have hundreds. */
 const LISTED = 200;
@@ -107,7 +108,7 @@ export function createHoles(controller, nearestEdge) {
             count: loops.length,
             listed: LISTED,
           })
-        : formatCount(loops.length, { one: "# boundary loop.", other: "# boundary loops." }),
+        : say("boundary-loops", { count: loops.length }),
     );
     list.append(...loops.slice(0, LISTED).map(entry));
     showChosen();

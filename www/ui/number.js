@@ -3,8 +3,6 @@
 // about while they run, and no grouping, so that they can be copied: with a decimal point in
 // every language.
 
-import { plural } from "../language.js";
-
 /** @param {number | null | undefined} value @param {number} [digits] significant */
 export function formatNumber(value, digits = 5) {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
@@ -14,17 +12,13 @@ export function formatNumber(value, digits = 5) {
   return value.toPrecision(digits);
 }
 
-/** @param {number} value  for the ticks of an axis or the ends of a scale */
-export function formatShort(value) {
+/**
+ * For sentences, the ticks of an axis and the ends of a scale: without zeros at the end.
+ * @param {number} value @param {number} [digits] significant
+ */
+export function formatShort(value, digits = 3) {
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size < 1e-3 || size >= 1e5) return String(Number(value.toPrecision(3)).toExponential());
-  return String(Number(value.toPrecision(3)));
+  const short = Number(value.toPrecision(digits));
+  return size < 1e-3 || size >= 1e5 ? short.toExponential() : String(short);
 }
-
-/**
- * @param {number} count
- * @param {{ one: string, other: string }} sentences  whole sentences, `#` stands for the count
- */
-export const formatCount = (count, sentences) =>
-  plural(count, sentences).replace("#", String(count));

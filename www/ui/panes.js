@@ -9,13 +9,14 @@
 
 import { t } from "../language.js";
 import { byCurvature } from "../options.js";
+import { say } from "../words.js";
 import { captionParts, rivalPictures } from "./comparison-words.js";
 import { flowLabel, jumpText } from "./curvature-form.js";
 import { byId } from "./element.js";
 import { ExtraPane, setCaption } from "./extra-pane.js";
 import { criterionLabel } from "./flips-form.js";
 import { createMontage } from "./montage.js";
-import { formatCount, formatNumber } from "./number.js";
+import { formatNumber } from "./number.js";
 import { ownPane } from "./picture.js";
 
 const order = ["start", "area", ...byCurvature, "localised"];
@@ -40,7 +41,7 @@ function captionOf(name, { reading, frame }) {
     circle: formatNumber(run ? run.circle : first?.circle[0], 5),
   };
   if (!run) return t("{label}: area {area}, W {circle}", values);
-  const flips = formatCount(run.flips, { one: "# flip", other: "# flips" });
+  const flips = say("count-flips", { count: run.flips });
   return t("{label}: {flips}, area {area}, W {circle}", { ...values, flips });
 }
 

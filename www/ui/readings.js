@@ -4,8 +4,9 @@
 /** @import { PageState } from "../state.js" */
 
 import { t } from "../language.js";
+import { say } from "../words.js";
 import { byId, setText } from "./element.js";
-import { formatCount, formatNumber } from "./number.js";
+import { formatNumber } from "./number.js";
 import { showParts } from "./option-form.js";
 
 /** @param {Readonly<PageState>} state @returns {Record<string, string>} */
@@ -35,9 +36,7 @@ function readingsOf({ reading, mesh }) {
 
 /** @param {number} perStep  above what a mesh can hold: all there are */
 const flipsText = (perStep) =>
-  perStep > 2 ** 31 - 1
-    ? t("All flips")
-    : formatCount(perStep, { one: "# flip", other: "# flips" });
+  perStep > 2 ** 31 - 1 ? t("All flips") : say("count-flips", { count: perStep });
 
 /** @param {NonNullable<PageState["reading"]>} reading */
 function volumeText({ volume, reducedVolume }) {

@@ -5,18 +5,9 @@
 
 import { t, translated } from "../language.js";
 import { isOver } from "../standing.js";
+import { say } from "../words.js";
 import { byId, setText } from "./element.js";
-import { formatCount, formatNumber } from "./number.js";
-
-/** @type {Readonly<Record<import("../standing.js").Ended, { one: string, other: string }>>} */
-const ends = {
-  converged: { one: "Converged after # step", other: "Converged after # steps" },
-  stalled: { one: "Stalled after # step", other: "Stalled after # steps" },
-  stepLimit: { one: "Stopped after # step", other: "Stopped after # steps" },
-  singular: { one: "Singular after # step", other: "Singular after # steps" },
-  collapsed: { one: "Collapsed after # step", other: "Collapsed after # steps" },
-  failed: { one: "Failed after # step", other: "Failed after # steps" },
-};
+import { formatNumber } from "./number.js";
 
 /** What the solver calls the parts of a long step. @type {Readonly<Record<string, string>>} */
 const stages = {
@@ -48,9 +39,9 @@ export function statusText({ phase, loadingName, mesh, reading, pausing, version
     if (pausing) return t("Pausing after this step…");
     return goal ? t("Running to step {goal}", { goal }) : t("Running");
   }
-  const end = reading.status;
-  if (isOver(end)) return formatCount(reading.step, ends[end]);
-  return phase === "ready" ? t("Ready") : t("Paused at step {step}", { step: reading.step });
+  const { status, step } = reading;
+  if (isOver(status)) return say("ended", { status, steps: step });
+  return phase === "ready" ? t("Ready") : t("Paused at step {step}", { step });
 }
 
 /** Why a run is over, beyond what the status line says. @param {Readonly<PageState>} state */

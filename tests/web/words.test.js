@@ -1,0 +1,88 @@
+// @ts-check
+// Messages as sentences: the words of every language are complete, of one kind, and are put
+// together as they should be.
+
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { after, test } from "node:test";
+import { FluentResource } from "@fluent/bundle";
+import { languages, speak } from "../../www/language.js";
+import { say } from "../../www/words.js";
+
+after(() => speak("en"));
+
+/** The entries of a language as Fluent reads them. @param {string} language */
+function wordsOf(language) {
+  const folder = new URL(`../../www/locales/${language}/`, import.meta.url);
+  /** @type {Map<string, { variables: string[], text: string }>} */
+  const found = new Map();
+  for (const file of readdirSync(folder)) {
+    const source = readFileSync(new URL(file, folder), "utf8");
+    const { body } = new FluentResource(source);
+    // Fluent leaves out what it cannot read, without a word.
+    const written = [...source.matchAll(/^(-?[a-zA-Z][\w-]*) =/gm)].map(([, id]) => id);
+    assert.deepEqual(
+      body.map(({ id }) => id),
+      written,
+      `${language}/${file}`,
+    );
+    for (const { id, value, attributes } of body) {
+      for (const [part, pattern] of Object.entries({ "": value, ...attributes })) {
+        if (pattern === null) continue;
+        const name = part ? `${id}.${part}` : id;
+        assert.ok(!found.has(name), `${language} says ${name} twice`);
+        const text = JSON.stringify(pattern);
+        const variables = [...text.matchAll(/"type":"var","name":"(\w+)"/g)].map(([, n]) => n);
+        found.set(name, { variables: [...new Set(variables)].sort(), text });
+      }
+    }
+  }
+  return found;
+}
+
+test("every language has words for the same messages, with the same values", () => {
+  const english = wordsOf("en");
+  assert.ok(english.size > 0);
+  for (const language of Object.keys(languages)) {
+    const words = wordsOf(language);
+    assert.deepEqual([...words.keys()].sort(), [...english.keys()].sort(), language);
+    for (const [id, { variables }] of words)
+      assert.deepEqual(variables, english.get(id)?.variables, `${language} ${id}`);
+  }
+});
+
+test("numbers have a decimal point and no grouping in every language", async () => {
+  const values = {
+    passes: 12345,
+    angle: 12.3456,
+    angleNow: 1e-7,
+    distortion: 0,
+    distance: 250000.5,
+  };
+  for (const [language, start] of /** @type {const} */ ([
+    ["en", "Regularised in 12345 passes: smallest angle 12.3° → 1e-7°, distortion 0 → "],
+    ["de", "In 12345 Durchgängen regularisiert: kleinster Winkel 12.3° → 1e-7°, Verzerrung 0 → "],
+  ])) {
+    await speak(language);
+    const text = say("regularised", { ...values, distortionNow: 0.5 });
+    assert.ok(text.startsWith(`${start}0.5; `), text);
+    assert.ok(text.includes(" 2.5e+5 % "), text);
+  }
+});
+
+test("a message in a message is said in its place, a list with commas", async () => {
+  await speak("en");
+  const count = { id: "count-steps", values: { count: 1 } };
+  assert.equal(say({ id: "filled", values: { count, vertices: 2 } }).slice(0, 13), "Filled 1 step");
+  const list = say("filled", { count: [1, "b", count], vertices: 2 });
+  assert.equal(list.slice(0, 20), "Filled 1, b, 1 step ");
+  // No marks around values: sentences are copied into files.
+  assert.doesNotMatch(list, /[\u2066-\u2069]/);
+});
+
+test("a message without words shows its id, and a value that is missing its name", async () => {
+  await speak("de");
+  assert.equal(say({ id: "no-such-message", values: { count: 1 } }), "no-such-message");
+  assert.equal(say("no-such-message.hint"), "no-such-message.hint");
+  assert.match(say("count-flips"), /\{\$?count\}/);
+});

@@ -1,0 +1,95 @@
+// @ts-check
+// Messages as sentences. A message is `{ id, values }`; the words of each language stand in
+// `locales/<language>/*.ftl`, in the syntax of Fluent (projectfluent.org). The solver, the worker
+// and recipes speak in messages, so that a sentence is made once, where it is read.
+//
+// A value is a number, a text, a truth, another message, which is said in its place, or a list of
+// these. Numbers are shown with a decimal point in every language (see language.js), whole
+// numbers in full and others to three significant digits, `NUMBER($x, digits: 5)` to five.
+// `LIST($all, most: 6)` shows the first six of a list, `COUNT($all)` how many there are.
+
+import { FluentBundle, FluentNumber, FluentResource, FluentType } from "@fluent/bundle";
+import { english, fetchWords } from "#locales";
+import { formatShort } from "./ui/number.js";
+
+/** @typedef {null | boolean | number | string | Message | { [n: number]: any, length: number }} Value */
+/** @typedef {{ id: string, values?: Readonly<Record<string, any>> }} Message  values are `Value`s */
+
+class Numeral extends FluentNumber {
+  /** @param {number} value @param {number} [digits] significant, of numbers that are not whole */
+  constructor(value, digits) {
+    super(value);
+    this.digits = digits;
+  }
+
+  toString() {
+    const isPlain = Number.isSafeInteger(this.value) && this.digits === undefined;
+    return isPlain ? String(this.value) : formatShort(this.value, this.digits);
+  }
+}
+
+/** @extends {FluentType<(string | FluentType<any>)[]>} */
+class List extends FluentType {
+  /** @param {(string | FluentType<any>)[]} values @param {number} [most] */
+  constructor(values, most = values.length) {
+    super(values);
+    this.most = most;
+  }
+
+  /** @param {any} scope */
+  toString(scope) {
+    const shown = this.value.slice(0, this.most).map((value) => value.toString(scope));
+    return [...shown, ...(this.value.length > this.most ? ["…"] : [])].join(", ");
+  }
+}
+
+/** @type {Record<string, (args: any[], named: Record<string, any>) => any>} */
+const functions = {
+  NUMBER: ([value], { digits }) => new Numeral(Number(value), digits && Number(digits)),
+  LIST: ([list], { most }) => new List(list.value, Number(most)),
+  COUNT: ([list]) => new Numeral(list.value.length),
+};
+
+/** @param {string} language @param {string} words  @returns {FluentBundle} */
+function bundleOf(language, words) {
+  // Without marks around values: sentences are copied into files and other programs.
+  const bundle = new FluentBundle(language, { functions, useIsolating: false });
+  const errors = bundle.addResource(new FluentResource(words));
+  if (errors.length > 0) throw errors[0];
+  return bundle;
+}
+
+/** @type {FluentBundle | null} made for the first message */
+let bundle = null;
+
+/** @param {Value} value @returns {string | FluentType<any>} */
+function shown(value) {
+  if (typeof value === "number") return new Numeral(value);
+  if (value === null || typeof value !== "object") return String(value ?? "–");
+  if ("id" in value) return say(value);
+  return new List(Array.from(value, shown));
+}
+
+/**
+ * A message in the language of its reader. `name.part` is a further sentence of the message
+ * `name`, as `.hint`. A message without words is a mistake, and shown by its id.
+ * @param {string | Message} message
+ * @param {Readonly<Record<string, any>>} [values]  of a message that is given by its id
+ * @returns {string}
+ */
+export function say(message, values = {}) {
+  if (typeof message !== "string") return say(message.id, message.values);
+  bundle ??= bundleOf("en", english);
+  const [name, part] = message.split(".");
+  const words = bundle.getMessage(name);
+  const pattern = part === undefined ? words?.value : words?.attributes[part];
+  if (!pattern) return message;
+  const args = Object.entries(values ?? {}).map(([key, value]) => [key, shown(value)]);
+  // A value that is missing shows as its name.
+  return bundle.formatPattern(pattern, Object.fromEntries(args), []);
+}
+
+/** Says what follows in another language. @param {"en" | "de"} language */
+export async function speakWords(language) {
+  bundle = bundleOf(language, await fetchWords(language));
+}
