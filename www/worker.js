@@ -2,9 +2,9 @@
 // The solver's side: one session, a table of what may be asked of it, and a run loop
 // that lets messages in after every step.
 
-/** @import { Configured, Fault, FieldName, Pane, Request, State, StepReport, Wanted } from "./protocol.js" */
+/** @import { Configured, Fault, FieldName, Finding, Pane, Request, State, StepReport, Wanted } from "./protocol.js" */
 
-import init, { Session } from "./pkg/solver/solver.js";
+import init, { FigureRun, Session } from "./pkg/solver/solver.js";
 import { follow, prepare } from "./recipe.js";
 import { sequence, sequenceSize } from "./sequence.js";
 import { isOver } from "./standing.js";
@@ -31,6 +31,8 @@ let toldFlow = 0;
 /** Work shorter than this says nothing of its progress. */
 const PATIENCE = 500;
 let nextProgress = 0;
+/** @type {FigureRun | null} beside the session */
+let figureRun = null;
 /** @type {StepReport[]} of the steps no frame has told of yet */
 let untold = [];
 
@@ -147,14 +149,41 @@ function shown(known, move) {
 /** @param {number} share */
 const replayed = (share) => tell("replay", share);
 
+/**
+ * Runs a figure to its end, letting messages in after every step.
+ * @param {FigureRun} run
+ * @returns {Promise<Finding | null>} null where something else came first
+ */
+async function measured(run) {
+  const { port1, port2 } = new MessageChannel();
+  figureRun = run;
+  try {
+    while (figureRun === run) {
+      /** @type {Finding | null} */
+      const finding = run.advance();
+      if (finding) return finding;
+      await new Promise((resolve) => {
+        port1.onmessage = resolve;
+        port2.postMessage(null);
+      });
+    }
+    return null;
+  } finally {
+    port1.close();
+    run.free();
+  }
+}
+
 /** @type {Record<string, (request: any) => unknown>} */
 const actions = {
   load({ bytes, name }) {
     running = false;
+    figureRun = null;
     return session.load(new Uint8Array(bytes), name);
   },
   sample({ name, parameters }) {
     running = false;
+    figureRun = null;
     return session.sample(name, parameters);
   },
   configure: (request) =>
@@ -233,6 +262,7 @@ const actions = {
   quadrilateral: ({ corners }) => session.quadrilateral(corners),
   lab: ({ pairs }) => session.lab(pairs),
   why: () => session.why(),
+  judge: ({ figure }) => session.judge(figure) ?? measured(session.figureRun(figure)),
   selfIntersections: () => session.selfIntersections(),
   study: ({ options }) => session.study(options),
   back: (request) => moved(request.run, () => session.back()),

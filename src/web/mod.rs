@@ -6,6 +6,8 @@
 mod edit;
 #[cfg(target_arch = "wasm32")]
 mod fault;
+#[cfg(all(feature = "solver", target_arch = "wasm32"))]
+pub mod library;
 #[cfg(target_arch = "wasm32")]
 mod panic;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]

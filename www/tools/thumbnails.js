@@ -5,7 +5,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { launch, openPage } from "../../tests/web/support/browser.js";
 import { serve } from "../../tests/web/support/server.js";
-import { figures } from "../figures.js";
+import { figures } from "../generated/library.js";
 import { root } from "./process.js";
 
 /** Steps that are worth waiting for in a picture. */
@@ -26,7 +26,7 @@ try {
     for (const [key, value] of Object.entries({ ...figure.options, ...figure.arrangement })) {
       words.set(key, String(value ?? (key === "flipsPerStep" ? "all" : "auto")));
     }
-    if (figure.colour) words.set("colour", figure.colour);
+    words.set("colour", figure.colour);
     if (steps > 0) words.set("step", String(steps));
     page.setDefaultTimeout(100_000);
     await page.goto(`${server.url}#${words}`);

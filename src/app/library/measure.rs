@@ -146,3 +146,134 @@ fn largest(values: impl Iterator<Item = f64>) -> f64 {
         .map(f64::abs)
         .fold(0.0, |most, value| if most >= value { most } else { value })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{build, shape};
+
+    fn sample(name: &str) -> (HalfedgeMesh, Vec<DVec3>) {
+        let built = build(&shape::make(name, &[]).expect("a shape").soup).expect("a surface");
+        (built.mesh, built.positions)
+    }
+
+    /// A pattern of amplitude 1 that alternates with the number of the vertex.
+    fn alternating(v: usize) -> f64 {
+        if v.is_multiple_of(2) { 1.0 } else { -1.0 }
+    }
+
+    #[test]
+    fn a_sphere_anywhere_is_none_off_and_a_rough_one_by_its_roughness() {
+        let (_, x) = sample("icosphere");
+        let moved: Vec<DVec3> = x
+            .iter()
+            .map(|p| 3.0 * *p + DVec3::new(5.0, -2.0, 1.0))
+            .collect();
+        assert!(off_sphere(&moved) < 1e-12, "{}", off_sphere(&moved));
+        assert!(off_unit_sphere(&x) < 1e-12);
+        assert!(
+            (off_unit_sphere(&moved) - 7.0).abs() < 1.5,
+            "{}",
+            off_unit_sphere(&moved)
+        );
+        let rough: Vec<DVec3> = (x.iter().enumerate())
+            .map(|(v, p)| *p * (1.0 + 1e-4 * alternating(v)))
+            .collect();
+        let off = off_sphere(&rough);
+        assert!((off / 1e-4 - 1.0).abs() < 1e-2, "{off}");
+        assert!((off_unit_sphere(&rough) / 1e-4 - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_torus_of_revolution_has_its_own_radii() {
+        // Evenly about both circles, as the centroid has to be its centre.
+        let around = |n: usize| (0..n).map(move |i| std::f64::consts::TAU * i as f64 / n as f64);
+        let torus = |wobble: f64| {
+            let at = move |(u, v): (f64, f64)| {
+                let tube = 0.5 + wobble * (2.0 * v).cos();
+                let rho = 2.0 + tube * v.cos();
+                DVec3::new(rho * u.cos() + 7.0, rho * u.sin(), tube * v.sin() - 1.0)
+            };
+            let angles = around(48).flat_map(|u| around(24).map(move |v| (u, v)));
+            angles.map(at).collect::<Vec<_>>()
+        };
+        let exact = TorusFit::of(&torus(0.0));
+        assert!((exact.major - 2.0).abs() < 1e-12 && (exact.tube - 0.5).abs() < 1e-12);
+        assert!((exact.ratio() - 4.0).abs() < 1e-11 && exact.off < 1e-12);
+        let wobbling = TorusFit::of(&torus(1e-4));
+        // The mean square of a cosine is a half.
+        let expected = 1e-4 / 0.5 / 2f64.sqrt();
+        assert!(
+            (wobbling.off / expected - 1.0).abs() < 1e-2,
+            "{}",
+            wobbling.off
+        );
+    }
+
+    #[test]
+    fn a_plane_is_flat_however_it_leans_and_a_tube_round_about_its_axis() {
+        let grid = (0..100).map(|i| (f64::from(i % 10), f64::from(i / 10)));
+        let plane: Vec<DVec3> = grid
+            .map(|(x, y)| DVec3::new(x, y, 0.3 * x - 2.0 * y + 4.0))
+            .collect();
+        assert!(off_plane(&plane) < 1e-12);
+        let mut lifted = plane.clone();
+        lifted[55].z += 0.01;
+        // Of 100 points one, over the root mean square extent √(2·8.25).
+        let expected = 0.01 * (1.0 - 1.0 / 100.0) / 16.5f64.sqrt();
+        assert!(
+            (off_plane(&lifted) / expected - 1.0).abs() < 0.01,
+            "{}",
+            off_plane(&lifted)
+        );
+        let tube: Vec<DVec3> = (0..40)
+            .map(|i| {
+                DVec3::new(
+                    f64::from(i),
+                    2.0 * f64::from(i).sin(),
+                    2.0 * f64::from(i).cos(),
+                )
+            })
+            .collect();
+        assert!(off_tube(&tube, 0, 2.0) < 1e-12);
+        assert!((off_tube(&tube, 0, 1.0) - 1.0).abs() < 1e-12);
+        assert!(off_tube(&tube, 2, 2.0) > 1.0);
+    }
+
+    #[test]
+    fn sliding_along_a_surface_is_no_distance_from_it() {
+        let (mesh, surface) = sample("icosphere");
+        let normals = vertex_normals(&mesh, &surface);
+        let pushed = |along: f64, out: f64| {
+            let across = |v: usize| normals[v].any_orthonormal_vector();
+            (0..surface.len())
+                .map(|v| surface[v] + along * across(v) + out * alternating(v) * normals[v])
+                .collect::<Vec<_>>()
+        };
+        assert!(off_surface(&pushed(0.1, 0.0), &mesh, &surface, |_| true) < 1e-12);
+        let off = off_surface(&pushed(0.1, 0.01), &mesh, &surface, |v| v > 10);
+        assert!((off - 0.01).abs() < 1e-12, "{off}");
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_not_near_and_not_small() {
+        assert!(near(1.01, 1.0, 0.011) && !near(1.01, 1.0, 0.009) && !near(f64::NAN, 1.0, 1.0));
+        assert!(off_unit_sphere(&[DVec3::X, DVec3::NAN, DVec3::Y]).is_nan());
+        let (open, closed) = (
+            State::default(),
+            State {
+                volume: Some(2.0),
+                area: 3.0,
+                ..State::default()
+            },
+        );
+        assert!(volume_drift(&open, &closed).is_nan());
+        let grown = State {
+            volume: Some(2.2),
+            area: 2.7,
+            ..State::default()
+        };
+        assert!((volume_drift(&closed, &grown) - 0.1).abs() < 1e-12);
+        assert!((area_drift(&closed, &grown) - 0.1).abs() < 1e-12);
+    }
+}
