@@ -31,7 +31,7 @@ let toldFlow = 0;
 /** Work shorter than this says nothing of its progress. */
 const PATIENCE = 500;
 let nextProgress = 0;
-/** @type {FigureRun | null} beside the session */
+/** @type {FigureRun | null} that is measured now, on surfaces of its own */
 let figureRun = null;
 /** @type {StepReport[]} of the steps no frame has told of yet */
 let untold = [];

@@ -35,7 +35,7 @@ impl FigureRun {
 
 #[wasm_bindgen]
 impl Session {
-    /// A run of a figure beside this session.
+    /// A run of a figure, which leaves this session as it is.
     ///
     /// # Errors
     /// Unknown ids.

@@ -88,14 +88,16 @@ impl Words {
     /// A finding is said with all of its values and no other.
     fn check(&self, finding: &Finding) {
         let message = &finding.message;
-        let said: BTreeSet<&str> = (self.of(&message.id).split('$').skip(1))
+        let shown: BTreeSet<&str> = (self.of(message.id).split('$').skip(1))
             .map(|rest| rest.split([' ', ',']).next().unwrap_or_default())
             .collect();
-        let known: BTreeSet<&str> = message.values.keys().copied().collect();
-        assert_eq!(said, known, "{}", message.id);
-        if let Some(status) = message.values.get("status") {
-            let status = serde_json::to_value(status).expect("JSON");
-            self.of(status["id"].as_str().expect("a message"));
+        let known: BTreeSet<&str> = message.values.iter().map(|(name, _)| *name).collect();
+        assert_eq!(shown, known, "{}", message.id);
+        for (_, value) in &message.values {
+            let value = serde_json::to_value(value).expect("JSON");
+            if let Some(id) = value["id"].as_str() {
+                self.of(id);
+            }
         }
     }
 }
@@ -113,17 +115,17 @@ fn samples_and_figures_have_words_and_words_their_samples_and_figures() {
         words.of(&format!("group-{}", group(sample.group)));
     }
     for figure in figures() {
-        let said = words.of(&format!("figure-{}", figure.id.replace('.', "-")));
-        assert!(said.contains("{ $number }"), "{}", figure.id);
+        let sentence = words.of(&format!("figure-{}", figure.id.replace('.', "-")));
+        assert!(sentence.contains("{ $number }"), "{}", figure.id);
         for part in ["title", "reports", "expected"] {
             assert!(
-                said.contains(&format!("\n    .{part} = ")),
+                sentence.contains(&format!("\n    .{part} = ")),
                 "{} {part}",
                 figure.id
             );
         }
-        let is_told = said.contains("\n    .shortfall = ");
-        assert_eq!(is_told, figure.falls_short, "{}", figure.id);
+        let has_reason = sentence.contains("\n    .shortfall = ");
+        assert_eq!(has_reason, figure.falls_short, "{}", figure.id);
     }
     let begin = |what: &str| words.0.matches(&format!("\n{what}-")).count();
     assert_eq!(begin("sample"), SAMPLES.len());
@@ -132,7 +134,7 @@ fn samples_and_figures_have_words_and_words_their_samples_and_figures() {
 }
 
 /// What the values of a finding come to, for whoever reads a failure.
-fn told(finding: &Finding) -> String {
+fn said(finding: &Finding) -> String {
     serde_json::to_string(&finding.message).expect("numbers and names")
 }
 
@@ -140,14 +142,14 @@ fn quick_figures_come_out(paper: Paper) {
     for figure in figures().filter(|figure| figure.paper == paper && figure.quick) {
         let finding = figure.run().expect(figure.id);
         Words::read().check(&finding);
-        println!("{}: {}", figure.id, told(&finding));
+        println!("{}: {}", figure.id, said(&finding));
         // A shortfall that is no more must not be spoken of any longer.
         assert_eq!(
             finding.ok,
             !figure.falls_short,
             "{}: {}",
             figure.id,
-            told(&finding)
+            said(&finding)
         );
     }
 }
@@ -180,7 +182,7 @@ fn a_start_is_no_result() {
         figure.begin(&mut session).expect(figure.id);
         match figure.judged(&session).expect(figure.id) {
             Some(finding) => {
-                assert!(!finding.ok, "{}: {}", figure.id, told(&finding));
+                assert!(!finding.ok, "{}: {}", figure.id, said(&finding));
                 words.check(&finding);
             }
             None => assert!(figure.is_compound(), "{}", figure.id),
@@ -202,7 +204,7 @@ fn a_session_that_shows_a_figure_is_judged_as_a_run_of_it() {
             // Looking back is no other run: it has the same start.
             session.seek(49).expect("a stored step");
             let finding = figure.judged(&session).expect(id).expect("all of it");
-            assert!(finding.ok && finding != judged, "{}", told(&finding));
+            assert!(finding.ok && finding != judged, "{}", said(&finding));
             let here = session.positions().expect("positions");
             session.restore(&here, 49, 1.0).expect("positions that fit");
             assert_eq!(figure.judged(&session).expect(id), None);
@@ -240,10 +242,10 @@ fn of_a_scan_only_inner_loops_are_filled_and_its_recipe_tells_which() {
     let longest = loops.iter().map(|one| one.length).fold(0.0, f64::max);
     assert_eq!(left[0].length, longest);
     let recipe = serde_json::to_value(session.recipe().expect("a recipe")).expect("JSON");
-    let told = recipe["edits"][0]["edit"]["fill"]["loops"]
+    let listed = recipe["edits"][0]["edit"]["fill"]["loops"]
         .as_array()
         .expect("numbers");
-    assert_eq!(told.len(), loops.len() - 1);
+    assert_eq!(listed.len(), loops.len() - 1);
 }
 
 #[test]
@@ -381,7 +383,7 @@ fn what_the_page_reads_is_up_to_date() {
 }
 
 #[test]
-fn no_figure_but_one_of_flips_shows_the_start_beside() {
+fn figures_show_side_by_side_what_their_flows_have() {
     for figure in figures() {
         let own: &[Compare] = match figure.paper {
             Paper::Flips => &[Compare::None, Compare::Start, Compare::Criteria],

@@ -30,12 +30,12 @@ test("what was measured is said with its numbers, a flow's end in words", async 
     assert.match(said[id], new RegExp(`^${pattern}$`), id);
   }
   // A figure that falls short says so, and those on several meshes count the steps of one.
-  const told = rows.map(({ id, verdict, steps }) => [id, verdict, steps]);
-  assert.deepEqual(told.slice(1), [
+  const outcomes = rows.map(({ id, verdict, steps }) => [id, verdict, steps]);
+  assert.deepEqual(outcomes.slice(1), [
     ["p-willmore-7", "✓", 0],
     ["p-willmore-10-p2", "✓", 30],
     ["flips-7", "✗", 1],
-    ["curvature-5.3", "✓", told[4][2]],
+    ["curvature-5.3", "✓", outcomes[4][2]],
   ]);
 });
 

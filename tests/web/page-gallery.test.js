@@ -57,7 +57,7 @@ test("a figure is loaded, played, and judged; another mesh ends it", async () =>
   await close();
 });
 
-test("a figure of more than one run is measured beside the surface, which stays as it is", async () => {
+test("a figure of more than one run is measured elsewhere, and the surface stays as it is", async () => {
   const { page, faults, close } = await site.open("figure=p-willmore-7");
   await until(page, "Ready");
   await page

@@ -16,14 +16,14 @@ import { Failure, orExit, usage } from "./failure.js";
  * @returns {readonly Figure[]}
  */
 export function chosen(ids, quick) {
-  const wanted = ids?.split(",");
-  const stray = wanted?.find((id) => !figures.some((figure) => figure.id === id));
+  const asked = ids?.split(",");
+  const stray = asked?.find((id) => !figures.some((figure) => figure.id === id));
   if (stray !== undefined) {
     const known = figures.map(({ id }) => id).join(", ");
     throw usage(`There is no figure \`${stray}\`.`, `There are: ${known}.`);
   }
   return figures.filter(
-    (figure) => (wanted?.includes(figure.id) ?? true) && (!quick || figure.quick),
+    (figure) => (asked?.includes(figure.id) ?? true) && (!quick || figure.quick),
   );
 }
 

@@ -1,5 +1,5 @@
 // @ts-check
-// Every figure of the papers, a click away: a dialog of cards, and beside the surface what the
+// Every figure of the papers, a click away: a dialog of cards, and in the panel what the
 // paper reports, what is expected, and what was just measured here.
 
 /** @import { Figure } from "../protocol.js" */
@@ -81,7 +81,7 @@ export function createGallery(controller) {
     if (asked !== place || !finding) return;
     setText(measured, `${finding.ok ? "✓" : "✗"} ${say(finding.message)}`);
     setText(why, !finding.ok && judged.fallsShort ? sayFigure(judged, "shortfall") : "");
-    measured.dataset.verdict = finding.ok ? "yes" : "no";
+    measured.dataset.outcome = finding.ok ? "yes" : "no";
   }
 
   return {
@@ -102,7 +102,7 @@ export function createGallery(controller) {
         reading && isThere(figure, state) ? `${figure.id} ${reading.step} ${reading.energy}` : "";
       if (place !== "" && place === asked) return;
       asked = place;
-      measured.dataset.verdict = "open";
+      measured.dataset.outcome = "open";
       setText(why, "");
       if (place !== "") judge(figure, place);
       else setText(measured, say("figure-waiting", { steps: figure.steps }));

@@ -21,8 +21,8 @@ fn energy(run: &Run<'_>, ok: bool) -> Finding {
     let (first, last) = (run.first.energy, run.last.energy);
     Finding::new(
         ok,
-        "energy",
-        [("first", first.into()), ("last", last.into())],
+        "measured-energy",
+        &[("first", first.into()), ("last", last.into())],
     )
 }
 
@@ -34,7 +34,7 @@ fn plane(run: &Run<'_>, holds: fn(energy: [f64; 2], off: f64) -> bool) -> Findin
         ("last", last.into()),
         ("off", off.into()),
     ];
-    Finding::new(holds([first, last], off), "plane", values)
+    Finding::new(holds([first, last], off), "measured-plane", &values)
 }
 
 /// `share` of the distance from the clean surface at the start.
@@ -46,7 +46,11 @@ fn noise(run: &Run<'_>, share: f64) -> Finding {
         ("last", last.into()),
         ("ratio", (after / before).into()),
     ];
-    Finding::new(last < first && after < share * before, "noise", values)
+    Finding::new(
+        last < first && after < share * before,
+        "measured-noise",
+        &values,
+    )
 }
 
 const fn scan(id: &'static str, steps: usize) -> Figure {
@@ -93,7 +97,7 @@ pub(super) static FIGURES: &[Figure] = &[
                 ("off", off.into()),
             ];
             let ok = near(first, 60.0 * PI, 1e-9) && last <= 1e-7 && off < 1e-3;
-            Finding::new(ok, "round", values)
+            Finding::new(ok, "measured-round", &values)
         },
         ..PLAIN
     },
@@ -109,7 +113,7 @@ pub(super) static FIGURES: &[Figure] = &[
                 ("status", status.into()),
             ];
             let ok = last <= 1e-7 && steps <= 12 && status == Status::Converged;
-            Finding::new(ok, "rest", values)
+            Finding::new(ok, "measured-rest", &values)
         },
         ..PLAIN
     },
@@ -152,7 +156,7 @@ pub(super) static FIGURES: &[Figure] = &[
                 ("off", (100.0 * off).into()),
             ];
             let ok = near(first, 764.397, 1e-5) && near(last, 57.0, 0.05) && off < 0.025;
-            Finding::new(ok, "torus", values)
+            Finding::new(ok, "measured-torus", &values)
         },
         ..PLAIN
     },
@@ -175,7 +179,7 @@ pub(super) static FIGURES: &[Figure] = &[
                 ("off", (100.0 * last.off).into()),
             ];
             let ok = (last.ratio() - 2.04).abs() < 0.02 && last.off < 0.015;
-            Finding::new(ok, "proportions", values)
+            Finding::new(ok, "measured-proportions", &values)
         },
         ..PLAIN
     },

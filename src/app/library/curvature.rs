@@ -36,8 +36,8 @@ fn recovered(run: &Run<'_>, bound: f64, off: fn(&[DVec3]) -> f64) -> Finding {
     ];
     Finding::new(
         last < bound && status == Status::Converged,
-        "recovered",
-        values,
+        "measured-recovered",
+        &values,
     )
 }
 
@@ -63,7 +63,7 @@ fn jumps(run: &Run<'_>, holds: fn(Jumps, Status) -> bool) -> Finding {
         ("willmore", found.willmore.into()),
         ("mmcv", found.mmcv.into()),
     ];
-    Finding::new(holds(found, run.last.status), "jumps", values)
+    Finding::new(holds(found, run.last.status), "measured-jumps", &values)
 }
 
 /// What joins with continuous curvature, up to the mesh, jumps by far less.
@@ -112,7 +112,11 @@ pub(super) static FIGURES: &[Figure] = &[
                 ("steps", run.last.step.into()),
                 ("status", status.into()),
             ];
-            Finding::new(off < 1e-3 && status == Status::Converged, "tube", values)
+            Finding::new(
+                off < 1e-3 && status == Status::Converged,
+                "measured-tube",
+                &values,
+            )
         },
         ..PLAIN
     },
@@ -144,7 +148,7 @@ pub(super) static FIGURES: &[Figure] = &[
             ];
             let is_smooth = jump.is_some_and(|jump| jump < 0.1);
             let ok = info.closed && status == Status::Converged && is_smooth;
-            Finding::new(ok, "holes", values)
+            Finding::new(ok, "measured-holes", &values)
         },
         ..PLAIN
     },

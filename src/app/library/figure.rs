@@ -5,8 +5,7 @@ use super::sample::{Sample, Shape};
 use crate::app::{Arrangement, FieldName, RegulariseOptions};
 use crate::flow::Status;
 use crate::flow::options::FlowOptions;
-use serde::Serialize;
-use std::collections::BTreeMap;
+use serde::{Serialize, Serializer};
 
 /// A figure that shows a result.
 #[derive(Clone, Copy, Debug)]
@@ -77,19 +76,40 @@ pub struct Finding {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Message {
     /// Its name.
-    pub id: String,
+    pub id: &'static str,
     /// By name.
-    pub values: BTreeMap<&'static str, Value>,
+    #[serde(serialize_with = "as_map")]
+    pub values: Vec<(&'static str, Value)>,
 }
 
 /// A value in a sentence.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     /// A number; `None` where it could not be measured.
     Number(Option<f64>),
     /// How a run ended, a sentence of its own.
-    Status(Message),
+    Status(Status),
+}
+
+fn as_map<S: Serializer>(values: &[(&'static str, Value)], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_map(values.iter().copied())
+}
+
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let id = match self {
+            Self::Number(value) => return value.serialize(serializer),
+            Self::Status(Status::Ready) => "measured-ready",
+            Self::Status(Status::Converged) => "measured-converged",
+            Self::Status(Status::StepLimit) => "measured-step-limit",
+            Self::Status(Status::Stalled) => "measured-stalled",
+            Self::Status(Status::Singular) => "measured-singular",
+            Self::Status(Status::Collapsed) => "measured-collapsed",
+            Self::Status(Status::Failed) => "measured-failed",
+        };
+        let values = Vec::new();
+        Message { id, values }.serialize(serializer)
+    }
 }
 
 impl From<f64> for Value {
@@ -112,31 +132,13 @@ impl From<usize> for Value {
 
 impl From<Status> for Value {
     fn from(status: Status) -> Self {
-        let name = match status {
-            Status::Ready => "ready",
-            Status::Converged => "converged",
-            Status::StepLimit => "step-limit",
-            Status::Stalled => "stalled",
-            Status::Singular => "singular",
-            Status::Collapsed => "collapsed",
-            Status::Failed => "failed",
-        };
-        Self::Status(Message {
-            id: format!("measured-{name}"),
-            values: BTreeMap::new(),
-        })
+        Self::Status(status)
     }
 }
 
 impl Finding {
-    /// `what` is the id of a sentence, less `measured-`.
-    pub(super) fn new<const N: usize>(
-        ok: bool,
-        what: &str,
-        values: [(&'static str, Value); N],
-    ) -> Self {
-        let id = format!("measured-{what}");
-        let values = values.into_iter().collect();
+    pub(super) fn new(ok: bool, id: &'static str, values: &[(&'static str, Value)]) -> Self {
+        let values = values.to_vec();
         Self {
             ok,
             message: Message { id, values },
@@ -160,7 +162,7 @@ impl Figure {
         reference: None,
         quick: true,
         falls_short: false,
-        judge: |_| Finding::new(false, "incomplete", []),
+        judge: |_| Finding::new(false, "measured-incomplete", &[]),
     };
 
     /// Its sample; the tables name none that there is not.

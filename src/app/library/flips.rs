@@ -21,7 +21,7 @@ const PLAIN: Figure = Figure {
 fn ends(run: &Run<'_>, holds: fn([&FlipReading; 3]) -> bool) -> Finding {
     let criteria = [Criterion::Area, Criterion::Willmore, Criterion::Localised];
     let [Some(area), Some(willmore), Some(localised)] = criteria.map(|one| run.flips(one)) else {
-        return Finding::new(false, "incomplete", []);
+        return Finding::new(false, "measured-incomplete", &[]);
     };
     let values = [
         ("areaFlips", area.flips.into()),
@@ -34,7 +34,11 @@ fn ends(run: &Run<'_>, holds: fn([&FlipReading; 3]) -> bool) -> Finding {
         ("willmoreCircle", willmore.circle.into()),
         ("localisedCircle", localised.circle.into()),
     ];
-    Finding::new(holds([area, willmore, localised]), "flips", values)
+    Finding::new(
+        holds([area, willmore, localised]),
+        "measured-flips",
+        &values,
+    )
 }
 
 pub(super) static FIGURES: &[Figure] = &[
@@ -68,7 +72,7 @@ pub(super) static FIGURES: &[Figure] = &[
             let names = ["start", "localised"];
             let [before, after] = names.map(|one| run.variation(one, FieldName::GaussCurvature));
             let values = [("first", before.into()), ("last", after.into())];
-            Finding::new(after < 0.7 * before, "variation", values)
+            Finding::new(after < 0.7 * before, "measured-variation", &values)
         },
         ..PLAIN
     },
@@ -114,7 +118,7 @@ pub(super) static FIGURES: &[Figure] = &[
             let volumes = run.first.volume.zip(run.last.volume);
             let lost = volumes.map_or(f64::NAN, |(first, last)| 1.0 - last / first);
             let ok = (0.002..=0.02).contains(&lost);
-            Finding::new(ok, "lost", [("lost", (100.0 * lost).into())])
+            Finding::new(ok, "measured-lost", &[("lost", (100.0 * lost).into())])
         },
         ..PLAIN
     },

@@ -4,7 +4,7 @@
 use crate::app::State;
 use crate::geometry::curvature::vertex_normals;
 use crate::mesh::HalfedgeMesh;
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 /// Whether a value is within a share of what is expected.
 pub fn near(value: f64, expected: f64, relative: f64) -> bool {
@@ -72,7 +72,7 @@ impl TorusFit {
         let profile = || {
             x.iter().map(|p| {
                 let q = *p - centroid;
-                (q.x.hypot(q.y), q.z)
+                (q.truncate().length(), q.z)
             })
         };
         let rho = mean(profile().map(|(r, _)| r));
@@ -81,7 +81,7 @@ impl TorusFit {
         let two_major = covariance / mean(profile().map(|(r, _)| (r - rho).powi(2)));
         let major = 0.5 * two_major;
         let tube = (square - two_major * rho + major * major).sqrt();
-        let off = rms(profile().map(|(r, z)| (r - major).hypot(z) - tube)) / tube;
+        let off = rms(profile().map(|(r, z)| DVec2::new(r - major, z).length() - tube)) / tube;
         Self { major, tube, off }
     }
 

@@ -39,13 +39,13 @@ fn kept(run: &Run<'_>, holds: fn(first: f64, last: f64) -> bool) -> Finding {
         ("status", last.status.into()),
     ];
     let ok = drift < KEPT && last.energy < first.energy && holds(angles[0], angles[1]);
-    Finding::new(ok, "kept", values)
+    Finding::new(ok, "measured-kept", &values)
 }
 
 /// No face folded any more, far less distortion, and the surface where it was.
 fn mended(run: &Run<'_>) -> Finding {
     let Some(outcome) = &run.regularised else {
-        return Finding::new(false, "incomplete", []);
+        return Finding::new(false, "measured-incomplete", &[]);
     };
     let (before, after) = (&outcome.before, &outcome.after);
     let volume = match (before.volume, after.volume) {
@@ -64,7 +64,7 @@ fn mended(run: &Run<'_>) -> Finding {
     ];
     let is_better = after.distortion < before.distortion / 3.0;
     let ok = after.inverted == 0 && is_better && outcome.distance < 0.01;
-    Finding::new(ok, "mended", values)
+    Finding::new(ok, "measured-mended", &values)
 }
 
 fn letter(run: &Run<'_>, ok: bool) -> Finding {
@@ -73,7 +73,7 @@ fn letter(run: &Run<'_>, ok: bool) -> Finding {
         ("energy", run.last.energy_normalised.into()),
         ("status", run.last.status.into()),
     ];
-    Finding::new(ok, "letter", values)
+    Finding::new(ok, "measured-letter", &values)
 }
 
 fn vesicle(run: &Run<'_>) -> Finding {
@@ -87,15 +87,15 @@ fn vesicle(run: &Run<'_>) -> Finding {
     let is_there = near(energy, DISCOCYTE, 0.012) && near(volume, 0.6, 1e-8);
     Finding::new(
         is_there && last.status == Status::Converged,
-        "vesicle",
-        values,
+        "measured-vesicle",
+        &values,
     )
 }
 
 /// By how much the energies on three meshes, each twice as fine, come closer.
 fn refinement(run: &Run<'_>) -> Finding {
     let [coarse, middle] = &*run.refined else {
-        return Finding::new(false, "incomplete", []);
+        return Finding::new(false, "measured-incomplete", &[]);
     };
     let last = run.last;
     let ratio = (coarse.energy - middle.energy) / (middle.energy - last.energy);
@@ -109,12 +109,12 @@ fn refinement(run: &Run<'_>) -> Finding {
         ("ratio", ratio.into()),
     ];
     let ok = together && last.energy < run.first.energy && (ratio - 4.0).abs() < 1.0;
-    let what = if together {
-        "refinement"
+    let id = if together {
+        "measured-refinement"
     } else {
-        "refinement-apart"
+        "measured-refinement-apart"
     };
-    Finding::new(ok, what, values)
+    Finding::new(ok, id, &values)
 }
 
 fn ball(run: &Run<'_>) -> Finding {
@@ -125,7 +125,7 @@ fn ball(run: &Run<'_>) -> Finding {
         ("steps", run.last.step.into()),
         ("status", run.last.status.into()),
     ];
-    Finding::new(off < 2e-3 && drift < KEPT, "ball", values)
+    Finding::new(off < 2e-3 && drift < KEPT, "measured-ball", &values)
 }
 
 /// A static pass of regularisation, with the usual settings but for these.
@@ -199,7 +199,7 @@ pub(super) static FIGURES: &[Figure] = &[
                 ("drift", drift.into()),
             ];
             let ok = near(run.last.energy, SPHERE, 6e-3) && off < 1e-3 && drift < KEPT;
-            Finding::new(ok, "area-kept", values)
+            Finding::new(ok, "measured-area-kept", &values)
         },
         ..PLAIN
     },
@@ -249,7 +249,7 @@ pub(super) static FIGURES: &[Figure] = &[
                 ("volume", volume.into()),
             ];
             let ok = near(energy, CLIFFORD, 0.016) && near(volume, CLIFFORD_VOLUME, 0.012);
-            Finding::new(ok, "clifford", values)
+            Finding::new(ok, "measured-clifford", &values)
         },
         ..PLAIN
     },
@@ -264,7 +264,7 @@ pub(super) static FIGURES: &[Figure] = &[
     },
     Figure {
         id: "p-willmore-6",
-        sample: "vesicle",
+        sample: "measured-vesicle",
         ..VESICLE
     },
     Figure {
@@ -295,7 +295,7 @@ pub(super) static FIGURES: &[Figure] = &[
                 ("status", run.last.status.into()),
             ];
             let ok = genus == Some(4) && last > CLIFFORD && last < 8.0 * PI;
-            Finding::new(ok, "genus", values)
+            Finding::new(ok, "measured-genus", &values)
         },
         ..PLAIN
     },
