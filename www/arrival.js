@@ -7,6 +7,7 @@
 /** @import { Controller, Voice } from "./controller.js" */
 
 import { sha256 } from "./digest.js";
+import { figures } from "./generated/library.js";
 import { t } from "./language.js";
 import { verdict } from "./link-check.js";
 import { symbol } from "./ui/status.js";
@@ -15,10 +16,9 @@ import { symbol } from "./ui/status.js";
  * The scene of a link that names a figure and no sample: what the link leaves out is the
  * figure's.
  * @param {Scene} scene
- * @returns {Promise<Scene & { sample: string }>}
+ * @returns {Scene & { sample: string }}
  */
-export async function sceneOfFigure(scene) {
-  const { figures } = await import("./figures.js");
+export function sceneOfFigure(scene) {
   const figure = figures.find(({ id }) => id === scene.figure);
   if (!figure) {
     throw {
@@ -32,7 +32,7 @@ export async function sceneOfFigure(scene) {
     sample: figure.sample,
     options: /** @type {Scene["options"]} */ ({ ...figure.options, ...scene.options }),
     arrangement: { ...figure.arrangement, ...scene.arrangement },
-    colour: scene.colour === "none" ? (figure.colour ?? "none") : scene.colour,
+    colour: scene.colour === "none" ? figure.colour : scene.colour,
   };
 }
 

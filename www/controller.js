@@ -2,7 +2,7 @@
 // What a user can ask for, as functions: each asks the solver and moves the state on.
 // Nothing here touches the document.
 
-/** @import { Arrangement, Fault, FieldName, Frame, Loaded, Stopped } from "./protocol.js" */
+/** @import { Arrangement, Fault, FieldName, Figure, Frame, Stopped } from "./protocol.js" */
 /** @import { Scene } from "./link.js" */
 /** @import { Options } from "./options.js" */
 /** @import { Marks, Store, View } from "./state.js" */
@@ -17,11 +17,12 @@ import { createTime, meshOf } from "./actions/time.js";
 import { createWhyActions } from "./actions/why.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
+import { figures, samples } from "./generated/library.js";
 import { t, translated } from "./language.js";
+import { sampleName } from "./library.js";
 import { isPlainLink, sceneOf } from "./link.js";
 import { defaults, plainArrangement } from "./options.js";
 import { stepsIn } from "./recipe-schema.js";
-import { samples } from "./samples.js";
 import { createSolver, LOST } from "./solver.js";
 import { goesOn, transitions as to } from "./state.js";
 import { say } from "./words.js";
@@ -107,7 +108,8 @@ export function createController(store, voice) {
     await rest();
     store.update(to.loading, name);
     try {
-      const mesh = fill ? await ask().then(() => filled(fill)) : await ask();
+      const shape = await ask();
+      const mesh = fill ? (await solver.fill(fill)).loaded : shape;
       voice.clear();
       store.update(to.loaded, source, mesh, origin);
       for (const warning of mesh.info.warnings) voice.note(warning);
@@ -131,7 +133,7 @@ export function createController(store, voice) {
       throw error;
     }
     const steps = scene.comparison?.panes.map(({ step }) => step) ?? [];
-    if (scene.figure) await showFigure(scene.figure).catch(report);
+    if (scene.figure) showFigure(scene.figure);
     if (scene.path) await follow(scene.path);
     const isThere = scene.path && steps.length === 0;
     if ((scene.step && !isThere) || steps.some(Boolean)) await run(scene.step ?? 0, steps);
@@ -147,9 +149,8 @@ export function createController(store, voice) {
   }
 
   /** The figure that a link belongs to, if its sample is the one shown. @param {string} id */
-  async function showFigure(id) {
+  function showFigure(id) {
     const { source } = store.get();
-    const { figures } = await import("./figures.js");
     const figure = figures.find((one) => one.id === id);
     if (source?.kind === "sample" && figure?.sample === source.id) store.update(to.figured, figure);
   }
@@ -167,17 +168,8 @@ export function createController(store, voice) {
     }
     const ask = () => solver.sample(sample.shape, sample.parameters);
     const { fill } = sample;
-    const name = translated(sample.label);
+    const name = sampleName(sample.id);
     return load({ name, source, ask, options, fallback: suggested, scene, fill });
-  }
-
-  /** @param {NonNullable<import("./samples.js").Sample["fill"]>} wanted @returns {Promise<Loaded>} */
-  async function filled(wanted) {
-    if (wanted !== "inner") return (await solver.fill(wanted)).loaded;
-    const loops = await solver.loops();
-    const longest = Math.max(...loops.map(({ length }) => length));
-    const inner = loops.flatMap(({ length }, n) => (length < longest ? [n] : []));
-    return (await solver.fill({ loops: inner })).loaded;
   }
 
   /** @param {Partial<Arrangement>} change */
@@ -273,11 +265,10 @@ export function createController(store, voice) {
     /** @param {string} id @param {Partial<Scene>} [scene] */
     sample: (id, scene = {}) => enqueue(() => loadSample(id, scene)),
 
-    /** A figure of a paper: its sample, flow and parameters. @param {import("./figures.js").Figure} figure */
+    /** A figure of a paper: its sample, flow and parameters. @param {Figure} figure */
     figure: (figure) =>
       enqueue(async () => {
-        const arrangement = { ...plainArrangement, ...figure.arrangement };
-        const { options, colour = "none" } = figure;
+        const { options, arrangement, colour } = figure;
         const scene = { options, arrangement, colour, comparison: null };
         await loadSample(figure.sample, scene);
         store.update(to.figured, figure);

@@ -6,6 +6,7 @@
 /** @import { PageState, View } from "./state.js" */
 
 import { optionsOf, rebased, timeUnitsAgree } from "./comparison.js";
+import { samples } from "./generated/library.js";
 import { isReading } from "./link-check.js";
 import { readComparison, writeComparison } from "./link-comparison.js";
 import { beginning, decodeEdits, decodePath, encodePath, firstOptions } from "./link-edits.js";
@@ -21,14 +22,13 @@ import {
   wordOptions,
 } from "./options.js";
 import { flowsIn } from "./recipe-schema.js";
-import { samples } from "./samples.js";
 
 /**
  * @typedef {object} Scene
  * @property {string | null} sample  id of a sample; null when the mesh came from a file
  * @property {string | null} mesh    name of that file's mesh
  * @property {string | null} hash    the first 16 digits of its SHA-256
- * @property {string | null} figure  id in `figures.js`; without a sample, all of that figure
+ * @property {string | null} figure  its id; without a sample, all of that figure
  * @property {import("./protocol.js").RecipeChapter[] | null} edits  of that mesh, by hand
  * @property {Partial<import("./options.js").Options>} options
  * @property {Partial<import("./protocol.js").Arrangement>} arrangement

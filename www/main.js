@@ -4,10 +4,10 @@
 import { createArrival, sceneOfFigure } from "./arrival.js";
 import { createController } from "./controller.js";
 import { createEmbedding, isEmbedded } from "./embed/host.js";
+import { samples } from "./generated/library.js";
 import { openLanguage, t } from "./language.js";
 import { createLinkWriter, readLink, sceneOf } from "./link.js";
 import { keepOffline } from "./offline.js";
-import { samples } from "./samples.js";
 import { createStore } from "./state.js";
 import { createChoices } from "./ui/choices.js";
 import { createHelp, createPanel } from "./ui/chrome.js";
@@ -136,9 +136,12 @@ async function openLink(address) {
   controller.view(awaited.view);
   if (scene.sample) return controller.sample(scene.sample, scene).then(() => arrival.check(scene));
   if (scene.figure) {
-    const open = (/** @type {import("./link.js").Scene & { sample: string }} */ whole) =>
-      controller.sample(whole.sample, whole).then(() => arrival.check(whole));
-    return sceneOfFigure(scene).then(open, controller.report);
+    try {
+      const whole = sceneOfFigure(scene);
+      return controller.sample(whole.sample, whole).then(() => arrival.check(whole));
+    } catch (error) {
+      return controller.report(error);
+    }
   }
   messages.error({
     message: t("This link shows the mesh “{mesh}”, a file on its author’s computer.", {

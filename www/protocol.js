@@ -66,6 +66,37 @@
 /** @typedef {NonNullable<FlowOptions["criterion"]>} Criterion */
 
 /**
+ * A surface to begin with; the words are `sample-<id>`.
+ * @typedef {object} Sample
+ * @property {string} id
+ * @property {'closed' | 'tubes' | 'boundary' | 'repair' | 'flips'} group
+ * @property {string} shape        name of the solver's shape …
+ * @property {Record<string, number>} parameters  … and its parameters
+ * @property {FlowOptions} options  over the defaults
+ * @property {FillOptions} [fill]   holes filled at once
+ */
+
+/**
+ * A figure of a paper; the words are `figure-<id>`, see `library.js`.
+ * @typedef {object} Figure
+ * @property {string} id
+ * @property {'circle' | 'p-willmore' | 'flips' | 'curvature'} paper
+ * @property {string} number       as the paper has it
+ * @property {string} sample       id of the sample it begins with
+ * @property {FlowOptions} options  over those of the sample
+ * @property {Arrangement} arrangement
+ * @property {FieldName} colour
+ * @property {number | 'rest'} steps  how far it runs; 0 for a figure without a flow
+ * @property {boolean} quick       a few seconds at most
+ * @property {boolean} fallsShort  known not to come out as the paper has it
+ */
+
+/**
+ * What a run of a figure came to: whether as expected, and what was measured.
+ * @typedef {{ ok: boolean, message: import("./words.js").Message }} Finding
+ */
+
+/**
  * How edge flips are shown, and how many a step makes; null: all that gain anything.
  * @typedef {Required<import("./generated/schema.js").Arrangement>} Arrangement
  */
@@ -192,9 +223,10 @@
 /**
  * Options of `fill`, hole filling and blending.
  * @typedef {object} FillOptions
- * @property {'all' | number[]} [loops]  boundary loops by number, from 0 (default all)
+ * @property {'all' | 'inner' | number[]} [loops]  boundary loops by number, from 0; inner: all but the
+ *                                  longest (default all)
  * @property {boolean} [connect]      one patch connects the loops, instead of one closing each
- * @property {number} [maxVertices]   new vertices at most (default 200,000)
+ * @property {number | null} [maxVertices]  new vertices at most (default 200,000)
  */
 
 /**
@@ -558,6 +590,7 @@
  * | `quadrilateral` | `corners: number[]`       | `Quadrilateral`             |
  * | `lab`       | `pairs`                       | `Lab`                       |
  * | `why`       |                               | `Diagnosis \| null`        |
+ * | `judge`     | `figure: string`              | `Finding \| null`: of the surface as it is or, where that does not say it all, of a run of its own; null where another mesh came first |
  * | `selfIntersections` |                       | `SelfIntersections \| null`: null where it would take too long |
  * | `study`     | `options: StudyOptions \| null` | `Study`: one more resolution; with options it begins anew |
  * | `back`      | `run`                         | `State`                     |

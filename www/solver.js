@@ -2,7 +2,7 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, FlowOptions, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Stopped, Story, Study, StudyOptions, Wanted } from "./protocol.js" */
+/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, Finding, FlowOptions, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Stopped, Story, Study, StudyOptions, Wanted } from "./protocol.js" */
 /** @import { Recipe } from "./recipe.js" */
 /** @import { Frame } from "./generated/types.js" */
 
@@ -249,6 +249,8 @@ export function createSolver(listener) {
     selfIntersections: () => ask("selfIntersections"),
     /** @returns {Promise<Diagnosis | null>} */
     why: () => ask("why"),
+    /** @param {string} figure  its id @returns {Promise<Finding | null>} */
+    judge: (figure) => ask("judge", { figure }),
     /** @param {StudyOptions | null} options  null for the next resolution @returns {Promise<Study>} */
     study: (options) => ask("study", { options }),
     /** @returns {Promise<BoundaryLoop[]>} */

@@ -70,7 +70,7 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
  * @property {Marks | null} marks         drawn over the surface
  * @property {Readonly<Wanted>} wanted    what is looked at more closely
  * @property {Inverted | null} preview    shown in place of the frame: the surface inverted
- * @property {import("./figures.js").Figure | null} figure  of a paper, that is being shown
+ * @property {import("./protocol.js").Figure | null} figure  of a paper, that is being shown
  * @property {Readonly<import("./comparison.js").Comparison>} comparison  flows beside this one
  * @property {FieldName} colour
  * @property {number | null} goal         the step a link asks for, while running to it
@@ -243,7 +243,7 @@ export const transitions = {
   /** @param {S} s @param {Readonly<Arrangement>} arrangement @returns {S} */
   arranged: (s, arrangement) => ({ ...s, arrangement }),
 
-  /** @param {S} s @param {import("./figures.js").Figure} figure @returns {S} */
+  /** @param {S} s @param {import("./protocol.js").Figure} figure @returns {S} */
   figured: (s, figure) => ({ ...s, figure }),
 
   /** @param {S} s @param {Marks | null} marks @returns {S} */

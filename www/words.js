@@ -45,7 +45,9 @@ class List extends FluentType {
 
 /** @type {Record<string, (args: any[], named: Record<string, any>) => any>} */
 const functions = {
-  NUMBER: ([value], { digits }) => new Numeral(Number(value), digits && Number(digits)),
+  // What could not be measured is shown as such.
+  NUMBER: ([value], { digits }) =>
+    typeof value === "string" ? value : new Numeral(Number(value), digits && Number(digits)),
   LIST: ([list], { most }) => new List(list.value, Number(most)),
   COUNT: ([list]) => new Numeral(list.value.length),
 };

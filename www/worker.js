@@ -3,9 +3,10 @@
 // messages in after every step.
 
 /** @import { Fault } from "./generated/types.js" */
+/** @import { Finding } from "./protocol.js" */
 /** @import { CommandName } from "./session.js" */
 
-import init, { readOptions, Session } from "./pkg/solver/solver.js";
+import init, { FigureRun, readOptions, Session } from "./pkg/solver/solver.js";
 import { follow, prepare } from "./recipe.js";
 import { sequence, sequenceSize } from "./sequence.js";
 import { perform } from "./session.js";
@@ -34,6 +35,8 @@ let paced = false;
 /** Work shorter than this says nothing of its progress. */
 const PATIENCE = 500;
 let nextProgress = 0;
+/** @type {FigureRun | null} that is measured now, on surfaces of its own */
+let figureRun = null;
 
 // A message to ourselves, so that the page's messages get their turn after every step;
 // a timer would be held back to one step in four milliseconds.
@@ -78,9 +81,36 @@ function frame() {
 /** @param {number} share */
 const replayed = (share) => tell("replay", share);
 
+/**
+ * Runs a figure to its end, letting messages in after every step.
+ * @param {FigureRun} run
+ * @returns {Promise<Finding | null>} null where something else came first
+ */
+async function measured(run) {
+  const { port1, port2 } = new MessageChannel();
+  figureRun = run;
+  try {
+    while (figureRun === run) {
+      /** @type {Finding | null} */
+      const finding = run.advance();
+      if (finding) return finding;
+      await new Promise((resolve) => {
+        port1.onmessage = resolve;
+        port2.postMessage(null);
+      });
+    }
+    return null;
+  } finally {
+    port1.close();
+    run.free();
+  }
+}
+
 /** What is asked of the worker itself. @type {Record<string, (fields: any) => unknown>} */
 const own = {
   readOptions: ({ asked }) => readOptions(asked),
+  /** What a figure comes to: of what is shown, where that is all of it, or of a run of its own. */
+  judge: ({ figure }) => session.judge(figure) ?? measured(session.figureRun(figure)),
   /** Steps until `until`, or until the run is over: ends with one `stopped` unless paused. */
   run(fields) {
     until = fields.until;
@@ -181,6 +211,7 @@ function answer({ id, name, fields, run: number, shown }) {
   };
   if (number !== undefined) {
     running = false;
+    figureRun = null;
     run = number;
   }
   try {

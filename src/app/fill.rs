@@ -8,7 +8,7 @@ use crate::remesh::fill::{self, BoundaryLoop, FillProgress, Filled, boundary_loo
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
-/// Which loops are filled: the word `all`, or their numbers, counted from 0.
+/// Which loops are filled: a word, or their numbers, counted from 0.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged)]
@@ -19,7 +19,7 @@ pub enum Loops {
     All,
     /// Some of them.
     Some(Vec<usize>),
-    /// A word, of which only `all` is known.
+    /// A word: `all`, or `inner` for all but the longest.
     Word(String),
 }
 
@@ -78,6 +78,18 @@ impl Work {
         loops.into_iter().map(info).collect()
     }
 
+    /// The inner loops by their numbers, which is how a recipe tells them: all but the longest.
+    pub(super) fn numbered(&self, options: &FillOptions) -> FillOptions {
+        let mut options = options.clone();
+        if options.loops == Loops::Word("inner".into()) {
+            let loops = self.boundary_loops();
+            let longest = loops.iter().map(|l| l.length).fold(0.0, f64::max);
+            let inner = (0..loops.len()).filter(|&n| loops[n].length < longest);
+            options.loops = Loops::Some(inner.collect());
+        }
+        options
+    }
+
     /// A document with the holes of the surface as it is now filled.
     pub(super) fn filled(
         &self,
@@ -93,7 +105,7 @@ impl Work {
                 return Err(Fault::new(
                     "BadOption",
                     message,
-                    "Use all, or a list of numbers.",
+                    "Use all, inner, or a list of numbers.",
                 ));
             }
         };

@@ -186,12 +186,17 @@ impl History {
         &self.acts
     }
 
-    /// Of the steps to the present moment, oldest first.
+    /// The first moment of the path to the present one; `None` where that is the first.
+    pub(super) fn first(&self) -> Option<&Moment> {
+        self.past.front()
+    }
+
     /// The moment before the present one.
     pub(super) fn last(&self) -> Option<&Moment> {
         self.past.back()
     }
 
+    /// Of the steps to the present moment, oldest first.
     pub(super) fn reports(&self) -> &[StepReport] {
         &self.reports
     }

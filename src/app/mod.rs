@@ -20,6 +20,7 @@ mod frame;
 mod given;
 mod history;
 mod invert;
+pub mod library;
 mod look;
 mod pane;
 mod probe;
@@ -264,8 +265,9 @@ impl Session {
         options: &FillOptions,
         progress: FillProgress<'_>,
     ) -> Result<FillOutcome, Fault> {
+        let options = self.work()?.numbered(options);
         self.edit(Edit::Fill(options.clone()), |work| {
-            work.filled(options, progress)
+            work.filled(&options, progress)
         })
     }
 

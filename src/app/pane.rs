@@ -17,7 +17,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// What stands beside the surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Compare {
@@ -33,9 +33,9 @@ pub enum Compare {
 }
 
 /// What is shown of edge flips.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-#[cfg_attr(test, ts(rename_all = "camelCase"))]
+#[serde(rename_all = "camelCase")]
 pub struct Arrangement {
     /// Side by side.
     pub compare: Compare,
@@ -45,13 +45,18 @@ pub struct Arrangement {
     pub flips_per_step: Option<usize>,
 }
 
+impl Arrangement {
+    /// The surface alone, flip by flip.
+    pub const PLAIN: Self = Self {
+        compare: Compare::None,
+        subdivide: 0,
+        flips_per_step: Some(1),
+    };
+}
+
 impl Default for Arrangement {
     fn default() -> Self {
-        Self {
-            compare: Compare::default(),
-            subdivide: 0,
-            flips_per_step: Some(1),
-        }
+        Self::PLAIN
     }
 }
 

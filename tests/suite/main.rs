@@ -16,6 +16,7 @@ mod flip_session;
 mod flips;
 mod history;
 mod io;
+mod library;
 mod linalg;
 mod mesh;
 mod modelling;

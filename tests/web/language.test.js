@@ -9,12 +9,9 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { parseAst } from "vite";
 import { translateDocument, visitTexts } from "../../www/document-text.js";
-import { figures } from "../../www/figures.js";
 import { chooseLanguage, speak, t, translated } from "../../www/language.js";
 import { choices } from "../../www/options.js";
-import { samples } from "../../www/samples.js";
 import { createFinder, createTranslator } from "../../www/sentences.js";
-import { standings } from "../../www/standing.js";
 import { german } from "../../www/strings.js";
 import { say } from "../../www/words.js";
 import { parseHtml } from "./support/html.js";
@@ -97,16 +94,13 @@ const tables = [
   ["www/ui/status.js", "stages"],
   ["www/ui/status.js", "symbols"],
   ["www/standing.js", "standings"],
-  ["www/ui/gallery.js", "papers"],
 ];
 
 function tabled() {
   const found = new Set(
-    [
-      ...Object.values(choices)
-        .flat()
-        .map(({ label }) => label),
-    ].concat(samples.flatMap(({ label, note }) => [label, note])),
+    Object.values(choices)
+      .flat()
+      .map(({ label }) => label),
   );
   for (const [file, name] of tables) {
     let seen = false;
@@ -129,34 +123,6 @@ function standing() {
   for (const file of ["index.html", "demo.html"]) {
     visitTexts(parseHtml(read(file)), (english) => found.add(english));
   }
-  return found;
-}
-
-/** What figures say of themselves, and of what was measured. */
-function figured() {
-  /** @type {Set<string>} */
-  const found = new Set();
-  for (const { figure, title, reports, expected, shortfall } of figures) {
-    for (const text of [figure, title, reports, expected, shortfall]) if (text) found.add(text);
-  }
-  // What measures and the functions they share put together.
-  const makers = ["measure", "told", "kept", "mended"];
-  for (const [file, tree] of syntax) {
-    if (!file.startsWith(path.join("www", "figures", ""))) continue;
-    walk(tree, (node) => {
-      if (!makers.includes((node.key ?? node.id)?.name)) return;
-      walk(node.value ?? node.init ?? node.body, (part) => {
-        const text = literalOf(part);
-        if (text !== null && /\p{L}{2}.* | .*\p{L}{2}|^(W|∫H²) /u.test(text)) found.add(text);
-      });
-    });
-  }
-  // Put together from a list, or in two parts.
-  found.delete("{} {}");
-  found.delete("{}, not at one time");
-  found.add("{}: ratio {}, not at one time");
-  found.add("mean-curvature {}, surface-diffusion {}, willmore {}, mmcv {}");
-  for (const status of Object.keys(standings)) found.add(status);
   return found;
 }
 
@@ -282,7 +248,7 @@ function instances(sentence) {
 
 const find = createFinder(german);
 const keyed = new Set([...spoken().found, ...tabled(), ...standing()]);
-const matched = new Set([...figured(), ...working(), ...recipes(), ...solved()]);
+const matched = new Set([...working(), ...recipes(), ...solved()]);
 
 test("every sentence has its German", () => {
   const lacking = [...keyed].filter(

@@ -4,12 +4,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { sha256 } from "../../www/digest.js";
+import { samples } from "../../www/generated/library.js";
 import { sharedLink, writeLink } from "../../www/link.js";
 import { compareEnergy, verdict } from "../../www/link-check.js";
 import { decodeEdits } from "../../www/link-edits.js";
 import { decodeRegion, encodeRegion, LONGEST } from "../../www/link-region.js";
 import { defaults } from "../../www/options.js";
-import { samples } from "../../www/samples.js";
 import { initial } from "../../www/state.js";
 import { elementCode, iframeCode, missing, pageAddress } from "../../www/ui/share.js";
 import { readScene } from "./support/scene.js";

@@ -3,9 +3,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { samples } from "../../www/generated/library.js";
 import { writeLink } from "../../www/link.js";
 import { defaults, smoothingTau } from "../../www/options.js";
-import { samples } from "../../www/samples.js";
 import { createStore, initial, transitions as to } from "../../www/state.js";
 import { fileName } from "../../www/ui/download.js";
 import { formatNumber } from "../../www/ui/number.js";

@@ -3,7 +3,8 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { figures } from "../../www/figures.js";
+import { figures } from "../../www/generated/library.js";
+import { figureTitle, sayFigure } from "../../www/library.js";
 import {
   button,
   choice,
@@ -53,8 +54,11 @@ test("figure, region, border lines and axis are in the link, and the energy agre
   const { page, faults, close } = await site.open("", allowed);
   const figure = figures.find(({ id }) => id === "circle-6") ?? figures[0];
   await button(page, "Figures").click();
-  await page.locator(".card", { hasText: figure.title }).first().click();
-  await page.getByRole("region", { name: new RegExp(`^${figure.figure}: `) }).waitFor();
+  await page
+    .locator(".card", { hasText: figureTitle(figure) })
+    .first()
+    .click();
+  await page.getByRole("region", { name: new RegExp(`^${sayFigure(figure)}: `) }).waitFor();
   await until(page, "Ready");
   await page.locator("#view > summary").click();
   await page.getByLabel("Border lines").uncheck();
@@ -100,7 +104,7 @@ test("figure, region, border lines and axis are in the link, and the energy agre
     await second.page.locator("#region-count").textContent(),
     await page.locator("#region-count").textContent(),
   );
-  await second.page.getByRole("region", { name: new RegExp(`^${figure.figure}: `) }).waitFor();
+  await second.page.getByRole("region", { name: new RegExp(`^${sayFigure(figure)}: `) }).waitFor();
   assert.equal(await second.page.locator("#scale").inputValue(), "log");
   assert.equal(await second.page.locator("#view-form [name=boundary]").isChecked(), false);
   for (const one of [faults, second.faults]) assert.deepEqual(one, []);

@@ -3,7 +3,8 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { figures } from "../../www/figures.js";
+import { figures } from "../../www/generated/library.js";
+import { figureTitle } from "../../www/library.js";
 import { paper } from "../../www/ui/statements.js";
 import {
   button,
@@ -173,14 +174,14 @@ test("presenting: large words, a clicker's keys, controls that come and go", asy
   const [first, second] = figures;
   await button(page, "Figures").click();
   await page.locator(".card").first().click();
-  await page.locator("#figure-heading", { hasText: first.title }).waitFor();
+  await page.locator("#figure-heading", { hasText: figureTitle(first) }).waitFor();
   await until(page, "Ready");
   await page.locator("#colour").selectOption("mean-curvature");
   await page.locator("#colour-bar").waitFor();
   await page.locator("#colour").blur();
   await page.keyboard.press("f");
   await line
-    .filter({ hasText: `W = 188.5 · step 0 · Bobenko and Schröder, Fig. 6: ${first.title}` })
+    .filter({ hasText: `W = 188.5 · step 0 · Bobenko and Schröder, ${figureTitle(first)}` })
     .waitFor();
   assert.deepEqual(await smallTexts(page), [], "at the start");
 
@@ -205,19 +206,17 @@ test("presenting: large words, a clicker's keys, controls that come and go", asy
   await until(page, /^Converged after \d+ steps$/);
   assert.deepEqual(await smallTexts(page), [], "converged");
   await page.keyboard.press("PageDown");
-  await line
-    .filter({ hasText: `step 0 · Bobenko and Schröder, Fig. 6: ${second.title}` })
-    .waitFor();
+  await line.filter({ hasText: `step 0 · Bobenko and Schröder, ${figureTitle(second)}` }).waitFor();
   await until(page, "Ready");
   await page.keyboard.press("ArrowLeft");
-  await line.filter({ hasText: first.title }).waitFor();
+  await line.filter({ hasText: figureTitle(first) }).waitFor();
   await until(page, "Ready");
   // Before the first there is none.
   await page.keyboard.press("PageUp");
   await page.keyboard.press("h");
   await line.waitFor({ state: "hidden" });
   await page.keyboard.press("h");
-  await line.filter({ hasText: first.title }).waitFor();
+  await line.filter({ hasText: figureTitle(first) }).waitFor();
 
   // An arrow key of the picture turns it; that of nobody plays.
   await canvas(page).focus();

@@ -3,6 +3,8 @@
 
 /** @param {import("../solver.js").Solver} solver */
 export const createQuestions = (solver) => ({
+  /** @param {import("../protocol.js").Figure} figure */
+  judge: ({ id }) => solver.judge(id),
   loops: () => solver.loops(),
   selfIntersections: () => solver.selfIntersections(),
   conjecture: () => solver.conjecture(),

@@ -9,10 +9,10 @@
 /** @import { PageState, Source } from "../state.js" */
 
 import { sha256 } from "../digest.js";
+import { samples } from "../generated/library.js";
 import { t } from "../language.js";
 import { defaults, plainArrangement } from "../options.js";
 import { askedBy, isOwn, makeRecipe, pathOf, readRecipe } from "../recipe.js";
-import { samples } from "../samples.js";
 import { transitions as to } from "../state.js";
 
 /**
@@ -25,7 +25,7 @@ import { transitions as to } from "../state.js";
  * @property {Options} options
  * @property {Options} fallback  for a mesh that the options do not suit
  * @property {Partial<Scene>} [scene]
- * @property {import("../samples.js").Sample["fill"]} [fill]  of what is loaded, before it is shown
+ * @property {import("../protocol.js").Sample["fill"]} [fill]  of what is loaded, before it is shown
  */
 
 /** @param {unknown} value */

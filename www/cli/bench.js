@@ -25,7 +25,7 @@ import { table } from "./text.js";
  * @typedef {object} Limits
  * @property {number} maxVertices
  * @property {number} steps
- * @property {readonly import("../figures.js").Figure[]} figures
+ * @property {readonly import("../protocol.js").Figure[]} figures
  * @property {string} [meshes]  a folder
  */
 /** @typedef {Record<string, number | string | null>} Row */

@@ -5,7 +5,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { launch, openPage } from "../../tests/web/support/browser.js";
 import { serve } from "../../tests/web/support/server.js";
-import { figures } from "../figures.js";
+import { figures } from "../generated/library.js";
 import { asText } from "../options.js";
 import { root } from "./process.js";
 
@@ -27,7 +27,7 @@ try {
     for (const [key, value] of Object.entries({ ...figure.options, ...figure.arrangement })) {
       words.set(key, asText(value, key));
     }
-    if (figure.colour) words.set("colour", figure.colour);
+    words.set("colour", figure.colour);
     if (steps > 0) words.set("step", String(steps));
     page.setDefaultTimeout(100_000);
     await page.goto(`${server.url}#${words}`);

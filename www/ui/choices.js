@@ -6,9 +6,11 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
+import { samples } from "../generated/library.js";
 import { translated } from "../language.js";
+import { sampleName } from "../library.js";
 import { choices, choicesOf, isRead, toFlow, usualBoundary } from "../options.js";
-import { samples } from "../samples.js";
+import { say } from "../words.js";
 import { byId, fillSelect, setText } from "./element.js";
 
 /** @param {Controller} controller */
@@ -19,7 +21,13 @@ export function createChoices(controller) {
   const boundary = byId("boundary", HTMLSelectElement);
   const colour = byId("colour", HTMLSelectElement);
 
-  fillSelect(sample, samples);
+  for (const shelf of new Set(samples.map(({ group }) => group))) {
+    const group = document.createElement("optgroup");
+    group.label = say(`group-${shelf}`);
+    const own = samples.filter((one) => one.group === shelf);
+    group.append(...own.map(({ id }) => new Option(sampleName(id), id)));
+    sample.append(group);
+  }
   fillSelect(flow, choicesOf("flow"));
   fillSelect(boundary, choicesOf("boundary"));
   fillSelect(colour, choices.colour);
@@ -50,7 +58,7 @@ export function createChoices(controller) {
         shown = state.source;
         own.textContent = shown.kind === "file" ? shown.name : "";
         sample.value = shown.kind === "sample" ? shown.id : "";
-        setText(note, translated(samples.find(({ id }) => id === sample.value)?.note ?? ""));
+        setText(note, shown.kind === "sample" ? say(`sample-${shown.id}.shows`) : "");
       } else if (state.phase !== "loading" && shown?.kind === "sample") {
         // A sample that was refused leaves the one before in place.
         if (sample.value !== shown.id) sample.value = shown.id;

@@ -1,72 +1,22 @@
 // @ts-check
-// Every figure of the papers, a click away: a dialog of cards, and beside the surface what the
+// Every figure of the papers, a click away: a dialog of cards, and in the panel what the
 // paper reports, what is expected, and what was just measured here.
 
-/** @import { Figure, Run } from "../figures.js" */
+/** @import { Figure } from "../protocol.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
-import { t, translated } from "../language.js";
+import { figures } from "../generated/library.js";
+import { figureTitle, papers, sayFigure } from "../library.js";
 import { isOver } from "../standing.js";
+import { say } from "../words.js";
 import { byId, setText } from "./element.js";
-
-/** @type {Readonly<Record<Figure["paper"], string>>} */
-export const papers = {
-  circle: "Bobenko and Schröder: discrete Willmore flow",
-  "p-willmore": "Gruber and Aulisa: p-Willmore flow",
-  flips: "Brink and Alboul: edge flips",
-  curvature: "Xu and Zhang: mean-curvature variation",
-};
-
-/** @param {Figure} figure */
-export const figureTitle = ({ figure, title }) => `${translated(figure)}: ${translated(title)}`;
-
-/** What a figure's measure is given. @param {Readonly<PageState>} state @param {PageState["reading"]} first @returns {Run | null} */
-function runOf({ reading, mesh, frame }, first) {
-  if (!reading || !mesh || !frame || !first) return null;
-  /** @type {Record<string, number>} */
-  const jumps = {};
-  for (const { name, standing } of frame.panes) {
-    if (standing?.jump) jumps[name] = standing.jump.relative;
-  }
-  return {
-    first,
-    last: reading,
-    steps: reading.step,
-    info: mesh.info,
-    jump: frame.jump,
-    jumps,
-    start: mesh.positions,
-    positions: frame.positions,
-    panes: [...frame.panes],
-    regularised: null,
-    refined: [],
-    reference: null,
-  };
-}
-
-/** Whether it takes more than one run to measure. @param {Figure} figure */
-const isCompound = ({ refine, reference, regularise }) =>
-  Boolean(refine || reference || regularise);
 
 /** Whether a run has come as far as the figure wants. @param {Figure} figure @param {Readonly<PageState>} state */
 export function isThere({ steps }, { reading, phase }) {
   if (!reading || phase === "running" || phase === "loading") return false;
   if (isOver(reading.status)) return true;
   return steps !== "rest" && reading.step >= steps;
-}
-
-/** @param {Figure} figure */
-function waitingText(figure) {
-  if (isCompound(figure)) {
-    return t("It takes more than one run to measure: {command}", {
-      command: `umbilic bench --table figures --figures ${figure.id}`,
-    });
-  }
-  if (figure.steps === "rest") return t("Play, until it comes to rest.");
-  return figure.steps === 0
-    ? t("As it stands.")
-    : t("Play, at least to step {steps}.", { steps: figure.steps });
 }
 
 /** @param {Controller} controller */
@@ -94,7 +44,7 @@ export function createGallery(controller) {
     const title = document.createElement("strong");
     title.textContent = figureTitle(figure);
     const text = document.createElement("span");
-    text.textContent = translated(figure.reports);
+    text.textContent = sayFigure(figure, "reports");
     button.append(picture, title, text);
     button.addEventListener("click", () => {
       dialog.close();
@@ -103,24 +53,16 @@ export function createGallery(controller) {
     return button;
   }
 
-  let filled = false;
-  async function open() {
+  function open() {
     dialog.showModal();
-    if (filled) return;
-    try {
-      const { figures } = await import("../figures.js");
-      filled = true;
-      for (const [paper, name] of Object.entries(papers)) {
-        const title = document.createElement("h3");
-        title.textContent = translated(name);
-        const group = document.createElement("div");
-        group.className = "cards";
-        group.append(...figures.filter((figure) => figure.paper === paper).map(card));
-        cards.append(title, group);
-      }
-    } catch (error) {
-      dialog.close();
-      controller.report(error);
+    if (cards.childElementCount > 0) return;
+    for (const paper of papers) {
+      const title = document.createElement("h3");
+      title.textContent = say(`paper-${paper}`);
+      const group = document.createElement("div");
+      group.className = "cards";
+      group.append(...figures.filter((figure) => figure.paper === paper).map(card));
+      cards.append(title, group);
     }
   }
   byId("gallery-open", HTMLButtonElement).addEventListener("click", open);
@@ -128,31 +70,42 @@ export function createGallery(controller) {
 
   /** @type {PageState["figure"]} */
   let figure = null;
-  /** @type {PageState["reading"]} */
-  let first = null;
+  /** Where a run stands that the solver was asked to judge. */
+  let asked = "";
+
+  /** @param {Figure} judged @param {string} place */
+  async function judge(judged, place) {
+    setText(measured, say("figure-measuring"));
+    const finding = await controller.judge(judged).catch(() => null);
+    // Another step or figure came first.
+    if (asked !== place || !finding) return;
+    setText(measured, `${finding.ok ? "✓" : "✗"} ${say(finding.message)}`);
+    setText(why, !finding.ok && judged.fallsShort ? sayFigure(judged, "shortfall") : "");
+    measured.dataset.outcome = finding.ok ? "yes" : "no";
+  }
+
   return {
     open,
     /** @param {Readonly<PageState>} state */
     update(state) {
       if (state.figure !== figure) {
         figure = state.figure;
-        first = null;
         section.hidden = !figure;
         if (!figure) return;
         setText(heading, figureTitle(figure));
-        setText(said, translated(figure.reports));
-        setText(expected, translated(figure.expected));
+        setText(said, sayFigure(figure, "reports"));
+        setText(expected, sayFigure(figure, "expected"));
       }
       if (!figure) return;
-      if (state.reading?.step === 0 && state.reading.status === "ready") first = state.reading;
-      const run = isCompound(figure) || !isThere(figure, state) ? null : runOf(state, first);
-      const result = run && figure.measure(run);
-      setText(
-        measured,
-        result ? `${result.ok ? "✓" : "✗"} ${translated(result.value)}` : waitingText(figure),
-      );
-      setText(why, result && !result.ok && figure.shortfall ? translated(figure.shortfall) : "");
-      measured.dataset.verdict = result ? (result.ok ? "yes" : "no") : "open";
+      const { reading } = state;
+      const place =
+        reading && isThere(figure, state) ? `${figure.id} ${reading.step} ${reading.energy}` : "";
+      if (place !== "" && place === asked) return;
+      asked = place;
+      measured.dataset.outcome = "open";
+      setText(why, "");
+      if (place !== "") judge(figure, place);
+      else setText(measured, say("figure-waiting", { steps: figure.steps }));
     },
   };
 }

@@ -7,7 +7,7 @@
 /** @import { Controller } from "../controller.js" */
 
 import { t, translated } from "../language.js";
-import { samples as shapes } from "../samples.js";
+import { sampleName } from "../library.js";
 import { hasContrast, isDark } from "../state.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
@@ -56,8 +56,7 @@ export function styleOf(state) {
 
 /** @param {PageState["source"]} source */
 export function sceneTitle(source) {
-  if (source?.kind !== "sample") return source?.name ?? "";
-  return translated(shapes.find(({ id }) => id === source.id)?.label ?? "");
+  return source?.kind === "sample" ? sampleName(source.id) : (source?.name ?? "");
 }
 
 /**

@@ -5,10 +5,13 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
-import { t, translated } from "../language.js";
+import { figures } from "../generated/library.js";
+import { t } from "../language.js";
+import { figureTitle } from "../library.js";
 import { isOver } from "../standing.js";
+import { say } from "../words.js";
 import { byId, setText } from "./element.js";
-import { figureTitle, isThere, papers } from "./gallery.js";
+import { isThere } from "./gallery.js";
 import { takesKeys } from "./keys.js";
 import { formatNumber } from "./number.js";
 import { sceneTitle } from "./picture.js";
@@ -25,7 +28,7 @@ export function presentedText(state) {
   const { reading, figure, source } = state;
   // Of a paper, its authors.
   const shown = figure
-    ? `${translated(papers[figure.paper]).split(":")[0]}, ${figureTitle(figure)}`
+    ? `${say(`paper-${figure.paper}.authors`)}, ${figureTitle(figure)}`
     : sceneTitle(source);
   if (!reading) return shown;
   return t("{energy} · step {step} · {title}", {
@@ -55,15 +58,10 @@ export function createPresenter(controller, state, gallery) {
   });
 
   /** The figure so many places further in the gallery, if there is one. @param {1 | -1} way */
-  async function turnTo(way) {
-    try {
-      const { figures } = await import("../figures.js");
-      const place = figures.findIndex(({ id }) => id === state().figure?.id);
-      const next = figures[place + way];
-      if (place >= 0 && next) await controller.figure(next);
-    } catch (error) {
-      controller.report(error);
-    }
+  function turnTo(way) {
+    const place = figures.findIndex(({ id }) => id === state().figure?.id);
+    const next = figures[place + way];
+    if (place >= 0 && next) controller.figure(next);
   }
 
   function forward() {

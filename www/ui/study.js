@@ -7,8 +7,8 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Solver } from "../solver.js" */
 
+import { samples } from "../generated/library.js";
 import { t, translated } from "../language.js";
-import { samples } from "../samples.js";
 import { createSolver, LOST } from "../solver.js";
 import { byId, fillSelect, setText } from "./element.js";
 import { formatNumber } from "./number.js";

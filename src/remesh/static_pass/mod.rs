@@ -51,14 +51,19 @@ pub struct RegulariseOptions {
     pub features: f64,
 }
 
+impl RegulariseOptions {
+    /// Five nonlinear passes that keep features.
+    pub const DEFAULT: Self = Self {
+        mode: Mode::Nonlinear,
+        epsilon: 1e-2,
+        iterations: 5,
+        features: 0.3,
+    };
+}
+
 impl Default for RegulariseOptions {
     fn default() -> Self {
-        Self {
-            mode: Mode::Nonlinear,
-            epsilon: 1e-2,
-            iterations: 5,
-            features: 0.3,
-        }
+        Self::DEFAULT
     }
 }
 

@@ -1,0 +1,183 @@
+//! A figure of a paper: what is run for it, and the rule that judges the run.
+
+use super::run::Run;
+use super::sample::{Sample, Shape};
+use crate::app::{Arrangement, FieldName, RegulariseOptions};
+use crate::flow::Status;
+use crate::flow::options::FlowOptions;
+use serde::{Serialize, Serializer};
+
+/// A figure that shows a result.
+#[derive(Clone, Copy, Debug)]
+pub struct Figure {
+    /// Its name in links, thumbnails and locale files.
+    pub id: &'static str,
+    /// Whose figure it is.
+    pub paper: Paper,
+    /// As the paper numbers it.
+    pub number: &'static str,
+    /// Id of the sample it begins with.
+    pub sample: &'static str,
+    /// Options over those of the sample.
+    pub options: fn(FlowOptions) -> FlowOptions,
+    /// What stands side by side.
+    pub arrangement: Arrangement,
+    /// What the surface is coloured by.
+    pub colour: Option<FieldName>,
+    /// How far it runs.
+    pub steps: Steps,
+    /// Parameters of coarser meshes, coarsest first, on which the same is run before.
+    pub refine: &'static [&'static [(&'static str, f64)]],
+    /// Regularisation after the steps.
+    pub regularise: Option<RegulariseOptions>,
+    /// The undamaged surface, its vertices numbered as those of the sample.
+    pub reference: Option<Shape>,
+    /// Whether it takes a few seconds at most.
+    pub quick: bool,
+    /// Whether it is known not to come out as the paper has it; the words say why.
+    pub falls_short: bool,
+    /// Whether a run comes out as expected, and what was measured.
+    pub(super) judge: fn(&Run<'_>) -> Finding,
+}
+
+/// The four papers, see [the references](crate#references).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Paper {
+    /// Bobenko & Schröder.
+    Circle,
+    /// Gruber & Aulisa.
+    PWillmore,
+    /// Brink & Alboul.
+    Flips,
+    /// Xu & Zhang.
+    Curvature,
+}
+
+/// How far a figure runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steps {
+    /// So many steps, fewer where it comes to rest before; 0 for a figure without a flow.
+    Count(usize),
+    /// Until it comes to rest.
+    Rest,
+}
+
+/// What a run came to.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Finding {
+    /// Whether it came out as expected.
+    pub ok: bool,
+    /// What was measured.
+    pub message: Message,
+}
+
+/// A sentence by its name in the locale files, and the values in it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Message {
+    /// Its name.
+    pub id: &'static str,
+    /// By name.
+    #[serde(serialize_with = "as_map")]
+    pub values: Vec<(&'static str, Value)>,
+}
+
+/// A value in a sentence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A number; `None` where it could not be measured.
+    Number(Option<f64>),
+    /// How a run ended, a sentence of its own.
+    Status(Status),
+}
+
+fn as_map<S: Serializer>(values: &[(&'static str, Value)], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_map(values.iter().copied())
+}
+
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let id = match self {
+            Self::Number(value) => return value.serialize(serializer),
+            Self::Status(Status::Ready) => "measured-ready",
+            Self::Status(Status::Converged) => "measured-converged",
+            Self::Status(Status::StepLimit) => "measured-step-limit",
+            Self::Status(Status::Stalled) => "measured-stalled",
+            Self::Status(Status::Singular) => "measured-singular",
+            Self::Status(Status::Collapsed) => "measured-collapsed",
+            Self::Status(Status::Failed) => "measured-failed",
+        };
+        let values = Vec::new();
+        Message { id, values }.serialize(serializer)
+    }
+}
+
+impl From<f64> for Value {
+    fn from(value: f64) -> Self {
+        Self::Number(Some(value))
+    }
+}
+
+impl From<Option<f64>> for Value {
+    fn from(value: Option<f64>) -> Self {
+        Self::Number(value)
+    }
+}
+
+impl From<usize> for Value {
+    fn from(value: usize) -> Self {
+        Self::Number(Some(value as f64))
+    }
+}
+
+impl From<Status> for Value {
+    fn from(status: Status) -> Self {
+        Self::Status(status)
+    }
+}
+
+impl Finding {
+    pub(super) fn new(ok: bool, id: &'static str, values: &[(&'static str, Value)]) -> Self {
+        let values = values.to_vec();
+        Self {
+            ok,
+            message: Message { id, values },
+        }
+    }
+}
+
+impl Figure {
+    /// A figure with nothing special about it, for the tables to begin with.
+    pub(super) const PLAIN: Self = Self {
+        id: "",
+        paper: Paper::Circle,
+        number: "",
+        sample: "",
+        options: |o| o,
+        arrangement: Arrangement::PLAIN,
+        colour: None,
+        steps: Steps::Rest,
+        refine: &[],
+        regularise: None,
+        reference: None,
+        quick: true,
+        falls_short: false,
+        judge: |_| Finding::new(false, "measured-incomplete", &[]),
+    };
+
+    /// Its sample; the tables name none that there is not.
+    pub fn sample(&self) -> Option<&'static Sample> {
+        super::sample(self.sample)
+    }
+
+    /// Options in full: those of the sample under its own.
+    pub fn whole_options(&self) -> FlowOptions {
+        let of_sample = self.sample().map(Sample::whole_options);
+        (self.options)(of_sample.unwrap_or_default())
+    }
+
+    /// Whether it takes more than one run of its flow to be judged.
+    pub fn is_compound(&self) -> bool {
+        !self.refine.is_empty() || self.regularise.is_some()
+    }
+}
