@@ -141,10 +141,12 @@ fn rms(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 fn largest(values: impl Iterator<Item = f64>) -> f64 {
-    // A comparison would pass over NaN.
-    values
-        .map(f64::abs)
-        .fold(0.0, |most, value| if most >= value { most } else { value })
+    let larger = |most: f64, value: f64| {
+        // A comparison alone would pass over NaN.
+        let replaces = value > most || value.is_nan();
+        if replaces { value } else { most }
+    };
+    values.map(f64::abs).fold(0.0, larger)
 }
 
 #[cfg(test)]
@@ -176,6 +178,9 @@ mod tests {
             "{}",
             off_unit_sphere(&moved)
         );
+        // Of a cap the centroid is not the centre.
+        let cap: Vec<DVec3> = moved.iter().copied().filter(|p| p.z > 1.5).collect();
+        assert!(off_sphere(&cap) < 1e-12, "{}", off_sphere(&cap));
         let rough: Vec<DVec3> = (x.iter().enumerate())
             .map(|(v, p)| *p * (1.0 + 1e-4 * alternating(v)))
             .collect();
