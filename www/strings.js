@@ -987,6 +987,8 @@ export const german = {
   "Stalled after {} steps{}; {}": "Stecken geblieben nach {} Schritten{}; {}",
   ": every step tried was refused, the last because {}":
     ": Jeder versuchte Schritt wurde abgelehnt, der letzte, weil {}",
+  ": the flow comes to rest with more energy than on the way":
+    ": Der Fluss kommt mit mehr Energie zur Ruhe, als er unterwegs hatte",
   ": only ever smaller steps lower the energy, which is not at rest":
     ": Nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist",
   "Collapsed after {} steps: any further step would have less energy than every smooth surface of this topology, so something closes between the vertices; the surface is the last good one, and a finer or better mesh helps":

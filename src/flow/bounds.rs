@@ -63,6 +63,30 @@ mod tests {
             assert!((found.willmore - willmore).abs() < 1e-6, "{name}");
             assert!((found.circle - circle).abs() < 1e-6, "{name}");
         }
+        // Genus 3, and components together: a sphere and a torus.
+        let of_soup = |soup| lower_bounds(&build(&soup).expect("a surface").mesh);
+        let three = of_soup(shape::blocks::handles(3, 0).expect("triangles")).expect("bounds");
+        assert!(
+            (three.circle - 89.743_900_0).abs() < 1e-6,
+            "{}",
+            three.circle
+        );
+        let mut both = shape::make("torus", &[]).expect("a shape").soup;
+        let ball = shape::make("icosphere", &[("level".into(), 1.0)]).expect("a shape");
+        let first = both.positions.len() as u32;
+        both.positions
+            .extend(ball.soup.positions.iter().map(|p| *p + 9.0));
+        for face in ball.soup.faces() {
+            let corners: Vec<u32> = face.iter().map(|v| v + first).collect();
+            both.push_face(&corners);
+        }
+        let both = of_soup(both).expect("bounds");
+        assert!(
+            (both.willmore - 32.305_579_4).abs() < 1e-6,
+            "{}",
+            both.willmore
+        );
+        assert!((both.circle - 39.478_417_6).abs() < 1e-6, "{}", both.circle);
         assert_eq!(of("klein-bottle"), None);
         assert_eq!(of("pipe"), None);
     }

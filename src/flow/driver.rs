@@ -175,10 +175,9 @@ impl Driver {
             Some(found) => (found, None),
             None => {
                 let ending = self.stuck(here, before, &mut cost)?;
-                let occasion = Occasion::Ending;
                 let better = match &ending {
-                    Verdict::Stop(Status::Stalled, _) => {
-                        self.flow.next_phase(here, &occasion, &mut cost)?
+                    Verdict::Stop(status @ (Status::Stalled | Status::Converged), _) => {
+                        self.better(here, *status, &mut cost)?
                     }
                     _ => None,
                 };
@@ -186,7 +185,10 @@ impl Driver {
                 else {
                     return Ok((None, ending));
                 };
-                (self.placed(here, from, &mut cost)?, Some(ending))
+                (
+                    self.placed(here, from, &mut cost)?,
+                    Some(self.replaced(ending)),
+                )
             }
         };
         let here = here.to_vec();
@@ -212,6 +214,10 @@ impl Driver {
     pub(super) fn begin(&mut self, phase: Phase, warnings: &mut Vec<String>) -> Option<Vec<DVec3>> {
         if phase.resets_step_size {
             self.run.step_size = self.flow.step_size();
+        }
+        if phase.raises_step_size {
+            let first = self.flow.step_size().dt;
+            self.run.step_size.dt = self.run.step_size.dt.max(first);
         }
         if phase.resets_functional {
             self.run.least = f64::INFINITY;

@@ -3,8 +3,8 @@
 use super::driver::Driver;
 use super::report::Warning;
 use super::rules::Ceiling;
-use super::termination::{self, Ending};
-use super::{Cause, Cost, FlowError, Functional, Occasion, Status, StepReport, Verdict};
+use super::termination::{self, Ending, Stall};
+use super::{Cause, Cost, FlowError, Functional, Occasion, Phase, Status, StepReport, Verdict};
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
 use crate::geometry::quality::largest_face;
@@ -60,6 +60,36 @@ impl Driver {
         })
     }
 
+    /// A phase that puts something better in place of what a run is about to end with.
+    pub(super) fn better(
+        &mut self,
+        x: &[DVec3],
+        status: Status,
+        cost: &mut Cost,
+    ) -> Result<Option<Phase>, FlowError> {
+        let is_at_rest = status == Status::Converged;
+        let occasion = Occasion::Ending { is_at_rest };
+        self.flow.next_phase(x, &occasion, cost)
+    }
+
+    /// How a run has ended once something better was put in place: not at rest.
+    pub(super) fn replaced(&self, ending: Verdict) -> Verdict {
+        let Verdict::Stop(Status::Converged, _) = ending else {
+            return ending;
+        };
+        let why = termination::stalled(self.run.step, Stall::WorseRest, self.flow.remedy());
+        stop(Status::Stalled, why)
+    }
+
+    /// The end of a run at rest, unless the next step puts something better in place.
+    fn rested(&mut self, x: &[DVec3], why: String, cost: &mut Cost) -> Result<Verdict, FlowError> {
+        if self.better(x, Status::Converged, cost)?.is_some() {
+            self.run.is_exhausted = true;
+            return Ok(Verdict::GoOn);
+        }
+        Ok(stop(Status::Converged, why))
+    }
+
     /// A functional that is zero up to roundoff cannot fall.
     pub(super) fn is_zero(&self, value: f64) -> Option<Verdict> {
         let rules = self.flow.rules();
@@ -98,7 +128,7 @@ impl Driver {
         }
         if ending.rests {
             let why = format!("Converged after {steps} steps: no vertex moves any more");
-            return Ok(stop(Status::Converged, why));
+            return self.rested(x, why, cost);
         }
         let occasion = Occasion::Accepted {
             before: ending.before.scale,
@@ -136,7 +166,7 @@ impl Driver {
         }
         if self.flow.stationarity(x, cost)? <= 1.0 {
             let why = format!("Converged after {steps} steps: the surface is at rest");
-            return Ok(Some(stop(Status::Converged, why)));
+            return Ok(Some(self.rested(x, why, cost)?));
         }
         if self.run.window.met_bound() {
             return Ok(Some(self.collapsed()));
@@ -165,14 +195,18 @@ impl Driver {
         if rules.can_vanish && area < VANISHING * self.start.area {
             return Ok(self.vanished(x));
         }
-        if let Some(neck) = self.singular(x) {
+        let is_at_rest = rules.ceiling != Ceiling::None && self.flow.stationarity(x, cost)? <= 1.0;
+        // A run that ended at rest is asked again where something better is put in place.
+        if !(is_at_rest && self.run.is_exhausted)
+            && let Some(neck) = self.singular(x)
+        {
             return Ok(neck);
         }
-        if rules.ceiling != Ceiling::None && self.flow.stationarity(x, cost)? <= 1.0 {
+        if is_at_rest {
             let why = format!("Converged after {steps} steps: the surface is at rest");
             return Ok(stop(Status::Converged, why));
         }
-        let why = termination::stalled(steps, self.refusal, self.flow.remedy());
+        let why = termination::stalled(steps, Stall::Stuck(self.refusal), self.flow.remedy());
         Ok(stop(Status::Stalled, why))
     }
 

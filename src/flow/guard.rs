@@ -135,3 +135,134 @@ pub(crate) fn turning(mesh: &HalfedgeMesh, x: &[DVec3], y: &[DVec3], cosine: f64
     };
     mesh.faces().find(turns).map(|f| f.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Built, build, shape};
+
+    fn ball() -> Built {
+        let ball = shape::make("icosphere", &[("level".into(), 2.0)]).expect("a shape");
+        build(&ball.soup).expect("a surface")
+    }
+
+    fn all() -> Rules {
+        Rules {
+            reach: Some(0.5),
+            turn: Some(0.5),
+            folds: Folds::None,
+            least_angle: Some(5.0),
+            ..Rules::unseen()
+        }
+    }
+
+    /// With vertex 0 moved by so many of its edges along its normal and along the first edge.
+    fn moved(s: &Built, out: f64, along: f64) -> Vec<DVec3> {
+        let mut y = s.positions.clone();
+        let h = measure::mean_edge_lengths(&s.mesh, &y)[0];
+        let mut neighbours = s.mesh.neighbours(crate::mesh::Vertex(0));
+        let edge = y[neighbours.next().expect("a neighbour").index()] - y[0];
+        let n = y[0].normalize();
+        y[0] += out * h * n + along * edge;
+        y
+    }
+
+    #[test]
+    fn a_move_too_far_is_shortened_to_just_below_what_is_allowed() {
+        let s = ball();
+        let x = &s.positions;
+        let guard = Guard::new(all(), &s.mesh, x, [60.0, 50.0]);
+        assert!(guard.check_distance(x, &moved(&s, 0.499, 0.0)).is_ok());
+        let refusal = guard.check_distance(x, &moved(&s, 2.0, 0.0));
+        let refusal = refusal.expect_err("too far");
+        assert_eq!((refusal.cause, refusal.vertex), (Cause::TooFar, 0));
+        let ratio = refusal.ratio.expect("known");
+        assert!((ratio - 0.95 * 0.25).abs() < 1e-12, "{ratio}");
+        let mut y = x.clone();
+        y[3].x = f64::NAN;
+        let refusal = guard.check_distance(x, &y).expect_err("not finite");
+        assert_eq!(refusal.cause, Cause::NotFinite);
+        // Far from all others an edge counts as at least half the mean.
+        let mut tiny = x.clone();
+        let first = tiny[0];
+        for v in s.mesh.neighbours(crate::mesh::Vertex(0)) {
+            tiny[v.index()] = first + 1e-3 * (tiny[v.index()] - first);
+        }
+        let guard = Guard::new(all(), &s.mesh, &tiny, [60.0, 50.0]);
+        let mean = measure::mean_edge_length(&s.mesh, &tiny);
+        let mut y = tiny.clone();
+        y[0] += 0.24 * mean * first.normalize();
+        assert!(guard.check_distance(&tiny, &y).is_ok());
+    }
+
+    #[test]
+    fn what_spoils_the_mesh_is_refused_by_its_cause() {
+        let s = ball();
+        let cause = |rules: Rules, y: &[DVec3]| {
+            let mut guard = Guard::new(rules, &s.mesh, &s.positions, [60.0, 50.0]);
+            guard
+                .check_mesh(&s.mesh, &s.positions, y)
+                .err()
+                .map(|r| r.cause)
+        };
+        assert_eq!(cause(all(), &moved(&s, 0.1, 0.1)), None);
+        // A peak of 1.5 edges stands at more than 60°, and folds nothing.
+        let peak = moved(&s, 2.5, 0.0);
+        assert_eq!(cause(all(), &peak), Some(Cause::Turn));
+        let any_turn = Rules {
+            turn: None,
+            ..all()
+        };
+        assert_eq!(cause(any_turn, &peak), None);
+        // Beyond its neighbour, faces fold.
+        let fold = moved(&s, 0.0, 1.6);
+        assert_eq!(cause(any_turn, &fold), Some(Cause::Fold));
+        // Close to its neighbour, a face becomes a sliver.
+        let sliver = moved(&s, 0.0, 0.95);
+        assert_eq!(cause(all(), &sliver), Some(Cause::Sliver));
+        let any_angle = Rules {
+            least_angle: None,
+            ..all()
+        };
+        assert_eq!(cause(any_angle, &sliver), None);
+    }
+
+    #[test]
+    fn few_folds_are_refused_three_times_and_then_let_pass() {
+        let s = ball();
+        let rules = Rules {
+            folds: Folds::Few,
+            ..Rules::unseen()
+        };
+        let mut guard = Guard::new(rules, &s.mesh, &s.positions, [60.0, 50.0]);
+        let fold = moved(&s, 0.0, 1.6);
+        let mut check = || guard.check_mesh(&s.mesh, &s.positions, &fold).is_ok();
+        assert_eq!(
+            [check(), check(), check(), check()],
+            [false, false, false, true]
+        );
+    }
+
+    /// A mesh that starts with slivers may keep them, and one under way may lose a little.
+    #[test]
+    fn the_least_angle_falls_with_that_of_the_mesh() {
+        let s = ball();
+        let floor = |start: f64, angle: f64| {
+            let guard = Guard::new(all(), &s.mesh, &s.positions, [start, angle]);
+            guard.angle_floor.expect("a floor")
+        };
+        for (start, angle, expected) in [
+            (60.0, 50.0, 5.0),
+            (15.0, 15.0, 2.5),
+            (60.0, 4.0, 2.8),
+            (60.0, 1.2, 1.0),
+            (60.0, 0.3, 0.3),
+        ] {
+            let found = floor(start, angle);
+            assert!(
+                (found - expected).abs() < 1e-12,
+                "{start}, {angle}: {found}"
+            );
+        }
+    }
+}

@@ -31,8 +31,12 @@ pub enum Occasion {
         /// As for [`Idle`](Self::Idle).
         is_guarded: bool,
     },
-    /// The run is about to end as stalled: the last chance to put something better in place.
-    Ending,
+    /// The run is about to end as stalled or at rest: the last chance to put something better
+    /// in place.
+    Ending {
+        /// Whether the surface is at rest.
+        is_at_rest: bool,
+    },
 }
 
 /// A phase that begins.
@@ -42,6 +46,8 @@ pub struct Phase {
     pub from: Option<Vec<DVec3>>,
     /// Whether the step size begins anew.
     pub resets_step_size: bool,
+    /// Whether it is from now on at least the one that a run would begin with here.
+    pub raises_step_size: bool,
     /// Whether the functional is another, so that what it was before does not count.
     pub resets_functional: bool,
     /// Worth telling the user.

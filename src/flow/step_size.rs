@@ -114,6 +114,8 @@ mod tests {
     fn refusals_shrink_it_down_to_the_floor() {
         let mut size = StepSize::adaptive(1.0, 0.01, 1.0);
         assert!(size.refused(Some(0.5)) && size.dt == 0.5);
+        assert!(size.refused(Some(0.9)) && size.dt == 0.35);
+        size.dt = 0.5;
         assert!(size.refused(Some(1e-9)) && size.dt == 0.05);
         assert!(size.refused(None) && size.dt == 0.0125);
         assert!(!size.refused(None));
@@ -121,5 +123,15 @@ mod tests {
         assert!(size.refused(Some(f64::NAN)) && size.dt == 0.1);
         (0..9).for_each(|_| size.accepted(1.0, 0, true));
         assert_eq!(size.dt, 1.0);
+    }
+
+    #[test]
+    fn a_decrease_must_be_a_ten_thousandth_of_the_slope() {
+        assert!(sufficient_decrease(1.0, 1.0 - 1.1e-4, -1.0));
+        assert!(!sufficient_decrease(1.0, 1.0 - 0.9e-4, -1.0));
+        // A slope that rises, by roundoff or of a step that mends a constraint, allows no rise.
+        assert!(sufficient_decrease(1.0, 1.0, 3.0) && !sufficient_decrease(1.0, 1.0 + 1e-9, 3.0));
+        assert!(!sufficient_decrease(1.0, f64::NAN, 0.0));
+        assert!(!sufficient_decrease(1.0, f64::NEG_INFINITY, 0.0));
     }
 }

@@ -109,13 +109,26 @@ impl Window {
     }
 }
 
-/// A sentence about steps that can go no further, from why the last trial was refused.
-pub(super) fn stalled(steps: usize, refusal: Option<Refusal>, remedy: &str) -> String {
-    let last = match refusal.map(|refusal| refusal.cause) {
-        Some(cause) => format!(": every step tried was refused, the last because {cause}"),
-        None => ": only ever smaller steps lower the energy, which is not at rest".into(),
+/// Why a run can go no further.
+pub(super) enum Stall {
+    /// No step is accepted; why the last trial was refused, if any was.
+    Stuck(Option<Refusal>),
+    /// At rest, but an earlier surface is better.
+    WorseRest,
+}
+
+/// A sentence about that.
+pub(super) fn stalled(steps: usize, stall: Stall, remedy: &str) -> String {
+    let why = match stall {
+        Stall::Stuck(Some(Refusal { cause, .. })) => {
+            format!(": every step tried was refused, the last because {cause}")
+        }
+        Stall::Stuck(None) => {
+            ": only ever smaller steps lower the energy, which is not at rest".into()
+        }
+        Stall::WorseRest => ": the flow comes to rest with more energy than on the way".into(),
     };
-    format!("Stalled after {steps} steps{last}; {remedy}")
+    format!("Stalled after {steps} steps{why}; {remedy}")
 }
 
 /// Whether a refusal may be of a surface that becomes singular, and not of a functional that
@@ -165,6 +178,59 @@ mod tests {
             assert!(!window.is_idle(gain(0.9, 0.9, 0)));
         }
         assert!(window.is_idle(gain(0.9, 0.9, 0)));
+    }
+
+    /// A hundred-thousandth of the functional in ten steps is the least that counts as a fall.
+    #[test]
+    fn a_fall_counts_by_its_share_and_by_no_more_than_a_long_step() {
+        let falls = |fall: f64, dt: f64| {
+            let mut window = Window::default();
+            let step = Gain {
+                dt,
+                long_dt: 10.0,
+                scale: 5.0,
+                ..gain(5.0, 5.0 - 0.1 * fall, 0)
+            };
+            (0..10).for_each(|_| {
+                window.is_idle(step);
+            });
+            !window.is_idle(step)
+        };
+        assert!(falls(5.5e-5, 1.0) && !falls(4.5e-5, 1.0));
+        // In steps of 1000 gains count by a hundredth.
+        assert!(falls(5.5e-3, 1000.0) && !falls(4.5e-3, 1000.0));
+        // A long step counts as it is up to there, a short one for what it is.
+        assert!(falls(5.5e-5, 10.0) && falls(5.5e-5, 1e-6));
+    }
+
+    #[test]
+    fn a_bound_that_was_met_stays_known_and_a_guard_for_ten_steps() {
+        let mut window = Window::default();
+        let guarded = Gain {
+            is_guarded: true,
+            met_bound: true,
+            ..gain(1.0, 1.0, 1)
+        };
+        window.is_idle(guarded);
+        for _ in 0..9 {
+            assert!(window.is_guarded());
+            window.is_idle(gain(1.0, 1.0, 0));
+        }
+        window.is_idle(gain(1.0, 1.0, 0));
+        assert!(!window.is_guarded() && window.met_bound());
+        window.next_window();
+        assert!(window.met_bound());
+    }
+
+    #[test]
+    fn a_stall_says_why_and_what_helps() {
+        let refusal = Some(Refusal::of(Cause::Sliver));
+        let found = stalled(7, Stall::Stuck(refusal), "a finer mesh helps");
+        assert!(found.starts_with("Stalled after 7 steps") && found.contains("a sliver"));
+        assert!(found.ends_with("; a finer mesh helps"));
+        assert!(stalled(7, Stall::Stuck(None), "").contains("ever smaller steps"));
+        assert!(is_geometric(refusal) && !is_geometric(None));
+        assert!(!is_geometric(Some(Refusal::of(Cause::Rise))));
     }
 
     #[test]

@@ -103,6 +103,11 @@ mod tests {
             let found = branch(&built.mesh, &x);
             assert!(found.contains(name), "{axes:?}: {found}");
         }
+        // Wherever its vertices crowd.
+        let pinched = |p: &DVec3| (*p + DVec3::new(0.0, 0.0, 1.6 * p.z.powi(3))).normalize();
+        let x: Vec<DVec3> = built.positions.iter().map(pinched).collect();
+        let found = branch(&built.mesh, &x);
+        assert!(found.contains("round"), "{found}");
     }
 
     #[test]
@@ -126,5 +131,11 @@ mod tests {
         let moved = a.iter().zip(&built.positions).map(|(p, q)| p.distance(*q));
         let most = moved.fold(0.0, f64::max);
         assert!(most > 0.005 && most <= 0.01, "{most}");
+        // To both sides, and along the normals only.
+        let radii: Vec<f64> = a.iter().map(|p| p.length() - 1.0).collect();
+        assert!(radii.iter().any(|r| *r > 0.005) && radii.iter().any(|r| *r < -0.005));
+        let aside = a.iter().zip(&built.positions);
+        let aside = aside.map(|(p, q)| p.reject_from(*q).length());
+        assert!(aside.fold(0.0, f64::max) < 1e-3);
     }
 }

@@ -21,6 +21,7 @@ mod linalg;
 mod mesh;
 mod modelling;
 mod moebius;
+mod organic_flows;
 mod p_willmore_energy;
 mod p_willmore_flow;
 mod p_willmore_mass;

@@ -6,7 +6,6 @@ use crate::support::*;
 use glam::DVec3;
 use std::collections::HashMap;
 use std::f64::consts::PI;
-use std::path::PathBuf;
 use std::rc::Rc;
 use umbilic::app::Session;
 use umbilic::energy::circle::Boundary;
@@ -271,16 +270,9 @@ fn a_session_reads_both_values() {
 /// .868 has 1.2507 · 4π by an axisymmetric minimisation.
 #[test]
 fn a_rough_ellipsoid_ends_as_the_prolate_vesicle_and_not_below_all_surfaces() {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/cases/flows");
-    let Ok(bytes) = std::fs::read(folder.join("rough_ell.obj")) else {
-        eprintln!("skipped: no folder ../shared/cases beside the project");
+    let Some(s) = case("flows", "rough_ell.obj") else {
         return;
     };
-    let s = surface(
-        &umbilic::io::read(&bytes, "rough_ell.obj")
-            .expect("readable")
-            .soup,
-    );
     let options = FlowOptions {
         flow: FlowName::PWillmore,
         keep: vec![Kept::Area, Kept::Volume],

@@ -374,15 +374,10 @@ fn a_rod_of_needles_is_refused_and_stays_as_it_is() {
         ..RegulariseOptions::default()
     };
     keeps_its_shape("a rod", &rod, &sliding);
-    let Some(folder) = shared_meshes() else {
+    let Some(rod) = case("files", "cad_rod.stl") else {
         return;
     };
-    let file = folder.join("../cases/files/cad_rod.stl");
-    let bytes = std::fs::read(file).expect("file of the folder");
-    let soup = umbilic::io::read(&bytes, "cad_rod.stl")
-        .expect("readable")
-        .soup;
-    assert_eq!(refusal(&surface(&soup)), expected);
+    assert_eq!(refusal(&rod), expected);
 }
 
 fn session_on(soup: &PolygonSoup) -> Session {

@@ -49,6 +49,8 @@ const LEAST: f64 = 0.95;
 const LEAST_ANGLE: f64 = 1.0;
 /// W as printed may jump up by this share of itself in a step whose smoothed energy falls …
 const JUMP: f64 = 0.05;
+/// The first τ near a sphere, where the step is nearly one of Newton's method.
+const FIRST_TAU_NEAR_SPHERE: f64 = 64.0;
 /// At rest a step of this τ would lower the energy …
 const REFERENCE_TAU: f64 = 1.0;
 /// … by this share of it at most, with angles smoothed by this ε: at the tip of a cone the
@@ -104,7 +106,8 @@ impl CircleFlow {
             prefill::harmonic(mesh, &free, x)?;
         }
         let energy = CircleEnergy::new(mesh, options.boundary());
-        let schedule = Schedule::new(options, &energy, x);
+        let n_free = free.iter().filter(|is_free| **is_free).count();
+        let schedule = Schedule::new(options, &energy, x, n_free);
         Ok(Self {
             mesh: Rc::clone(mesh),
             options: options.clone(),
@@ -154,9 +157,8 @@ impl CircleFlow {
         }
     }
 
-    /// The energy of each vertex that counts below which a surface is nearly spherical.
     fn nearly_spherical(&self) -> f64 {
-        schedule::NEARLY_SPHERICAL * self.n_free() as f64
+        schedule::nearly_spherical(self.n_free())
     }
 
     /// An energy so small that gains are not worth comparing with it.
@@ -169,10 +171,10 @@ impl CircleFlow {
         self.forget();
         self.quasi_newton = lbfgs::QuasiNewton::default();
         Phase {
-            from: None,
             resets_step_size: true,
             resets_functional: true,
             event,
+            ..Phase::default()
         }
     }
 }
@@ -213,7 +215,13 @@ impl Flow for CircleFlow {
     fn step_size(&self) -> StepSize {
         let unit = self.time_unit();
         let dt = self.options.dt;
-        let dt = dt.unwrap_or_else(|| self.options.first_tau() * unit);
+        let is_chosen = self.options.tau.is_some() || self.options.detail.is_some();
+        let tau = if self.schedule.is_near_sphere() && !is_chosen {
+            FIRST_TAU_NEAR_SPHERE
+        } else {
+            self.options.first_tau()
+        };
+        let dt = dt.unwrap_or(tau * unit);
         if !self.is_paper() && self.options.goal == Goal::Relax {
             StepSize::adaptive(dt, 1e-12 * unit, 1e6 * unit)
         } else {
@@ -293,13 +301,18 @@ impl Flow for CircleFlow {
                 let tau = dt / self.time_unit();
                 self.schedule.at_end(tau, exact, is_spherical, is_guarded)
             }
-            Occasion::Ending => Stage::Same,
+            Occasion::Ending { .. } => Stage::Same,
         };
         Ok(match stage {
             Stage::Same => None,
             Stage::Sharper { restarts } => {
                 let mut phase = self.began(None);
                 phase.resets_step_size = restarts;
+                Some(phase)
+            }
+            Stage::Spherical => {
+                let mut phase = self.began(None);
+                (phase.resets_step_size, phase.raises_step_size) = (false, true);
                 Some(phase)
             }
             Stage::Gentler(why) => Some(self.began(Some(why.into()))),

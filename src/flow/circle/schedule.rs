@@ -22,7 +22,7 @@ const SLOW: f64 = 1e-3;
 const PATIENCE: u32 = 5;
 /// With less exact energy per free vertex than this the surface is nearly spherical: as a
 /// rule no cone β = 0 is in the way, and smoothed angles would slow the last digits down.
-pub(super) const NEARLY_SPHERICAL: f64 = 1e-3;
+const NEARLY_SPHERICAL: f64 = 1e-3;
 /// Where cones are in the way all the same, as on a latitude–longitude mesh, exact steps
 /// shrink without end: below this share of h² they are taken for that.
 const FROZEN: f64 = 1e-3;
@@ -41,10 +41,16 @@ const SLOW_FINISHING: f64 = 1e-4;
 /// A round of L-BFGS that lowers W by less than this share of it was the last.
 const REFUTED: f64 = 1e-3;
 /// At the start the smoothing of angles below ε may lift the energy by this share of it at
-/// most: with more, most of what steps lower would be the smoothing and not W.
-const LIFT: f64 = 1.0;
+/// most: with more, steps would lower hardly anything but the smoothing; with less, rough tori
+/// come to rest at a higher W.
+const LIFT: f64 = 2.0;
 /// Choices for ε at the start where the one asked for lifts the energy by more.
 const GENTLER: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
+
+/// The energy below which a surface with so many free vertices is nearly spherical.
+pub(super) fn nearly_spherical(n_free: usize) -> f64 {
+    NEARLY_SPHERICAL * n_free as f64
+}
 
 /// What a change of the schedule is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +59,8 @@ pub(super) enum Stage {
     Same,
     /// A smaller ε; the step size may begin anew.
     Sharper { restarts: bool },
+    /// Close to a sphere: no ε, and longer steps.
+    Spherical,
     /// A larger ε.
     Gentler(&'static str),
     /// Another integrator.
@@ -88,14 +96,21 @@ pub(super) struct Schedule {
 }
 
 impl Schedule {
-    /// At the start of a run from `x`.
-    pub(super) fn new(options: &FlowOptions, energy: &CircleEnergy, x: &[DVec3]) -> Self {
+    /// At the start of a run from `x`, with so many vertices that move.
+    pub(super) fn new(
+        options: &FlowOptions,
+        energy: &CircleEnergy,
+        x: &[DVec3],
+        n_free: usize,
+    ) -> Self {
         let always_exact = options.scheme == Scheme::Paper || options.epsilon == 0.0;
         let relaxes = options.goal == Goal::Relax;
         let asked = match options.integrator {
             Integrator::Lbfgs => options.epsilon.min(FINISHING),
             _ => options.epsilon,
         };
+        let sharpens = options.sharpen && relaxes;
+        let start_energy = energy.value(x, Smoothing::EXACT);
         let level = if always_exact || !relaxes {
             asked
         } else {
@@ -106,15 +121,15 @@ impl Schedule {
             level,
             first_level: level,
             asked,
-            sharpens: options.sharpen && relaxes,
-            exact: always_exact,
+            sharpens,
+            exact: always_exact || sharpens && start_energy < nearly_spherical(n_free),
             trusts_spheres: true,
             always_exact,
             can_finish: options.integrator == Integrator::SemiImplicit
                 && options.scheme == Scheme::Auto
                 && relaxes,
             is_finishing: options.integrator == Integrator::Lbfgs,
-            round_energy: energy.value(x, Smoothing::EXACT),
+            round_energy: start_energy,
             is_at_rest: false,
             slow_steps: 0,
             weak_steps: 0,
@@ -132,6 +147,11 @@ impl Schedule {
                 epsilon: self.level,
             }
         }
+    }
+
+    /// Whether the energy is exact for closeness to a sphere, and its matrix the Hessian.
+    pub(super) fn is_near_sphere(&self) -> bool {
+        self.exact && !self.always_exact && self.level > 0.0 && !self.is_finishing
     }
 
     pub(super) fn integrator(&self) -> Integrator {
@@ -156,7 +176,7 @@ impl Schedule {
             || self.level == 0.0
             || (self.sharpens && self.trusts_spheres && is_spherical);
         match (std::mem::replace(&mut self.exact, exact), exact) {
-            (false, true) => Stage::Sharper { restarts: false },
+            (false, true) => Stage::Spherical,
             (true, false) => Stage::Gentler("Away from a sphere angles are smoothed again."),
             _ => Stage::Same,
         }

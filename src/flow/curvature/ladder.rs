@@ -51,6 +51,7 @@ impl CurvatureFlow {
         cost: &mut Cost,
     ) -> Result<Option<Phase>, FlowError> {
         let may_climb = !self.ladder.has_climbed && self.options.scheme == Scheme::Auto;
+        let is_own = self.law == Law::CurvatureVariation && !self.is_paper();
         match occasion {
             Occasion::Before if may_climb && !self.ladder.has_looked => {
                 self.ladder.has_looked = true;
@@ -91,11 +92,13 @@ impl CurvatureFlow {
                      go before."
                 );
                 let start = self.start.clone();
+                self.reached = Some(x.to_vec());
                 Ok(Some(self.climb(why, Some(start))))
             }
-            Occasion::Ending => Ok(self.better_than(x).map(|from| {
-                self.forget();
-                Phase {
+            Occasion::Ending { is_at_rest } if is_own => {
+                Ok(self.better_than(x, *is_at_rest).map(|from| {
+                    self.forget();
+                    Phase {
                     from: Some(from),
                     resets_functional: true,
                     event: Some(
@@ -105,7 +108,8 @@ impl CurvatureFlow {
                     ),
                     ..Phase::default()
                 }
-            })),
+                }))
+            }
             _ => Ok(None),
         }
     }
@@ -135,6 +139,7 @@ impl CurvatureFlow {
             resets_step_size: true,
             resets_functional: true,
             event: Some(event),
+            ..Phase::default()
         }
     }
 }

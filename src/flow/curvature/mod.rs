@@ -110,7 +110,9 @@ pub struct CurvatureFlow {
     size: f64,
     /// A proposal that was made to see how long it is, with its step size.
     known: Option<(f64, Move)>,
-    /// Where the ladder ended, if that is known.
+    /// Where the flow came to before it went back to the start, and where the ladder ended, if
+    /// that is known.
+    reached: Option<Vec<DVec3>>,
     top: Option<Vec<DVec3>>,
     is_iterative: bool,
 }
@@ -167,6 +169,7 @@ impl CurvatureFlow {
             trial_energy: f64::NAN,
             size: 0.0,
             known: None,
+            reached: None,
             top: None,
             is_iterative: false,
         };
@@ -197,9 +200,13 @@ impl CurvatureFlow {
     fn ceiling(&self, share: f64) -> Ceiling {
         Ceiling::AboveLeast {
             share,
-            slack: SLACK * self.first_energy
-                + LEAST_SLACK / self.law.normalised(1.0, self.region.length),
+            slack: self.slack(),
         }
+    }
+
+    /// A difference of the functional that is none.
+    fn slack(&self) -> f64 {
+        SLACK * self.first_energy + LEAST_SLACK / self.law.normalised(1.0, self.region.length)
     }
 
     /// Whether the present law lowers its functional.
@@ -462,7 +469,7 @@ impl Flow for CurvatureFlow {
         if let super::Memory::Curvature(Memory { ladder, last_whole }) = memory {
             (self.ladder, self.last_whole) = (ladder, last_whole);
         }
-        self.top = None;
+        (self.reached, self.top) = (None, None);
         self.forget();
     }
 }

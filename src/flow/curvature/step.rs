@@ -94,11 +94,18 @@ impl CurvatureFlow {
         self.law.energy(&at, measure::area(&self.mesh, x))
     }
 
-    /// The best of the start and the end of the ladder, where that is better than `x`.
-    pub(super) fn better_than(&self, x: &[DVec3]) -> Option<Vec<DVec3>> {
-        let known = [Some(&self.start), self.top.as_ref()];
+    /// The best of the start, of where the flow came to without the ladder and of the ladder's
+    /// end, where that is better than `x`: by more than a rest may lie above it, if `x` is one.
+    pub(super) fn better_than(&self, x: &[DVec3], is_at_rest: bool) -> Option<Vec<DVec3>> {
+        let known = [Some(&self.start), self.reached.as_ref(), self.top.as_ref()];
+        let tolerance = if is_at_rest {
+            TOLERANCE_AT_REST
+        } else {
+            TOLERANCE
+        };
         let energies = known.into_iter().flatten().map(|y| (self.energy_of(y), y));
         let best = energies.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        (best.0 < (1.0 - TOLERANCE) * self.energy_of(x)).then(|| best.1.clone())
+        let least = (1.0 - tolerance) * self.energy_of(x) - self.slack();
+        (best.0 < least).then(|| best.1.clone())
     }
 }

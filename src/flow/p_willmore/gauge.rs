@@ -77,6 +77,8 @@ fn solve(mut a: [[f64; COUNT]; COUNT], mut b: [f64; COUNT]) -> [f64; COUNT] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::energy::p_willmore::{Helfrich, PWillmore};
+    use crate::operator::Mass;
 
     #[test]
     fn what_is_left_is_orthogonal_to_the_fields() {
@@ -95,6 +97,51 @@ mod tests {
             assert!(along.abs() < 1e-12, "{along}");
         }
         assert!(dot(&d, &d) < before);
+    }
+
+    /// About its centre a sphere has no field but the scaling and the translations: of the special
+    /// conformal fields the normal part is b·n, as b is a translation's. An ellipsoid has all four,
+    /// and they do not depend on where it is.
+    #[test]
+    fn fields_are_those_of_the_conformal_maps_about_the_centre() {
+        let shape = crate::mesh::shape::make("ellipsoid", &[("level".into(), 3.0)]);
+        let built = crate::mesh::build(&shape.expect("a shape").soup).expect("a surface");
+        let mesh = std::rc::Rc::new(built.mesh);
+        let fields_at = |x: &[DVec3]| {
+            let functional = PWillmore::new(
+                std::rc::Rc::clone(&mesh),
+                x,
+                2.0,
+                Helfrich::default(),
+                Mass::Lumped,
+            );
+            let mut at = Evaluation::default();
+            functional.expect("triangles").evaluate(x, &mut at);
+            (fields(x, &at), at)
+        };
+        let x = built.positions;
+        let (here, at) = fields_at(&x);
+        let far: Vec<DVec3> = x.iter().map(|p| *p + 7.0).collect();
+        let (there, _) = fields_at(&far);
+        let off = here.iter().zip(&there).map(|(a, b)| a.distance(*b));
+        assert!(off.fold(0.0, f64::max) < 1e-12);
+        let scale = at.mass.iter().sum::<f64>().sqrt();
+        for (i, p) in x.iter().enumerate() {
+            let n = at.volume_gradient[i].normalize();
+            let (y, m) = (*p / scale, at.mass[i]);
+            assert!((here[i] - m * y.dot(n) * n).length() < 1e-12);
+            for k in 0..3 {
+                // Derivative at 0 of the inverse of y/|y|² + t b, which is y + t (…).
+                let t = 1e-6;
+                let moved = |t: f64| {
+                    let z = y / y.length_squared() + t * DVec3::AXES[k];
+                    z / z.length_squared()
+                };
+                let v = (moved(-t) - moved(t)) / (2.0 * t);
+                let found = here[(k + 1) * x.len() + i];
+                assert!((found - m * v.dot(n) * n).length() < 1e-8 * m, "{k}, {i}");
+            }
+        }
     }
 
     #[test]

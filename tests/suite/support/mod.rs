@@ -4,8 +4,10 @@
 #![allow(missing_docs, reason = "names say it; this is test code")]
 
 pub mod flap_matrix;
+pub mod implicit;
 pub mod parts;
 pub mod session;
+pub mod watched;
 
 use glam::DVec3;
 use std::path::PathBuf;
@@ -47,21 +49,36 @@ pub fn drive(
     Driver::start(mesh, mesh, x, options)
 }
 
-/// The folder of real meshes, where it is present.
-pub fn shared_meshes() -> Option<PathBuf> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/meshes");
+/// A folder of `../shared`, beside the project; says that tests skip where it is missing.
+fn shared_folder(name: &str) -> Option<PathBuf> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared");
+    let folder = folder.join(name);
     if folder.is_dir() {
         return Some(folder);
     }
-    eprintln!("skipped: no folder ../shared/meshes beside the project");
+    eprintln!("skipped: no folder ../shared/{name} beside the project");
     None
+}
+
+/// The folder of real meshes, where it is present.
+pub fn shared_meshes() -> Option<PathBuf> {
+    shared_folder("meshes")
+}
+
+fn soup_in(folder: &str, name: &str) -> Option<PolygonSoup> {
+    let bytes = std::fs::read(shared_folder(folder)?.join(name)).expect("file of the folder");
+    Some(umbilic::io::read(&bytes, name).expect("readable").soup)
 }
 
 /// A real mesh, triangulated if it has other polygons.
 pub fn real(name: &str) -> Option<Surface> {
-    let bytes = std::fs::read(shared_meshes()?.join(name)).expect("file of the folder");
-    let soup = umbilic::io::read(&bytes, name).expect("readable").soup;
+    let soup = soup_in("meshes", name)?;
     Some(surface(&umbilic::mesh::triangulate(&soup)))
+}
+
+/// A mesh of a case that went wrong once, from a subfolder of `cases`.
+pub fn case(folder: &str, name: &str) -> Option<Surface> {
+    Some(surface(&soup_in(&format!("cases/{folder}"), name)?))
 }
 
 /// A fixture of `tests/reference`.

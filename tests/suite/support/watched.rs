@@ -1,0 +1,123 @@
+//! Runs of a flow that check at each step what holds in every run.
+
+use super::{Surface, surface};
+use glam::DVec3;
+use std::rc::Rc;
+use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::{Driver, Monitored, Status, StepReport, Verdict};
+use umbilic::mesh::triangulate;
+
+/// By how much a reading may lie above the least so far: fitted ones are not quite what the
+/// discrete flow lowers, and a hundredth is for steps that contract to a rest.
+pub const FITTED: f64 = 1.1e-2;
+
+fn tolerance(monitored: Monitored, flow: FlowName) -> f64 {
+    match (monitored, flow) {
+        (Monitored::SmoothedCircle | Monitored::PWillmore | Monitored::Helfrich, _)
+        | (_, FlowName::PWillmore) => 0.0,
+        _ => FITTED,
+    }
+}
+
+pub struct Run {
+    pub x: Vec<DVec3>,
+    pub reports: Vec<StepReport>,
+    pub status: Status,
+    pub message: String,
+}
+
+impl Run {
+    pub fn last(&self) -> &StepReport {
+        self.reports.last().expect("steps")
+    }
+}
+
+/// Runs a flow to its end; a mesh with other faces than triangles is cut into them where the
+/// flow takes nothing else.
+pub fn watch(s: &Surface, options: FlowOptions, what: &str) -> Run {
+    let flow = options.flow;
+    let mut x = s.x.clone();
+    let triangles = if s.mesh.is_triangular() {
+        Rc::clone(&s.mesh)
+    } else {
+        surface(&triangulate(&s.mesh.to_soup(&s.x))).mesh
+    };
+    let mut driver = Driver::start(&triangles, &s.mesh, &mut x, options).expect("a flow");
+    let mut reports: Vec<StepReport> = Vec::new();
+    let mut least = f64::INFINITY;
+    // Of a patch under surface diffusion the area need not fall: volume goes through its rim.
+    let is_exchanged = flow == FlowName::SurfaceDiffusion && !s.mesh.is_closed();
+    loop {
+        let before = x.clone();
+        let (report, verdict) = match driver.step(&mut x) {
+            Ok(outcome) => outcome,
+            Err(error) => {
+                assert_eq!(x, before, "{what} {flow:?}: {error}");
+                return Run {
+                    x,
+                    reports,
+                    status: Status::Failed,
+                    message: error.to_string(),
+                };
+            }
+        };
+        if let Some(report) = report {
+            assert!(x.iter().all(|p| p.is_finite()), "{what} {flow:?}");
+            assert!(report.objective.is_finite() && report.energy.is_finite());
+            // What is monitored may rise between steps only where a phase begins, which is told
+            // with the step before or after, or where steps prepare a rough start.
+            let first = reports
+                .first()
+                .map_or(report.objective_before, |first| first.objective_before);
+            let slack = 1e-12 + 2e-9 * first.abs();
+            if let Some(last) = reports.last() {
+                let is_told = !report.warnings.is_empty() || !last.warnings.is_empty();
+                let begins = is_told || last.prepares || report.monitored != last.monitored;
+                let has_risen =
+                    report.objective_before > last.objective + 1e-9 * last.objective.abs() + slack;
+                assert!(
+                    begins || !has_risen,
+                    "{what} {flow:?}, before step {}: {last:?}",
+                    report.step
+                );
+                if has_risen || last.prepares {
+                    least = report.objective_before;
+                }
+            }
+            least = least.min(report.objective_before);
+            let tolerance = tolerance(report.monitored, flow);
+            let is_exempt = report.prepares || is_exchanged;
+            assert!(
+                is_exempt || report.objective <= (1.0 + tolerance) * least.abs() + slack,
+                "{what} {flow:?}, step {}: {} above {least}, {:?}",
+                report.step,
+                report.objective,
+                reports.last()
+            );
+            assert!(
+                tolerance == FITTED || report.objective <= report.objective_before,
+                "{what} {flow:?}, step {}: a rise by {}",
+                report.step,
+                report.objective - report.objective_before
+            );
+            least = least.min(report.objective);
+            reports.push(report);
+        }
+        if let Verdict::Stop(status, message) = verdict {
+            return Run {
+                x,
+                reports,
+                status,
+                message,
+            };
+        }
+    }
+}
+
+pub fn limited(flow: FlowName, steps: usize) -> FlowOptions {
+    FlowOptions {
+        flow,
+        max_steps: Some(steps),
+        ..FlowOptions::default()
+    }
+}
