@@ -215,7 +215,7 @@ impl Flow for CircleFlow {
     fn step_size(&self) -> StepSize {
         let unit = self.time_unit();
         let dt = self.options.dt;
-        let is_chosen = self.options.tau.is_some() || self.options.detail.is_some();
+        let is_chosen = self.options.tau.is_some() || self.options.goal == Goal::Smooth;
         let tau = if self.schedule.is_near_sphere() && !is_chosen {
             FIRST_TAU_NEAR_SPHERE
         } else {
