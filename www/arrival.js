@@ -7,36 +7,82 @@
 /** @import { Controller, Voice } from "./controller.js" */
 
 import { sha256 } from "./digest.js";
-import { figures } from "./generated/library.js";
 import { t } from "./language.js";
-import { verdict } from "./link-check.js";
+import { formatNumber } from "./ui/number.js";
 import { symbol } from "./ui/status.js";
 
 /**
- * The scene of a link that names a figure and no sample: what the link leaves out is the
- * figure's.
- * @param {Scene} scene
- * @returns {Scene & { sample: string }}
+ * Why a scene may have come out otherwise.
+ * @param {string | null} theirs  version of the solver @param {string} ours
+ * @param {boolean | null} isFile  whether the mesh is the file of the link; null: not known
  */
-export function sceneOfFigure(scene) {
-  const figure = figures.find(({ id }) => id === scene.figure);
-  if (!figure) {
-    throw {
-      kind: "UnknownFigure",
-      message: t("There is no figure “{id}”.", { id: scene.figure ?? "" }),
-      hint: t("The button Figures shows those there are."),
-    };
+function reason(theirs, ours, isFile) {
+  if (isFile === false) return t("The mesh is not the file of the link.");
+  if (theirs !== null && theirs !== ours) {
+    return t("The link was made by version {theirs} of the solver; this is version {ours}.", {
+      theirs,
+      ours,
+    });
   }
-  return {
-    ...scene,
-    sample: figure.sample,
-    options: /** @type {Scene["options"]} */ ({ ...figure.options, ...scene.options }),
-    arrangement: { ...figure.arrangement, ...scene.arrangement },
-    colour: scene.colour === "none" ? figure.colour : scene.colour,
-  };
+  if (isFile === null) return t("Perhaps the file is not the one the link was made with.");
+  return t("The same version should give the same numbers; please report this, with the link.");
 }
 
-/** @param {Pick<Controller, "open">} controller @param {() => Readonly<PageState>} get @param {Pick<Voice, "error" | "answer" | "note">} voice */
+/**
+ * What is to be said of a scene that was restored.
+ * @param {Scene} scene
+ * @param {import("./generated/types.js").LinkCheck} check
+ * @param {Readonly<PageState>} state
+ * @param {boolean | null} isFile
+ * @returns {{ isGood: boolean, message: string, hint: string }}
+ */
+export function checked({ step, version }, { outcome, sent, ...here }, state, isFile) {
+  const hint = reason(version, state.version, isFile);
+  const values = {
+    symbol: symbol(state),
+    here: formatNumber(here.energy, 6),
+    sent: formatNumber(sent, 6),
+    apart: formatNumber(Math.abs(here.energy - sent), 2),
+    step,
+  };
+  switch (outcome) {
+    case "same":
+      return {
+        isGood: true,
+        message: t("The scene is as it was sent: {symbol} = {here}.", values),
+        hint: "",
+      };
+    case "near":
+      return {
+        isGood: true,
+        message: t(
+          "The scene is as it was sent to six digits: {symbol} = {here}, {apart} from the {sent} of the link.",
+          values,
+        ),
+        hint,
+      };
+    case "endsEarly":
+      return {
+        isGood: false,
+        message: t("The link shows step {step}; here the flow ends at step {here}.", {
+          step,
+          here: here.step,
+        }),
+        hint,
+      };
+    default:
+      return {
+        isGood: false,
+        message: t(
+          "The scene is not as it was sent: {symbol} = {here} at step {step}, where the link says {sent}; that is {apart} off.",
+          values,
+        ),
+        hint,
+      };
+  }
+}
+
+/** @param {Pick<Controller, "open" | "checkLink">} controller @param {() => Readonly<PageState>} get @param {Pick<Voice, "error" | "answer" | "note">} voice */
 export function createArrival(controller, get, voice) {
   /** @type {((state: Readonly<PageState>) => void)[]} */
   let waiting = [];
@@ -71,9 +117,10 @@ export function createArrival(controller, get, voice) {
     const isSample = origin !== null && "kind" in origin && origin.kind === "sample";
     const isScene = isSample ? origin.id === scene.sample : scene.mesh !== null;
     // Refused, or overtaken by another mesh.
-    if (!isScene || mesh !== asked) return;
-    const said = verdict(scene, state, symbol(state), isFile);
-    if (!said) return;
+    if (!isScene || mesh !== asked || scene.check === null) return;
+    const found = await controller.checkLink(scene.check, scene.step).catch(() => null);
+    if (!found || get().mesh !== asked) return;
+    const said = checked(scene, found, state, isFile);
     if (!said.isGood) voice.error(said);
     else voice.answer(said.hint ? `${said.message} ${said.hint}` : said.message);
   }
@@ -92,7 +139,8 @@ export function createArrival(controller, get, voice) {
       const isFile = await recognise(scene, file);
       const isNamed = scene.mesh !== null && file.name.replace(/\.[^.]+$/, "") === scene.mesh;
       // What was done to another mesh means nothing on this one.
-      const own = isFile === false ? { ...scene, edits: null, path: null } : scene;
+      const { prepares: _, follows: __, ...bare } = scene;
+      const own = isFile === false ? bare : scene;
       await controller.open(file, isFile || isNamed ? own : {});
       // Said now: what was said before a mesh was loaded is cleared with the mesh before.
       if (isFile === false) {

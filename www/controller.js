@@ -13,17 +13,16 @@ import { createEdits } from "./actions/edits.js";
 import { createFraming } from "./actions/framing.js";
 import { createQuestions } from "./actions/questions.js";
 import { createSeeing } from "./actions/see.js";
-import { createTime, meshOf } from "./actions/time.js";
+import { createTime } from "./actions/time.js";
 import { createWhyActions } from "./actions/why.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { figures, samples } from "./generated/library.js";
 import { t, translated } from "./language.js";
 import { sampleName } from "./library.js";
-import { isPlainLink, sceneOf } from "./link.js";
-import { defaults, plainArrangement } from "./options.js";
-import { stepsIn } from "./recipe-schema.js";
-import { createSolver, LOST } from "./solver.js";
+import { pageScene, sceneOf } from "./link.js";
+import { defaults } from "./options.js";
+import { CANCELLED, createSolver, LOST } from "./solver.js";
 import { goesOn, transitions as to } from "./state.js";
 import { say } from "./words.js";
 
@@ -32,6 +31,7 @@ import { say } from "./words.js";
  * @property {(fault: Pick<Fault, 'message' | 'hint'>) => void} error
  * @property {(text: string) => void} note    worth knowing, said once
  * @property {(text: string) => void} answer  to what was asked for, said every time
+ * @property {(text: string) => Promise<boolean>} ask  whether to do what takes long
  * @property {() => void} clear   a new mesh: what was said of the old one no longer holds
  */
 
@@ -68,7 +68,7 @@ export function createController(store, voice) {
   /** @param {any} error  a `Fault`, or an error of the page's own */
   function report(error) {
     // Whoever ended the solver has said so already.
-    if (error?.kind === LOST) return;
+    if (error?.kind === LOST || error?.kind === CANCELLED) return;
     if (error?.kind) voice.error(error);
     else voice.error({ message: String(error?.message ?? error), hint: "" });
     if (!error?.kind) console.error(error);
@@ -134,19 +134,27 @@ export function createController(store, voice) {
     }
     const steps = scene.comparison?.panes.map(({ step }) => step) ?? [];
     if (scene.figure) showFigure(scene.figure);
-    if (scene.path) await follow(scene.path);
-    const isThere = scene.path && steps.length === 0;
+    if (scene.follows) await follow(scene.follows);
+    const isThere = scene.follows && steps.length === 0;
     if ((scene.step && !isThere) || steps.some(Boolean)) await run(scene.step ?? 0, steps);
   }
 
-  /** Takes the steps of a path at one go. @param {import("./protocol.js").RecipeLeg[]} path */
-  async function follow(path) {
-    const { options: flow, arrangement } = store.get();
+  /**
+   * Does again what a recipe or a link says; *Stop now* gives it up.
+   * @template T
+   * @param {() => Promise<T>} ask
+   */
+  async function replayed(ask) {
+    replaying = "on";
     store.update(to.progress, { stage: "replay", fraction: 0 });
-    const told = { flow, path, steps: stepsIn(path) };
-    await solver.follow(told).finally(() => store.update(to.progress, null));
-    await arrange(arrangement);
+    return ask().finally(() => {
+      replaying = null;
+      store.update(to.progress, null);
+    });
   }
+
+  /** @param {import("./generated/types.js").ScriptText} script  whose flow is configured */
+  const follow = (script) => replayed(() => solver.follow(script));
 
   /** The figure that a link belongs to, if its sample is the one shown. @param {string} id */
   function showFigure(id) {
@@ -161,10 +169,9 @@ export function createController(store, voice) {
     const suggested = { ...defaults, ...sample.options };
     const options = { ...suggested, ...scene.options };
     const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
-    const { edits } = scene;
-    if (edits) {
-      const mesh = /** @type {import("./recipe.js").SampleMesh} */ (meshOf(source));
-      return time.replay({ mesh, edits }, null, { options, fallback: suggested, scene });
+    if (scene.prepares) {
+      const made = { origin: source, name: sample.shape, isPlain: false };
+      return time.replay(scene.prepares, made, null, { options, fallback: suggested, scene });
     }
     const ask = () => solver.sample(sample.shape, sample.parameters);
     const { fill } = sample;
@@ -195,6 +202,9 @@ export function createController(store, voice) {
     else
       contest.play(({ step }, n) => step >= ((n > 0 ? steps[n - 1] : null) ?? until ?? Infinity));
   }
+
+  /** What is being done again, and whether that was asked to end. @type {"on" | "ending" | null} */
+  let replaying = null;
 
   let reviving = false;
   /** Ends the worker and goes on in a new one. @param {(step: number) => Pick<Fault, 'message' | 'hint'>} tell */
@@ -229,7 +239,7 @@ export function createController(store, voice) {
   const core = { store, solver, voice, enqueue, rest, framed, configure, colour, arrange };
   const edits = createEdits(core);
   const compare = createCompare(core, contest);
-  const time = createTime({ ...core, load });
+  const time = createTime({ ...core, load, replayed });
 
   /** A move of its own ends the playing of stored steps. @param {() => Promise<unknown>} job */
   function alone(job) {
@@ -255,12 +265,18 @@ export function createController(store, voice) {
     },
 
     /**
-     * The scene of a link; where an option in it cannot be, there is none.
-     * @param {import("./link.js").Link} link
+     * The scene of a link; where a word in it cannot be, there is none.
+     * @param {{ text: string, isOwn: boolean }} link  as `linkIn` finds it
      * @returns {Promise<Scene>}
      */
-    sceneOf: async (link) =>
-      isPlainLink(link) ? sceneOf(link) : sceneOf(link, await solver.readOptions(link.asked)),
+    readLink: async (link) => sceneOf(await solver.readLink(link)),
+    /**
+     * The scene as a link, of which `text` is what comes after `#`.
+     * @param {boolean} [shared]  sent to somebody, so that there is always an energy to compare
+     */
+    writeLink: (shared = false) => solver.writeLink(pageScene(store.get(), shared)),
+    /** @param {string} sent  the energy of a link @param {number} step */
+    checkLink: (sent, step) => solver.checkLink(sent, step),
 
     /** @param {string} id @param {Partial<Scene>} [scene] */
     sample: (id, scene = {}) => enqueue(() => loadSample(id, scene)),
@@ -285,14 +301,14 @@ export function createController(store, voice) {
         const plain = { ...defaults, boundary };
         const options = { ...plain, flow, p, keep, regularise, ...scene.options };
         const hash = await sha256(bytes);
-        const { edits } = scene;
-        if (edits) {
-          const mesh = { name: file.name, sha256: hash, bytes: bytes.byteLength };
-          return time.replay({ mesh, edits }, bytes, { options, fallback: plain, scene });
-        }
         const ask = () => solver.load(file.name, bytes);
         const own = { name, file: file.name, sha256: hash, bytes: bytes.byteLength };
         const source = /** @type {const} */ ({ kind: "file", ...own });
+        if (scene.prepares) {
+          const made = { origin: source, name, isPlain: false };
+          const given = { name: file.name, bytes };
+          return time.replay(scene.prepares, made, given, { options, fallback: plain, scene });
+        }
         return load({ name: file.name, source, ask, options, fallback: plain, scene });
       }),
 
@@ -315,12 +331,17 @@ export function createController(store, voice) {
     reset: () => alone(() => rest().then(() => store.get().reading && contest.reset())),
 
     /** Ends a step that takes too long. */
-    halt: () =>
-      contest.halt() &&
-      revive((step) => ({
+    halt() {
+      if (replaying === "on") {
+        replaying = "ending";
+        return solver.cancel().catch(report);
+      }
+      if (!contest.halt()) return;
+      return revive((step) => ({
         message: t("The computation was ended; the surface is as after step {step}.", { step }),
         hint: "",
-      })),
+      }));
+    },
 
     /**
      * Whether a change of the flow goes on from the step that is shown; null: where it is not

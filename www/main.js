@@ -1,12 +1,12 @@
 // @ts-check
 // Builds the parts, wires them to the state, and opens the scene in the address.
 
-import { createArrival, sceneOfFigure } from "./arrival.js";
+import { createArrival } from "./arrival.js";
 import { createController } from "./controller.js";
 import { createEmbedding, isEmbedded } from "./embed/host.js";
 import { samples } from "./generated/library.js";
 import { openLanguage, t } from "./language.js";
-import { createLinkWriter, readLink, sceneOf } from "./link.js";
+import { createLinkWriter, isFirstPicture, linkIn, plainScene } from "./link.js";
 import { keepOffline } from "./offline.js";
 import { createStore } from "./state.js";
 import { createChoices } from "./ui/choices.js";
@@ -65,23 +65,21 @@ const gallery = createGallery(controller);
 const study = createStudy(controller);
 
 createPanel();
-createLanguageChoice(store.get);
+createLanguageChoice(controller, store.get);
 createLab(controller);
 createKeys(controller, store.get, help.open);
 createDownload(controller, store.get, panes.snapshot);
-const first = readLink(location);
 // The page without a link shows its sample before the solver is there.
-const isFirst = first.sample === samples[0].id && first.step === 0 && !first.camera;
-controller.view(first.view);
+const isFirst = isFirstPicture(location);
 /** A link to a mesh names it only; its scene waits for the user to open the file. */
-let awaited = sceneOf(readLink({ search: "", hash: "" }));
+let awaited = plainScene;
 const pictured = picture.start(isFirst ? samples[0].parameters.level : null);
 
 const { get } = store;
 const { snapshot } = panes;
 const { still } = arrival;
 const embedding = isEmbedded(location)
-  ? createEmbedding({ controller, get, still, openLink, messages, snapshot })
+  ? createEmbedding({ controller, get, still, openLink, readScene, messages, snapshot })
   : null;
 
 const parts = [
@@ -117,32 +115,40 @@ const parts = [
   createConjecture(controller, picture.nearestEdge),
   gallery,
   createPresenter(controller, store.get, gallery.open),
-  embedding ?? createLinkWriter(),
-  createShare(),
+  ...(embedding ? [embedding] : []),
+  createLinkWriter(
+    () => controller.writeLink(embedding !== null).then(({ text }) => text),
+    embedding?.linkTo ?? ((hash) => history.replaceState(null, "", hash)),
+  ),
+  createShare(controller),
   arrival,
   help,
 ];
 for (const part of parts) store.subscribe((state) => part.update(state));
 
-/** @param {{ search: string, hash: string }} address */
+/**
+ * The scene of a link; none where it is refused, or takes longer than one wants.
+ * @param {import("./link.js").Address} address
+ */
+async function readScene(address) {
+  const scene = await controller.readLink(linkIn(address));
+  if (scene.manySteps === 0) return scene;
+  const steps = scene.manySteps.toLocaleString("en");
+  return (await messages.ask(t("This link runs about {steps} steps.", { steps }))) ? scene : null;
+}
+
+/** @param {import("./link.js").Address} address */
 async function openLink(address) {
-  const scene = await controller.sceneOf(readLink(address)).catch((error) => {
+  const read = await readScene(address).catch((error) => {
     controller.report(error);
-    // Where nothing is shown yet, that would be a dead end.
-    return store.get().mesh ? null : sceneOf(readLink({ search: "", hash: "" }));
+    return null;
   });
+  // Where nothing is shown yet, that would be a dead end.
+  const scene = read ?? (store.get().mesh ? null : plainScene);
   if (!scene) return;
   awaited = scene;
   controller.view(awaited.view);
   if (scene.sample) return controller.sample(scene.sample, scene).then(() => arrival.check(scene));
-  if (scene.figure) {
-    try {
-      const whole = sceneOfFigure(scene);
-      return controller.sample(whole.sample, whole).then(() => arrival.check(whole));
-    } catch (error) {
-      return controller.report(error);
-    }
-  }
   messages.error({
     message: t("This link shows the mesh “{mesh}”, a file on its author’s computer.", {
       mesh: awaited.mesh ?? "",

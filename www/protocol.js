@@ -508,22 +508,6 @@
  * @property {{ id: number, from: number, last: number, energy: number }[]} branches  oldest first
  */
 
-/** @typedef {{ steps: number } | { regularise: RegulariseOptions } | { flow: FlowOptions } | 'anew'} RecipeLeg */
-
-/**
- * A run, and what made another mesh of its end.
- * @typedef {object} RecipeChapter
- * @property {FlowOptions | null} flow
- * @property {RecipeLeg[]} path
- * @property {'adopt' | { fill: FillOptions } | { flip: FlipOptions } |
- *            { subdivide: { scheme: 'linear' | 'loop' } } | { invert: [number, number, number] }} edit
- */
-
-/**
- * How the present surface came about.
- * @typedef {{ edits: RecipeChapter[], flow: FlowOptions | null, path: RecipeLeg[] }} Story
- */
-
 /**
  * @typedef {'none' | 'mean-curvature' | 'gauss-curvature' | 'willmore' | 'gradient' | 'displacement' |
  *           'distance'} FieldName  `distance`, from one pane to another, is the page's own
@@ -556,7 +540,6 @@
  * @property {CurvatureJump | null} jump  across the boundary of what moves
  * @property {Look | null} look      null where nothing is looked at more closely
  * @property {Timeline | null} timeline  null in a frame that the page makes itself
- * @property {Story | null} [story]  null where it is not known; none while the flow runs
  * @property {{ options: FlowOptions, configured: Configured }} [flow]  that stands there, where the
  *   page knows of another
  */
@@ -596,9 +579,9 @@
  * | `back`      | `run`                         | `State`                     |
  * | `seek`      | `step`, `run`                 | `State`; of the steps that the page may not know the frame tells step, time, dt, energy and objective |
  * | `branch`    | `branch`, `run`               | `State`, likewise           |
- * | `story`     |                               | `{ story: Story, state: State, positions: Float32Array }` |
- * | `prepare`   | `recipe`, `bytes: ArrayBuffer \| null` | `Loaded`: the recipe's mesh and its edits |
- * | `follow`    | `recipe`, `run`               | `State` after its steps     |
+ * | `readLink`, `readRecipe`, `writeLink`, `writeRecipe`, `checkLink` | as the commands | as they answer |
+ * | `prepare`   | `script: ScriptText`, `bytes`, `name`, `run` | `Loaded`: its mesh and edits; another `run` gives it up |
+ * | `follow`    | `script: ScriptText`, `run`   | `State` after its steps, likewise |
  * | `sequence`  | `format`, `every`             | `Uint8Array`: a ZIP of the stored steps (transferred) |
  * | `sequenceSize` | `format`, `every`          | `{ meshes: number, bytes: number }` before compression, estimated |
  * | `reset`     | `run`                         | `State`                     |

@@ -2,11 +2,12 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, Finding, FlowOptions, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Stopped, Story, Study, StudyOptions, Wanted } from "./protocol.js" */
-/** @import { Recipe } from "./recipe.js" */
-/** @import { Frame } from "./generated/types.js" */
+/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, Finding, FlowOptions, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Stopped, Study, StudyOptions, Wanted } from "./protocol.js" */
+/** @import { LinkCheck, LinkScene, Origin as MeshOrigin, PageScene, RecipeCard, ScriptText, WrittenLink } from "./generated/types.js" */
 
 import { t } from "./language.js";
+
+/** What a new worker goes on from, too. @typedef {import("./protocol.js").Frame & { exact: Float64Array }} Frame */
 
 /**
  * @typedef {object} Listener
@@ -19,6 +20,9 @@ import { t } from "./language.js";
 
 /** What every request is answered with that a lost worker can no longer answer. */
 export const LOST = "SolverLost";
+
+/** What is refused because something else was asked for meanwhile. */
+export const CANCELLED = "Cancelled";
 
 /** @returns {Worker} @throws {Fault} */
 function begun() {
@@ -183,11 +187,12 @@ export function createSolver(listener) {
     begin() {
       worker ??= start();
     },
-    /**
-     * Options of a link or a recipe with their types, or the refusal of one.
-     * @param {import("./link.js").Asked} asked @returns {Promise<import("./link.js").Given>}
-     */
-    readOptions: (asked) => ask("readOptions", { asked }),
+    /** @param {{ text: string, isOwn: boolean }} link @returns {Promise<LinkScene>} */
+    readLink: (link) => ask("readLink", link),
+    /** @param {PageScene} scene @returns {Promise<WrittenLink>} */
+    writeLink: (scene) => ask("writeLink", { scene }),
+    /** @param {string} sent  the energy of a link @param {number} step @returns {Promise<LinkCheck | null>} */
+    checkLink: (sent, step) => ask("checkLink", { sent, step }),
     /** @param {string} name @param {Uint8Array<ArrayBuffer>} bytes  kept, so that a lost worker can be replaced */
     load: (name, bytes) => make("load", { name, bytes }),
     /** What the mesh was read from, if it was. @returns {Uint8Array<ArrayBuffer> | null} */
@@ -295,23 +300,25 @@ export function createSolver(listener) {
     seek: (step) => move("seek", { step }),
     /** @param {number} branch @returns {Promise<State>} */
     branch: (branch) => move("branch", { branch }),
-    /** @returns {Promise<{ story: Story, state: State, positions: Float32Array<ArrayBuffer> }>} */
-    async story() {
-      const [story, state] = [await ask("recipe"), await ask("state")];
-      return {
-        story,
-        state,
-        positions: /** @type {Float32Array<ArrayBuffer>} */ (last?.positions),
-      };
-    },
-    /** @param {Pick<Recipe, "mesh" | "edits">} recipe @param {Uint8Array<ArrayBuffer> | null} bytes  of its mesh */
-    prepare: (recipe, bytes) => make("prepare", { recipe, bytes }),
-    /** @param {Pick<Recipe, "flow" | "steps" | "path">} recipe @returns {Promise<State>} */
-    async follow(recipe) {
-      const state = await move("follow", { recipe });
+    /** @param {string} text @returns {Promise<RecipeCard>} */
+    readRecipe: (text) => ask("readRecipe", { text }),
+    /** @param {MeshOrigin | null} origin @returns {Promise<string>} */
+    writeRecipe: (origin) => ask("writeRecipe", { origin }),
+    /**
+     * Makes the mesh of a recipe or a link.
+     * @param {ScriptText} script
+     * @param {{ name: string, bytes: Uint8Array<ArrayBuffer> } | null} file  that it begins with
+     */
+    prepare: (script, file) =>
+      make("prepare", { script, bytes: file?.bytes ?? null, name: file?.name ?? "" }),
+    /** Does what it says after its edits. @param {ScriptText} script @returns {Promise<State>} */
+    async follow(script) {
+      const state = await move("follow", { script });
       isConfigured = true;
       return state;
     },
+    /** Gives up what is prepared or followed. @returns {Promise<null>} */
+    cancel: () => stop("cancelReplay"),
     /** @param {string} format @param {number} every @returns {Promise<Uint8Array<ArrayBuffer>>} ZIP */
     sequence: (format, every) => ask("sequence", { format, every }),
     /** @param {string} format @param {number} every @returns {Promise<{ meshes: number, bytes: number }>} */

@@ -2,7 +2,7 @@
 // What the page shows, as one frozen object, and the only functions that change it.
 // Transitions are pure: (state, …) → state. Parts read; the controller writes.
 
-/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Story, Timeline, Wanted } from "./protocol.js" */
+/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Timeline, Wanted } from "./protocol.js" */
 
 import { alone, begunAnew, rebased } from "./comparison.js";
 import { byCurvature, defaults, plainArrangement } from "./options.js";
@@ -21,6 +21,8 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
  *   a file's own name and fingerprint, where it was opened here; the fingerprint is empty where
  *   the browser keeps it from pages
  */
+
+/** @typedef {Source | { kind: 'shape', shape: string, parameters: Record<string, number> }} Origin */
 
 /**
  * What an edit was made of.
@@ -52,10 +54,7 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
  * @property {Phase} phase
  * @property {string | null} loadingName
  * @property {Source | null} source
- * @property {import("./recipe.js").Recipe["mesh"] | Source | null} origin  what was loaded before
- *   all edits; null where that is not known
- * @property {Story | null} story  what was done to that until the flow last stood still; null
- *   where that is not known
+ * @property {Origin | null} origin  what was loaded before all edits; null where that is not known
  * @property {Loaded | null} mesh
  * @property {{ positions: Float32Array, field: Field | null, flippedTriangles: Uint32Array, panes: readonly Pane[], curves: Curves | null, jump: CurvatureJump | null, look: Look | null } | null} frame
  * @property {Reading | null} reading
@@ -88,7 +87,6 @@ export const initial = Object.freeze({
   loadingName: null,
   source: null,
   origin: null,
-  story: null,
   mesh: null,
   frame: null,
   reading: null,
@@ -166,9 +164,6 @@ const firstFrame = (mesh) => ({
   look: null,
 });
 
-/** The same list of edits, as long as they are the same. @param {Story | null} story @param {Story | null} before */
-const withEdits = (story, before) => (story && before ? { ...story, edits: before.edits } : story);
-
 /** Edits that the session keeps to be undone. */
 const MOST_EDITS = 8;
 
@@ -194,7 +189,6 @@ export const transitions = {
     loadingName: null,
     source,
     origin,
-    story: null,
     mesh,
     frame: firstFrame(mesh),
     reading: null,
@@ -220,7 +214,6 @@ export const transitions = {
   edited: (s, source, mesh, earlier) => ({
     ...s,
     source,
-    story: null,
     mesh,
     frame: firstFrame(mesh),
     reading: null,
@@ -287,7 +280,6 @@ export const transitions = {
     timeline: more.timeline,
     // A run that has not begun can be changed as one likes.
     goingOn: (more.timeline?.stored ?? 0) > 1 ? s.goingOn : null,
-    story: more.story === undefined ? s.story : withEdits(more.story, s.story),
     phase: s.phase === "running" || s.phase === "loading" ? s.phase : still(state),
     reading: state,
     history: extended(s.history, state, reports),

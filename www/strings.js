@@ -931,9 +931,6 @@ export const german = {
     "Dieser Link zeigt das Netz „{mesh}“, eine Datei auf dem Rechner seines Verfassers.",
   "Open that file here; the scene then follows.":
     "Öffnen Sie diese Datei hier; die Szene folgt dann.",
-  "There is no figure “{id}”.": "Es gibt keine Abbildung „{id}“.",
-  "The button Figures shows those there are.":
-    "Die Schaltfläche „Abbildungen“ zeigt, welche es gibt.",
   "“{name}” is not the file of the link, which shows “{mesh}”; it is opened all the same.":
     "„{name}“ ist nicht die Datei des Links, der „{mesh}“ zeigt; geöffnet wird sie trotzdem.",
   "The scene is as it was sent: {symbol} = {here}.":
@@ -1486,21 +1483,58 @@ export const german = {
   "the version, as text": "die Version, als Text",
   "a list": "eine Liste",
   "an object": "ein Objekt",
-  "a whole number from 0": "eine ganze Zahl ab 0",
-  "a whole number": "eine ganze Zahl",
-  'a list whose steps are {} in all, as "steps" says':
-    "eine Liste, deren Schritte zusammen {} sind, wie „steps“ sagt",
   "a number or null": "eine Zahl oder null",
-  "a SHA-256": "ein SHA-256",
   "a SHA-256, 64 digits from 0 to f": "ein SHA-256, 64 Ziffern von 0 bis f",
   "the name of a shape": "der Name einer Form",
   "an object of numbers": "ein Objekt aus Zahlen",
   "the name of a file": "der Name einer Datei",
   "an object of options": "ein Objekt aus Optionen",
-  "{ steps }, { regularise }, { flow } or “anew”":
-    "{ steps }, { regularise }, { flow } oder „anew“",
-  "“adopt”, { fill }, { flip }, { subdivide } or { invert: [x, y, z] }":
-    "„adopt“, { fill }, { flip }, { subdivide } oder { invert: [x, y, z] }",
+  "{}, {}, {} or “anew”": "{}, {}, {} oder „anew“",
+  "“adopt”, {}, {}, {} or {}, with options that there are":
+    "„adopt“, {}, {}, {} oder {}, mit Optionen, die es gibt",
+  "a list whose steps are {} in all, as “steps” says":
+    "eine Liste, deren Schritte zusammen {} sind, wie „steps“ sagt",
+  "options of a regularisation": "Optionen einer Regularisierung",
+  "the name of a sample": "der Name eines Beispiels",
+  "(the recipe was written by version {}; this is version {})":
+    "(das Rezept schrieb Version {}; dies ist Version {})",
+  "The recipe has {} bytes, more than the {} that are read.":
+    "Das Rezept hat {} Bytes, mehr als die {}, die gelesen werden.",
+  "The selections hold {} vertices in all, more than the {} that are read.":
+    "Die Auswahlen enthalten zusammen {} Ecken, mehr als die {}, die gelesen werden.",
+  "The flow changes {} times on a mesh of {} vertices: that is too much.":
+    "Der Fluss wechselt {} Mal auf einem Netz mit {} Ecken: Das ist zu viel.",
+  "The file given is not the mesh {}: its SHA-256 begins with {}, not with {}.":
+    "Die Datei ist nicht das Netz {}: Ihr SHA-256 beginnt mit {}, nicht mit {}.",
+  "The recipe holds for that very file only, to the last byte.":
+    "Das Rezept gilt nur für genau diese Datei, bis aufs letzte Byte.",
+  "No recipe is being followed.": "Es wird kein Rezept ausgeführt.",
+  "Open one first.": "Öffnen Sie zuerst eines.",
+  "Do the work in fewer parts, and save the mesh between them.":
+    "Gehen Sie in weniger Schritten vor und speichern Sie das Netz dazwischen.",
+  "Recipes are made by “Save as: Recipe”.": "Rezepte entstehen mit „Speichern als: Rezept“.",
+  "This recipe runs about {steps} steps.": "Dieses Rezept rechnet etwa {steps} Schritte.",
+  "This link runs about {steps} steps.": "Dieser Link rechnet etwa {steps} Schritte.",
+  "Run them": "Rechnen",
+  "Leave it": "Lassen",
+  "It was given up.": "Es wurde aufgegeben.",
+  "The link has {} bytes, more than the {} that are read.":
+    "Der Link hat {} Bytes, mehr als die {}, die gelesen werden.",
+  "The link has “{}” more than once.": "Der Link hat „{}“ mehr als einmal.",
+  "“{}” cannot be “{}”.": "„{}“ kann nicht „{}“ sein.",
+  "the id of a sample": "die Kennung eines Beispiels",
+  "the id of a figure": "die Kennung einer Abbildung",
+  "the first 16 digits of a SHA-256, or more of them":
+    "die ersten 16 Ziffern eines SHA-256, oder mehr davon",
+  "a whole number of at most seven digits": "eine ganze Zahl mit höchstens sieben Ziffern",
+  "the numbers of a camera, with commas between them":
+    "die Zahlen einer Kamera, mit Kommas dazwischen",
+  "a version": "eine Version",
+  "edits as a link writes them": "Bearbeitungen, wie ein Link sie schreibt",
+  "a path as a link writes it, to step {}": "ein Weg, wie ein Link ihn schreibt, bis Schritt {}",
+  "at most three panes, of flows that move vertices":
+    "höchstens drei Teilfenster, von Flüssen, die Ecken bewegen",
+  "the letter of a pane": "der Buchstabe eines Teilfensters",
 
   // Slides
   "Willmore flow in eight slides": "Willmore-Fluss auf acht Folien",

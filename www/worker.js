@@ -6,8 +6,7 @@
 /** @import { Finding } from "./protocol.js" */
 /** @import { CommandName } from "./session.js" */
 
-import init, { FigureRun, readOptions, Session } from "./pkg/solver/solver.js";
-import { follow, prepare } from "./recipe.js";
+import init, { Session } from "./pkg/solver/solver.js";
 import { sequence, sequenceSize } from "./sequence.js";
 import { perform } from "./session.js";
 import { isOver } from "./standing.js";
@@ -35,8 +34,10 @@ let paced = false;
 /** Work shorter than this says nothing of its progress. */
 const PATIENCE = 500;
 let nextProgress = 0;
-/** @type {FigureRun | null} that is measured now, on surfaces of its own */
-let figureRun = null;
+/** What is done a piece at a time; whatever begins a run ends it. @type {object | null} */
+let task = null;
+/** Milliseconds between two looks at the messages, where pieces are short. */
+const TURN = 30;
 
 // A message to ourselves, so that the page's messages get their turn after every step;
 // a timer would be held back to one step in four milliseconds.
@@ -73,27 +74,25 @@ function advance() {
 
 /** Shows the page where the session stands. */
 function frame() {
-  const shown = session.frame(running);
+  const shown = session.frame();
   page.postMessage({ type: "frame", run, ...shown }, buffersOf(shown));
   taken = false;
 }
 
-/** @param {number} share */
-const replayed = (share) => tell("replay", share);
-
 /**
- * Runs a figure to its end, letting messages in after every step.
- * @param {FigureRun} run
- * @returns {Promise<Finding | null>} null where something else came first
+ * Does pieces of work, letting messages in after each.
+ * @template T
+ * @param {() => T | null} piece  null until it is the last
+ * @returns {Promise<T | null>} null where something else came first
  */
-async function measured(run) {
+async function inTurns(piece) {
   const { port1, port2 } = new MessageChannel();
-  figureRun = run;
+  const begun = {};
+  task = begun;
   try {
-    while (figureRun === run) {
-      /** @type {Finding | null} */
-      const finding = run.advance();
-      if (finding) return finding;
+    while (task === begun) {
+      const done = piece();
+      if (done !== null) return done;
       await new Promise((resolve) => {
         port1.onmessage = resolve;
         port2.postMessage(null);
@@ -102,15 +101,43 @@ async function measured(run) {
     return null;
   } finally {
     port1.close();
+    if (task === begun) task = null;
+  }
+}
+
+/** Runs a figure to its end, on surfaces of its own. @param {string} id */
+async function measured(id) {
+  const run = session.figureRun(id);
+  try {
+    return await inTurns(() => /** @type {Finding | null} */ (run.advance()));
+  } finally {
     run.free();
   }
 }
 
+/**
+ * Does again what a recipe or a link says.
+ * @param {"prepare" | "follow"} name
+ * @param {any} fields
+ */
+async function replayed(name, fields) {
+  perform(session, name, fields);
+  const done = await inTurns(() => {
+    const end = performance.now() + TURN;
+    do {
+      const { share, isDone } = perform(session, "advance");
+      tell("replay", share);
+      if (isDone) return true;
+    } while (performance.now() < end);
+    return null;
+  });
+  if (!done) throw { kind: "Cancelled", message: "It was given up.", hint: "", detail: {} };
+}
+
 /** What is asked of the worker itself. @type {Record<string, (fields: any) => unknown>} */
 const own = {
-  readOptions: ({ asked }) => readOptions(asked),
   /** What a figure comes to: of what is shown, where that is all of it, or of a run of its own. */
-  judge: ({ figure }) => session.judge(figure) ?? measured(session.figureRun(figure)),
+  judge: ({ figure }) => session.judge(figure) ?? measured(figure),
   /** Steps until `until`, or until the run is over: ends with one `stopped` unless paused. */
   run(fields) {
     until = fields.until;
@@ -127,22 +154,14 @@ const own = {
     }
     return perform(session, "state");
   },
-  /** Another session, with a recipe's mesh and its edits; the one at hand stays if it fails. */
-  prepare({ recipe, bytes }) {
-    const made = new Session();
-    try {
-      prepare(made, recipe, bytes, replayed);
-    } catch (error) {
-      if (!isTrap(error)) made.free();
-      throw error;
-    }
-    session.free();
-    session = made;
-    session.onProgress(tell);
+  /** Makes the mesh of a recipe or a link; the one at hand stays until it is there. */
+  async prepare(fields) {
+    await replayed("prepare", fields);
     return perform(session, "loaded");
   },
-  follow({ recipe }) {
-    follow(session, recipe, replayed);
+  /** Does what a recipe or a link says after its edits. */
+  async follow(fields) {
+    await replayed("follow", fields);
     return perform(session, "state");
   },
   sequence: ({ format, every }) =>
@@ -203,7 +222,11 @@ function acknowledge(number) {
 /** @param {Request} request */
 function answer({ id, name, fields, run: number, shown }) {
   /** @param {unknown} ok */
-  const reply = (ok) => page.postMessage({ id, ok }, buffersOf(ok));
+  const reply = (ok) => {
+    // While a run goes on its next frame shows it.
+    if (shown && !running) frame();
+    page.postMessage({ id, ok }, buffersOf(ok));
+  };
   /** @param {unknown} error */
   const refuse = (error) => {
     if (isTrap(error)) throw error;
@@ -211,17 +234,21 @@ function answer({ id, name, fields, run: number, shown }) {
   };
   if (number !== undefined) {
     running = false;
-    figureRun = null;
     run = number;
+    if (task) {
+      task = null;
+      perform(session, "cancelReplay");
+    }
   }
   try {
     const ok = Object.hasOwn(own, name)
       ? own[name](fields)
       : perform(session, /** @type {CommandName} */ (name), fields);
-    // While a run goes on its next frame shows it.
-    if (shown && !running) frame();
-    if (ok instanceof Promise) ok.then(reply, (error) => guarded(() => refuse(error)));
-    else reply(ok);
+    if (ok instanceof Promise) {
+      ok.then((value) => guarded(() => reply(value))).catch((error) =>
+        guarded(() => refuse(error)),
+      );
+    } else reply(ok);
   } catch (error) {
     refuse(error);
   }

@@ -10,9 +10,10 @@ use super::fill::{FillOptions, FillOutcome, LoopInfo};
 use super::flip::{FlipOptions, FlipOutcome};
 use super::history::Timeline;
 use super::invert::{InversionReport, Inverted};
+use super::link::{LinkCheck, LinkScene, PageScene, WrittenLink};
 use super::look::{Look, Wanted};
 use super::readings::{EnergyReadings, Info, State};
-use super::recipe::Recipe;
+use super::recipe::{Origin, RecipeCard, ReplayProgress, ReplayReport, ScriptText};
 use super::study::{StudyOptions, StudyReport};
 use super::subdivide::SubdivideOptions;
 use super::work::Configured;
@@ -97,8 +98,6 @@ pub enum Command {
     },
     /// The steps that can be shown.
     Timeline {},
-    /// The flow is made anew where it stands, as a step after a look back does.
-    Renew {},
     /// Puts positions from outside in place, as after a crash.
     Restore {
         /// Three coordinates a vertex.
@@ -188,8 +187,60 @@ pub enum Command {
     },
     /// The jump of H across the boundary of what moves.
     CurvatureJump {},
-    /// How the present surface came about.
-    Recipe {},
+    /// What is known of a recipe.
+    ReadRecipe {
+        /// The recipe.
+        text: String,
+    },
+    /// How the present surface came about, as a recipe.
+    WriteRecipe {
+        /// What it was made of; null where that is not known.
+        origin: Option<Origin>,
+    },
+    /// How the present surface compares with what a recipe promised.
+    CompareRecipe {
+        /// The recipe.
+        text: String,
+    },
+    /// The scene of a link.
+    ReadLink {
+        /// Its words.
+        text: String,
+        /// Whether none of them is of others, as there may be in the query of an address.
+        is_own: bool,
+    },
+    /// The scene as a link.
+    WriteLink {
+        /// What the page knows of it.
+        scene: PageScene,
+    },
+    /// How the scene of a link, at rest, compares with what the link says.
+    CheckLink {
+        /// The energy, as the link has it.
+        sent: String,
+        /// Its step.
+        step: usize,
+    },
+    /// Begins to make the mesh of a recipe or a link, with its edits.
+    Prepare {
+        /// Of which.
+        script: ScriptText,
+        /// The file it begins with, if it does.
+        #[serde(default)]
+        bytes: Option<TypedArray<u8>>,
+        /// Its name.
+        #[serde(default)]
+        name: String,
+    },
+    /// Begins to do what a recipe or a link says after its edits.
+    Follow {
+        /// Which.
+        script: ScriptText,
+    },
+    /// Does the next thing of what was begun, of a run one step.
+    Advance {},
+    /// Gives up what was begun.
+    CancelReplay {},
     /// The surface as a file.
     Export {
         /// Its format by name.
@@ -220,7 +271,6 @@ pub enum Answer {
     Seek(State),
     Branch(State),
     Timeline(Timeline),
-    Renew(()),
     Restore(State),
     Regularise(Regularised),
     Flip(FlipOutcome),
@@ -242,7 +292,16 @@ pub enum Answer {
     SelfIntersections(Option<SelfIntersections>),
     Study(StudyReport),
     CurvatureJump(Option<CurvatureJump>),
-    Recipe(Recipe),
+    ReadRecipe(RecipeCard),
+    WriteRecipe(String),
+    CompareRecipe(ReplayReport),
+    ReadLink(LinkScene),
+    WriteLink(WrittenLink),
+    CheckLink(Option<LinkCheck>),
+    Prepare(()),
+    Follow(()),
+    Advance(ReplayProgress),
+    CancelReplay(()),
     Export(TypedArray<u8>),
     History(String),
 }
@@ -309,7 +368,6 @@ impl Session {
                 Answer::Branch(state)
             }
             C::Timeline {} => Answer::Timeline(self.timeline()?),
-            C::Renew {} => Answer::Renew(self.renew()?),
             C::Restore { exact, step, time } => Answer::Restore(self.restore(&exact, step, time)?),
             C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),
             C::Flip { options } => Answer::Flip(self.flip(&options)?),
@@ -347,7 +405,23 @@ impl Session {
             C::SelfIntersections {} => Answer::SelfIntersections(self.self_intersections()?),
             C::Study { options } => Answer::Study(self.study(options.as_ref())?),
             C::CurvatureJump {} => Answer::CurvatureJump(self.curvature_jump()?),
-            C::Recipe {} => Answer::Recipe(self.recipe()?),
+            C::ReadRecipe { text } => Answer::ReadRecipe(self.read_recipe(&text)?),
+            C::WriteRecipe { origin } => Answer::WriteRecipe(self.write_recipe(origin.as_ref())?),
+            C::CompareRecipe { text } => Answer::CompareRecipe(self.compare_recipe(&text)?),
+            C::ReadLink { text, is_own } => Answer::ReadLink(self.read_link(&text, is_own)?),
+            C::WriteLink { scene } => Answer::WriteLink(self.write_link(&scene)?),
+            C::CheckLink { sent, step } => Answer::CheckLink(self.check_link(&sent, step)?),
+            C::Prepare {
+                script,
+                bytes,
+                name,
+            } => {
+                let file = bytes.map(|bytes| (bytes.0, name));
+                Answer::Prepare(self.prepare(&script, file)?)
+            }
+            C::Follow { script } => Answer::Follow(self.follow(&script)?),
+            C::Advance {} => Answer::Advance(self.advance()?),
+            C::CancelReplay {} => Answer::CancelReplay(self.cancel_replay()?),
             C::Export { format } => {
                 let format =
                     Format::from_name(&format).ok_or_else(|| Fault::unknown_format(&format))?;
@@ -370,7 +444,7 @@ impl Session {
     }
 
     /// A fill that tells its progress to whom steps tell theirs.
-    fn fill_telling(&mut self, options: &FillOptions) -> Result<FillOutcome, Fault> {
+    pub(super) fn fill_telling(&mut self, options: &FillOptions) -> Result<FillOutcome, Fault> {
         let progress = self.progress.clone();
         let mut tell = |stage: &str, share: f64| {
             if let Some(progress) = &progress {

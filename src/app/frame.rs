@@ -8,7 +8,6 @@ use super::history::Timeline;
 use super::look::{Look, Wanted};
 use super::pane::{Curves, Pane};
 use super::readings::State;
-use super::recipe::Recipe;
 use super::work::{Configured, Work};
 use super::{Session, as_f32};
 use crate::arrays::TypedArray;
@@ -87,10 +86,6 @@ pub struct Frame {
     pub look: Option<Look>,
     /// The steps that can be shown.
     pub timeline: Timeline,
-    /// How the surface came about, null where that is not known; left out while the flow runs.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
-    pub story: Option<Option<Recipe>>,
     /// The flow that stands there, where no frame has told of it yet.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
@@ -130,12 +125,11 @@ impl View {
 }
 
 impl Session {
-    /// Everything to be shown now; `is_running` while a run goes on.
+    /// Everything to be shown now.
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
-    pub fn frame(&mut self, is_running: bool) -> Result<Frame, Fault> {
-        let story = (!is_running).then(|| self.recipe().ok());
+    pub fn frame(&mut self) -> Result<Frame, Fault> {
         let view = &mut self.view;
         let work = self.work.as_ref().ok_or_else(Fault::no_mesh)?;
         let panes = work.panes(view.field);
@@ -167,7 +161,6 @@ impl Session {
             jump: work.curvature_jump().filter(|_| !is_flips),
             look: view.look.map(|wanted| work.look(wanted, &work.x)),
             timeline: work.history.timeline(work.state.step),
-            story,
             flow,
         })
     }

@@ -5,6 +5,7 @@
 
 mod beside;
 mod command;
+mod comparison;
 mod conjecture;
 mod course;
 mod crossing;
@@ -20,7 +21,9 @@ mod frame;
 mod given;
 mod history;
 mod invert;
+mod json;
 pub mod library;
+mod link;
 mod look;
 mod pane;
 mod probe;
@@ -35,6 +38,7 @@ pub use crate::flow::Progress;
 pub use crate::remesh::static_pass::{MeshQuality, RegulariseOptions, Regularised};
 pub use beside::Standing;
 pub use command::{Answer, Command};
+pub use comparison::{Comparison, Lockstep, PaneChange};
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
 pub use crossing::SelfIntersections;
 pub use diagnosis::{Change, Diagnosis, DiagnosisKind, Remedy, RemedyId, Text};
@@ -43,16 +47,22 @@ pub use field::{Field, FieldName};
 pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
 pub use frame::{ChosenFlow, Frame, Sample};
-pub use given::{Asked, Given, read_flags, read_options, unknown_flag};
+pub use given::{read_flags, unknown_flag};
 pub use history::{BranchInfo, Timeline};
 pub use invert::{InversionReadings, InversionReport, Inverted};
+pub use link::{
+    Check, Lack, LinkCheck, LinkScene, LinkView, PageScene, Scale, Shading, WrittenLink,
+};
 pub use look::{
     ALIGNED_DEGREES, Alignment, Drawn, Look, MAX_CIRCLES, MAX_CROSSES, SegmentKind, Wanted,
 };
 pub use pane::{Arrangement, Compare, Curve, Curves, Pane};
 pub use probe::{Probe, ProbedEdge, edge_angle};
 pub use readings::{EnergyReadings, Info, State};
-pub use recipe::{Chapter, Edit, Leg, Recipe};
+pub use recipe::{
+    Action, Edit, EditRecord, Estimate, Origin, Outcome, Provenance, RecipeCard, RecipeMesh,
+    ReplayProgress, ReplayReport, ScriptText,
+};
 pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
 pub use subdivide::{SubdivideOptions, SubdivisionScheme};
 pub use work::Configured;
@@ -69,6 +79,7 @@ use document::Document;
 use edit::Edits;
 use frame::View;
 use glam::DVec3;
+use recipe::Replay;
 use serde::Serialize;
 use work::Work;
 
@@ -122,6 +133,7 @@ pub struct Session {
     study: Option<Study>,
     view: View,
     progress: Option<Progress>,
+    replay: Option<Replay>,
 }
 
 impl Session {

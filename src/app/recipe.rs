@@ -1,6 +1,20 @@
 //! How the present surface came about from the mesh that was loaded, as something that can
 //! be done again.
 
+mod error;
+mod file;
+mod read;
+mod replay;
+
+pub use file::{Outcome, RecipeCard, RecipeMesh, ReplayReport};
+pub use replay::{Estimate, ReplayProgress, ScriptText};
+
+use error::Expected;
+pub(super) use error::RecipeError;
+pub(super) use file::{is_near, is_plain};
+pub(super) use read::{Node, Reader};
+pub(super) use replay::{Replay, steps_in};
+
 use super::Session;
 use super::fault::Fault;
 use super::fill::{FillOptions, Loops};
@@ -10,13 +24,14 @@ use super::subdivide::SubdivideOptions;
 use super::work::Work;
 use crate::flow::options::FlowOptions;
 use crate::remesh::static_pass::RegulariseOptions;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
-/// A part of a run.
+/// What was done to a surface, in turn.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
-pub enum Leg {
+pub enum Action {
     /// So many steps.
     Steps(usize),
     /// A conformal regularisation of the mesh at rest.
@@ -28,7 +43,7 @@ pub enum Leg {
 }
 
 /// What made another mesh of the one at hand.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum Edit {
@@ -47,11 +62,11 @@ pub enum Edit {
 /// A run, and the edit that ended it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-pub struct Chapter {
+pub struct EditRecord {
     /// Options of the flow; absent where none was chosen.
     pub flow: Option<FlowOptions>,
     /// What was done.
-    pub path: Vec<Leg>,
+    pub path: Vec<Action>,
     /// The edit.
     pub edit: Edit,
 }
@@ -59,13 +74,49 @@ pub struct Chapter {
 /// How the present surface came about.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-pub struct Recipe {
+pub struct Provenance {
     /// What made the mesh of the one that was loaded, oldest first.
-    pub edits: Vec<Chapter>,
+    pub edits: Vec<EditRecord>,
     /// Options of the flow it began with; absent where none was chosen.
     pub flow: Option<FlowOptions>,
     /// What was done since.
-    pub path: Vec<Leg>,
+    pub path: Vec<Action>,
+}
+
+/// What the open mesh was made of, before any edits; as the page tells it.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(tag = "kind", rename_all = "camelCase")]
+pub enum Origin {
+    /// A sample.
+    Sample {
+        /// Its id.
+        id: String,
+    },
+    /// A file.
+    File {
+        /// What people call it.
+        name: String,
+        /// Its own name, where it was opened here.
+        #[serde(default)]
+        #[cfg_attr(test, ts(optional))]
+        file: Option<String>,
+        /// Its digest; empty or left out where that is not known.
+        #[serde(default)]
+        #[cfg_attr(test, ts(optional))]
+        sha256: Option<String>,
+        /// Its length.
+        #[serde(default)]
+        #[cfg_attr(test, ts(optional))]
+        bytes: Option<usize>,
+    },
+    /// A shape that is no sample.
+    Shape {
+        /// Its name.
+        shape: String,
+        /// Parameters that are not the usual ones.
+        parameters: BTreeMap<String, f64>,
+    },
 }
 
 impl Session {
@@ -73,7 +124,7 @@ impl Session {
     ///
     /// # Errors
     /// `NoRecipe` after positions came from outside.
-    pub fn recipe(&self) -> Result<Recipe, Fault> {
+    pub fn provenance(&self) -> Result<Provenance, Fault> {
         let work = self.work()?;
         let Some(edits) = work.origin.clone().filter(|_| !work.is_restored) else {
             return Err(Fault::new(
@@ -83,10 +134,10 @@ impl Session {
                 "Go back to the start with Reset, or load the mesh again.",
             ));
         };
-        Ok(Recipe {
+        Ok(Provenance {
             edits,
             flow: work.told_options(),
-            path: work.legs(),
+            path: work.actions(),
         })
     }
 }
@@ -98,42 +149,45 @@ impl Work {
         Some(self.as_given(&self.first.options))
     }
 
-    fn legs(&self) -> Vec<Leg> {
+    fn actions(&self) -> Vec<Action> {
         if let Some(flips) = self.flow.as_ref().and_then(|flow| flow.flips()) {
             // One by one or many at once, they are the same.
             let count = flips.runs()[0].flips();
-            return Vec::from_iter((count > 0).then_some(Leg::Steps(count)));
+            return Vec::from_iter((count > 0).then_some(Action::Steps(count)));
         }
-        let mut legs = Vec::new();
+        let mut actions = Vec::new();
         for act in self.history.acts() {
             if act.anew {
-                legs.push(Leg::Anew);
+                actions.push(Action::Anew);
             }
-            match (&act.deed, legs.last_mut()) {
-                (Deed::Step, Some(Leg::Steps(count))) => *count += 1,
-                (Deed::Step, _) => legs.push(Leg::Steps(1)),
-                (Deed::Regularise(settings), _) => legs.push(Leg::Regularise(*settings)),
+            match (&act.deed, actions.last_mut()) {
+                (Deed::Step, Some(Action::Steps(count))) => *count += 1,
+                (Deed::Step, _) => actions.push(Action::Steps(1)),
+                (Deed::Regularise(settings), _) => actions.push(Action::Regularise(*settings)),
                 (Deed::Flow(options), _) => {
-                    legs.push(Leg::Flow(Box::new(FlowOptions::clone(options))))
+                    actions.push(Action::Flow(Box::new(FlowOptions::clone(options))))
                 }
             }
         }
-        legs
+        actions
     }
 
     /// How a document that `edit` makes of what is shown comes about.
-    pub(super) fn origin_of(&self, mut edit: Edit) -> Option<Vec<Chapter>> {
+    pub(super) fn origin_of(&self, mut edit: Edit) -> Option<Vec<EditRecord>> {
         if let Edit::Fill(options) = &mut edit
             && options.loops == Loops::All
         {
             options.loops = Loops::Word("all".into());
         }
-        let mut chapters = self.origin.clone().filter(|_| !self.is_restored)?;
-        chapters.push(Chapter {
+        let mut records = self.origin.clone().filter(|_| !self.is_restored)?;
+        records.push(EditRecord {
             flow: self.told_options(),
-            path: self.legs(),
+            path: self.actions(),
             edit,
         });
-        Some(chapters)
+        Some(records)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -8,7 +8,7 @@ use super::field::{Field, FieldName};
 use super::history::{Act, Deed, History, Moment, MomentId};
 use super::pane::Arrangement;
 use super::readings::{Info, State};
-use super::recipe::Chapter;
+use super::recipe::EditRecord;
 use super::timeline::Shown;
 use crate::arrays::TypedArray;
 use crate::flow::flips::EdgeFlips;
@@ -70,7 +70,7 @@ pub(super) struct Work {
     /// Whether positions came from outside since the start.
     pub(super) is_restored: bool,
     /// How the document was made of what was loaded; `None` where that cannot be told.
-    pub(super) origin: Option<Vec<Chapter>>,
+    pub(super) origin: Option<Vec<EditRecord>>,
     pub(super) arrangement: Arrangement,
     /// The same under other flows.
     pub(super) beside: Vec<Work>,

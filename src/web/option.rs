@@ -1,25 +1,15 @@
 //! Reading and checking options, without a session.
 
 use super::session::{from_js, to_js};
-use crate::app::{self, Asked};
+use crate::app;
 use crate::flow::option::{self, Values};
 use wasm_bindgen::prelude::*;
-
-/// Options of a link or a recipe, `{ words?, panes?, flows?, arrangement? }`, with their types:
-/// `{ options, arrangement, panes }`.
-///
-/// # Errors
-/// The first option that there is not, or that has a value it cannot have.
-#[wasm_bindgen(js_name = readOptions)]
-pub fn read_options(asked: JsValue) -> Result<JsValue, JsValue> {
-    let asked: Asked = from_js(asked)?;
-    Ok(to_js(&app::read_options(&asked)?))
-}
 
 /// Options of a command line by name, as text, with their types.
 ///
 /// # Errors
-/// As `readOptions`, and options that would change nothing.
+/// The first option that there is not, that has a value it cannot have, or that would change
+/// nothing.
 #[wasm_bindgen(js_name = readFlags)]
 pub fn read_flags(words: JsValue) -> Result<JsValue, JsValue> {
     let words: Values = from_js(words)?;

@@ -151,8 +151,8 @@ impl Session {
     ///
     /// # Errors
     /// Without a mesh.
-    pub fn frame(&mut self, is_running: bool) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.frame(is_running)?))
+    pub fn frame(&mut self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&self.0.frame()?))
     }
 
     /// Loads a mesh file: `Loaded`.

@@ -1,4 +1,4 @@
-//! What `Session` can do with the steps it has stored: looking around, branches, recipes.
+//! What `Session` can do with the steps it has stored: looking around, branches.
 
 use super::session::{Session, to_js};
 use js_sys::Float64Array;
@@ -30,14 +30,6 @@ impl Session {
         Ok(to_js(&self.0.branch(id)?))
     }
 
-    /// Makes the flow anew where it stands, as a step after a look back does.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    pub fn renew(&mut self) -> Result<(), JsValue> {
-        Ok(self.0.renew()?)
-    }
-
     /// Step, time, step size, energy and monitored functional of each step after `step` up to
     /// the one shown, end to end.
     ///
@@ -47,13 +39,5 @@ impl Session {
     pub fn samples_after(&self, step: usize) -> Result<Float64Array, JsValue> {
         let samples = self.0.samples_after(step)?;
         Ok(Float64Array::from(samples.as_flattened()))
-    }
-
-    /// How the present surface came about: `Story`.
-    ///
-    /// # Errors
-    /// After positions came from outside.
-    pub fn recipe(&self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.recipe()?))
     }
 }

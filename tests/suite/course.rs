@@ -2,7 +2,7 @@
 
 use crate::support::session::{Dice, flowing, shown, with};
 use umbilic::app::{
-    Arrangement, Compare, Configured, DiagnosisKind, Leg, RegulariseOptions, Session,
+    Action, Arrangement, Compare, Configured, DiagnosisKind, RegulariseOptions, Session,
 };
 use umbilic::flow::Status;
 use umbilic::flow::constraint::Kept;
@@ -102,14 +102,14 @@ fn with_recipe_of(session: &Session) -> Session {
         162 => ("level", 2.0),
         _ => ("vertices", 31.0),
     };
-    let recipe = session.recipe().expect("a recipe");
+    let recipe = session.provenance().expect("a recipe");
     let mut other = with(sample, &[values], recipe.flow.expect("options"));
-    for leg in recipe.path {
-        match leg {
-            Leg::Steps(count) => drop(other.run(count).expect("steps")),
-            Leg::Regularise(settings) => drop(other.regularise(&settings).expect("regularised")),
-            Leg::Anew => other.renew().expect("renewed"),
-            Leg::Flow(options) => drop(other.continue_with(*options).expect("options")),
+    for action in recipe.path {
+        match action {
+            Action::Steps(count) => drop(other.run(count).expect("steps")),
+            Action::Regularise(settings) => drop(other.regularise(&settings).expect("regularised")),
+            Action::Anew => other.renew().expect("renewed"),
+            Action::Flow(options) => drop(other.continue_with(*options).expect("options")),
         }
     }
     other
@@ -310,22 +310,22 @@ fn its_recipe_tells_each_flow_in_its_turn() {
         .continue_with(flowing(FlowName::Mmcv))
         .expect("options");
     session.run(1).expect("a step");
-    let recipe = session.recipe().expect("a recipe");
+    let recipe = session.provenance().expect("a recipe");
     assert_eq!(recipe.flow, Some(flowing(FlowName::Circle)));
     let expected = [
-        Leg::Steps(2),
-        Leg::Flow(Box::new(p_willmore)),
-        Leg::Steps(3),
-        Leg::Regularise(settings),
-        Leg::Flow(Box::new(flowing(FlowName::Mmcv))),
-        Leg::Steps(1),
+        Action::Steps(2),
+        Action::Flow(Box::new(p_willmore)),
+        Action::Steps(3),
+        Action::Regularise(settings),
+        Action::Flow(Box::new(flowing(FlowName::Mmcv))),
+        Action::Steps(1),
     ];
     assert_eq!(recipe.path, expected);
     assert!(shown(&with_recipe_of(&session)) == shown(&session));
     // So does an edit, and undoing it brings all of it back.
     let before = shown(&session);
     session.adopt().expect("kept");
-    let recipe = session.recipe().expect("a recipe");
+    let recipe = session.provenance().expect("a recipe");
     let chapter = &recipe.edits[0];
     assert_eq!(chapter.flow, Some(flowing(FlowName::Circle)));
     assert_eq!(chapter.path, expected);
@@ -372,8 +372,11 @@ fn a_second_thought_takes_the_place_of_the_first() {
     let timeline = session.timeline().expect("a timeline");
     assert_eq!((timeline.stored, timeline.branches.len()), (4, 0));
     assert_eq!(
-        session.recipe().expect("a recipe").path,
-        [Leg::Steps(2), Leg::Flow(Box::new(flowing(FlowName::Mmcv)))]
+        session.provenance().expect("a recipe").path,
+        [
+            Action::Steps(2),
+            Action::Flow(Box::new(flowing(FlowName::Mmcv)))
+        ]
     );
     session.back().expect("back");
     assert!(shown(&session) == fork);
@@ -385,7 +388,10 @@ fn a_second_thought_takes_the_place_of_the_first() {
     session.continue_with(before.clone()).expect("options");
     assert!(shown(&session) == fork);
     session.continue_with(before).expect("options");
-    assert_eq!(session.recipe().expect("a recipe").path, [Leg::Steps(2)]);
+    assert_eq!(
+        session.provenance().expect("a recipe").path,
+        [Action::Steps(2)]
+    );
     assert_eq!(session.timeline().expect("a timeline").last, 2);
 }
 
@@ -404,7 +410,7 @@ fn what_goes_from_the_mesh_itself_is_refused_in_words() {
     session
         .continue_with(flowing(FlowName::Circle))
         .expect("options");
-    assert_eq!(session.recipe().expect("a recipe").path, []);
+    assert_eq!(session.provenance().expect("a recipe").path, []);
     session.run(1).expect("a step");
     let before = shown(&session);
     let fault = session

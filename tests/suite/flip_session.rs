@@ -137,7 +137,7 @@ fn steps_of_any_length_lead_the_same_way_and_back() {
     assert_eq!(export(&single), end);
     // As after a crash: positions and the number of flips.
     let mut again = run(Some(7));
-    let positions = again.frame(false).expect("a frame").exact;
+    let positions = again.frame().expect("a frame").exact;
     again.restore(&positions, 240, 240.0).expect("restored");
     assert_eq!(export(&again).len(), end.len());
     assert!(edges_of(&export(&again)) == edges_of(&end));

@@ -3,7 +3,7 @@
 
 use crate::support::session::{Dice, flowing, shown, with};
 use umbilic::app::{
-    Arrangement, Compare, Edit, FillOptions, FlipOptions, Leg, RegulariseOptions, Session,
+    Action, Arrangement, Compare, Edit, FillOptions, FlipOptions, RegulariseOptions, Session,
 };
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions, Integrator};
@@ -159,13 +159,13 @@ fn a_regularisation_on_the_way_makes_a_branch_of_its_own() {
     session.run(2).expect("steps");
     let other = shown(&session);
     assert!(other.0 != plain.0);
-    let recipe = session.recipe().expect("a recipe");
-    let anew = Leg::Anew;
+    let recipe = session.provenance().expect("a recipe");
+    let anew = Action::Anew;
     let expected = [
-        Leg::Steps(2),
+        Action::Steps(2),
         anew,
-        Leg::Regularise(settings),
-        Leg::Steps(2),
+        Action::Regularise(settings),
+        Action::Steps(2),
     ];
     assert_eq!(recipe.path, expected);
     // There and back.
@@ -188,7 +188,10 @@ fn a_regularisation_on_the_way_makes_a_branch_of_its_own() {
         .branch(session.timeline().expect("a timeline").branches[0].id)
         .expect("a branch");
     session.seek(2).expect("sought");
-    assert_eq!(session.recipe().expect("a recipe").path, [Leg::Steps(2)]);
+    assert_eq!(
+        session.provenance().expect("a recipe").path,
+        [Action::Steps(2)]
+    );
 }
 
 #[test]
@@ -201,10 +204,10 @@ fn a_reset_goes_to_the_very_start_and_is_undone_by_seeking() {
         }
         session.run(3).expect("steps");
         let end = shown(&session);
-        let path = session.recipe().expect("a recipe").path;
+        let path = session.provenance().expect("a recipe").path;
         session.reset().expect("reset");
         assert!(shown(&session) == start, "{name}");
-        assert_eq!(session.recipe().expect("a recipe").path, []);
+        assert_eq!(session.provenance().expect("a recipe").path, []);
         session.seek(usize::MAX).expect("sought");
         assert!(shown(&session) == end, "{name}");
         // From there the steps are the same again, and are told as if nobody had looked.
@@ -215,7 +218,7 @@ fn a_reset_goes_to_the_very_start_and_is_undone_by_seeking() {
         }
         session.run(3).expect("steps");
         assert!(shown(&session) == end, "{name}");
-        assert_eq!(session.recipe().expect("a recipe").path, path, "{name}");
+        assert_eq!(session.provenance().expect("a recipe").path, path, "{name}");
         assert_eq!(session.timeline().expect("a timeline").branches, []);
     }
 }
@@ -235,13 +238,16 @@ fn looking_back_does_not_disturb_a_flow_with_a_memory() {
     session.seek(5).expect("sought");
     session.run(3).expect("steps");
     assert!(shown(&session) == shown(&straight));
-    assert_eq!(session.recipe().expect("a recipe").path, [Leg::Steps(8)]);
+    assert_eq!(
+        session.provenance().expect("a recipe").path,
+        [Action::Steps(8)]
+    );
     // From an earlier step it has to begin anew, comes out otherwise, and says so.
     session.seek(5).expect("sought");
     session.run(3).expect("steps");
     assert!(shown(&session).0 != shown(&straight).0);
-    let expected = [Leg::Steps(5), Leg::Anew, Leg::Steps(3)];
-    assert_eq!(session.recipe().expect("a recipe").path, expected);
+    let expected = [Action::Steps(5), Action::Anew, Action::Steps(3)];
+    assert_eq!(session.provenance().expect("a recipe").path, expected);
     // Done as told, it comes out the same.
     straight.reset().expect("reset");
     straight.run(5).expect("steps");
@@ -292,8 +298,8 @@ fn edge_flips_are_sought_forwards_and_backwards() {
     );
     assert_eq!(session.panes("none").expect("panes").len(), 3);
     assert_eq!(
-        session.recipe().expect("a recipe").path,
-        [Leg::Steps(end.step)]
+        session.provenance().expect("a recipe").path,
+        [Action::Steps(end.step)]
     );
 }
 
@@ -345,12 +351,12 @@ fn a_new_start_has_no_history_and_a_recipe_with_all_that_was_done() {
     session.run(1).expect("a step");
     let timeline = session.timeline().expect("a timeline");
     assert_eq!((timeline.start, timeline.last), (0, 1));
-    let recipe = session.recipe().expect("a recipe");
+    let recipe = session.provenance().expect("a recipe");
     let edits: Vec<_> = recipe.edits.iter().map(|c| (&c.edit, &*c.path)).collect();
     let flip = Edit::Flip(FlipOptions::default());
     let expected = [
-        (&Edit::Adopt, &[Leg::Steps(2)][..]),
-        (&flip, &[Leg::Steps(3)]),
+        (&Edit::Adopt, &[Action::Steps(2)][..]),
+        (&flip, &[Action::Steps(3)]),
     ];
     assert_eq!(edits, expected);
     // The sample's own selection is not repeated.
@@ -359,20 +365,20 @@ fn a_new_start_has_no_history_and_a_recipe_with_all_that_was_done() {
     session.undo_edit().expect("undone");
     assert_eq!(session.state().expect("state").step, 3);
     session.seek(1).expect("sought");
-    assert_eq!(session.recipe().expect("a recipe").edits.len(), 1);
+    assert_eq!(session.provenance().expect("a recipe").edits.len(), 1);
     // After a loss nothing is known any more.
-    let positions = session.frame(false).expect("a frame").exact;
+    let positions = session.frame().expect("a frame").exact;
     session
         .configure(flowing(FlowName::Circle))
         .expect("options");
     session.restore(&positions, 7, 1.0).expect("restored");
     assert_eq!(session.timeline().expect("a timeline").start, 7);
-    assert_eq!(session.recipe().expect_err("unknown").kind, "NoRecipe");
+    assert_eq!(session.provenance().expect_err("unknown").kind, "NoRecipe");
     session.reset().expect("reset");
-    assert_eq!(session.recipe().expect("known").edits.len(), 1);
+    assert_eq!(session.provenance().expect("known").edits.len(), 1);
     session.restore(&positions, 7, 1.0).expect("restored");
     session.adopt().expect("kept");
-    assert_eq!(session.recipe().expect_err("unknown").kind, "NoRecipe");
+    assert_eq!(session.provenance().expect_err("unknown").kind, "NoRecipe");
 }
 
 #[test]
@@ -384,7 +390,7 @@ fn a_fill_is_told_by_its_loops() {
             std::ops::ControlFlow::Continue(())
         })
         .expect("filled");
-    let recipe = session.recipe().expect("a recipe");
+    let recipe = session.provenance().expect("a recipe");
     assert_eq!(
         (recipe.edits.len(), recipe.edits[0].flow.is_none()),
         (1, true)

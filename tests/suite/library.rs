@@ -205,7 +205,7 @@ fn a_session_that_shows_a_figure_is_judged_as_a_run_of_it() {
             session.seek(49).expect("a stored step");
             let finding = figure.judged(&session).expect(id).expect("all of it");
             assert!(finding.ok && finding != judged, "{}", said(&finding));
-            let here = session.frame(false).expect("a frame").exact;
+            let here = session.frame().expect("a frame").exact;
             session.restore(&here, 49, 1.0).expect("positions that fit");
             assert_eq!(figure.judged(&session).expect(id), None);
         }
@@ -241,7 +241,7 @@ fn of_a_scan_only_inner_loops_are_filled_and_its_recipe_tells_which() {
     let left = session.boundary_loops().expect("loops");
     let longest = loops.iter().map(|one| one.length).fold(0.0, f64::max);
     assert_eq!(left[0].length, longest);
-    let recipe = serde_json::to_value(session.recipe().expect("a recipe")).expect("JSON");
+    let recipe = serde_json::to_value(session.provenance().expect("a recipe")).expect("JSON");
     let listed = recipe["edits"][0]["edit"]["fill"]["loops"]
         .as_array()
         .expect("numbers");

@@ -28,6 +28,7 @@ mod p_willmore_mass;
 mod probe;
 mod property_io;
 mod real_meshes;
+mod recipe;
 mod regularise;
 mod robust_flows;
 mod self_intersection;

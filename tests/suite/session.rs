@@ -262,7 +262,7 @@ fn a_budget_of_time_holds_only_where_no_number_of_steps_is_set() {
 fn a_restored_session_goes_on_from_there() {
     let mut session = small();
     session.run(3).expect("steps");
-    let frame = session.frame(false).expect("a frame");
+    let frame = session.frame().expect("a frame");
     let (positions, state) = (frame.exact, frame.state);
     let mut other = small();
     let restored = other

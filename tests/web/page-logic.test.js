@@ -3,15 +3,12 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { samples } from "../../www/generated/library.js";
-import { writeLink } from "../../www/link.js";
 import { defaults, smoothingTau } from "../../www/options.js";
 import { createStore, initial, transitions as to } from "../../www/state.js";
 import { fileName } from "../../www/ui/download.js";
 import { formatNumber } from "../../www/ui/number.js";
 import { grown, painted, rim } from "../../www/ui/selection.js";
 import { reasonText, statusText } from "../../www/ui/status.js";
-import { readScene } from "./support/scene.js";
 
 /** @typedef {import("../../www/protocol.js").State} Reading */
 
@@ -140,40 +137,6 @@ test("a refused mesh leaves the one before", () => {
   assert.equal(store.get().phase, "ready");
 });
 
-test("a link that was written is read back as the same scene", () => {
-  const store = page();
-  const options = /** @type {const} */ ({ ...defaults, goal: "smooth", detail: 6.5, tau: 0.02 });
-  const configured = store.get().configured;
-  assert.ok(configured);
-  store.update(to.configured, options, { ...configured, state: reading({ step: 12 }) });
-  store.update(to.looked, new Float32Array([1, 0.5, -0.25]));
-  store.update(to.coloured, "mean-curvature", null);
-  const scene = readScene({ search: "", hash: writeLink(store.get()) });
-  assert.equal(scene.sample, "icosahedron");
-  assert.equal(scene.step, 12);
-  assert.equal(scene.colour, "mean-curvature");
-  assert.deepEqual([...(scene.camera ?? [])], [1, 0.5, -0.25]);
-  assert.deepEqual({ ...defaults, ...scene.options }, options);
-});
-
-test("a link names what differs from the sample's own options, and nothing else", () => {
-  const scan = samples.find(({ id }) => id === "noisy-scan");
-  assert.ok(scan);
-  const store = page({ kind: "sample", id: scan.id });
-  store.update((state) => ({ ...state, options: { ...defaults, ...scan.options } }));
-  assert.equal(writeLink(store.get()), "#sample=noisy-scan&flow=circle");
-});
-
-test("a link with nonsense in it still opens", () => {
-  const hash = "#sample=nothing&step=-4&camera=1,b&colour=pink";
-  const scene = readScene({ search: "", hash });
-  assert.equal(scene.sample, samples[0].id);
-  assert.deepEqual(scene.options, {});
-  assert.equal(scene.step, 0);
-  assert.equal(scene.camera, null);
-  assert.equal(scene.colour, "none");
-});
-
 test("files are named after mesh, flow and step", () => {
   const store = page();
   store.update(to.stopped, reading({ step: 12 }));
@@ -194,27 +157,6 @@ test("numbers keep their digits and stay readable by machines", () => {
 test("ten steps of τ = 0.01 remove detail below 3.8 edge lengths", () => {
   // 6.7 (N τ)^¼ with N τ = 0.1.
   assert.ok(Math.abs(smoothingTau(6.7 * 0.1 ** 0.25, 10) - 0.01) < 1e-15);
-});
-
-test("a link carries what stands beside the surface, where that means something", () => {
-  const store = page();
-  store.update(to.arranged, { compare: "criteria", subdivide: 2, flipsPerStep: null });
-  assert.ok(!writeLink(store.get()).includes("compare"), "not under the circle flow");
-  const configured = /** @type {any} */ (store.get().configured);
-  store.update(to.configured, { ...defaults, flow: "flips" }, configured);
-  const hash = writeLink(store.get());
-  for (const word of ["compare=criteria", "subdivide=2", "flipsPerStep=all"]) {
-    assert.ok(hash.includes(word), hash);
-  }
-  const { arrangement } = readScene({ search: "", hash });
-  assert.deepEqual(arrangement, { compare: "criteria", subdivide: 2, flipsPerStep: null });
-  store.update(to.configured, { ...defaults, flow: "mmcv" }, configured);
-  assert.ok(!writeLink(store.get()).includes("compare"));
-  store.update(to.arranged, { compare: "flows", subdivide: 0, flipsPerStep: 1 });
-  assert.ok(writeLink(store.get()).includes("compare=flows"));
-  for (const word of ["compare=all", "subdivide=9", "flipsPerStep=0"]) {
-    assert.throws(() => readScene({ search: "", hash: `#${word}` }), { kind: "BadOption" });
-  }
 });
 
 test("a brush paints what lies in its ball, and regions grow by rings", () => {

@@ -2,17 +2,15 @@
 // Looking around in a run: stored steps, branches, playing them, recipes.
 
 /** @import { Core } from "./core.js" */
-/** @import { Recipe } from "../recipe.js" */
+/** @import { RecipeCard, ScriptText } from "../generated/types.js" */
 /** @import { Scene } from "../link.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Loaded } from "../protocol.js" */
-/** @import { PageState, Source } from "../state.js" */
+/** @import { Origin, Source } from "../state.js" */
 
 import { sha256 } from "../digest.js";
-import { samples } from "../generated/library.js";
 import { t } from "../language.js";
-import { defaults, plainArrangement } from "../options.js";
-import { askedBy, isOwn, makeRecipe, pathOf, readRecipe } from "../recipe.js";
+import { defaults } from "../options.js";
 import { transitions as to } from "../state.js";
 
 /**
@@ -20,7 +18,7 @@ import { transitions as to } from "../state.js";
  * @typedef {object} Loading
  * @property {string} name  for the status line
  * @property {Source} source
- * @property {NonNullable<PageState["origin"]>} [origin]  where that is not the source
+ * @property {Origin} [origin]  where that is not the source
  * @property {() => Promise<Loaded>} ask
  * @property {Options} options
  * @property {Options} fallback  for a mesh that the options do not suit
@@ -28,22 +26,21 @@ import { transitions as to } from "../state.js";
  * @property {import("../protocol.js").Sample["fill"]} [fill]  of what is loaded, before it is shown
  */
 
-/** @param {unknown} value */
-const asKey = (value) => JSON.stringify(value);
+/**
+ * What a recipe or a link begins with, and what it is called.
+ * @typedef {object} Made
+ * @property {Origin} origin
+ * @property {string} name
+ * @property {boolean} isPlain  whether that is what is shown at first
+ */
 
-/** The page's sample that a recipe begins with. @param {Recipe["mesh"]} mesh */
-const sampleOf = (mesh) =>
-  isOwn(mesh)
-    ? undefined
-    : samples.find(
-        ({ id, shape, parameters }) =>
-          id === mesh.sample &&
-          shape === mesh.shape &&
-          asKey(parameters) === asKey(mesh.parameters),
-      );
+/** A recipe that was read. @typedef {{ text: string, card: RecipeCard }} Recipe */
 
-/** @param {Core & { load: (loading: Loading) => Promise<void> }} core */
-export function createTime({ store, solver, voice, enqueue, rest, load }) {
+/**
+ * @param {Core & { load: (loading: Loading) => Promise<void>,
+ *   replayed: <T>(ask: () => Promise<T>) => Promise<T> }} core
+ */
+export function createTime({ store, solver, voice, enqueue, rest, load, replayed }) {
   /** @type {number | null} the latest step asked for, not sought yet */
   let wanted = null;
   let isSeeking = false;
@@ -105,47 +102,46 @@ export function createTime({ store, solver, voice, enqueue, rest, load }) {
 
   /**
    * Loads the mesh that a recipe or a link begins with, and makes of it what its edits made.
-   * @param {Pick<Recipe, "mesh" | "edits">} told
-   * @param {Uint8Array<ArrayBuffer> | null} bytes  of the mesh
+   * @param {ScriptText} script
+   * @param {Made} made
+   * @param {{ name: string, bytes: Uint8Array<ArrayBuffer> } | null} file  that it begins with
    * @param {Pick<Loading, "options" | "fallback" | "scene">} shown
    */
-  function replay({ mesh, edits = [] }, bytes, shown) {
-    const sample = sampleOf(mesh);
-    const name = isOwn(mesh) ? mesh.name.replace(/\.[^.]+$/, "") : mesh.shape;
-    /** @type {NonNullable<PageState["origin"]>} */
-    const origin = isOwn(mesh)
-      ? { kind: "file", ...mesh, name, file: mesh.name }
-      : sample
-        ? { kind: "sample", id: sample.id }
-        : mesh;
-    // The page shows some samples filled.
-    const isWhole = edits.length === 0 && "kind" in origin && !sample?.fill;
-    /** @type {Source} */
-    const source = isWhole ? origin : { kind: "file", name };
-    const ask = () => solver.prepare({ mesh, edits }, bytes);
-    return load({ name, source, origin, ask, ...shown });
+  function replay(script, { origin, name, isPlain }, file, shown) {
+    const source = isPlain && origin.kind !== "shape" ? origin : { kind: "file", name };
+    const ask = () => replayed(() => solver.prepare(script, file));
+    return load({ name, source: /** @type {Source} */ (source), origin, ask, ...shown });
   }
 
   /**
    * @param {Recipe} recipe
-   * @param {Uint8Array<ArrayBuffer> | null} bytes  of its mesh
+   * @param {{ name: string, bytes: Uint8Array<ArrayBuffer> } | null} file  of its mesh
    */
-  async function followRecipe(recipe, bytes) {
-    const options = { ...defaults, ...recipe.flow };
-    const arrangement = { ...plainArrangement, ...recipe.arrangement };
-    const scene = { arrangement, path: pathOf(recipe) };
-    await replay(recipe, bytes, { options, fallback: options, scene });
+  async function followRecipe({ text, card }, file) {
+    const options = { ...defaults, ...card.flow };
+    const { arrangement, mesh } = card;
+    const origin = /** @type {Origin} */ (card.origin);
+    const name = "shape" in mesh ? mesh.shape : mesh.name.replace(/\.[^.]+$/, "");
+    const scene = { arrangement, follows: { recipe: text } };
+    const made = { origin, name, isPlain: card.plain };
+    await replay({ recipe: text }, made, file, { options, fallback: options, scene });
     const { reading } = store.get();
     if (!reading) return;
-    const same = reading?.energy === recipe.result.energy;
     voice.answer(
-      same
+      reading.energy === card.energy
         ? t("The recipe gives the energy that it promised, to the last bit.")
         : t("The recipe promised the energy {expected}; here it is {got}.", {
-            expected: recipe.result.energy,
-            got: reading?.energy ?? "–",
+            expected: card.energy,
+            got: reading.energy ?? "–",
           }),
     );
+  }
+
+  /** Whether to go on, where it takes long. @param {Recipe} recipe */
+  async function mayRun({ card: { estimate } }) {
+    if (!estimate.isLong) return true;
+    const steps = estimate.steps.toLocaleString("en");
+    return voice.ask(t("This recipe runs about {steps} steps.", { steps }));
   }
 
   const actions = {
@@ -185,34 +181,7 @@ export function createTime({ store, solver, voice, enqueue, rest, load }) {
     },
 
     /** How the present surface came about, as a file. @returns {Promise<string>} */
-    async recipe() {
-      const { origin, version, options, arrangement } = store.get();
-      const mesh = origin && "kind" in origin ? meshOf(origin) : origin;
-      if (!mesh) {
-        throw {
-          kind: "NoRecipe",
-          message: t(
-            "A recipe of this surface cannot be made: where its mesh came from is not known any more.",
-          ),
-          hint: t(
-            "Open the mesh or choose the sample again; what is done from then on can be told.",
-          ),
-        };
-      }
-      const { story, state, positions } = await solver.story();
-      /** @type {Record<string, unknown>} */
-      const arranged = {};
-      for (const [key, value] of Object.entries(arrangement)) {
-        const usual = /** @type {Record<string, unknown>} */ (plainArrangement)[key];
-        const matters = options.flow === "flips" || (key === "compare" && value === "flows");
-        if (matters && value !== usual) arranged[key] = value;
-      }
-      const recipe = makeRecipe({
-        ...{ version, mesh, story, state, arrangement: arranged },
-        positions: await sha256(positions),
-      });
-      return `${JSON.stringify(recipe, null, 1)}\n`;
-    },
+    recipe: () => solver.writeRecipe(/** @type {any} */ (store.get().origin)),
 
     /**
      * Whether a file is a recipe, or the mesh that one waits for; then it is followed.
@@ -226,17 +195,20 @@ export function createTime({ store, solver, voice, enqueue, rest, load }) {
       const bytes = new Uint8Array(await file.arrayBuffer());
       if (isRecipe) {
         await enqueue(async () => {
-          const recipe = readRecipe(new TextDecoder().decode(bytes));
-          await solver.readOptions(askedBy(recipe));
-          if (!isOwn(recipe.mesh)) return followRecipe(recipe, null);
+          const text = new TextDecoder().decode(bytes);
+          const recipe = { text, card: await solver.readRecipe(text) };
+          if (!(await mayRun(recipe))) return;
+          const { mesh } = recipe.card;
+          if (!("sha256" in mesh)) return followRecipe(recipe, null);
+          const { name } = mesh;
           const { origin, source } = store.get();
           const isOpen = origin === source && source?.kind === "file";
-          const known = isOpen && source.sha256 === recipe.mesh.sha256 ? solver.file() : null;
-          if (known) return followRecipe(recipe, known);
+          const known = isOpen && source.sha256 === mesh.sha256 ? solver.file() : null;
+          if (known) return followRecipe(recipe, { name, bytes: known });
           awaited = recipe;
           voice.answer(
             t("This recipe is for the mesh “{name}”. Open that file now; the recipe follows.", {
-              name: recipe.mesh.name,
+              name,
             }),
           );
         });
@@ -244,30 +216,18 @@ export function createTime({ store, solver, voice, enqueue, rest, load }) {
       }
       const recipe = awaited;
       awaited = null;
-      if (!recipe || !isOwn(recipe.mesh)) return false;
-      if ((await sha256(bytes)) !== recipe.mesh.sha256) {
+      if (!recipe || !("sha256" in recipe.card.mesh)) return false;
+      const { name, sha256: digest } = recipe.card.mesh;
+      if ((await sha256(bytes)) !== digest) {
         await open();
         voice.answer(
-          t("This is not the mesh “{name}” of the recipe: its contents differ.", {
-            name: recipe.mesh.name,
-          }),
+          t("This is not the mesh “{name}” of the recipe: its contents differ.", { name }),
         );
         return true;
       }
-      await enqueue(() => followRecipe(recipe, bytes));
+      await enqueue(() => followRecipe(recipe, { name, bytes }));
       return true;
     },
   };
   return { stop, replay, actions };
-}
-
-/** What was loaded, as a recipe tells it. @param {Source} source @returns {Recipe["mesh"] | null} */
-export function meshOf(source) {
-  if (source.kind === "sample") {
-    const sample = samples.find(({ id }) => id === source.id);
-    if (!sample) return null;
-    return { sample: sample.id, shape: sample.shape, parameters: sample.parameters };
-  }
-  const { file, sha256: hash, bytes } = source;
-  return file && hash && bytes !== undefined ? { name: file, sha256: hash, bytes } : null;
 }

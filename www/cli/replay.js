@@ -3,24 +3,14 @@
 
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
-import { sha256 } from "../digest.js";
-import {
-  askedBy,
-  compare,
-  follow,
-  isOwn,
-  prepare,
-  readRecipe,
-  resultOf,
-  TOLERANCE,
-} from "../recipe.js";
+import { perform } from "../session.js";
 import { Failure, orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
 import { parse } from "./options.js";
-import { loadSolver, packageVersion } from "./solver.js";
 import { table } from "./text.js";
 
-/** @typedef {import("../recipe.js").Recipe} Recipe */
+/** @import { Outcome, RecipeMesh, ReplayReport } from "../generated/types.js" */
+/** @typedef {import("../pkg/solver/solver.js").Session} Session */
 /** @typedef {import("./terminal.js").Terminal} Terminal */
 
 /** @type {import("./options.js").Syntax} */
@@ -40,36 +30,30 @@ export const replay = {
     checkOutputs([values.out]);
     const outFormat = values.out && formatOf(values.out);
     const [file, given] = operands;
-    const recipe = orRefuse(() => readRecipe(textOf(file, io)));
-    const bytes = await meshOf(recipe, file, given, io);
-
-    const { readOptions } = await loadSolver();
-    orRefuse(() => readOptions(askedBy(recipe)));
+    const text = textOf(file, io);
     const session = await open();
-    const tell = progress(io);
-    orRefuse(() => prepare(session, recipe, bytes, tell));
-    orRefuse(() => session.configure(recipe.flow));
-    orExit(4, () => follow(session, recipe, tell));
-    const positions = new Float32Array(session.positions());
-    const got = { ...resultOf(session.state()), positions: await sha256(positions) };
-    const verdict = compare(recipe, got, packageVersion());
+    const { mesh, flow, estimate } = orExit(3, () => perform(session, "readRecipe", { text }));
+    const script = { recipe: text };
+    const bytes = meshOf(mesh, file, given, io);
+    if (estimate.isLong) io.log(`The recipe runs about ${estimate.steps} steps.`);
+    orExit(3, () => {
+      perform(session, "prepare", { script, bytes, name: "" });
+      advance(session, io);
+      perform(session, "configure", { options: flow });
+    });
+    orExit(4, () => {
+      perform(session, "follow", { script });
+      advance(session, io);
+    });
+    const report = perform(session, "compareRecipe", { text });
     if (values.out) writeOutput(values.out, session.export(outFormat));
-    const { same, exact } = verdict;
-    const report = { same, exact, ...(exact ? {} : { tolerance: TOLERANCE }) };
-    const { steps, result: expected } = recipe;
-    if (values.json) io.write(`${JSON.stringify({ ...report, steps, expected, got })}\n`);
-    else io.write(summary(recipe, verdict));
+    const { same, exact, tolerance, steps, expected, got } = report;
+    const how = { same, exact, ...(exact ? {} : { tolerance }) };
+    if (values.json) io.write(`${JSON.stringify({ ...how, steps, expected, got })}\n`);
+    else io.write(summary(report));
     return same ? 0 : 4;
   },
 };
-
-/**
- * What a recipe says wrong is refused input.
- * @template T
- * @param {() => T} call
- * @returns {T}
- */
-const orRefuse = (call) => orExit(3, call);
 
 /** @param {string} file @param {Terminal} io */
 function textOf(file, io) {
@@ -84,13 +68,13 @@ function textOf(file, io) {
 
 /**
  * The mesh of the recipe, if that is a file: the one given, or the one of its name beside it.
- * @param {Recipe} recipe
+ * @param {RecipeMesh} mesh
  * @param {string} file
  * @param {string | undefined} given
  * @param {Terminal} io
  */
-async function meshOf({ mesh }, file, given, io) {
-  if (!isOwn(mesh)) {
+function meshOf(mesh, file, given, io) {
+  if ("shape" in mesh) {
     if (given) throw usage(`The recipe begins with the sample ${mesh.shape}: ${given} has no use.`);
     return null;
   }
@@ -100,47 +84,41 @@ async function meshOf({ mesh }, file, given, io) {
     const hint = "Give it after the recipe, or put it beside it.";
     throw usage(`The recipe begins with the mesh ${mesh.name}, which is missing.`, hint);
   }
-  const { bytes } = readMesh(found, io);
-  const hash = await sha256(Uint8Array.from(bytes));
-  if (hash === mesh.sha256) return bytes;
-  throw new Failure(
-    3,
-    "AnotherMesh",
-    `${found} is not the recipe’s mesh ${mesh.name}: ${bytes.length} bytes with SHA-256 ` +
-      `${hash.slice(0, 12)}…, not ${mesh.bytes} with ${mesh.sha256.slice(0, 12)}….`,
-    "The recipe holds for that very file only, to the last byte.",
-  );
+  return Uint8Array.from(readMesh(found, io).bytes);
 }
 
-/** @param {Terminal} io */
-function progress(io) {
+/** Does what was begun, to its end. @param {Session} session @param {Terminal} io */
+function advance(session, io) {
   let tenths = 0;
-  return (/** @type {number} */ share) => {
+  for (;;) {
+    const { share, isDone } = perform(session, "advance");
     const now = Math.floor(10 * share);
     if (now > tenths) io.log(`${10 * now} %`);
     tenths = now;
-  };
+    if (isDone) return;
+  }
 }
 
-/**
- * @param {Recipe} recipe
- * @param {ReturnType<typeof compare>} verdict
- */
-function summary({ umbilic, steps }, { same, exact, readings }) {
+/** @param {ReplayReport} report */
+function summary({ version, steps, same, exact, tolerance, expected, got, differing }) {
   /** @param {unknown} value */
   const cell = (value) => {
     if (typeof value === "string") return `${value.slice(0, 12)}…`;
-    return value === null ? "–" : String(value);
+    return value === null || value === undefined ? "–" : String(value);
   };
-  const rows = readings.map(({ name, expected, got, same: agrees }) => [
+  // Bits of positions can only agree where all bits must.
+  const names = /** @type {(keyof Outcome)[]} */ (Object.keys(expected)).filter(
+    (name) => exact || name !== "positions",
+  );
+  const rows = names.map((name) => [
     name,
-    cell(expected),
-    cell(got),
-    agrees ? "same" : "differs",
+    cell(expected[name]),
+    cell(got[name]),
+    differing.includes(name) ? "differs" : "same",
   ]);
   const how = exact
     ? "to the last bit"
-    : `to ${TOLERANCE} (made by version ${umbilic}, so that the last bits may differ)`;
+    : `to ${tolerance} (made by version ${version}, so that the last bits may differ)`;
   const heading = same
     ? `Reproduced after ${steps} steps, ${how}.`
     : `Not reproduced after ${steps} steps: these differ, compared ${how}.`;

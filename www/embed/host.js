@@ -7,7 +7,7 @@
 /** @import { Request } from "./messages.js" */
 
 import { t } from "../language.js";
-import { readLink, sharedLink } from "../link.js";
+import { linkIn } from "../link.js";
 import { fileName } from "../ui/download.js";
 import { byId } from "../ui/element.js";
 import { pageAddress } from "../ui/share.js";
@@ -18,8 +18,8 @@ import {
   fileOf,
   formatOf,
   PROTOCOL,
-  readWords,
   stepOf,
+  wordsToSet,
 } from "./messages.js";
 import { seek } from "./seek.js";
 
@@ -34,18 +34,20 @@ const isImmediate = ["pause", "state"];
  * @property {Controller} controller
  * @property {() => Readonly<PageState>} get
  * @property {() => Promise<unknown>} still  nothing runs or loads any more
- * @property {(address: { search: string, hash: string }) => unknown} openLink
+ * @property {(address: import("../link.js").Address) => unknown} openLink
+ * @property {(address: import("../link.js").Address) => Promise<import("../link.js").Scene | null>} readScene
  * @property {{ error: (fault: { message: string, hint: string }) => void }} messages
  * @property {() => Promise<Blob | null>} snapshot
  */
 
 /** @param {Page} page */
-export function createEmbedding({ controller, get, still, openLink, messages, snapshot }) {
+export function createEmbedding(page) {
+  const { controller, get, still, openLink, readScene, messages, snapshot } = page;
   const asked = new URLSearchParams(location.search);
   const root = document.documentElement;
   root.classList.add("embedded");
   root.classList.toggle("bare", asked.get("controls") === "none");
-  addFullPage();
+  const fullPage = addFullPage();
 
   const host = window.parent === window ? null : window.parent;
   /** Whoever embeds, once it has spoken; events hold nothing of a mesh but its numbers. */
@@ -137,7 +139,8 @@ export function createEmbedding({ controller, get, still, openLink, messages, sn
     async load(request) {
       const file = fileOf(request);
       const address = { search: "", hash: asHash(request.scene ?? "") };
-      if (file) await controller.open(file, await controller.sceneOf(readLink(address)));
+      const scene = file && (await readScene(address));
+      if (file) await controller.open(file, scene ?? {});
       else await openLink(address);
       await still();
       arrived();
@@ -156,12 +159,12 @@ export function createEmbedding({ controller, get, still, openLink, messages, sn
       await toStep(step);
     },
     async set({ words }) {
-      const { link, named } = readWords(words);
-      const { options, arrangement, colour, camera, view, step } = await controller.sceneOf(link);
+      const { hash, named } = wordsToSet(words);
+      const scene = await controller.readLink(linkIn({ search: "", hash }));
+      const { options, arrangement, colour, camera, view, step } = scene;
       if (Object.keys(options).length > 0) await controller.configure(options, { fromStart: true });
       if (Object.keys(arrangement).length > 0) await controller.arrange(arrangement);
       if (named.has("colour")) await controller.colour(colour);
-      if (named.has("scale")) view.scale ??= "auto";
       controller.view(view);
       if (camera) controller.look(camera);
       if (named.has("step")) await toStep(step);
@@ -257,6 +260,11 @@ export function createEmbedding({ controller, get, still, openLink, messages, sn
       tell("listening", { version: get().version });
     },
 
+    /** The scene has this address now. @param {string} hash */
+    linkTo(hash) {
+      fullPage.href = pageAddress(location) + hash;
+    },
+
     /** @param {Readonly<PageState>} state */
     update(state) {
       if (state.frame !== frame && state.reading && state.phase !== "loading") {
@@ -280,13 +288,8 @@ export function createEmbedding({ controller, get, still, openLink, messages, sn
     link.rel = "noopener";
     link.textContent = t("Full page");
     link.title = t("Open this scene in the whole page");
-    const point = () => {
-      link.href = pageAddress(location) + (get().source ? sharedLink(get()) : location.hash);
-    };
-    point();
-    for (const event of ["pointerenter", "focus", "click", "contextmenu"]) {
-      link.addEventListener(event, point);
-    }
+    link.href = pageAddress(location) + location.hash;
     byId("transport", HTMLElement).append(link);
+    return link;
   }
 }

@@ -19,10 +19,8 @@
 // pressed in the surface).
 
 /** @import { Fault } from "../protocol.js" */
-/** @import { Link } from "../link.js" */
 
 import { t } from "../language.js";
-import { otherWords, readLink } from "../link.js";
 import { asText, choices } from "../options.js";
 
 /** The version of what is said here. */
@@ -64,28 +62,22 @@ export function asHash(scene) {
   return `#${words}`;
 }
 
+/** Words of a link that say what is shown, and not how: a scene is loaded, not set. */
+const ofScenes = [
+  ...["sample", "mesh", "hash", "figure", "edits", "path", "check", "version"],
+  ...["panes", "lockstep", "shown", "difference"],
+];
+
 /**
  * @param {unknown} words
- * @returns {{ link: Link, named: Set<string> }} its options not read yet, and the words that were said
- * @throws {Fault} that names a value that a word cannot have
+ * @returns {{ hash: string, named: Set<string> }} the same as a link, and the words that were said
+ * @throws {Fault} that names a word that cannot be set
  */
-export function readWords(words) {
+export function wordsToSet(words) {
   const hash = asHash(words);
   const said = new URLSearchParams(hash.slice(1));
-  const link = readLink({ search: "", hash });
-  /** @type {Record<string, (text: string) => boolean>} */
-  const known = {
-    colour: (text) => link.colour === text,
-    camera: () => link.camera !== null,
-    step: (text) => String(link.step) === text,
-    shading: () => link.view.shading !== undefined,
-    wireframe: () => link.view.wireframe !== undefined,
-    border: () => link.view.boundary !== undefined,
-    scale: (text) => text === "auto" || link.view.scale !== undefined,
-  };
   for (const [word, text] of said) {
-    // The others are options, or none, which is for the solver to say.
-    if (otherWords.includes(word) && !known[word]?.(text)) {
+    if (ofScenes.includes(word)) {
       throw fault(
         "BadValue",
         t("“{word}” cannot be “{text}”.", { word, text: text.slice(0, 60) }),
@@ -93,7 +85,7 @@ export function readWords(words) {
       );
     }
   }
-  return { link, named: new Set(said.keys()) };
+  return { hash, named: new Set(said.keys()) };
 }
 
 /** @param {Request} request @returns {number} */

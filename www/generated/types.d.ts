@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "renew": null } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "curvatureJump": CurvatureJump | null } | { "recipe": Recipe } | { "export": Uint8Array } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -111,21 +111,9 @@ reducedVolume?: number | null,
 regularise?: Mode, };
 
 /**
- * A run, and the edit that ended it.
+ * How an energy compares with the one sent.
  */
-export type Chapter = { 
-/**
- * Options of the flow; absent where none was chosen.
- */
-flow: FlowOptions | null, 
-/**
- * What was done.
- */
-path: Array<Leg>, 
-/**
- * The edit.
- */
-edit: Edit, };
+export type Check = "same" | "near" | "off" | "endsEarly";
 
 /**
  * The flow that stands where the session does.
@@ -200,7 +188,7 @@ step: number, } } | { "branch": {
 /**
  * Its number.
  */
-branch: number, } } | { "timeline": Record<symbol, never> } | { "renew": Record<symbol, never> } | { "restore": { 
+branch: number, } } | { "timeline": Record<symbol, never> } | { "restore": { 
 /**
  * Three coordinates a vertex.
  */
@@ -260,7 +248,55 @@ pairs: number, } } | { "why": Record<symbol, never> } | { "selfIntersections": R
 /**
  * Of what.
  */
-options: StudyOptions | null, } } | { "curvatureJump": Record<symbol, never> } | { "recipe": Record<symbol, never> } | { "export": { 
+options: StudyOptions | null, } } | { "curvatureJump": Record<symbol, never> } | { "readRecipe": { 
+/**
+ * The recipe.
+ */
+text: string, } } | { "writeRecipe": { 
+/**
+ * What it was made of; null where that is not known.
+ */
+origin: Origin | null, } } | { "compareRecipe": { 
+/**
+ * The recipe.
+ */
+text: string, } } | { "readLink": { 
+/**
+ * Its words.
+ */
+text: string, 
+/**
+ * Whether none of them is of others, as there may be in the query of an address.
+ */
+isOwn: boolean, } } | { "writeLink": { 
+/**
+ * What the page knows of it.
+ */
+scene: PageScene, } } | { "checkLink": { 
+/**
+ * The energy, as the link has it.
+ */
+sent: string, 
+/**
+ * Its step.
+ */
+step: number, } } | { "prepare": { 
+/**
+ * Of which.
+ */
+script: ScriptText, 
+/**
+ * The file it begins with, if it does.
+ */
+bytes: Uint8Array | null, 
+/**
+ * Its name.
+ */
+name: string, } } | { "follow": { 
+/**
+ * Which.
+ */
+script: ScriptText, } } | { "advance": Record<symbol, never> } | { "cancelReplay": Record<symbol, never> } | { "export": { 
 /**
  * Its format by name.
  */
@@ -270,6 +306,27 @@ format: string, } } | { "history": Record<symbol, never> };
  * What stands beside the surface.
  */
 export type Compare = "none" | "start" | "criteria" | "flows";
+
+/**
+ * Flows side by side. Panes are numbered from 0, the first among them.
+ */
+export type Comparison = { 
+/**
+ * Those beside the first.
+ */
+panes: Array<PaneChange>, 
+/**
+ * What is kept level.
+ */
+lockstep: Lockstep, 
+/**
+ * The only pane that is shown; none where all are, side by side.
+ */
+shown: number | null, 
+/**
+ * The pane whose distance colours the others.
+ */
+difference: number | null, };
 
 /**
  * What a configuration amounts to.
@@ -455,11 +512,6 @@ total: number,
 leftOut: number, };
 
 /**
- * What made another mesh of the one at hand.
- */
-export type Edit = "adopt" | { "fill": FillOptions } | { "flip": FlipOptions } | { "subdivide": SubdivideOptions } | { "invert": [number, number, number] };
-
-/**
  * All energies and integrals of a surface.
  */
 export type EnergyReadings = { 
@@ -500,6 +552,19 @@ conformalDistortion: number,
  * Frobenius norm of ∇W over the vertices free under the boundary condition.
  */
 gradientNorm: number, };
+
+/**
+ * What it takes to do something again.
+ */
+export type Estimate = { 
+/**
+ * Steps in all.
+ */
+steps: number, 
+/**
+ * Whether one would rather be asked first.
+ */
+isLong: boolean, };
 
 /**
  * A refusal or failure: what is wrong and where, and what to do about it.
@@ -866,10 +931,6 @@ look: Look | null,
  */
 timeline: Timeline, 
 /**
- * How the surface came about, null where that is not known; left out while the flow runs.
- */
-story?: Recipe | null, 
-/**
  * The flow that stands there, where no frame has told of it yet.
  */
 flow?: ChosenFlow, };
@@ -1059,9 +1120,124 @@ classes: Array<ClassReport>,
 strongest: QuadReport | null, };
 
 /**
- * A part of a run.
+ * Something that a link does not carry.
  */
-export type Leg = { "steps": number } | { "regularise": RegulariseOptions } | "anew" | { "flow": FlowOptions };
+export type Lack = "editsTooLong" | "editsUnknown" | "file" | "fileByDigest" | "regionTooLong" | "pathTooLong";
+
+/**
+ * What came of the scene of a link.
+ */
+export type LinkCheck = { 
+/**
+ * In a word.
+ */
+outcome: Check, 
+/**
+ * The step here.
+ */
+step: number, 
+/**
+ * The energy here.
+ */
+energy: number, 
+/**
+ * The energy sent.
+ */
+sent: number, };
+
+/**
+ * What a page shows of a link.
+ */
+export type LinkScene = { 
+/**
+ * Id of a sample; null where the mesh came from a file.
+ */
+sample: string | null, 
+/**
+ * What the file's mesh is called.
+ */
+mesh: string | null, 
+/**
+ * The first 16 digits of its SHA-256.
+ */
+hash: string | null, 
+/**
+ * Id of the figure that is shown.
+ */
+figure: string | null, 
+/**
+ * Whether the mesh was edited, so that it must be prepared.
+ */
+edited: boolean, 
+/**
+ * Whether what leads to the step must be followed.
+ */
+hasPath: boolean, 
+/**
+ * Options that are said.
+ */
+options: Partial<FlowOptions>, 
+/**
+ * How it is arranged, where that is said.
+ */
+arrangement: Partial<Arrangement>, 
+/**
+ * What the surface is coloured by; null for nothing.
+ */
+colour: FieldName | null, 
+/**
+ * Flows beside it.
+ */
+comparison: Comparison | null, 
+/**
+ * The step that is shown.
+ */
+step: number, 
+/**
+ * As the viewer gave it.
+ */
+camera: Float32Array | null, 
+/**
+ * How it is drawn.
+ */
+view: LinkView, 
+/**
+ * The energy at the step, as it was written.
+ */
+check: string | null, 
+/**
+ * The version that computed it.
+ */
+version: string | null, 
+/**
+ * What it takes to show it.
+ */
+estimate: Estimate, 
+/**
+ * The link itself, to be prepared and followed.
+ */
+text: string, };
+
+/**
+ * How the surface is drawn; what is left out stays as it is.
+ */
+export type LinkView = { 
+/**
+ * How faces are lit.
+ */
+shading?: Shading, 
+/**
+ * Whether edges are drawn.
+ */
+wireframe?: boolean, 
+/**
+ * Whether the boundary is drawn.
+ */
+boundary?: boolean, 
+/**
+ * Of the energy's axis.
+ */
+scale?: Scale, };
 
 /**
  * What is known after a mesh was loaded, and everything a viewer needs to draw it.
@@ -1103,6 +1279,11 @@ fixed: Uint32Array | null,
  * Vertices a sample suggests to move.
  */
 free: Uint32Array | null, };
+
+/**
+ * What is kept level between panes.
+ */
+export type Lockstep = "step" | "time";
 
 /**
  * What is seen.
@@ -1151,7 +1332,7 @@ length: number,
 vertices: Array<number>, };
 
 /**
- * Which loops are filled: the word `all`, or their numbers, counted from 0.
+ * Which loops are filled: a word, or their numbers, counted from 0.
  */
 export type Loops = Array<number> | string;
 
@@ -1215,6 +1396,106 @@ tension: number | null,
 pressure: number | null, };
 
 /**
+ * What the open mesh was made of, before any edits; as the page tells it.
+ */
+export type Origin = { "kind": "sample", 
+/**
+ * Its id.
+ */
+id: string, } | { "kind": "file", 
+/**
+ * What people call it.
+ */
+name: string, 
+/**
+ * Its own name, where it was opened here.
+ */
+file?: string, 
+/**
+ * Its digest; empty or left out where that is not known.
+ */
+sha256?: string, 
+/**
+ * Its length.
+ */
+bytes?: number, } | { "kind": "shape", 
+/**
+ * Its name.
+ */
+shape: string, 
+/**
+ * Parameters that are not the usual ones.
+ */
+parameters: { [key in string]: number }, };
+
+/**
+ * What came of a surface: the flow's own readings, and the fingerprint of the positions.
+ */
+export type Outcome = { 
+/**
+ * The flow's own energy.
+ */
+energy: number, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * Signed volume, of a closed oriented surface.
+ */
+volume: number | null, 
+/**
+ * Smallest corner angle.
+ */
+minAngleDegrees: number, 
+/**
+ * Flow time.
+ */
+time: number, 
+/**
+ * SHA-256 of the positions relative to the mesh's frame, as single-precision numbers with
+ * the low byte first.
+ */
+positions?: string, };
+
+/**
+ * What the page knows of its scene and the session does not.
+ */
+export type PageScene = { 
+/**
+ * What the open mesh is called.
+ */
+source: Origin, 
+/**
+ * What it was made of; null where that is not known.
+ */
+origin: Origin | null, 
+/**
+ * Id of the figure that is shown.
+ */
+figure: string | null, 
+/**
+ * Flows beside it, changed from the options in force.
+ */
+comparison: Comparison | null, 
+/**
+ * How it is drawn.
+ */
+view: LinkView, 
+/**
+ * As the viewer gives it.
+ */
+camera: Float32Array | null, 
+/**
+ * The step that it runs to.
+ */
+goal: number | null, 
+/**
+ * Whether it is sent to somebody, so that there is always an energy to compare.
+ */
+shared: boolean, };
+
+/**
  * A picture: all of what a viewer draws.
  */
 export type Pane = { 
@@ -1250,6 +1531,19 @@ highlight: Uint32Array,
  * Colours.
  */
 field: Field | null, };
+
+/**
+ * A pane beside the first.
+ */
+export type PaneChange = { 
+/**
+ * The options it has otherwise.
+ */
+change: Partial<FlowOptions>, 
+/**
+ * The step it stands at; none where that is the step of the first.
+ */
+step: number | null, };
 
 /**
  * What is known of a vertex. Angles are in radians; H, K and the areas have the units of the
@@ -1362,21 +1656,74 @@ foldDegrees: [number, number],
 minAngleDegrees: [number, number], };
 
 /**
- * How the present surface came about.
+ * What is known of a recipe before it is followed.
  */
-export type Recipe = { 
+export type RecipeCard = { 
 /**
- * What made the mesh of the one that was loaded, oldest first.
+ * The version that wrote it.
  */
-edits: Array<Chapter>, 
+version: string, 
 /**
- * Options of the flow it began with; absent where none was chosen.
+ * The mesh it begins with.
  */
-flow: FlowOptions | null, 
+mesh: RecipeMesh, 
 /**
- * What was done since.
+ * The same, as the page calls what it opens.
  */
-path: Array<Leg>, };
+origin: Origin, 
+/**
+ * Whether the mesh is the one that is shown at the start: nothing is done to it before.
+ */
+plain: boolean, 
+/**
+ * Options of the flow.
+ */
+flow: FlowOptions, 
+/**
+ * How it is shown.
+ */
+arrangement: Arrangement, 
+/**
+ * Steps after the last edit.
+ */
+steps: number, 
+/**
+ * The energy that it promises.
+ */
+energy: number, 
+/**
+ * What it takes to follow it.
+ */
+estimate: Estimate, };
+
+/**
+ * The mesh a recipe begins with.
+ */
+export type RecipeMesh = { 
+/**
+ * Id of the sample that it is the surface of, if it is.
+ */
+sample?: string, 
+/**
+ * Its name.
+ */
+shape: string, 
+/**
+ * Parameters that are not the usual ones.
+ */
+parameters: { [key in string]: number }, } | { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * Its digest.
+ */
+sha256: string, 
+/**
+ * Its length.
+ */
+bytes: number, };
 
 /**
  * How a mesh at rest is regularised. Unknown names are refused.
@@ -1460,6 +1807,56 @@ steps: number, };
 export type RemedyId = "regularise" | "regulariseEachStep" | "subdivide" | "smallerStep" | "automaticStep" | "largerEpsilon" | "recommendedScheme" | "continue" | "back" | "keepAndFlips" | "keepVolume" | "otherFlow" | "prefill" | "lowerExponent" | "refine";
 
 /**
+ * How far it is.
+ */
+export type ReplayProgress = { 
+/**
+ * From 0 to 1.
+ */
+share: number, 
+/**
+ * Whether that was all.
+ */
+isDone: boolean, };
+
+/**
+ * How what came of a recipe compares with what it promised.
+ */
+export type ReplayReport = { 
+/**
+ * Whether all of it agrees.
+ */
+same: boolean, 
+/**
+ * Whether it must agree to the last bit: the versions are the same.
+ */
+exact: boolean, 
+/**
+ * How far it may be off otherwise, relative to the larger.
+ */
+tolerance: number, 
+/**
+ * The version that wrote the recipe.
+ */
+version: string, 
+/**
+ * Steps after the last edit.
+ */
+steps: number, 
+/**
+ * As promised.
+ */
+expected: Outcome, 
+/**
+ * As it came.
+ */
+got: Outcome, 
+/**
+ * Names of the readings that disagree.
+ */
+differing: Array<string>, };
+
+/**
  * The surface at one resolution.
  */
 export type Resolution = { 
@@ -1534,9 +1931,19 @@ objective: number,
 warnings: Array<string>, };
 
 /**
+ * Of the energy's axis.
+ */
+export type Scale = "auto" | "linear" | "log";
+
+/**
  * Recommended treatment or the paper's own.
  */
 export type Scheme = "auto" | "paper";
+
+/**
+ * A text that tells what is to be done to a surface.
+ */
+export type ScriptText = { "recipe": string } | { "link": string };
 
 /**
  * The triangles that pass through each other.
@@ -1550,6 +1957,11 @@ pairs: Uint32Array,
  * The triangles of all pairs, each once; sorted.
  */
 triangles: Uint32Array, };
+
+/**
+ * How faces are lit.
+ */
+export type Shading = "smooth" | "flat";
 
 /**
  * Where a flow beside others stands.
@@ -1968,3 +2380,16 @@ circles: boolean,
  * Principal directions.
  */
 directions: boolean, };
+
+/**
+ * A link, and what it lacks.
+ */
+export type WrittenLink = { 
+/**
+ * Its words.
+ */
+text: string, 
+/**
+ * What must be sent along.
+ */
+lacks: Array<Lack>, };

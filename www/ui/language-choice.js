@@ -2,15 +2,19 @@
 // The language of the page. It is spoken from the first sentence on, so another one takes loading
 // the page again: at once where nothing is lost by that, else when the user says so.
 
+/** @import { Controller } from "../controller.js" */
 /** @import { PageState } from "../state.js" */
 
 import { currentLanguage, languages, rememberLanguage } from "../language.js";
-import { writeLink } from "../link.js";
 
-/** Loads the page again, in this language. @param {string} language @param {Readonly<PageState>} state */
-function reload(language, state) {
+/**
+ * Loads the page again, in this language.
+ * @param {string} language @param {Pick<Controller, "writeLink">} controller
+ */
+async function reload(language, controller) {
   // The address follows the scene with a delay, which there is no time for now.
-  history.replaceState(null, "", writeLink(state));
+  const link = await controller.writeLink().catch(() => null);
+  if (link) history.replaceState(null, "", `#${link.text}`);
   const kept = rememberLanguage(/** @type {keyof typeof languages} */ (language));
   const address = new URL(location.href);
   // What the address asks for goes before what is remembered.
@@ -23,8 +27,8 @@ function reload(language, state) {
 const isInAddress = ({ source, reading, earlier }) =>
   source?.kind === "sample" && reading?.step === 0 && earlier.length === 0;
 
-/** @param {() => Readonly<PageState>} state */
-export function createLanguageChoice(state) {
+/** @param {Pick<Controller, "writeLink">} controller @param {() => Readonly<PageState>} state */
+export function createLanguageChoice(controller, state) {
   /** @type {NodeListOf<HTMLSelectElement>} */
   const selects = document.querySelectorAll("[data-language]");
   /** @type {NodeListOf<HTMLElement>} */
@@ -41,7 +45,7 @@ export function createLanguageChoice(state) {
     select.value = currentLanguage();
     select.addEventListener("change", () => {
       const isOther = select.value !== currentLanguage();
-      if (isOther && isInAddress(state())) return reload(select.value, state());
+      if (isOther && isInAddress(state())) return reload(select.value, controller);
       for (const one of selects) one.value = select.value;
       for (const note of notes) note.hidden = !isOther;
     });
@@ -49,6 +53,6 @@ export function createLanguageChoice(state) {
   for (const note of notes) {
     note
       .querySelector("button")
-      ?.addEventListener("click", () => reload(selects[0].value, state()));
+      ?.addEventListener("click", () => reload(selects[0].value, controller));
   }
 }

@@ -1,7 +1,7 @@
 // @ts-check
 // Warnings and errors, each shown once. Errors stay until they are dismissed.
 
-import { translated } from "../language.js";
+import { t, translated } from "../language.js";
 import { byId } from "./element.js";
 
 /** Milliseconds a warning stays. */
@@ -43,7 +43,40 @@ export function createMessages() {
     return message;
   }
 
+  /** @param {string} label @param {string} value */
+  function choice(label, value) {
+    const button = document.createElement("button");
+    button.value = value;
+    button.textContent = label;
+    return button;
+  }
+
   return {
+    /**
+     * Whether to do what takes long.
+     * @param {string} text
+     * @returns {Promise<boolean>}
+     */
+    ask(text) {
+      const dialog = document.createElement("dialog");
+      const form = document.createElement("form");
+      form.method = "dialog";
+      form.className = "row";
+      form.append(choice(t("Run them"), "run"), choice(t("Leave it"), ""));
+      const said = document.createElement("p");
+      said.textContent = text;
+      said.id = "question";
+      dialog.setAttribute("aria-labelledby", said.id);
+      dialog.append(said, form);
+      document.body.append(dialog);
+      dialog.showModal();
+      return new Promise((resolve) => {
+        dialog.addEventListener("close", () => {
+          dialog.remove();
+          resolve(dialog.returnValue === "run");
+        });
+      });
+    },
     /** @param {typeof offers} found  remedies to be offered beside an error */
     offer(found) {
       offers = found;

@@ -1,13 +1,11 @@
 // @ts-check
 // The scene as a link, and as a piece of another page; and what of it neither can carry.
 
+/** @import { Controller } from "../controller.js" */
+/** @import { Lack } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 
 import { t } from "../language.js";
-import { sharedLink } from "../link.js";
-import { beginning, encodePath } from "../link-edits.js";
-import { encodeRegion } from "../link-region.js";
-import { isPlain } from "../recipe-schema.js";
 import { byId, setText } from "./element.js";
 
 /** What stands before `#` in an address of the whole page. @param {{ href: string }} location */
@@ -48,43 +46,34 @@ export function elementCode(page, hash, [width, height]) {
   );
 }
 
-/** @param {Readonly<PageState>} state @returns {string[]} sentences on what a link to it lacks */
-export function missing(state) {
-  const { source, origin, options, story, reading } = state;
-  const lacks = [];
-  const { from, edits } = beginning(state);
-  if (source !== origin && edits === null && story?.edits.length !== 0) {
-    lacks.push(
-      story && origin
-        ? t(
-            "The edits are too large for a link: send the mesh along, saved with Download, or a recipe.",
-          )
-        : t(
-            "The surface was edited by hand. The link does not carry that: send the mesh along, saved with Download.",
-          ),
-    );
-  } else if (from?.kind === "file") {
-    lacks.push(
-      from.sha256
-        ? t(
-            "The mesh itself is not in the link: send the file along. It is recognised by its SHA-256.",
-          )
-        : t("The mesh itself is not in the link: send the file along."),
-    );
+/** What is to be sent along with a link. @param {Lack} lack */
+export function sayLack(lack) {
+  switch (lack) {
+    case "editsTooLong":
+      return t(
+        "The edits are too large for a link: send the mesh along, saved with Download, or a recipe.",
+      );
+    case "editsUnknown":
+      return t(
+        "The surface was edited by hand. The link does not carry that: send the mesh along, saved with Download.",
+      );
+    case "file":
+      return t("The mesh itself is not in the link: send the file along.");
+    case "fileByDigest":
+      return t(
+        "The mesh itself is not in the link: send the file along. It is recognised by its SHA-256.",
+      );
+    case "regionTooLong":
+      return t("The painted region is too large for a link; it is not in it.");
+    case "pathTooLong":
+      return t(
+        "What was changed on the way is too large for a link: send a recipe, saved with Download.",
+      );
   }
-  const region = options.free ?? options.fixed;
-  if (region && encodeRegion(region) === null) {
-    lacks.push(t("The painted region is too large for a link; it is not in it."));
-  }
-  if (story && !isPlain(story.path) && encodePath(story.path, reading?.step ?? 0) === null) {
-    lacks.push(
-      t("What was changed on the way is too large for a link: send a recipe, saved with Download."),
-    );
-  }
-  return lacks;
 }
 
-export function createShare() {
+/** @param {Pick<Controller, "writeLink">} controller */
+export function createShare(controller) {
   const section = byId("share", HTMLDetailsElement);
   const embedding = byId("embed-as", HTMLSelectElement);
   const size = byId("embed-size", HTMLSelectElement);
@@ -94,6 +83,7 @@ export function createShare() {
 
   /** @type {Readonly<PageState> | null} */
   let state = null;
+  section.addEventListener("toggle", () => section.open && sayLacks());
 
   /** @param {string} text @param {string} done what to say then */
   async function copy(text, done) {
@@ -114,33 +104,50 @@ export function createShare() {
     }
   }
 
-  byId("copy-link", HTMLButtonElement).addEventListener("click", () => {
-    if (!state?.source) return;
-    copy(pageAddress(location) + sharedLink(state), t("The link is copied."));
+  /** What comes after the address of the page. */
+  const hash = async () => `#${(await controller.writeLink(true)).text}`;
+
+  byId("copy-link", HTMLButtonElement).addEventListener("click", async () => {
+    if (!state?.reading) return;
+    copy(pageAddress(location) + (await hash()), t("The link is copied."));
   });
-  byId("copy-embed", HTMLButtonElement).addEventListener("click", () => {
-    if (!state?.source) return;
-    const [page, hash] = [pageAddress(location), sharedLink(state)];
+  byId("copy-embed", HTMLButtonElement).addEventListener("click", async () => {
+    if (!state?.reading) return;
+    const page = pageAddress(location);
+    const words = await hash();
     const [width, height] = size.value.split("x").map(Number);
     const title = t("Umbilic: {name}", { name: state.mesh?.name ?? "" });
     const code =
       embedding.value === "iframe"
-        ? iframeCode(page, hash, title, [width, height])
-        : elementCode(page, hash, [width, height]);
+        ? iframeCode(page, words, title, [width, height])
+        : elementCode(page, words, [width, height]);
     copy(code, t("The code is copied."));
   });
 
   return {
     /** @param {Readonly<PageState>} now */
     update(now) {
+      const { mesh, options, reading } = now;
       const same =
-        state?.source === now.source && state.options === now.options && state.story === now.story;
+        state?.mesh === mesh && state.options === options && state.reading?.step === reading?.step;
       state = now;
-      if (same) return;
-      const sentences = missing(now);
-      setText(lacks, sentences.join(" "));
-      lacks.hidden = sentences.length === 0;
-      if (section.open) setText(said, "");
+      if (same || !reading) return;
+      if (section.open) {
+        setText(said, "");
+        sayLacks();
+      }
     },
   };
+
+  /** What a link to the present scene lacks. */
+  async function sayLacks() {
+    if (!state?.reading) return;
+    // A solver that is gone says nothing.
+    const sentences = await controller.writeLink().then(
+      (link) => link.lacks.map(sayLack),
+      () => [],
+    );
+    setText(lacks, sentences.join(" "));
+    lacks.hidden = sentences.length === 0;
+  }
 }

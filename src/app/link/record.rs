@@ -1,0 +1,152 @@
+//! What was done to a surface, as words of a link: as in a recipe, but of a flow's options only
+//! those that are not the default, and selections as regions.
+
+use super::base64;
+use super::region;
+use super::words::LONGEST;
+use crate::app::json;
+use crate::app::recipe::{Action, Edit, EditRecord, Node, Reader, RecipeError};
+use crate::flow::option::Value;
+use crate::flow::options::FlowOptions;
+use crate::remesh::static_pass::RegulariseOptions;
+use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde::ser::{Serialize, Serializer};
+use std::fmt;
+
+/// Options by name, in the order in which a recipe has them.
+#[derive(Clone, Debug, PartialEq)]
+struct Entries(Vec<(String, Value)>);
+
+impl Serialize for Entries {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+impl<'de> Deserialize<'de> for Entries {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(InOrder)
+    }
+}
+
+struct InOrder;
+
+impl<'de> Visitor<'de> for InOrder {
+    type Value = Entries;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("options by name")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries, A::Error> {
+        let mut entries = Vec::new();
+        while let Some(entry) = map.next_entry()? {
+            entries.push(entry);
+        }
+        Ok(Entries(entries))
+    }
+}
+
+#[derive(serde::Serialize)]
+#[serde(rename_all = "camelCase")]
+enum LinkAction<'a> {
+    Steps(usize),
+    Regularise(&'a RegulariseOptions),
+    Anew,
+    Flow(Entries),
+}
+
+#[derive(serde::Serialize)]
+struct LinkRecord<'a> {
+    flow: Option<Entries>,
+    path: Vec<LinkAction<'a>>,
+    edit: &'a Edit,
+}
+
+/// The entries of options without their selections.
+fn entries_of(options: &FlowOptions) -> Option<Entries> {
+    let (free, fixed) = (None, None);
+    let bare = FlowOptions {
+        free,
+        fixed,
+        ..options.clone()
+    };
+    serde_json::from_str(&json::compact(&bare)).ok()
+}
+
+/// `None` where a selection fits no link.
+fn compact(flow: &FlowOptions, room: &mut Reader) -> Option<Entries> {
+    let Entries(usual) = entries_of(&FlowOptions::default())?;
+    let Entries(mut entries) = entries_of(flow)?;
+    for (name, list) in [("free", &flow.free), ("fixed", &flow.fixed)] {
+        if let Some(list) = list {
+            room.select(list.len()).ok()?;
+            let value = Value::Text(region::encode(list)?);
+            let entry = entries.iter_mut().find(|(known, _)| known == name)?;
+            entry.1 = value;
+        }
+    }
+    entries.retain(|entry| !usual.contains(entry));
+    Some(Entries(entries))
+}
+
+fn compact_path<'a>(path: &'a [Action], room: &mut Reader) -> Option<Vec<LinkAction<'a>>> {
+    let action = |action: &'a Action| {
+        Some(match action {
+            Action::Steps(count) => LinkAction::Steps(*count),
+            Action::Regularise(settings) => LinkAction::Regularise(settings),
+            Action::Anew => LinkAction::Anew,
+            Action::Flow(options) => LinkAction::Flow(compact(options, room)?),
+        })
+    };
+    path.iter().map(action).collect()
+}
+
+fn encode<T: Serialize>(value: &T) -> Option<String> {
+    let text = json::compact(value);
+    (base64::length(text.len()) <= LONGEST).then(|| base64::encode(text.as_bytes()))
+}
+
+/// `None` where they fit no link. `room` counts what is selected.
+pub(super) fn encode_edits(edits: &[EditRecord], room: &mut Reader) -> Option<String> {
+    let mut records = Vec::new();
+    for EditRecord { flow, path, edit } in edits {
+        let flow = match flow {
+            Some(flow) => Some(compact(flow, room)?),
+            None => None,
+        };
+        let path = compact_path(path, room)?;
+        records.push(LinkRecord { flow, path, edit });
+    }
+    encode(&records)
+}
+
+/// `None` where it fits no link. `room` counts what is selected.
+pub(super) fn encode_path(path: &[Action], room: &mut Reader) -> Option<String> {
+    encode(&compact_path(path, room)?)
+}
+
+fn decode(text: &str) -> Option<serde_json::Value> {
+    if text.len() > LONGEST {
+        return None;
+    }
+    serde_json::from_slice(&base64::decode(text)?).ok()
+}
+
+/// `None` where the text is not even JSON.
+pub(super) fn decode_edits(
+    text: &str,
+    reader: &mut Reader,
+) -> Option<Result<Vec<EditRecord>, RecipeError>> {
+    let json = decode(text)?;
+    Some(reader.edits(&Node::new(&json, "edits")))
+}
+
+/// `None` where the text is not even JSON.
+pub(super) fn decode_path(
+    text: &str,
+    reader: &mut Reader,
+) -> Option<Result<Vec<Action>, RecipeError>> {
+    let json = decode(text)?;
+    Some(reader.path(&Node::new(&json, "path")))
+}

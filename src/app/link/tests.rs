@@ -1,0 +1,198 @@
+use super::*;
+use crate::flow::option::Value;
+use serde_json::{Value as Json, json};
+
+const LINKS: &str = include_str!("../../../tests/golden/links.txt");
+
+#[test]
+fn links_are_written_as_they_were_read() {
+    for line in LINKS.lines() {
+        let text = line.strip_prefix('#').expect("a link");
+        let link = Link::read(text, true).unwrap_or_else(|error| panic!("{error}: {text}"));
+        let written = link.write();
+        assert_eq!(written.text, text);
+        assert_eq!(written.lacks, []);
+    }
+    let holds = |word: &str| LINKS.lines().filter(|line| line.contains(word)).count();
+    for word in [
+        "edits=", "path=", "panes=", "free=b", "free=r", "camera=", "check=",
+    ] {
+        assert!(holds(word) > 5, "{word}");
+    }
+}
+
+fn encoded(value: &Json) -> String {
+    base64::encode(value.to_string().as_bytes())
+}
+
+fn refused(text: &str) -> Fault {
+    Link::read(text, true).expect_err(text).into()
+}
+
+#[test]
+fn a_word_that_cannot_be_is_refused() {
+    let potato = encoded(&json!([{"flow": null, "path": [], "edit": "potato"}]));
+    let two = encoded(&json!([{"steps": 2}]));
+    let not_a_path = encoded(&json!({"steps": 2}));
+    for (words, kind, said) in [
+        (
+            "camera=Infinity",
+            "BadValue",
+            "“camera” cannot be “Infinity”",
+        ),
+        ("camera=1,2,x", "BadValue", "“camera”"),
+        ("camera=1e39,2", "BadValue", "“camera”"),
+        ("camera=1,NaN", "BadValue", "“camera”"),
+        ("camera=3", "BadValue", "“camera”"),
+        ("colour=pink", "BadValue", "“colour” cannot be “pink”"),
+        ("shading=matt", "BadValue", "“shading”"),
+        ("scale=cubic", "BadValue", "“scale”"),
+        ("wireframe=yes", "BadValue", "“wireframe”"),
+        ("border=", "BadValue", "“border”"),
+        ("step=-1", "BadValue", "“step”"),
+        ("step=12345678", "BadValue", "“step”"),
+        ("sample=gone", "BadValue", "“sample” cannot be “gone”"),
+        ("figure=gone", "BadValue", "“figure”"),
+        ("mesh=a&hash=xyz", "BadValue", "“hash”"),
+        ("check=NaN", "BadValue", "“check”"),
+        ("check=1e999", "BadValue", "“check”"),
+        ("check=", "BadValue", "“check”"),
+        ("version=<i>", "BadValue", "“version”"),
+        (
+            "compare=everything",
+            "BadOption",
+            "`compare` cannot be `everything`",
+        ),
+        ("flow=flips&subdivide=9", "BadOption", "`subdivide`"),
+        ("epsilon=7", "BadOption", "`epsilon` cannot be `7`"),
+        ("epsilonn=0.5", "UnknownOption", "no option `epsilonn`"),
+        ("free=r%25", "BadOption", "`free`"),
+        ("panes=tau_soon", "BadOption", "`tau` cannot be `soon`"),
+        ("panes=flow_flips", "BadValue", "“panes”"),
+        ("flow=flips&panes=same", "BadValue", "“panes”"),
+        ("panes=tau", "BadValue", "“panes”"),
+        ("panes=same*same*same*same", "BadValue", "“panes”"),
+        ("panes=same&shown=C", "BadValue", "“shown”"),
+        ("panes=same&lockstep=never", "BadValue", "“lockstep”"),
+        ("tau=1&tau=2", "BadLink", "“tau” more than once"),
+        ("edits=%25%25", "BadValue", "“edits”"),
+        (&format!("edits={potato}"), "BadRecipe", "“edits[0].edit”"),
+        (
+            &format!("edits={}", "A".repeat(7000)),
+            "BadValue",
+            "“edits”",
+        ),
+        (&format!("path={two}"), "BadValue", "“path”"),
+        (&format!("step=3&path={two}"), "BadValue", "“path”"),
+        (
+            &format!("step=2&path={not_a_path}"),
+            "BadRecipe",
+            "“path” must be a list",
+        ),
+    ] {
+        let fault = refused(words);
+        assert_eq!(fault.kind, kind, "{words}: {}", fault.message);
+        assert!(fault.message.contains(said), "{words}: {}", fault.message);
+        assert!(!fault.hint.is_empty(), "{words}");
+    }
+    // In a query there may be words of others.
+    let link = Link::read("embed&epsilonn=0.5&step=2&lang=de&lang=en", false);
+    assert_eq!(link.expect("a link").step, 2);
+}
+
+#[test]
+fn what_is_left_out_has_its_default() {
+    let plain = Link::read("", true).expect("a link");
+    assert_eq!(plain.sample.as_deref(), Some("icosahedron"));
+    assert_eq!((plain.options.len(), plain.step, plain.mesh), (0, 0, None));
+    let own = Link::read("mesh=a+b%26&hash=0123456789abcdef0123", true).expect("a link");
+    assert_eq!((own.sample, own.mesh.as_deref()), (None, Some("a b&")));
+    assert_eq!(own.hash.as_deref(), Some("0123456789abcdef"));
+    // A figure alone is a scene of its own; with a sample it is the sample's.
+    let figure = Link::read("figure=p-willmore-2-p4&step=3", true).expect("a link");
+    assert_eq!(figure.sample.as_deref(), Some("letter-c"));
+    assert_eq!(figure.options.get("p"), Some(&Value::Number(4.0)));
+    assert_eq!(figure.colour, Some(FieldName::MeanCurvature));
+    let changed = Link::read("figure=p-willmore-2-p4&p=3&colour=none", true).expect("a link");
+    assert_eq!(changed.options.get("p"), Some(&Value::Number(3.0)));
+    assert_eq!(changed.colour, None);
+    let sample = Link::read("figure=circle-6&sample=pipe", true).expect("a link");
+    assert_eq!(
+        (sample.sample.as_deref(), sample.options.len()),
+        (Some("pipe"), 0)
+    );
+}
+
+/// A path whose flow changes so many times to one with these vertices free.
+fn changing(times: usize, region: &str) -> String {
+    let flow = json!({"flow": {"free": region}});
+    format!("path={}", encoded(&Json::Array(vec![flow; times])))
+}
+
+#[test]
+fn a_short_link_sets_aside_little() {
+    // 2²⁴ vertices in eight characters, sixty times.
+    let text = changing(60, "rAICAgAg");
+    assert!(text.len() < 3000, "{}", text.len());
+    let fault = refused(&text);
+    assert!(
+        fault.message.contains("hold 16777216 vertices"),
+        "{}",
+        fault.message
+    );
+    // Each is allowed, and all are not: 2¹⁵ vertices.
+    let region = "rAICAAg";
+    assert_eq!(region::parse(region).expect("a region").count(), 1 << 15);
+    assert!(Link::read(&changing(32, region), true).is_ok());
+    let fault = refused(&changing(33, region));
+    assert!(
+        fault.message.contains("hold 1081344 vertices"),
+        "{}",
+        fault.message
+    );
+    // The link's own regions count too, and those of edits.
+    let edits = encoded(&json!([{"flow": {"fixed": region}, "path": [], "edit": "adopt"}]));
+    for more in [format!("&free={region}"), format!("&edits={edits}")] {
+        assert!(
+            refused(&(changing(32, region) + &more))
+                .message
+                .contains("1081344")
+        );
+    }
+    assert!(matches!(
+        Link::read(&"x".repeat(70_000), true),
+        Err(LinkError::TooLong { .. })
+    ));
+    let deep = base64::encode("[".repeat(4000).as_bytes());
+    assert_eq!(refused(&format!("edits={deep}")).kind, "BadValue");
+}
+
+#[test]
+fn a_link_tells_how_many_steps_it_takes() {
+    let estimate = |text: &str| {
+        let scene = Session::new().read_link(text, true).expect("a scene");
+        (scene.estimate.steps, scene.estimate.is_long)
+    };
+    assert_eq!(estimate("step=10000"), (10_000, false));
+    assert_eq!(estimate("step=10001"), (10_001, true));
+    assert_eq!(estimate("step=4000&panes=step_3000*tau_1"), (11_000, true));
+    let path = encoded(&json!([{"steps": 5}, "anew", {"steps": 2}]));
+    let edits = encoded(&json!([{"flow": {}, "path": [{"steps": 999_999_999}], "edit": "adopt"}]));
+    assert_eq!(estimate(&format!("step=7&path={path}")), (7, false));
+    let both = format!("step=7&path={path}&edits={edits}");
+    assert_eq!(estimate(&both), (1_000_000_006, true));
+}
+
+#[test]
+fn what_fits_no_link_is_left_out_and_that_is_said() {
+    let vertices = (0..60_000).map(|v| Value::Number(f64::from(2 * v)));
+    let scattered = Value::List(vertices.collect());
+    let link = Link {
+        sample: Some("pipe".into()),
+        options: Values::from([("free".into(), scattered)]),
+        ..Link::default()
+    };
+    let written = link.write();
+    assert_eq!(written.text, "sample=pipe");
+    assert_eq!(written.lacks, [Lack::RegionTooLong]);
+}

@@ -1,0 +1,100 @@
+//! The words of a link: `name=value`, joined by `&`, as `URLSearchParams` reads and writes them.
+
+use super::error::{Allowed, LinkError};
+use std::collections::BTreeMap;
+
+/// No word of more characters is written: mail and chat programs cut longer links.
+pub(super) const LONGEST: usize = 6000;
+/// Bytes of a link at most.
+const MAX_BYTES: usize = 64 << 10;
+
+/// Words by name.
+pub(super) struct Words(BTreeMap<String, String>);
+
+impl Words {
+    /// Reads them.
+    ///
+    /// # Errors
+    /// Links that are too long, and words that `is_ours` says are ours and come twice.
+    pub(super) fn read(text: &str, is_ours: impl Fn(&str) -> bool) -> Result<Self, LinkError> {
+        let (bytes, most) = (text.len(), MAX_BYTES);
+        if bytes > most {
+            return Err(LinkError::TooLong { bytes, most });
+        }
+        let mut words = BTreeMap::new();
+        for (word, value) in form_urlencoded::parse(text.as_bytes()) {
+            if !is_ours(&word) {
+                continue;
+            }
+            let word = word.into_owned();
+            if words.insert(word.clone(), value.into_owned()).is_some() {
+                return Err(LinkError::Twice { word });
+            }
+        }
+        Ok(Self(words))
+    }
+
+    pub(super) fn get(&self, word: &str) -> Option<&str> {
+        self.0.get(word).map(String::as_str)
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.0.iter().map(|(word, value)| (&**word, &**value))
+    }
+
+    /// What `read` makes of a word's value, where there is one.
+    ///
+    /// # Errors
+    /// Where it makes nothing of it.
+    pub(super) fn read_as<T>(
+        &self,
+        word: &'static str,
+        allowed: Allowed,
+        read: impl FnOnce(&str) -> Option<T>,
+    ) -> Result<Option<T>, LinkError> {
+        let Some(value) = self.get(word) else {
+            return Ok(None);
+        };
+        match read(value) {
+            Some(found) => Ok(Some(found)),
+            None => Err(LinkError::bad(word, value, allowed)),
+        }
+    }
+
+    /// The number of a word's value among some names.
+    ///
+    /// # Errors
+    /// Where it is none of them.
+    pub(super) fn choice(
+        &self,
+        word: &'static str,
+        names: &'static [&'static str],
+    ) -> Result<Option<usize>, LinkError> {
+        let place = |value: &str| names.iter().position(|name| *name == value);
+        self.read_as(word, Allowed::Names(names), place)
+    }
+}
+
+/// A link being written.
+pub(super) struct Written(form_urlencoded::Serializer<'static, String>);
+
+impl Written {
+    pub(super) fn new() -> Self {
+        Self(form_urlencoded::Serializer::new(String::new()))
+    }
+
+    pub(super) fn set(&mut self, word: &str, value: &str) {
+        self.0.append_pair(word, value);
+    }
+
+    pub(super) fn set_some(&mut self, word: &str, value: Option<&str>) {
+        if let Some(value) = value {
+            self.set(word, value);
+        }
+    }
+
+    /// Commas need no escape after `#`.
+    pub(super) fn finish(mut self) -> String {
+        self.0.finish().replace("%2C", ",")
+    }
+}

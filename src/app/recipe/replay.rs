@@ -1,0 +1,392 @@
+//! Doing again what was done to a surface, a piece at a time, so that it can be watched and
+//! cancelled.
+
+use super::file::{Recipe, sha256};
+use super::{Action, Edit, EditRecord, RecipeError};
+use crate::app::fault::Fault;
+use crate::app::link::Link;
+use crate::app::pane::{Arrangement, Compare};
+use crate::app::{Session, library};
+use crate::flow::options::{FlowName, FlowOptions};
+use serde::{Deserialize, Serialize};
+use std::collections::VecDeque;
+
+/// Beyond so many steps one would rather be asked.
+const MANY_STEPS: u64 = 10_000;
+
+/// Changes of the flow, times vertices, at most: each keeps the surface that it starts from.
+const MAX_KEPT: usize = 16 << 20;
+
+/// A text that tells what is to be done to a surface.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub enum ScriptText {
+    /// A recipe.
+    Recipe(String),
+    /// The words of a link.
+    Link(String),
+}
+
+/// The mesh that a script begins with.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::app) enum Start {
+    /// A sample shape.
+    Shape {
+        name: String,
+        parameters: Vec<(String, f64)>,
+    },
+    /// A file, with the digits that its digest begins with, where they are known.
+    File {
+        name: Option<String>,
+        sha256: Option<String>,
+    },
+}
+
+/// What is done to a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::app) struct Script {
+    pub(in crate::app) start: Start,
+    pub(in crate::app) edits: Vec<EditRecord>,
+    /// After the last edit.
+    pub(in crate::app) path: Vec<Action>,
+}
+
+/// What it takes to do something again.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub struct Estimate {
+    /// Steps in all.
+    pub steps: u64,
+    /// Whether one would rather be asked first.
+    pub is_long: bool,
+}
+
+impl Estimate {
+    /// Of so many steps.
+    pub(in crate::app) fn of_steps(steps: u64) -> Self {
+        let is_long = steps > MANY_STEPS;
+        Self { steps, is_long }
+    }
+
+    /// Of edits, and so many steps after them.
+    pub(in crate::app) fn of(edits: &[EditRecord], steps: u64) -> Self {
+        let before: u64 = edits.iter().map(|record| steps_in(&record.path)).sum();
+        Self::of_steps(before + steps)
+    }
+}
+
+/// Steps of a path.
+pub(in crate::app) fn steps_in(path: &[Action]) -> u64 {
+    let steps = path.iter().map(|action| match action {
+        Action::Steps(count) => *count as u64,
+        _ => 0,
+    });
+    steps.sum()
+}
+
+/// How far it is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub struct ReplayProgress {
+    /// From 0 to 1.
+    pub share: f64,
+    /// Whether that was all.
+    pub is_done: bool,
+}
+
+/// A mesh with its name, from a file.
+type File = (Vec<u8>, String);
+
+/// One thing to do.
+enum Task {
+    Open(Start),
+    Configure(Box<FlowOptions>),
+    Act(Action),
+    /// What is left of [`Action::Steps`]: to this step; whether the flow has said that it is over.
+    Steps {
+        goal: usize,
+        is_over: bool,
+    },
+    Edit(Edit),
+}
+
+impl Task {
+    /// How long it takes, in steps.
+    fn weight(&self) -> u64 {
+        match self {
+            Self::Act(Action::Steps(count)) => *count as u64,
+            _ => 1,
+        }
+    }
+}
+
+/// Something being done again.
+pub(in crate::app) struct Replay {
+    /// A session of its own, which takes the place of the one at hand at the end; else that one
+    /// itself goes on.
+    made: Option<Box<Session>>,
+    file: Option<File>,
+    tasks: VecDeque<Task>,
+    total: u64,
+    done: u64,
+    /// Changes of the flow on the present mesh.
+    flows: usize,
+    /// To be put back at the end.
+    arrangement: Option<Arrangement>,
+}
+
+impl Replay {
+    fn new(tasks: VecDeque<Task>) -> Self {
+        let total = tasks.iter().map(Task::weight).sum();
+        Self {
+            made: None,
+            file: None,
+            tasks,
+            total,
+            done: 0,
+            flows: 0,
+            arrangement: None,
+        }
+    }
+
+    /// Does the next thing, of a run one step.
+    fn advance(&mut self, session: &mut Session) -> Result<(), Fault> {
+        let Some(task) = self.tasks.pop_front() else {
+            return Ok(());
+        };
+        match task {
+            Task::Open(start) => self.open(session, start)?,
+            Task::Configure(options) => {
+                session.configure(*options)?;
+            }
+            Task::Act(Action::Steps(count)) => {
+                self.arrange_flips(session, count)?;
+                let goal = session.state()?.step + count;
+                let is_over = false;
+                self.tasks.push_front(Task::Steps { goal, is_over });
+                return Ok(());
+            }
+            Task::Act(Action::Anew) => session.renew()?,
+            Task::Act(Action::Regularise(settings)) => {
+                session.regularise(&settings)?;
+            }
+            Task::Act(Action::Flow(options)) => {
+                let vertices = session.work()?.x.len();
+                self.flows += 1;
+                let count = self.flows;
+                if count * vertices > MAX_KEPT {
+                    return Err(RecipeError::TooManyFlows { count, vertices }.into());
+                }
+                session.continue_with(*options)?;
+            }
+            Task::Steps { goal, is_over } => return self.step(session, goal, is_over),
+            Task::Edit(edit) => {
+                edited(session, edit)?;
+                // Nobody has seen what was before, and nobody goes back to it.
+                session.edits.clear();
+                self.flows = 0;
+            }
+        }
+        self.done += 1;
+        Ok(())
+    }
+
+    fn open(&mut self, session: &mut Session, start: Start) -> Result<(), Fault> {
+        let (name, asked) = match start {
+            Start::Shape { name, parameters } => {
+                session.sample(&name, &parameters)?;
+                return Ok(());
+            }
+            Start::File { name, sha256 } => (name, sha256),
+        };
+        let Some((bytes, found)) = self.file.take() else {
+            let name = name.unwrap_or_default();
+            return Err(RecipeError::MeshMissing { name }.into());
+        };
+        let name = name.unwrap_or(found);
+        if let Some(asked) = asked {
+            let digest = sha256(&bytes);
+            if !digest.starts_with(&asked) {
+                let short = |digits: &str| digits.chars().take(12).collect();
+                let (asked, found) = (short(&asked), short(&digest));
+                return Err(RecipeError::AnotherMesh { name, asked, found }.into());
+            }
+        }
+        session.load(&bytes, &name)?;
+        Ok(())
+    }
+
+    /// One by one or all at once, flips are the same.
+    fn arrange_flips(&mut self, session: &mut Session, count: usize) -> Result<(), Fault> {
+        let work = session.work()?;
+        if work.flow.is_none() || work.options().flow != FlowName::Flips {
+            return Ok(());
+        }
+        self.arrangement.get_or_insert(work.arrangement);
+        session.arrange(Arrangement {
+            compare: Compare::None,
+            subdivide: 0,
+            flips_per_step: Some(count.max(1)),
+        })
+    }
+
+    fn step(&mut self, session: &mut Session, goal: usize, is_over: bool) -> Result<(), Fault> {
+        let before = session.state()?.step;
+        if before >= goal {
+            return Ok(());
+        }
+        let report = session.step()?;
+        if let Some(report) = &report {
+            session.view.add(report);
+        }
+        let state = session.state()?;
+        // At an end there is none to take; asked again, a flow goes on with its budget anew.
+        if report.is_none() && is_over {
+            let (step, reason) = (before, state.message);
+            return Err(RecipeError::EndsEarly { step, goal, reason }.into());
+        }
+        self.done += (state.step.saturating_sub(before)) as u64;
+        let is_over = report.is_none();
+        if state.step < goal {
+            self.tasks.push_front(Task::Steps { goal, is_over });
+        }
+        Ok(())
+    }
+
+    fn progress(&self) -> ReplayProgress {
+        let is_done = self.tasks.is_empty();
+        let share = self.done as f64 / self.total.max(1) as f64;
+        ReplayProgress {
+            share: if is_done { 1.0 } else { share.min(1.0) },
+            is_done,
+        }
+    }
+}
+
+fn edited(session: &mut Session, edit: Edit) -> Result<(), Fault> {
+    match edit {
+        Edit::Adopt => drop(session.adopt()?),
+        Edit::Fill(options) => drop(session.fill_telling(&options)?),
+        Edit::Flip(options) => drop(session.flip(&options)?),
+        Edit::Subdivide(options) => drop(session.subdivide(options)?),
+        Edit::Invert(centre) => drop(session.invert(centre)?),
+    }
+    Ok(())
+}
+
+impl ScriptText {
+    fn script(&self) -> Result<Script, Fault> {
+        match self {
+            Self::Recipe(text) => Ok(Recipe::read(text)?.script()),
+            Self::Link(text) => Ok(Link::read(text, true)?.script()),
+        }
+    }
+}
+
+impl Link {
+    fn script(self) -> Script {
+        let start = match &self.sample {
+            Some(id) => library::sample(id).map(|sample| Start::Shape {
+                name: sample.shape.name.into(),
+                parameters: (sample.shape.parameters.iter())
+                    .map(|(name, x)| ((*name).into(), *x))
+                    .collect(),
+            }),
+            None => None,
+        };
+        Script {
+            start: start.unwrap_or(Start::File {
+                name: None,
+                sha256: self.hash,
+            }),
+            edits: self.edits.unwrap_or_default(),
+            path: self.path.unwrap_or_default(),
+        }
+    }
+}
+
+impl Session {
+    /// Begins to make the mesh of a script, with its edits, of `file` where it begins with one;
+    /// [`advance`](Self::advance) does it. The mesh at hand stays until it is done.
+    ///
+    /// # Errors
+    /// What is wrong with the script.
+    pub fn prepare(&mut self, text: &ScriptText, file: Option<File>) -> Result<(), Fault> {
+        let Script { start, edits, .. } = text.script()?;
+        let mut tasks = VecDeque::from([Task::Open(start)]);
+        for EditRecord { flow, path, edit } in edits {
+            tasks.extend(flow.map(|options| Task::Configure(Box::new(options))));
+            tasks.extend(path.into_iter().map(Task::Act));
+            tasks.push_back(Task::Edit(edit));
+        }
+        let mut made = Session::new();
+        made.set_progress(self.progress.clone());
+        self.replay = Some(Replay {
+            made: Some(Box::new(made)),
+            file,
+            ..Replay::new(tasks)
+        });
+        Ok(())
+    }
+
+    /// Begins to do what a script says after its last edit; [`advance`](Self::advance) does it.
+    ///
+    /// # Errors
+    /// What is wrong with the script; [`Fault::no_mesh`].
+    pub fn follow(&mut self, text: &ScriptText) -> Result<(), Fault> {
+        self.work()?;
+        let script = text.script()?;
+        self.view.forget_steps();
+        self.replay = Some(Replay::new(
+            script.path.into_iter().map(Task::Act).collect(),
+        ));
+        Ok(())
+    }
+
+    /// Does the next thing of what was begun, of a run one step.
+    ///
+    /// # Errors
+    /// What cannot be done; it is given up then, and the surface is as it has come to.
+    pub fn advance(&mut self) -> Result<ReplayProgress, Fault> {
+        let Some(mut replay) = self.replay.take() else {
+            return Err(RecipeError::NotReplaying.into());
+        };
+        let done = match replay.made.take() {
+            Some(mut made) => {
+                let done = replay.advance(&mut made);
+                replay.made = Some(made);
+                done
+            }
+            None => replay.advance(self),
+        };
+        let progress = replay.progress();
+        if done.is_ok() && !progress.is_done {
+            self.replay = Some(replay);
+            return Ok(progress);
+        }
+        if let Some(arrangement) = replay.arrangement.filter(|_| replay.made.is_none()) {
+            self.arrange(arrangement)?;
+        }
+        done?;
+        let before = self.work.as_ref().map(|work| work.arrangement);
+        if let Some(mut work) = replay.made.and_then(|made| made.work) {
+            work.arrangement = before.unwrap_or_default();
+            self.work = Some(work);
+            self.edits.clear();
+        }
+        Ok(progress)
+    }
+
+    /// Gives up what was begun; a run stays where it has come to.
+    ///
+    /// # Errors
+    /// As [`arrange`](Self::arrange).
+    pub fn cancel_replay(&mut self) -> Result<(), Fault> {
+        let replay = self.replay.take().filter(|replay| replay.made.is_none());
+        let arrangement = replay.and_then(|replay| replay.arrangement);
+        arrangement.map_or(Ok(()), |arrangement| self.arrange(arrangement))
+    }
+}
