@@ -318,7 +318,7 @@ export function createSolver(listener) {
       return state;
     },
     /** Gives up what is prepared or followed. @returns {Promise<null>} */
-    cancel: () => stop("cancelReplay"),
+    cancel: () => (last ? move("cancelReplay") : stop("cancelReplay")),
     /** @param {string} format @param {number} every @returns {Promise<Uint8Array<ArrayBuffer>>} ZIP */
     sequence: (format, every) => ask("sequence", { format, every }),
     /** @param {string} format @param {number} every @returns {Promise<{ meshes: number, bytes: number }>} */

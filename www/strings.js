@@ -799,7 +799,7 @@ export const german = {
     "Das ist nicht das Netz „{name}“ des Rezepts: Sein Inhalt ist ein anderer.",
   "A recipe of this surface cannot be made: where its mesh came from is not known any more.":
     "Von dieser Fläche lässt sich kein Rezept machen: Woher ihr Netz kam, ist nicht mehr bekannt.",
-  "Open the mesh or choose the sample again; what is done from then on can be told.":
+  "Open the mesh or choose the sample again; what is done from then on is recorded.":
     "Öffnen Sie das Netz oder wählen Sie das Beispiel noch einmal; was von da an geschieht, lässt sich festhalten.",
   "how this surface came about is not known: its positions were put in place after the solver was lost":
     "wie diese Fläche entstand, ist nicht bekannt: Ihre Lagen wurden eingesetzt, nachdem der Löser verloren gegangen war",
@@ -1523,7 +1523,9 @@ export const german = {
   "The link has “{}” more than once.": "Der Link hat „{}“ mehr als einmal.",
   "“{}” cannot be “{}”.": "„{}“ kann nicht „{}“ sein.",
   "the id of a sample": "die Kennung eines Beispiels",
-  "the id of a figure": "die Kennung einer Abbildung",
+  "There is no figure “{}”.": "Es gibt keine Abbildung „{}“.",
+  "The button Figures shows those there are.":
+    "Der Knopf „Abbildungen“ zeigt, welche es gibt.",
   "the first 16 digits of a SHA-256, or more of them":
     "die ersten 16 Ziffern eines SHA-256, oder mehr davon",
   "a whole number of at most seven digits": "eine ganze Zahl mit höchstens sieben Ziffern",

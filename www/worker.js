@@ -79,6 +79,13 @@ function frame() {
   taken = false;
 }
 
+/** Gives up what is done a piece at a time. */
+function endTask() {
+  if (!task) return;
+  task = null;
+  perform(session, "cancelReplay");
+}
+
 /**
  * Does pieces of work, letting messages in after each.
  * @template T
@@ -107,6 +114,7 @@ async function inTurns(piece) {
 
 /** Runs a figure to its end, on surfaces of its own. @param {string} id */
 async function measured(id) {
+  endTask();
   const run = session.figureRun(id);
   try {
     return await inTurns(() => /** @type {Finding | null} */ (run.advance()));
@@ -121,6 +129,7 @@ async function measured(id) {
  * @param {any} fields
  */
 async function replayed(name, fields) {
+  endTask();
   perform(session, name, fields);
   const done = await inTurns(() => {
     const end = performance.now() + TURN;
@@ -235,10 +244,7 @@ function answer({ id, name, fields, run: number, shown }) {
   if (number !== undefined) {
     running = false;
     run = number;
-    if (task) {
-      task = null;
-      perform(session, "cancelReplay");
-    }
+    endTask();
   }
   try {
     const ok = Object.hasOwn(own, name)

@@ -24,7 +24,7 @@ use super::{Session, library};
 use crate::arrays::TypedArray;
 use crate::flow::option::{self, Options, Value, Values};
 use crate::flow::options::{FlowName, FlowOptions};
-use error::{Allowed, LinkError};
+use error::{Allowed, LinkError, shortened};
 use serde::{Deserialize, Serialize};
 use words::Words;
 
@@ -264,7 +264,10 @@ impl Link {
         };
         self.hash = words.read_as("hash", Allowed::Digest, digest)?;
         let sample = words.read_as("sample", Allowed::Sample, library::sample)?;
-        let figure = words.read_as("figure", Allowed::Figure, library::figure)?;
+        let figure = words.get("figure").map(|id| {
+            library::figure(id).ok_or_else(|| LinkError::UnknownFigure { id: shortened(id) })
+        });
+        let figure = figure.transpose()?;
         self.figure = figure.map(|figure| figure.id.into());
         self.sample = sample.map(|sample| sample.id.into());
         if self.sample.is_some() || self.mesh.is_some() {
@@ -422,9 +425,9 @@ impl Link {
             .comparison
             .iter()
             .flat_map(|comparison| &comparison.panes);
-        let beside = panes.map(|pane| pane.step.unwrap_or(self.step) as u64);
+        let others = panes.map(|pane| pane.step.unwrap_or(self.step) as u64);
         let edits = self.edits.as_deref().unwrap_or_default();
-        Estimate::of(edits, steps + beside.sum::<u64>())
+        Estimate::of(edits, steps + others.sum::<u64>())
     }
 
     fn scene(self, text: &str) -> LinkScene {

@@ -136,7 +136,7 @@ impl Session {
         };
         Ok(Provenance {
             edits,
-            flow: work.told_options(),
+            flow: work.first_options(),
             path: work.actions(),
         })
     }
@@ -144,7 +144,7 @@ impl Session {
 
 impl Work {
     /// The options that the run began with.
-    fn told_options(&self) -> Option<FlowOptions> {
+    fn first_options(&self) -> Option<FlowOptions> {
         self.flow.as_ref()?;
         Some(self.as_given(&self.first.options))
     }
@@ -181,7 +181,7 @@ impl Work {
         }
         let mut records = self.origin.clone().filter(|_| !self.is_restored)?;
         records.push(EditRecord {
-            flow: self.told_options(),
+            flow: self.first_options(),
             path: self.actions(),
             edit,
         });

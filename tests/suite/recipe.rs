@@ -330,7 +330,7 @@ fn edits_of_every_kind_go_through_a_link_and_a_recipe() {
     let check = again.check_link(&read.check.expect("an energy"), 3);
     assert_eq!(check.expect("a mesh").expect("there").outcome, Check::Same);
 
-    // The flow that was changed on the way is told, and all steps with it.
+    // The next frame has the flow that was changed on the way, and all steps.
     let frame = again.frame().expect("a frame");
     let scheme = frame.flow.expect("another flow").options.scheme;
     assert_eq!(scheme, Scheme::Paper);

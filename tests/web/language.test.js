@@ -167,7 +167,7 @@ const phrases = ["curvature", "loop {}", "loops {}", "round", "prolate", "oblate
 const unread = [
   ...["draw in", "binary STL {}"],
   ...["no enum", "names only", "a value of an option", "mean edge lengths"],
-  ...["options by name", "each is described at the command of its name"],
+  "each is described at the command of its name",
 ];
 /** Calls whose strings are for developers. */
 const DEVELOPERS = /(?:expect|assert\w*!|unreachable!|panic!)\s*\([^"]*$/;

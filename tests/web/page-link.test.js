@@ -16,6 +16,7 @@ import {
   untilPictured,
   useSite,
 } from "./support/app.js";
+import { accessibilityFaults } from "./support/axe.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 
 const site = useSite();
@@ -91,6 +92,7 @@ test("a link with a bad value is refused whole, and the scene stays", async () =
     ["epsilon=7", "`epsilon` cannot be `7`"],
     ["epsilonn=0.5", "there is no option `epsilonn`"],
     ["flow=mmcv&panes=tau_soon", "`tau` cannot be `soon`"],
+    ["camera=Infinity,1", "“camera” cannot be “Infinity,1”"],
   ]) {
     await page.evaluate((hash) => {
       location.hash = hash;
@@ -109,6 +111,39 @@ test("a link with a bad value is refused whole, and the scene stays", async () =
   await until(fresh, "Ready");
   assert.match(await surface(fresh), /^Surface: icosahedron, /);
   await end();
+});
+
+test("a link of very many steps asks before it runs", async () => {
+  const { page, faults, close } = await site.open("sample=coarse-torus&step=1");
+  await until(page, "Paused at step 1");
+  const before = [await surface(page), await energy(page)];
+  /** @param {string} words */
+  const go = (words) =>
+    page.evaluate((hash) => {
+      location.hash = hash;
+    }, `#${words}`);
+  const dialog = page.getByRole("dialog");
+  await go("sample=icosahedron&flow=circle&step=1000000");
+  await dialog.getByText("This link runs about 1,000,000 steps.").waitFor();
+  assert.deepEqual(await accessibilityFaults(page), []);
+  await dialog.getByRole("button", { name: "Leave it" }).click();
+  await dialog.waitFor({ state: "hidden" });
+  assert.deepEqual([await surface(page), await energy(page)], before);
+  // Not by Escape either.
+  await go("sample=icosahedron&flow=circle&step=1000001");
+  await dialog.getByText("This link runs about 1,000,001 steps.").waitFor();
+  await page.keyboard.press("Escape");
+  await dialog.waitFor({ state: "hidden" });
+  assert.deepEqual([await surface(page), await energy(page)], before);
+  await go("sample=icosahedron&flow=circle&step=1000002");
+  await dialog.getByRole("button", { name: "Run them" }).click();
+  await page.waitForFunction(() =>
+    /^Surface: icosahedron, step \d+/.test(
+      document.querySelector("#surface")?.getAttribute("aria-label") ?? "",
+    ),
+  );
+  assert.deepEqual(faults, []);
+  await close();
 });
 
 test("a link to somebody's file asks for it, and goes on once it is opened", async () => {

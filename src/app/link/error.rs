@@ -36,6 +36,12 @@ pub(in crate::app) enum LinkError {
         /// What it may be.
         allowed: Allowed,
     },
+    /// A figure that there is not.
+    #[error("There is no figure “{id}”.")]
+    UnknownFigure {
+        /// As given, cut off where it is long.
+        id: String,
+    },
     /// An option of a flow or of an arrangement.
     #[error(transparent)]
     Option(#[from] OptionError),
@@ -49,8 +55,6 @@ pub(in crate::app) enum LinkError {
 pub(in crate::app) enum Allowed {
     /// The id of a sample.
     Sample,
-    /// The id of a figure.
-    Figure,
     /// The digits that a digest begins with.
     Digest,
     /// A step.
@@ -80,7 +84,6 @@ impl fmt::Display for Allowed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Sample => f.write_str("the id of a sample"),
-            Self::Figure => f.write_str("the id of a figure"),
             Self::Digest => f.write_str("the first 16 digits of a SHA-256, or more of them"),
             Self::Step => f.write_str("a whole number of at most seven digits"),
             Self::Camera => f.write_str("the numbers of a camera, with commas between them"),
@@ -95,12 +98,18 @@ impl fmt::Display for Allowed {
     }
 }
 
+/// As much of a text as a message repeats.
+pub(super) fn shortened(text: &str) -> String {
+    text.chars().take(LONGEST_VALUE).collect()
+}
+
 impl LinkError {
     /// A refusal of a value.
     pub(super) fn bad(word: &'static str, value: &str, allowed: Allowed) -> Self {
+        let value = shortened(value);
         Self::BadWord {
             word,
-            value: value.chars().take(LONGEST_VALUE).collect(),
+            value,
             allowed,
         }
     }
@@ -112,6 +121,10 @@ impl From<LinkError> for Fault {
             LinkError::Option(error) => return error.clone().into(),
             LinkError::Recipe(error) => return error.clone().into(),
             LinkError::BadWord { allowed, .. } => ("BadValue", format!("It may be {allowed}.")),
+            LinkError::UnknownFigure { .. } => (
+                "UnknownFigure",
+                "The button Figures shows those there are.".into(),
+            ),
             LinkError::TooLong { .. } | LinkError::Twice { .. } => (
                 "BadLink",
                 "Copy a link from the page to see how its words are written.".into(),

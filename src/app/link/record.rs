@@ -6,44 +6,17 @@ use super::region;
 use super::words::LONGEST;
 use crate::app::json;
 use crate::app::recipe::{Action, Edit, EditRecord, Node, Reader, RecipeError};
-use crate::flow::option::Value;
+use crate::flow::option::{Options, Row, Value};
 use crate::flow::options::FlowOptions;
 use crate::remesh::static_pass::RegulariseOptions;
-use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde::ser::{Serialize, Serializer};
-use std::fmt;
 
 /// Options by name, in the order in which a recipe has them.
-#[derive(Clone, Debug, PartialEq)]
-struct Entries(Vec<(String, Value)>);
+struct Entries(Vec<(&'static str, Value)>);
 
 impl Serialize for Entries {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
-    }
-}
-
-impl<'de> Deserialize<'de> for Entries {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_map(InOrder)
-    }
-}
-
-struct InOrder;
-
-impl<'de> Visitor<'de> for InOrder {
-    type Value = Entries;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("options by name")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries, A::Error> {
-        let mut entries = Vec::new();
-        while let Some(entry) = map.next_entry()? {
-            entries.push(entry);
-        }
-        Ok(Entries(entries))
     }
 }
 
@@ -63,30 +36,34 @@ struct LinkRecord<'a> {
     edit: &'a Edit,
 }
 
-/// The entries of options without their selections.
-fn entries_of(options: &FlowOptions) -> Option<Entries> {
-    let (free, fixed) = (None, None);
-    let bare = FlowOptions {
-        free,
-        fixed,
-        ..options.clone()
-    };
-    serde_json::from_str(&json::compact(&bare)).ok()
+/// The rows of options, in the order in which a recipe has them.
+fn rows_in_order() -> Vec<&'static Row<FlowOptions>> {
+    let recipe = json::compact(&FlowOptions::default());
+    let mut rows: Vec<_> = FlowOptions::ROWS.iter().collect();
+    rows.sort_by_key(|row| recipe.find(&format!("\"{}\":", row.name)));
+    rows
 }
 
 /// `None` where a selection fits no link.
 fn compact(flow: &FlowOptions, room: &mut Reader) -> Option<Entries> {
-    let Entries(usual) = entries_of(&FlowOptions::default())?;
-    let Entries(mut entries) = entries_of(flow)?;
-    for (name, list) in [("free", &flow.free), ("fixed", &flow.fixed)] {
+    let usual = FlowOptions::default();
+    let mut entries = Vec::new();
+    for row in rows_in_order() {
+        let list = match row.name {
+            "free" => &flow.free,
+            "fixed" => &flow.fixed,
+            _ => &None,
+        };
         if let Some(list) = list {
             room.select(list.len()).ok()?;
-            let value = Value::Text(region::encode(list)?);
-            let entry = entries.iter_mut().find(|(known, _)| known == name)?;
-            entry.1 = value;
+            entries.push((row.name, Value::Text(region::encode(list)?)));
+            continue;
+        }
+        let value = (row.get)(flow);
+        if value != (row.get)(&usual) {
+            entries.push((row.name, value));
         }
     }
-    entries.retain(|entry| !usual.contains(entry));
     Some(Entries(entries))
 }
 

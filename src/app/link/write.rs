@@ -244,19 +244,19 @@ impl Session {
     /// [`Fault::no_mesh`]; panes with options that cannot be.
     pub fn write_link(&self, scene: &PageScene) -> Result<WrittenLink, Fault> {
         let state = self.state()?;
-        let mut told = self.provenance().ok();
+        let mut known = self.provenance().ok();
         let step = scene.goal.unwrap_or(state.step);
-        if let (Some(told), Some(more)) = (&mut told, step.checked_sub(state.step)) {
-            go_on(&mut told.path, more);
+        if let (Some(known), Some(more)) = (&mut known, step.checked_sub(state.step)) {
+            go_on(&mut known.path, more);
         }
         let mut link = Link::default();
-        let mut lacks = link.begin(scene, told.as_ref());
+        let mut lacks = link.begin(scene, known.as_ref());
         let current = self.options()?.unwrap_or_default();
-        let path = told.as_ref().map(|told| &told.path);
+        let path = known.as_ref().map(|known| &known.path);
         let path = path.filter(|path| !is_plain(path) && steps_in(path) == step as u64);
         link.path = path.cloned();
-        let first = told
-            .and_then(|told| told.flow)
+        let first = known
+            .and_then(|known| known.flow)
             .filter(|_| link.changes_its_flow());
         link.set_options(first.as_ref().unwrap_or(&current));
         link.arrangement = self.work()?.arrangement_that_matters();
@@ -303,7 +303,7 @@ fn go_on(path: &mut Vec<Action>, more: usize) {
     }
 }
 
-/// The panes, told by how they differ from the options that the link begins with.
+/// The panes, by how they differ from the options that the link begins with.
 fn compared(
     comparison: Option<&Comparison>,
     current: &FlowOptions,
@@ -329,23 +329,23 @@ fn compared(
 impl Link {
     /// What it begins with: the mesh that was loaded, with what was done to it, or only the name
     /// of what came of it, where that is not known or fits no link. Answers what it lacks.
-    fn begin(&mut self, scene: &PageScene, told: Option<&Provenance>) -> Vec<Lack> {
+    fn begin(&mut self, scene: &PageScene, known: Option<&Provenance>) -> Vec<Lack> {
         let mut lacks = Vec::new();
         let mut from = &scene.source;
         let is_edited = scene.origin.as_ref() != Some(from);
         if is_edited {
             let named = |origin: &&Origin| !matches!(origin, Origin::Shape { .. });
-            match (told, scene.origin.as_ref().filter(named)) {
-                (Some(told), Some(origin)) => {
+            match (known, scene.origin.as_ref().filter(named)) {
+                (Some(known), Some(origin)) => {
                     let mut room = Reader::new(MAX_SELECTED);
-                    if encode_edits(&told.edits, &mut room).is_some() {
-                        self.edits = Some(told.edits.clone());
+                    if encode_edits(&known.edits, &mut room).is_some() {
+                        self.edits = Some(known.edits.clone());
                         from = origin;
                     } else {
                         lacks.push(Lack::EditsTooLong);
                     }
                 }
-                (Some(told), None) if told.edits.is_empty() => {}
+                (Some(known), None) if known.edits.is_empty() => {}
                 _ => lacks.push(Lack::EditsUnknown),
             }
         }

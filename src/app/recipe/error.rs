@@ -200,7 +200,7 @@ impl RecipeError {
             Self::NoFlow => "Choose one first.".into(),
             Self::NotReplaying => "Open one first.".into(),
             Self::OriginUnknown => {
-                "Open the mesh or choose the sample again; what is done from then on can be told."
+                "Open the mesh or choose the sample again; what is done from then on is recorded."
                     .into()
             }
             Self::TooManySelected { .. } | Self::TooManyFlows { .. } | Self::TooLong { .. } => {

@@ -311,7 +311,7 @@ impl Recipe {
         if bytes > most {
             return Err(RecipeError::TooLong { bytes, most });
         }
-        let json: Json = serde_json::from_str(text).map_err(|error| RecipeError::NotJson {
+        let json: Json = serde_json::from_slice(text.as_bytes()).map_err(|error| RecipeError::NotJson {
             line: error.line().max(1),
         })?;
         let node = Node::new(&json, "");
