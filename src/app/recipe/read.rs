@@ -311,9 +311,10 @@ impl Recipe {
         if bytes > most {
             return Err(RecipeError::TooLong { bytes, most });
         }
-        let json: Json = serde_json::from_slice(text.as_bytes()).map_err(|error| RecipeError::NotJson {
-            line: error.line().max(1),
-        })?;
+        let json: Json =
+            serde_json::from_slice(text.as_bytes()).map_err(|error| RecipeError::NotJson {
+                line: error.line().max(1),
+            })?;
         let node = Node::new(&json, "");
         let version = node.member("umbilic").text(Expected::Version)?;
         let mut reader = Reader::new(MAX_SELECTED);
