@@ -1524,8 +1524,7 @@ export const german = {
   "“{}” cannot be “{}”.": "„{}“ kann nicht „{}“ sein.",
   "the id of a sample": "die Kennung eines Beispiels",
   "There is no figure “{}”.": "Es gibt keine Abbildung „{}“.",
-  "The button Figures shows those there are.":
-    "Der Knopf „Abbildungen“ zeigt, welche es gibt.",
+  "The button Figures shows those there are.": "Der Knopf „Abbildungen“ zeigt, welche es gibt.",
   "the first 16 digits of a SHA-256, or more of them":
     "die ersten 16 Ziffern eines SHA-256, oder mehr davon",
   "a whole number of at most seven digits": "eine ganze Zahl mit höchstens sieben Ziffern",
