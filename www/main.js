@@ -139,16 +139,23 @@ async function readScene(address) {
 
 /** @param {import("./link.js").Address} address */
 async function openLink(address) {
+  /** @type {unknown} */
+  let refusal = null;
   const read = await readScene(address).catch((error) => {
-    controller.report(error);
+    refusal = error;
     return null;
   });
   // Where nothing is shown yet, that would be a dead end.
   const scene = read ?? (store.get().mesh ? null : plainScene);
-  if (!scene) return;
+  if (!scene) return refusal && controller.report(refusal);
   awaited = scene;
   controller.view(awaited.view);
-  if (scene.sample) return controller.sample(scene.sample, scene).then(() => arrival.check(scene));
+  if (scene.sample) {
+    await controller.sample(scene.sample, scene);
+    // Said now: a mesh that is loaded clears what was said before.
+    if (refusal) controller.report(refusal);
+    return arrival.check(scene);
+  }
   messages.error({
     message: t("This link shows the mesh “{mesh}”, a file on its author’s computer.", {
       mesh: awaited.mesh ?? "",
