@@ -118,7 +118,7 @@ const parts = [
   ...(embedding ? [embedding] : []),
   createLinkWriter(
     () => controller.writeLink(embedding !== null).then(({ text }) => text),
-    embedding?.linkTo ?? ((hash) => history.replaceState(null, "", hash)),
+    embedding?.linkTo ?? ((hash) => opening === 0 && history.replaceState(null, "", hash)),
   ),
   createShare(controller),
   arrival,
@@ -137,8 +137,24 @@ async function readScene(address) {
   return (await messages.ask(t("This link runs about {steps} steps.", { steps }))) ? scene : null;
 }
 
+/** Links being opened: until their scene is there, the address is theirs. */
+let opening = 0;
+
 /** @param {import("./link.js").Address} address */
 async function openLink(address) {
+  opening += 1;
+  const scene = await shown(address).finally(() => {
+    opening -= 1;
+  });
+  if (scene) return arrival.check(scene);
+}
+
+/**
+ * Shows the scene of a link.
+ * @param {import("./link.js").Address} address
+ * @returns {Promise<import("./link.js").Scene | null>} null where there is nothing to compare
+ */
+async function shown(address) {
   /** @type {unknown} */
   let refusal = null;
   const read = await readScene(address).catch((error) => {
@@ -147,21 +163,22 @@ async function openLink(address) {
   });
   // Where nothing is shown yet, that would be a dead end.
   const scene = read ?? (store.get().mesh ? null : plainScene);
-  if (!scene) return refusal && controller.report(refusal);
-  awaited = scene;
-  controller.view(awaited.view);
-  if (scene.sample) {
-    await controller.sample(scene.sample, scene);
-    // Said now: a mesh that is loaded clears what was said before.
-    if (refusal) controller.report(refusal);
-    return arrival.check(scene);
+  if (scene) {
+    awaited = scene;
+    controller.view(scene.view);
+    if (scene.sample) await controller.sample(scene.sample, scene);
+    else {
+      messages.error({
+        message: t("This link shows the mesh “{mesh}”, a file on its author’s computer.", {
+          mesh: scene.mesh ?? "",
+        }),
+        hint: t("Open that file here; the scene then follows."),
+      });
+    }
   }
-  messages.error({
-    message: t("This link shows the mesh “{mesh}”, a file on its author’s computer.", {
-      mesh: awaited.mesh ?? "",
-    }),
-    hint: t("Open that file here; the scene then follows."),
-  });
+  // Said now: a mesh that is loaded clears what was said before.
+  if (refusal) controller.report(refusal);
+  return scene?.sample ? scene : null;
 }
 
 // Whoever embeds the page could take away what a visitor opens in it.

@@ -105,7 +105,10 @@ export function createShare(controller) {
   }
 
   /** What comes after the address of the page. */
-  const hash = async () => `#${(await controller.writeLink(true)).text}`;
+  async function hash() {
+    setText(said, "");
+    return `#${(await controller.writeLink(true)).text}`;
+  }
 
   byId("copy-link", HTMLButtonElement).addEventListener("click", async () => {
     if (!state?.reading) return;
