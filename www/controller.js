@@ -2,7 +2,12 @@
 // What a user can ask for, as functions: each asks the solver and moves the state on.
 // Nothing here touches the document.
 
-/** @import { Arrangement, Fault, FieldName, Figure, Frame, Stopped } from "./protocol.js" */
+/** @import { Arrangement } from "./generated/types.js" */
+/** @import { Fault } from "./generated/types.js" */
+/** @import { Frame } from "./state.js" */
+/** @import { FieldName } from "./state.js" */
+/** @import { Figure } from "./library.js" */
+/** @import { Stopped } from "./solver.js" */
 /** @import { Scene } from "./link.js" */
 /** @import { Options } from "./options.js" */
 /** @import { Marks, Store, View } from "./state.js" */
@@ -21,7 +26,7 @@ import { figures, samples } from "./generated/library.js";
 import { t, translated } from "./language.js";
 import { sampleName } from "./library.js";
 import { isPlainLink, sceneOf } from "./link.js";
-import { defaults, plainArrangement } from "./options.js";
+import { defaults } from "./options.js";
 import { stepsIn } from "./recipe-schema.js";
 import { createSolver, LOST } from "./solver.js";
 import { goesOn, transitions as to } from "./state.js";
@@ -139,7 +144,7 @@ export function createController(store, voice) {
     if ((scene.step && !isThere) || steps.some(Boolean)) await run(scene.step ?? 0, steps);
   }
 
-  /** Takes the steps of a path at one go. @param {import("./protocol.js").RecipeLeg[]} path */
+  /** Takes the steps of a path at one go. @param {import("./generated/types.js").Leg[]} path */
   async function follow(path) {
     const { options: flow, arrangement } = store.get();
     store.update(to.progress, { stage: "replay", fraction: 0 });

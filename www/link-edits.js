@@ -3,7 +3,8 @@
 // the one that was loaded, and `path`, where its run is more than so many steps. As in a recipe, but
 // of a flow's options only those that are not the default; base64 that an address may hold.
 
-/** @import { FlowOptions, RecipeChapter, RecipeLeg } from "./protocol.js" */
+/** @import { FlowOptions } from "./generated/schema.js" */
+/** @import { Chapter as RecipeChapter, Leg as RecipeLeg } from "./generated/types.js" */
 /** @import { PageState, Source } from "./state.js" */
 
 import { asBase64, decodeRegion, encodeRegion, fromBase64, LONGEST } from "./link-region.js";
@@ -57,7 +58,7 @@ function whole(flow) {
   return all;
 }
 
-/** @param {RecipeLeg} leg @returns {leg is { flow: FlowOptions }} */
+/** @param {any} leg @returns {leg is { flow: FlowOptions }} */
 const isFlow = (leg) => typeof leg === "object" && "flow" in leg;
 
 /** @param {RecipeLeg} leg */
@@ -110,7 +111,7 @@ export const decodeEdits = (text) =>
 
 /**
  * The options that a path began with, where others followed on the way.
- * @param {import("./protocol.js").Story} story
+ * @param {import("./generated/types.js").Recipe} story
  * @returns {import("./options.js").Options | null}
  */
 export const firstOptions = ({ flow, path }) =>

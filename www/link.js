@@ -2,7 +2,7 @@
 // The scene in the address: read from it, and written into it. After `#`, which a
 // browser never sends to the server. Only what differs from the defaults is named.
 
-/** @import { FieldName } from "./protocol.js" */
+/** @import { FieldName } from "./state.js" */
 /** @import { PageState, View } from "./state.js" */
 
 import { optionsOf, rebased, timeUnitsAgree } from "./comparison.js";
@@ -29,13 +29,13 @@ import { flowsIn } from "./recipe-schema.js";
  * @property {string | null} mesh    name of that file's mesh
  * @property {string | null} hash    the first 16 digits of its SHA-256
  * @property {string | null} figure  its id; without a sample, all of that figure
- * @property {import("./protocol.js").RecipeChapter[] | null} edits  of that mesh, by hand
+ * @property {import("./generated/types.js").Chapter[] | null} edits  of that mesh, by hand
  * @property {Partial<import("./options.js").Options>} options
- * @property {Partial<import("./protocol.js").Arrangement>} arrangement
+ * @property {Partial<import("./generated/types.js").Arrangement>} arrangement
  * @property {FieldName} colour
  * @property {import("./actions/compare.js").Linked | null} comparison
  * @property {number} step
- * @property {import("./protocol.js").RecipeLeg[] | null} path  to it, where it is more than steps
+ * @property {import("./generated/types.js").Leg[] | null} path  to it, where it is more than steps
  * @property {Float32Array | null} camera
  * @property {Partial<View>} view
  * @property {string | null} check    the energy at `step`, as it was when the link was written
@@ -55,7 +55,7 @@ import { flowsIn } from "./recipe-schema.js";
  * What it answers: the same with their types, once all of them can be.
  * @typedef {object} Given
  * @property {Partial<import("./options.js").Options>} options
- * @property {Partial<import("./protocol.js").Arrangement>} arrangement
+ * @property {Partial<import("./generated/types.js").Arrangement>} arrangement
  * @property {Partial<import("./options.js").Options>[]} panes
  */
 

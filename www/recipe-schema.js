@@ -1,7 +1,7 @@
 // @ts-check
 // What a recipe, or a part of one in a link, is made of. Its options the solver checks.
 
-/** @import { RecipeChapter, RecipeLeg } from "./protocol.js" */
+/** @import { Chapter as RecipeChapter, Leg as RecipeLeg } from "./generated/types.js" */
 
 /** @param {unknown} value @returns {value is Record<string, any>} */
 export const isObject = (value) =>

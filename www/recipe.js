@@ -3,7 +3,9 @@
 // carried out on a session, compared with what it promised. Page, worker and command line
 // share it; nothing here touches the document.
 
-/** @import { Arrangement, FlowOptions, RecipeChapter, RecipeLeg, State, Story } from "./protocol.js" */
+/** @import { FlowOptions } from "./generated/schema.js" */
+/** @import { Arrangement } from "./generated/types.js" */
+/** @import { Chapter as RecipeChapter, Leg as RecipeLeg, State, Recipe as Story } from "./generated/types.js" */
 
 import {
   BadRecipe,

@@ -6,7 +6,7 @@
 import { t } from "./language.js";
 import { hasContext } from "./webgl-context.js";
 
-/** @typedef {import("./protocol.js").Fault} Fault */
+/** @typedef {import("./generated/types.js").Fault} Fault */
 /** @typedef {Pick<typeof import("./pkg/viewer/viewer.js"), "Viewer" | "icosahedron">} ViewerModule */
 
 /**

@@ -2,7 +2,11 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, Finding, FlowOptions, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Stopped, Story, Study, StudyOptions, Wanted } from "./protocol.js" */
+/** @import { FlowOptions } from "./generated/schema.js" */
+/** @import { Arrangement } from "./generated/types.js" */
+/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, Fault, Field, FillOutcome as Filled, FillOptions, InversionReport, Inverted, LabReport as Lab, Loaded, Look, QuadReport as Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Recipe as Story, StudyReport as Study, StudyOptions, Wanted } from "./generated/types.js" */
+/** @import { FieldName } from "./state.js" */
+/** @import { Finding } from "./library.js" */
 /** @import { Recipe } from "./recipe.js" */
 /** @import { Frame } from "./generated/types.js" */
 
@@ -11,7 +15,7 @@ import { t } from "./language.js";
 /**
  * @typedef {object} Listener
  * @property {(version: string) => void} onReady
- * @property {(frame: Frame) => void} onFrame
+ * @property {(frame: Frame & { run: number }) => void} onFrame
  * @property {(stopped: Stopped) => void} onStopped
  * @property {(progress: { stage: string, fraction: number }) => void} onProgress
  * @property {(reason: string) => void} onCrashed  the worker is gone; `revive` brings the scene back
@@ -38,6 +42,10 @@ function begun() {
   }
 }
 
+/**
+ * The end of a run; `fault` where a step was refused.
+ * @typedef {{ run: number, state: State, fault: Fault | null }} Stopped
+ */
 /** How a mesh is made: a command. @typedef {{ name: string, fields: any }} Origin */
 
 /** @param {Listener} listener */
@@ -108,7 +116,7 @@ export function createSolver(listener) {
     else if (message.type === "stopped") listener.onStopped(message);
   }
 
-  /** @param {Frame} frame */
+  /** @param {Frame & { run: number }} frame */
   function take(frame) {
     options = frame.flow?.options ?? options;
     last = frame;
@@ -224,7 +232,7 @@ export function createSolver(listener) {
     pause: () => ask("pause"),
     /** @returns {Promise<StepReport | null>} */
     step: () => move("step"),
-    /** @param {RegulariseOptions} wanted @returns {Promise<Regularised>} */
+    /** @param {Partial<RegulariseOptions>} wanted @returns {Promise<Regularised>} */
     regularise: (wanted) => move("regularise", { options: wanted }),
     /** @param {Arrangement} wanted @returns {Promise<State>} */
     async arrange(wanted) {
@@ -251,13 +259,13 @@ export function createSolver(listener) {
     why: () => ask("why"),
     /** @param {string} figure  its id @returns {Promise<Finding | null>} */
     judge: (figure) => ask("judge", { figure }),
-    /** @param {StudyOptions | null} options  null for the next resolution @returns {Promise<Study>} */
+    /** @param {Partial<StudyOptions> | null} options  null for the next resolution @returns {Promise<Study>} */
     study: (options) => ask("study", { options }),
     /** @returns {Promise<BoundaryLoop[]>} */
     loops: () => ask("loops"),
     /**
      * Fills holes, or connects loops.
-     * @param {FillOptions} wanted
+     * @param {Partial<FillOptions>} wanted
      * @returns {Promise<{ filled: Filled, loaded: Loaded }>}
      */
     async fill(wanted) {

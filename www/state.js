@@ -2,17 +2,23 @@
 // What the page shows, as one frozen object, and the only functions that change it.
 // Transitions are pure: (state, …) → state. Parts read; the controller writes.
 
-/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Story, Timeline, Wanted } from "./protocol.js" */
+/** @import { FlowOptions } from "./generated/schema.js" */
+/** @import { Arrangement } from "./generated/types.js" */
+/** @import { Configured, CurvatureJump, Curves, Inverted, Loaded, Look, Pane, PlotPoint, Recipe as Story, State as Reading, Timeline, Wanted } from "./generated/types.js" */
 
 import { alone, begunAnew, rebased } from "./comparison.js";
 import { byCurvature, defaults, plainArrangement } from "./options.js";
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'running' | 'paused' | 'failed'} Phase */
 
-/**
- * A point of the plot.
- * @typedef {Pick<Reading, "step" | "time" | "dt" | "energy" | "objective" | "area" | "volume" |
- *   "minAngleDegrees">} Sample
+/** A point of the plot. @typedef {Omit<PlotPoint, "warnings">} Sample */
+
+/** What a surface is coloured by; `distance`, from one pane to another, is the page's own.
+ * @typedef {import("./generated/types.js").FieldName | "none" | "distance"} FieldName
+ */
+/** @typedef {Omit<import("./generated/types.js").Field, "name"> & { name: FieldName }} Field */
+/** A frame as the page takes it in: of several panes it makes some itself.
+ * @typedef {Omit<import("./generated/types.js").Frame, "exact" | "timeline" | "field"> & { timeline: Timeline | null, field: Field | null }} Frame
  */
 
 /**
@@ -70,7 +76,7 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
  * @property {Marks | null} marks         drawn over the surface
  * @property {Readonly<Wanted>} wanted    what is looked at more closely
  * @property {Inverted | null} preview    shown in place of the frame: the surface inverted
- * @property {import("./protocol.js").Figure | null} figure  of a paper, that is being shown
+ * @property {import("./library.js").Figure | null} figure  of a paper, that is being shown
  * @property {Readonly<import("./comparison.js").Comparison>} comparison  flows beside this one
  * @property {FieldName} colour
  * @property {number | null} goal         the step a link asks for, while running to it
@@ -243,7 +249,7 @@ export const transitions = {
   /** @param {S} s @param {Readonly<Arrangement>} arrangement @returns {S} */
   arranged: (s, arrangement) => ({ ...s, arrangement }),
 
-  /** @param {S} s @param {import("./protocol.js").Figure} figure @returns {S} */
+  /** @param {S} s @param {import("./library.js").Figure} figure @returns {S} */
   figured: (s, figure) => ({ ...s, figure }),
 
   /** @param {S} s @param {Marks | null} marks @returns {S} */

@@ -9,9 +9,9 @@ import { chooseRenderer, openViewer } from "./renderer.js";
 import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
 
 /**
- * @typedef {Pick<import("./protocol.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
- * @typedef {import("./protocol.js").Field} Field
- * @typedef {import("./protocol.js").Fault} Fault
+ * @typedef {Pick<import("./generated/types.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
+ * @typedef {import("./state.js").Field} Field
+ * @typedef {import("./generated/types.js").Fault} Fault
  * @typedef {import("./pkg/viewer/viewer.js").Viewer} WasmViewer
  */
 

@@ -3,7 +3,7 @@
 // messages in after every step.
 
 /** @import { Fault } from "./generated/types.js" */
-/** @import { Finding } from "./protocol.js" */
+/** @import { Finding } from "./library.js" */
 /** @import { CommandName } from "./session.js" */
 
 import init, { FigureRun, readOptions, Session } from "./pkg/solver/solver.js";

@@ -42,7 +42,7 @@ pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
-pub use frame::{ChosenFlow, Frame, Sample};
+pub use frame::{ChosenFlow, Frame, PlotPoint};
 pub use given::{Asked, Given, read_flags, read_options, unknown_flag};
 pub use history::{BranchInfo, Timeline};
 pub use invert::{InversionReadings, InversionReport, Inverted};

@@ -1,4 +1,4 @@
-//! The only shape of error that crosses to JavaScript: `Fault` of `www/protocol.js`.
+//! The only shape of error that crosses to JavaScript: `Fault`.
 
 use js_sys::{Object, Reflect};
 use wasm_bindgen::JsValue;

@@ -1,6 +1,6 @@
 //! The seam to JavaScript: `#[wasm_bindgen]` around the application and the viewer.
 //!
-//! Conversions only. Every refusal is thrown as a `Fault` of `www/protocol.js`.
+//! Conversions only. Every refusal is thrown as a `Fault`.
 
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]
 mod edit;

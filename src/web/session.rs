@@ -1,4 +1,4 @@
-//! JavaScript class `Session`, the solver's seam; types in `www/protocol.js`.
+//! JavaScript class `Session`, the solver's seam; types in `www/generated/types.d.ts`.
 //!
 //! Typed arrays given out are copies owned by JavaScript, safe to transfer.
 

@@ -68,7 +68,7 @@ function write(name, contents) {
 
 const sphere = { shape: "bumpy-sphere", parameters: { level: 3 } };
 
-/** @param {import("../../www/protocol.js").FlowOptions} options */
+/** @param {import("../../www/generated/schema.js").FlowOptions} options */
 function flow(options) {
   session.sample(sphere.shape, sphere.parameters);
   session.configure(options);

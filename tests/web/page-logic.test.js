@@ -13,7 +13,7 @@ import { grown, painted, rim } from "../../www/ui/selection.js";
 import { reasonText, statusText } from "../../www/ui/status.js";
 import { readScene } from "./support/scene.js";
 
-/** @typedef {import("../../www/protocol.js").State} Reading */
+/** @typedef {import("../../www/generated/types.js").State} Reading */
 
 /** @param {Partial<Reading>} [change] @returns {Reading} */
 const reading = (change) => ({

@@ -2,7 +2,7 @@
 // The turns in which flows that are compared step; the first is the page's own. All of a turn
 // step at once, each in a worker of its own, and are shown together when the last is done.
 
-/** @import { Field, Frame } from "../protocol.js" */
+/** @import { Field, Frame } from "../state.js" */
 /** @import { Solver } from "../solver.js" */
 
 import { lastTurn, MAIN, nextTurn, paneOf, sharedFields } from "../comparison.js";
@@ -187,8 +187,6 @@ export function createContest({ store, solver, voice, report }) {
     const { timeline } = store.get();
     const field = fields.get(id) ?? null;
     held?.set(id, {
-      type: "frame",
-      run: 0,
       state,
       positions,
       field,
@@ -300,7 +298,7 @@ export function createContest({ store, solver, voice, report }) {
       held?.set(MAIN, frame);
       return held !== null;
     },
-    /** @param {import("../protocol.js").FieldName} name @param {Field | null} own */
+    /** @param {import("../state.js").FieldName} name @param {Field | null} own */
     async colour(name, own) {
       fields.set(MAIN, own);
       await rivals.colour(name);

@@ -1,7 +1,7 @@
 // @ts-check
 // What makes another mesh of the one at hand, and the way back from it.
 
-/** @import { FillOptions, Loaded } from "../protocol.js" */
+/** @import { FillOptions, Loaded } from "../generated/types.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Core } from "./core.js" */
 
@@ -124,7 +124,7 @@ export function createEdits(core) {
       }),
     /**
      * Fills holes, or connects loops; a flow on the new vertices is ready then.
-     * @param {FillOptions} wanted
+     * @param {Partial<FillOptions>} wanted
      */
     fill: (wanted) =>
       enqueue(async () => {

@@ -2,7 +2,8 @@
 // The solvers of the flows beside the page's own, a worker each: made, put at the start,
 // replaced when they are lost, and ended with their panes.
 
-/** @import { Field, FieldName, Frame } from "../protocol.js" */
+/** @import { Field, Frame } from "../state.js" */
+/** @import { FieldName } from "../state.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Solver } from "../solver.js" */
 

@@ -1,7 +1,7 @@
 // @ts-check
 // Why the flow stands as it does, and what helps.
 
-/** @import { Remedy } from "../protocol.js" */
+/** @import { Remedy } from "../generated/types.js" */
 /** @import { Core } from "./core.js" */
 
 import { t } from "../language.js";

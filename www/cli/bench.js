@@ -11,7 +11,7 @@ import { memoryBytes } from "./solver.js";
 import { table } from "./text.js";
 
 /** @typedef {import("./solver.js").Session} Session */
-/** @typedef {import("../protocol.js").StepReport} StepReport */
+/** @typedef {import("../generated/types.js").StepReport} StepReport */
 
 /**
  * @typedef {object} Bench
@@ -25,7 +25,7 @@ import { table } from "./text.js";
  * @typedef {object} Limits
  * @property {number} maxVertices
  * @property {number} steps
- * @property {readonly import("../protocol.js").Figure[]} figures
+ * @property {readonly import("../library.js").Figure[]} figures
  * @property {string} [meshes]  a folder
  */
 /** @typedef {Record<string, number | string | null>} Row */

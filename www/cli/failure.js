@@ -1,7 +1,7 @@
 // @ts-check
 // How a command ends when it does not end well: one shape, three exit codes.
 
-/** @typedef {import("../protocol.js").Fault} Fault */
+/** @typedef {import("../generated/types.js").Fault} Fault */
 
 /** Bad usage, refused input or numerical failure, told in words. */
 export class Failure extends Error {

@@ -6,7 +6,7 @@ import { sayFigure } from "../library.js";
 import { say } from "../words.js";
 import { Failure, orExit, usage } from "./failure.js";
 
-/** @import { Figure, Finding } from "../protocol.js" */
+/** @import { Figure, Finding } from "../library.js" */
 /** @typedef {import("./solver.js").Session} Session */
 
 /**

@@ -9,10 +9,19 @@ import { budgetFlags, budgetOf, readFlags, runSteps } from "./flow.js";
 import { number, parse } from "./options.js";
 import { format } from "./text.js";
 
-/** @typedef {import("../protocol.js").Filled} Filled */
-/** @typedef {import("../protocol.js").Info} Info */
-/** @typedef {import("../protocol.js").Fairing} Fairing */
-/** @typedef {import("../protocol.js").StepReport} StepReport */
+/** @typedef {import("../generated/types.js").FillOutcome} Filled */
+/** @typedef {import("../generated/types.js").Info} Info */
+/**
+ * What `umbilic fill --fair` tells of the flow: it has come to rest only if `status` is
+ * `converged`.
+ * @typedef {object} Fairing
+ * @property {string} flow
+ * @property {import("../generated/types.js").Status} status
+ * @property {string} message
+ * @property {number} steps
+ * @property {import("../generated/types.js").CurvatureJump | null} curvatureJump  across the rims of the patches
+ */
+/** @typedef {import("../generated/types.js").StepReport} StepReport */
 /** @typedef {import("./options.js").Values} Values */
 
 /** Flows that can hold what is around a patch. */
@@ -99,7 +108,7 @@ function loops(values) {
 /**
  * Runs a flow on the new vertices, everything else held.
  * @param {import("./solver.js").Session} session
- * @param {import("../protocol.js").FlowOptions} options
+ * @param {import("../generated/schema.js").FlowOptions} options
  * @param {number} first
  * @param {number} count
  * @param {import("./terminal.js").Terminal} io

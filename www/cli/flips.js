@@ -8,7 +8,7 @@ import { readFlags } from "./flow.js";
 import { flagsOf, number, parse, typed } from "./options.js";
 import { format, table } from "./text.js";
 
-/** @typedef {import("../protocol.js").Flipped} Flipped */
+/** @typedef {import("../generated/types.js").FlipOutcome} Flipped */
 
 const rows = [rowOf("criterion"), rowOf("guardFolds")];
 

@@ -11,11 +11,11 @@ import { flagsOf, parse, typed } from "./options.js";
 import { loadSolver } from "./solver.js";
 import { entries, format, table } from "./text.js";
 
-/** @typedef {import("../protocol.js").FlowOptions} FlowOptions */
-/** @typedef {import("../protocol.js").StepReport} StepReport */
-/** @typedef {import("../protocol.js").Fault} Fault */
-/** @typedef {import("../protocol.js").Status} Status */
-/** @typedef {import("../protocol.js").CurvatureJump} CurvatureJump */
+/** @typedef {import("../generated/schema.js").FlowOptions} FlowOptions */
+/** @typedef {import("../generated/types.js").StepReport} StepReport */
+/** @typedef {import("../generated/types.js").Fault} Fault */
+/** @typedef {import("../generated/types.js").Status} Status */
+/** @typedef {import("../generated/types.js").CurvatureJump} CurvatureJump */
 /** @typedef {import("./options.js").Values} Values */
 /** @typedef {import("./solver.js").Session} Session */
 

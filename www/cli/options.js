@@ -83,7 +83,7 @@ async function strictly(args, options) {
     if (code !== "ERR_PARSE_ARGS_UNKNOWN_OPTION") throw usage(message);
     const typed = /'--?(?:no-)?([^' ]*)/.exec(message)?.[1] ?? "";
     const { unknownFlag } = await loadSolver();
-    /** @type {import("../protocol.js").Fault} */
+    /** @type {import("../generated/types.js").Fault} */
     const fault = unknownFlag(typed, Object.keys(options));
     throw new Failure(2, fault.kind, fault.message, fault.hint);
   }

@@ -20,7 +20,7 @@ export const refinementColumns = [
 /** @param {Session} session @param {{ maxVertices: number }} limits */
 export function* refinementRows(session, { maxVertices }) {
   for (const { shape, parameters } of cases) {
-    /** @type {import("../protocol.js").Study} */
+    /** @type {import("../generated/types.js").StudyReport} */
     let study = session.study({ shape, parameters });
     while (!study.finished) study = session.study(undefined);
     for (const [k, { vertices, h }] of study.rows.entries()) {

@@ -6,7 +6,7 @@ import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
 import { number, parse } from "./options.js";
 import { entries, format, table } from "./text.js";
 
-/** @typedef {import("../protocol.js").Regularised} Regularised */
+/** @typedef {import("../generated/types.js").Regularised} Regularised */
 
 /** @type {import("./options.js").Syntax} */
 const syntax = {

@@ -11,7 +11,7 @@ import { runSteps } from "./flow.js";
 
 /** @typedef {import("./solver.js").Session} Session */
 /** @typedef {import("./bench.js").Row} Row */
-/** @typedef {import("../protocol.js").FlowOptions} FlowOptions */
+/** @typedef {import("../generated/schema.js").FlowOptions} FlowOptions */
 
 /**
  * @typedef {object} Case
@@ -194,7 +194,7 @@ function meshesIn(folder) {
   throw usage(`${folder} holds no mesh.`, "Meshes are OBJ, OFF, PLY or STL files.");
 }
 
-/** @param {import("../protocol.js").Loaded} loaded @returns {Mesh} */
+/** @param {import("../generated/types.js").Loaded} loaded @returns {Mesh} */
 function meshOf({ positions, triangles }) {
   const triples = (/** @type {ArrayLike<number>} */ list) =>
     Array.from({ length: list.length / 3 }, (_, n) => [0, 1, 2].map((k) => list[3 * n + k]));

@@ -7,7 +7,7 @@ import { number, parse } from "./options.js";
 import { loadSolver } from "./solver.js";
 import { format, table } from "./text.js";
 
-/** @typedef {import("../protocol.js").Info} Info */
+/** @typedef {import("../generated/types.js").Info} Info */
 
 /**
  * @typedef {{ name: string, label: string, default: number, low: number, high: number,

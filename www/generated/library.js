@@ -1,7 +1,7 @@
 // @ts-check
 // Samples and figures as src/app/library has them. Written by tests/suite/library.rs.
 
-/** @import { Figure, Sample } from "../protocol.js" */
+/** @import { Figure, Sample } from "../library.js" */
 
 /** @type {readonly Sample[]} */
 export const samples = [

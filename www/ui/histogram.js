@@ -1,7 +1,7 @@
 // @ts-check
 // How the values that colour the surface are spread over its vertices.
 
-/** @import { Field } from "../protocol.js" */
+/** @import { Field } from "../state.js" */
 /** @import { PageState } from "../state.js" */
 
 import { t, translated } from "../language.js";

@@ -2,7 +2,7 @@
 // Möbius inversion: its centre is dragged over the picture or typed in, the surface inverted is
 // seen at once, and kept or let go.
 
-/** @import { InversionReport } from "../protocol.js" */
+/** @import { InversionReport } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 

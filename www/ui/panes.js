@@ -2,7 +2,7 @@
 // Pictures beside the surface: edge flips from the same start by other criteria, or the
 // start itself; flows that are compared. One camera for all.
 
-/** @import { Pane } from "../protocol.js" */
+/** @import { Pane } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 /** @import { Shown } from "./extra-pane.js" */

@@ -2,7 +2,7 @@
 // The canvas: hands the viewer what changed, and says in words what it shows. Where
 // there is neither WebGPU nor WebGL2 it says so in place of the picture.
 
-/** @import { Fault, Pane } from "../protocol.js" */
+/** @import { Fault, Pane } from "../generated/types.js" */
 /** @import { PageState, View } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
@@ -77,7 +77,7 @@ export function createPicture(controller, state, samples) {
   let frame = null;
   /** @type {PageState["preview"]} */
   let preview = null;
-  /** @type {import("../protocol.js").Look | null} */
+  /** @type {import("../generated/types.js").Look | null} */
   let look = null;
   let dark = false;
   /** @type {Uint8Array | null} */

@@ -2,7 +2,7 @@
 // A refinement study: a table of energies at several resolutions, with orders and a verdict.
 // It has a solver of its own, so that the flow on screen goes on.
 
-/** @import { Study, StudyOptions, Trend } from "../protocol.js" */
+/** @import { StudyReport as Study, StudyOptions, Trend } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 /** @import { Solver } from "../solver.js" */
@@ -223,15 +223,15 @@ export function createStudy(controller) {
     const p = options.flow === "p-willmore" ? options.p : 2;
     const sample = subject.value === "shape" ? sampleOf(state) : undefined;
     try {
-      /** @type {StudyOptions} */
+      /** @type {Partial<StudyOptions>} */
       let asked = { p };
       if (sample) asked = { shape: sample.shape, parameters: sample.parameters, p };
       else {
         const { name, bytes } = await controller.presentSurface();
         if (solver !== own) return;
-        await own.load(name, bytes);
+        await own.load(name, new Uint8Array(bytes));
       }
-      /** @type {StudyOptions | null} */
+      /** @type {Partial<StudyOptions> | null} */
       let next = asked;
       for (let level = 1; ; level += 1) {
         setText(status, t("Measuring resolution {level}…", { level }));
@@ -244,7 +244,7 @@ export function createStudy(controller) {
       setText(status, t("Done."));
       end();
     } catch (error) {
-      const { kind, message } = /** @type {import("../protocol.js").Fault} */ (error);
+      const { kind, message } = /** @type {import("../generated/types.js").Fault} */ (error);
       if (solver !== own || kind === LOST) return;
       setText(status, translated(message));
       end();

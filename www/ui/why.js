@@ -2,7 +2,7 @@
 // Why did this happen? A sentence under the status line once the flow rests, the place on
 // the surface, and what helps as buttons. Refusals get the last two beside their message.
 
-/** @import { Diagnosis, Fault, Remedy } from "../protocol.js" */
+/** @import { Diagnosis, Fault, Remedy } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 

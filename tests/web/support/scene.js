@@ -8,7 +8,7 @@ const { readOptions } = await loadSolver();
 
 /**
  * @param {{ search: string, hash: string }} address
- * @throws {import("../../../www/protocol.js").Fault} of an option that cannot be
+ * @throws {import("../../../www/generated/types.js").Fault} of an option that cannot be
  */
 export function readScene(address) {
   const link = readLink(address);
