@@ -126,12 +126,15 @@ for (const part of parts) store.subscribe((state) => part.update(state));
 
 /** @param {{ search: string, hash: string }} address */
 async function openLink(address) {
-  const scene = await controller.sceneOf(readLink(address)).catch((error) => {
-    controller.report(error);
-    // Where nothing is shown yet, that would be a dead end.
-    return store.get().mesh ? null : sceneOf(readLink({ search: "", hash: "" }));
-  });
-  if (!scene) return;
+  let scene;
+  try {
+    scene = await controller.sceneOf(readLink(address));
+  } catch (error) {
+    // Where nothing is shown yet, that would be a dead end; a mesh that is loaded clears what was
+    // said before.
+    if (!store.get().mesh) await controller.sample(samples[0].id);
+    return controller.report(error);
+  }
   awaited = scene;
   controller.view(awaited.view);
   if (scene.sample) return controller.sample(scene.sample, scene).then(() => arrival.check(scene));
