@@ -1151,7 +1151,7 @@ length: number,
 vertices: Array<number>, };
 
 /**
- * Which loops are filled: the word `all`, or their numbers, counted from 0.
+ * Which loops are filled: a word, or their numbers, counted from 0.
  */
 export type Loops = Array<number> | string;
 
