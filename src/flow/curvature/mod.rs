@@ -78,8 +78,10 @@ const TOLERANCE_AT_REST: f64 = 1e-2;
 /// On the ladder the flow's own energy may rise, but not above so many times that at the start:
 /// a tube may pinch off there.
 const LADDER: f64 = 10.0;
-/// A reading that has come to this share of the first is zero.
+/// A reading that has come to this share of the first is zero; and so is one that without a unit
+/// is roundoff, as of a round sphere from the start.
 const ZERO: f64 = 1e-13;
+const ROUNDOFF: f64 = 1e-20;
 /// A surface is at rest if a whole step moves no vertex by more than this share of an edge …
 const AT_REST: f64 = 1e-6;
 /// … or by more than this, where its reading does not change any more either.
@@ -296,7 +298,10 @@ impl Flow for CurvatureFlow {
             roundoff: 0.0,
             zero: match self.watched() {
                 Law::MeanCurvature | Law::SurfaceDiffusion => 0.0,
-                Law::Willmore | Law::CurvatureVariation => ZERO * self.first_energy,
+                Law::Willmore | Law::CurvatureVariation => {
+                    let roundoff = ROUNDOFF / self.law.normalised(1.0, self.region.length);
+                    roundoff.max(ZERO * self.first_energy)
+                }
             },
             can_vanish,
             ends_at_rest: true,
