@@ -80,6 +80,13 @@ test("a message in a message is said in its place, a list with commas", async ()
   assert.doesNotMatch(list, /[\u2066-\u2069]/);
 });
 
+test("what could not be measured is shown as such, however many digits it would have", async () => {
+  await speak("en");
+  const status = { id: "measured-converged" };
+  const values = { off: 0.01234, jump: null, steps: 3, status };
+  assert.equal(say("measured-tube", values), "off 0.012, jump – in 3 steps, converged");
+});
+
 test("a message without words shows its id, and a value that is missing its name", async () => {
   await speak("de");
   assert.equal(say({ id: "no-such-message", values: { count: 1 } }), "no-such-message");
