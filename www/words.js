@@ -12,8 +12,9 @@ import { FluentBundle, FluentNumber, FluentResource, FluentType } from "@fluent/
 import { english, fetchWords } from "#locales";
 import { formatShort } from "./ui/number.js";
 
+/** @import { Fault, Message, Refusal } from "./protocol.js" */
+
 /** @typedef {null | boolean | number | string | Message | { [n: number]: any, length: number }} Value */
-/** @typedef {{ id: string, values?: Readonly<Record<string, any>> }} Message  values are `Value`s */
 
 class Numeral extends FluentNumber {
   /** @param {number} value @param {number} [digits] significant, of numbers that are not whole */
@@ -45,7 +46,9 @@ class List extends FluentType {
 
 /** @type {Record<string, (args: any[], named: Record<string, any>) => any>} */
 const functions = {
-  NUMBER: ([value], { digits }) => new Numeral(Number(value), digits && Number(digits)),
+  // What could not be measured is shown as such.
+  NUMBER: ([value], { digits }) =>
+    typeof value === "string" ? value : new Numeral(Number(value), digits && Number(digits)),
   LIST: ([list], { most }) => new List(list.value, Number(most)),
   COUNT: ([list]) => new Numeral(list.value.length),
 };
@@ -88,6 +91,14 @@ export function say(message, values = {}) {
   // A value that is missing shows as its name.
   return bundle.formatPattern(pattern, Object.fromEntries(args), []);
 }
+
+/** A refusal in words. @param {Refusal} refusal @returns {Fault} */
+export const sayFault = ({ kind, message, hint, detail }) => ({
+  kind,
+  message: say(message),
+  hint: hint ? say(hint) : "",
+  detail,
+});
 
 /** Says what follows in another language. @param {"en" | "de"} language */
 export async function speakWords(language) {

@@ -18,6 +18,7 @@ mod history;
 mod io;
 mod linalg;
 mod mesh;
+mod messages;
 mod modelling;
 mod moebius;
 mod p_willmore_energy;

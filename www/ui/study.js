@@ -7,7 +7,7 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Solver } from "../solver.js" */
 
-import { t, translated } from "../language.js";
+import { t } from "../language.js";
 import { samples } from "../samples.js";
 import { createSolver, LOST } from "../solver.js";
 import { byId, fillSelect, setText } from "./element.js";
@@ -246,7 +246,7 @@ export function createStudy(controller) {
     } catch (error) {
       const { kind, message } = /** @type {import("../protocol.js").Fault} */ (error);
       if (solver !== own || kind === LOST) return;
-      setText(status, translated(message));
+      setText(status, message);
       end();
     }
   }
