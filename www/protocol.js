@@ -4,13 +4,28 @@
 // are transferred, never copied, between worker and page.
 
 /**
- * A refusal or failure, the only shape of error that crosses any seam.
- * Code switches on `kind`, never on text.
- * @typedef {object} Fault
- * @property {string} kind     noun of what is wrong, e.g. `NonManifoldEdge`
- * @property {string} message  what is wrong and where (line, face, vertex, edge)
- * @property {string} hint     what the user can do about it
+ * What is to be said, in no language; `www/words.js` says it. A value is a number, a text, a
+ * message, null or a list of these.
+ * @typedef {{ id: string, values?: Readonly<Record<string, any>> }} Message
+ */
+
+/**
+ * A refusal or failure, the only shape of error that crosses the seams of wasm and worker.
+ * Code switches on `kind`, never on the message.
+ * @typedef {object} Refusal
+ * @property {string} kind            noun of what is wrong, e.g. `NonManifoldEdge`
+ * @property {Message} message        what is wrong and where (line, face, vertex, edge)
+ * @property {Message | null} hint    what the user can do about it
  * @property {Record<string, unknown>} detail  the elements, for highlighting
+ */
+
+/**
+ * The same in words.
+ * @typedef {object} Fault
+ * @property {string} kind
+ * @property {string} message
+ * @property {string} hint
+ * @property {Record<string, unknown>} detail
  */
 
 /**
@@ -31,7 +46,7 @@
  * @property {number} minAngleDegrees
  * @property {number | null} selfIntersections  pairs of triangles that pass through each other; null
  *                                   where there are too many triangles to compare in about a second
- * @property {string[]} warnings
+ * @property {Message[]} warnings
  */
 
 /**
@@ -134,7 +149,7 @@
 
 /**
  * What a run of a figure came to: whether as expected, and what was measured.
- * @typedef {{ ok: boolean, message: import("./words.js").Message }} Finding
+ * @typedef {{ ok: boolean, message: Message }} Finding
  */
 
 /**
@@ -160,7 +175,7 @@
 
 /**
  * Where a flow beside others stands.
- * @typedef {{ step: number, status: Status, message: string, jump: CurvatureJump | null }} Standing
+ * @typedef {{ step: number, status: Status, message: Message | null, jump: CurvatureJump | null }} Standing
  */
 
 /**
@@ -281,7 +296,7 @@
  * @property {number} verticesAdded
  * @property {number} facesAdded
  * @property {number} firstVertex   the first new vertex; the next flow moves it and those after it
- * @property {string[]} warnings
+ * @property {Message[]} warnings
  */
 
 /**
@@ -291,6 +306,7 @@
  * @property {string} flow
  * @property {Status} status
  * @property {string} message
+ * @property {string | null} messageId
  * @property {number} steps
  * @property {CurvatureJump | null} curvatureJump  across the rims of the patches
  */
@@ -430,7 +446,7 @@
  * @property {number} factorMilliseconds
  * @property {number} solveMilliseconds
  * @property {number} regulariseMilliseconds  for sliding vertices along the surface
- * @property {string[]} warnings
+ * @property {Message[]} warnings
  */
 
 /**
@@ -440,17 +456,12 @@
  */
 
 /**
- * A sentence with its values, for `t`.
- * @typedef {{ template: string, values: Record<string, string> }} Text
- */
-
-/**
  * What helps: options that `change`, from the start or from the surface as it is, or an action.
  * @typedef {object} Remedy
  * @property {'regularise' | 'regulariseEachStep' | 'subdivide' | 'smallerStep' | 'automaticStep' |
  *   'largerEpsilon' | 'recommendedScheme' | 'continue' | 'back' | 'keepAndFlips' | 'keepVolume' |
  *   'otherFlow' | 'prefill' | 'lowerExponent' | 'refine'} id
- * @property {Text} label
+ * @property {Message} label
  * @property {FlowOptions} change
  * @property {boolean} fromStart
  * @property {number} steps  to go back
@@ -460,7 +471,7 @@
  * What `why` answers: what is the matter, where, and what helps.
  * @typedef {object} Diagnosis
  * @property {string} kind       a noun, e.g. `Pinch`
- * @property {Text} sentence
+ * @property {Message} message
  * @property {Uint32Array} vertices
  * @property {Uint32Array} faces  triangles
  * @property {Uint32Array} edges  two ends each
@@ -521,7 +532,7 @@
  * @property {number} step
  * @property {number} time
  * @property {Status} status
- * @property {string} message         the reason, a sentence
+ * @property {Message | null} message  why the run is over
  * @property {number} energy          the flow's own, as in `StepReport`
  * @property {number} energyNormalised
  * @property {number} dt
@@ -577,7 +588,7 @@
  * A value per vertex and how to show it.
  * @typedef {object} Field
  * @property {FieldName} name
- * @property {string} label
+ * @property {string} [label]  of a field that is the page's own
  * @property {Float32Array} values
  * @property {number} low      robust range (2nd and 98th percentile); symmetric when signed
  * @property {number} high
@@ -654,10 +665,10 @@
  * | `ack`       | `run`                         | nothing is answered         |
  *
  * @typedef {{ id: number, type: string } & Record<string, any>} Request
- * @typedef {{ id: number, ok?: any, error?: Fault }} Reply
+ * @typedef {{ id: number, ok?: any, error?: Refusal }} Reply
  * @typedef {{ type: 'ready', version: string }} Ready            solver loaded and warm
  * @typedef {{ type: 'progress', run: number, stage: string, fraction: number }} Progress  inside a long step
- * @typedef {{ type: 'stopped', run: number, state: State, fault: Fault | null }} Stopped  `fault` when a step was refused
+ * @typedef {{ type: 'stopped', run: number, state: State, fault: Refusal | null }} Stopped  `fault` when a step was refused
  * @typedef {{ type: 'crashed', message: string }} Crashed        the wasm instance is dead; discard the worker
  * @typedef {Frame | Ready | Progress | Stopped | Crashed} Event
  */

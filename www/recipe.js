@@ -6,7 +6,7 @@
 /** @import { Arrangement, FlowOptions, RecipeChapter, RecipeLeg, State, Story } from "./protocol.js" */
 
 import {
-  BadRecipe,
+  badRecipe,
   check,
   checkEdits,
   checkFlow,
@@ -70,7 +70,7 @@ export const resultOf = ({ energy, area, volume, minAngleDegrees, time }) => ({
  * @returns {Recipe}
  */
 export function makeRecipe({ version, mesh, story, arrangement, state, positions }) {
-  if (!story.flow) throw new BadRecipe("No flow has been chosen yet.", "Choose one first.");
+  if (!story.flow) throw badRecipe("recipe-without-flow");
   return {
     umbilic: version,
     mesh,
@@ -89,7 +89,7 @@ export const pathOf = ({ path, steps }) => path ?? (steps > 0 ? [{ steps }] : []
 /**
  * @param {string} text
  * @returns {Recipe}
- * @throws {BadRecipe} naming the line or the key
+ * @throws {Refusal}  naming the line or the key
  */
 export function readRecipe(text) {
   /** @type {any} */
@@ -100,30 +100,26 @@ export function readRecipe(text) {
     const { message } = /** @type {Error} */ (error);
     const place = /position (\d+)/.exec(message);
     const line = text.slice(0, place ? Number(place[1]) : text.length).split("\n").length;
-    throw new BadRecipe(`The recipe is not JSON: line ${line} cannot be read.`);
+    throw badRecipe("recipe-not-json", { line });
   }
-  check(isObject(recipe) && typeof recipe.umbilic === "string", "umbilic", "the version, as text");
+  check(isObject(recipe) && typeof recipe.umbilic === "string", "umbilic", "version");
   checkMesh(recipe.mesh);
   if (recipe.edits !== undefined) checkEdits(recipe.edits);
   checkFlow(recipe.flow, "flow");
   const { arrangement = {}, steps, path, result } = recipe;
-  check(isObject(arrangement), "arrangement", "an object");
-  check(isCount(steps), "steps", "a whole number from 0");
+  check(isObject(arrangement), "arrangement", "object");
+  check(isCount(steps), "steps", "count");
   if (path !== undefined) {
     checkPath(path);
-    check(
-      stepsIn(path) === steps,
-      "path",
-      `a list whose steps are ${steps} in all, as "steps" says`,
-    );
+    check(stepsIn(path) === steps, "path", { id: "must-be-steps", values: { steps } });
   }
-  check(isObject(result), "result", "an object");
+  check(isObject(result), "result", "object");
   for (const key of ["energy", "area", "minAngleDegrees", "time"]) {
-    check(isNumber(result[key]), `result.${key}`, "a number");
+    check(isNumber(result[key]), `result.${key}`, "number");
   }
-  check(result.volume === null || isNumber(result.volume), "result.volume", "a number or null");
+  check(result.volume === null || isNumber(result.volume), "result.volume", "number-or-null");
   const { positions } = result;
-  check(positions === undefined || isHash(positions), "result.positions", "a SHA-256");
+  check(positions === undefined || isHash(positions), "result.positions", "hash");
   return recipe;
 }
 
@@ -140,7 +136,7 @@ export const isOwn = (mesh) => "sha256" in mesh;
 export function prepare(session, { mesh, edits = [] }, bytes, tell) {
   if (!isOwn(mesh)) session.sample(mesh.shape, mesh.parameters);
   else if (bytes) session.load(bytes, mesh.name);
-  else throw new BadRecipe(`The recipe needs the mesh ${mesh.name}.`, "Open it first.");
+  else throw badRecipe("recipe-needs-mesh", { name: mesh.name });
   for (const { flow, path, edit } of edits) {
     if (flow) {
       session.configure(flow);
@@ -200,8 +196,7 @@ function advance(session, steps, tell) {
     const report = session.step();
     // At an end there is none to take; asked again, a flow goes on with its budget anew.
     if (!report && isOver) {
-      const { message } = session.state();
-      throw new BadRecipe(`The flow ends at step ${step} of ${goal}: ${message}.`, "");
+      throw badRecipe("recipe-ends-early", { step, goal, reason: session.state().message });
     }
     isOver = !report;
     step = report?.step ?? step;

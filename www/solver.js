@@ -2,16 +2,17 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, Finding, FlowOptions, Frame, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Stopped, Story, Study, StudyOptions, Wanted } from "./protocol.js" */
+/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, Finding, FlowOptions, Frame, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Story, Study, StudyOptions, Wanted } from "./protocol.js" */
 /** @import { Recipe } from "./recipe.js" */
 
 import { t } from "./language.js";
+import { sayFault } from "./words.js";
 
 /**
  * @typedef {object} Listener
  * @property {(version: string) => void} onReady
  * @property {(frame: Frame) => void} onFrame
- * @property {(stopped: Stopped) => void} onStopped
+ * @property {(state: State, fault: Fault | null) => void} onStopped  with the fault of a step that failed
  * @property {(progress: { stage: string, fraction: number }) => void} onProgress
  * @property {(reason: string) => void} onCrashed  the worker is gone; `revive` brings the scene back
  */
@@ -93,14 +94,17 @@ export function createSolver(listener) {
     if ("id" in message) {
       const request = waiting.get(message.id);
       waiting.delete(message.id);
-      if (message.error) request?.reject(message.error);
+      if (message.error) request?.reject(sayFault(message.error));
       else request?.resolve(message.ok);
     } else if (message.type === "ready") listener.onReady(message.version);
     else if (message.type === "crashed") lost(message.message);
     else if (message.type === "progress") listener.onProgress(message);
     else if (message.run !== run) return;
     else if (message.type === "frame") take(message);
-    else if (message.type === "stopped") listener.onStopped(message);
+    else if (message.type === "stopped") {
+      const { state, fault } = message;
+      listener.onStopped(state, fault && sayFault(fault));
+    }
   }
 
   /** @param {Frame} frame */

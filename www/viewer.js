@@ -4,9 +4,10 @@
 // graphics device is lost.
 
 import { listenForGestures } from "./gestures.js";
-import { t, translated } from "./language.js";
+import { t } from "./language.js";
 import { chooseRenderer, openViewer } from "./renderer.js";
 import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
+import { say } from "./words.js";
 
 /**
  * @typedef {Pick<import("./protocol.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
@@ -546,8 +547,8 @@ class SurfaceView {
 function lostFault(reason) {
   return {
     kind: "GpuLost",
-    message: t("the graphics device was lost: {reason}", { reason: translated(reason) }),
-    hint: t("Reload the page. Your surface is safe: download it first if you changed it."),
+    message: say("viewer-gpu-lost", { reason }),
+    hint: say("viewer-gpu-lost.hint"),
     detail: {},
   };
 }

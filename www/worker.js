@@ -2,7 +2,7 @@
 // The solver's side: one session, a table of what may be asked of it, and a run loop
 // that lets messages in after every step.
 
-/** @import { Configured, Fault, FieldName, Finding, Pane, Request, State, StepReport, Wanted } from "./protocol.js" */
+/** @import { Configured, FieldName, Finding, Pane, Refusal, Request, State, StepReport, Wanted } from "./protocol.js" */
 
 import init, { FigureRun, Session } from "./pkg/solver/solver.js";
 import { follow, prepare } from "./recipe.js";
@@ -48,14 +48,14 @@ function advance() {
   if (paced && until === null && !taken) return;
   /** @type {StepReport | null} */
   let report = null;
-  /** @type {Fault | null} */
+  /** @type {Refusal | null} */
   let fault = null;
   try {
     report = session.step() ?? null;
     if (report) untold.push(report);
   } catch (error) {
     if (isTrap(error)) throw error;
-    fault = asFault(error);
+    fault = asRefusal(error);
   }
   const state = session.state();
   // On the way to a step a limit is none: how far a minute goes depends on the machine.
@@ -334,16 +334,16 @@ function buffersOf(answer) {
 /** @param {unknown} error  whether the wasm instance is dead, and not just unwilling */
 const isTrap = (error) => error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
 
-/** @param {any} error @returns {Fault} */
-function asFault(error) {
+/** @param {any} error @returns {Refusal} */
+function asRefusal(error) {
   if (typeof error?.kind === "string") {
     const { kind, message, hint, detail } = error;
     return { kind, message, hint, detail };
   }
   return {
     kind: "Internal",
-    message: `The solver met an error of its own: ${error?.message ?? error}`,
-    hint: "Please report this, with the mesh if you can.",
+    message: { id: "worker-internal", values: { reason: String(error?.message ?? error) } },
+    hint: { id: "worker-internal.hint" },
     detail: {},
   };
 }
@@ -376,7 +376,7 @@ function answer(request) {
   /** @param {unknown} error */
   const refuse = (error) => {
     if (isTrap(error)) throw error;
-    page.postMessage({ id: request.id, error: asFault(error) });
+    page.postMessage({ id: request.id, error: asRefusal(error) });
   };
   try {
     const ok = actions[request.type](request);

@@ -8,6 +8,7 @@ use super::work::Work;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::Status;
 use crate::flow::options::{FlowName, FlowOptions};
+use crate::message::Message;
 use serde::Serialize;
 
 /// The flows that can stand beside each other.
@@ -30,7 +31,7 @@ pub struct Standing {
     /// Whether it is over.
     pub status: Status,
     /// Why.
-    pub message: String,
+    pub message: Option<Message>,
     /// The jump of H across the boundary of what moves.
     pub jump: Option<CurvatureJump>,
 }

@@ -4,8 +4,10 @@
 use super::beside::Standing;
 use super::fault::Fault;
 use super::field::{Field, FieldName};
+use super::message::AppError;
 use super::work::Work;
 use super::{Session, as_f32};
+use crate::flow::error::Allowed;
 use crate::flow::flips::EdgeFlips;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
 use crate::remesh::flips::FlipOptimiser;
@@ -98,8 +100,12 @@ impl Session {
     /// [`Fault::no_mesh`]; steps of no flip.
     pub fn arrange(&mut self, arrangement: Arrangement) -> Result<(), Fault> {
         if arrangement.flips_per_step == Some(0) {
-            let hint = "It is 1 or more, or absent for all that gain anything.";
-            return Err(Fault::new("BadOption", "flipsPerStep cannot be 0", hint));
+            let error = AppError::BadOption {
+                name: "flipsPerStep",
+                value: "0".into(),
+                allowed: Allowed::WholeFrom { low: 1 },
+            };
+            return Err(error.into());
         }
         self.work_mut()?.arrange(arrangement);
         Ok(())

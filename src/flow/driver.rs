@@ -2,17 +2,18 @@
 
 use super::circle::CircleFlow;
 use super::curvature::CurvatureFlow;
+use super::error::Allowed;
 use super::guard::Guard;
 use super::options::{FlowName, FlowOptions};
 use super::p_willmore::PWillmoreFlow;
-use super::report::WarningsGiven;
 use super::rules::Ceiling;
 use super::run::{Run, Start};
 use super::search::{Taken, Trials};
 use super::termination::{Ending, Gain, Window};
+use super::warning::WarningsGiven;
 use super::{
     Cause, Cost, Flow, FlowError, Functional, Move, Occasion, Phase, Progress, Proposal, Refusal,
-    Search, Status, StepReport, Verdict,
+    Search, Status, StepReport, Verdict, Warning,
 };
 use crate::geometry::survey::survey;
 use crate::geometry::{measure, quality};
@@ -77,7 +78,7 @@ impl Driver {
                 return Err(FlowError::BadOption {
                     name: "flow",
                     value: "flips".into(),
-                    allowed: "one that moves vertices",
+                    allowed: Allowed::MovingFlow,
                 });
             }
         };
@@ -209,7 +210,11 @@ impl Driver {
     }
 
     /// Begins a phase; the positions it begins from, if they are not those there are.
-    pub(super) fn begin(&mut self, phase: Phase, warnings: &mut Vec<String>) -> Option<Vec<DVec3>> {
+    pub(super) fn begin(
+        &mut self,
+        phase: Phase,
+        warnings: &mut Vec<Warning>,
+    ) -> Option<Vec<DVec3>> {
         if phase.resets_step_size {
             self.run.step_size = self.flow.step_size();
         }

@@ -2,6 +2,7 @@
 
 use super::FlowError;
 use super::constraint::Kept;
+use super::error::Allowed;
 use crate::energy::circle::Boundary;
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
@@ -228,43 +229,51 @@ impl FlowOptions {
             ("dt", self.dt),
             ("tau", self.tau),
             ("detail", self.detail),
-            ("the largest τ", self.tau_max),
-            ("the growth of τ", Some(self.tau_growth)),
-            ("the ε of the regularisation", Some(self.regularise_epsilon)),
-            ("the budget of seconds", self.max_seconds),
+            ("tauMax", self.tau_max),
+            ("tauGrowth", Some(self.tau_growth)),
+            ("regulariseEpsilon", Some(self.regularise_epsilon)),
+            ("maxSeconds", self.max_seconds),
         ];
         for (name, value) in positive {
             if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
-                return bad(name, value.to_string(), "any positive number");
+                return bad(name, value.to_string(), Allowed::Positive);
             }
         }
         if !(0.0..=1.0).contains(&self.epsilon) {
-            return bad("epsilon", self.epsilon.to_string(), "a number from 0 to 1");
+            let allowed = Allowed::Range {
+                low: 0.0,
+                high: 1.0,
+            };
+            return bad("epsilon", self.epsilon.to_string(), allowed);
         }
         if !(0.0..=MAX_PERTURBATION).contains(&self.perturbation) {
             let value = self.perturbation.to_string();
-            return bad("the perturbation", value, "a number from 0 to 0.3");
+            let allowed = Allowed::Range {
+                low: 0.0,
+                high: MAX_PERTURBATION,
+            };
+            return bad("perturbation", value, allowed);
         }
         if self.smooth_steps == 0 {
-            return bad("smoothSteps", "0".into(), "1 or more");
+            return bad("smoothSteps", "0".into(), Allowed::WholeFrom { low: 1 });
         }
         if self.p != 0.0 && !(1.0..=MAX_EXPONENT).contains(&self.p) {
-            return bad(
-                "the exponent p",
-                self.p.to_string(),
-                "0, or a number from 1 to 16",
-            );
+            let allowed = Allowed::ZeroOrRange {
+                low: 1.0,
+                high: MAX_EXPONENT,
+            };
+            return bad("p", self.p.to_string(), allowed);
         }
         if let Some(v) = self.reduced_volume.filter(|v| !(*v > 0.0 && *v <= 1.0)) {
-            return bad("the reduced volume", v.to_string(), "above 0 and at most 1");
+            return bad("reducedVolume", v.to_string(), Allowed::UpTo { high: 1.0 });
         }
         let terms = [
-            ("the spontaneous curvature", self.spontaneous_curvature),
-            ("the tension", self.tension),
-            ("the pressure", self.pressure),
+            ("spontaneousCurvature", self.spontaneous_curvature),
+            ("tension", self.tension),
+            ("pressure", self.pressure),
         ];
         match terms.into_iter().find(|(_, value)| !value.is_finite()) {
-            Some((name, value)) => bad(name, value.to_string(), "any finite number"),
+            Some((name, value)) => bad(name, value.to_string(), Allowed::Finite),
             None => Ok(()),
         }
     }

@@ -6,7 +6,8 @@
 //! too small to move anything proves nothing. If it is not at rest it has stalled, unless the
 //! step size was asked for, or steps are taken without trouble and may yet grow.
 
-use super::{Cause, Functional, Refusal, Status};
+use super::{Advice, Cause, Functional, Refusal, Status};
+use crate::message::messages;
 
 /// Steps looked back at.
 const WINDOW: usize = 10;
@@ -25,7 +26,86 @@ pub enum Verdict {
     /// Take the next step.
     GoOn,
     /// The run is over for this reason.
-    Stop(Status, String),
+    Stop(Status, Reason),
+}
+
+messages! {
+    /// Why a run is over, beside what its status says.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub enum Reason as "reason" {
+        /// The surface is at rest by the flow's own test.
+        AtRest,
+        /// No vertex moves any more.
+        Still,
+        /// The energy is zero up to roundoff.
+        ZeroEnergy,
+        /// The amount of smoothing asked for is done.
+        Smoothed {
+            /// In so many steps.
+            steps: usize,
+        },
+        /// The limit of steps is reached.
+        StepLimit {
+            /// That limit.
+            steps: usize,
+        },
+        /// The seconds of computing are used up.
+        TimeLimit {
+            /// So many.
+            seconds: f64,
+        },
+        /// A face has grown so large that the mesh no longer resolves the surface.
+        LargeFace {
+            /// Which.
+            face: u32,
+            /// Its area over the mean.
+            times: f64,
+        },
+        /// Every step tried was refused.
+        Refused {
+            /// The last one.
+            cause: Cause,
+            /// What helps.
+            advice: Advice,
+        },
+        /// Only ever smaller steps lower the energy, which is not at rest.
+        Creeping {
+            /// What helps.
+            advice: Advice,
+        },
+        /// Any further step would have less energy than smooth surfaces of this topology can.
+        BelowBound,
+        /// The surface shrinks to a point.
+        Vanishes {
+            /// When.
+            time: f64,
+            /// Where.
+            place: [f64; 3],
+        },
+        /// A neck pinches off.
+        PinchedNeck {
+            /// When.
+            time: f64,
+            /// The vertex of the sharpest bend.
+            vertex: u32,
+            /// Where it lies.
+            place: [f64; 3],
+        },
+        /// A tip becomes a point.
+        SharpTip {
+            /// When.
+            time: f64,
+            /// The vertex of the sharpest bend.
+            vertex: u32,
+            /// Where it lies.
+            place: [f64; 3],
+        },
+        /// No edge flip lowers the cost any more.
+        NoFlips {
+            /// `area`, `willmore` or `localised`; `all` of the three.
+            criterion: &'static str,
+        },
+    }
 }
 
 /// The last few steps of a phase.
@@ -107,15 +187,6 @@ impl Window {
             ..Self::default()
         };
     }
-}
-
-/// A sentence about steps that can go no further, from why the last trial was refused.
-pub(super) fn stalled(steps: usize, refusal: Option<Refusal>, remedy: &str) -> String {
-    let last = match refusal.map(|refusal| refusal.cause) {
-        Some(cause) => format!(": every step tried was refused, the last because {cause}"),
-        None => ": only ever smaller steps lower the energy, which is not at rest".into(),
-    };
-    format!("Stalled after {steps} steps{last}; {remedy}")
 }
 
 /// Whether a refusal may be of a surface that becomes singular, and not of a functional that

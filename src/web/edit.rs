@@ -1,9 +1,11 @@
 //! What `Session` can do with connectivity: edge flips, pictures side by side, the
 //! conjecture, fills, edits and their undoing.
 
-use super::fault::{fault, object};
-use super::session::{Session, field, floats, from_js, indices, loaded, to_js};
-use crate::app::{Arrangement, ConjectureReport, FillOptions, FlipOptions, Pane, SubdivideOptions};
+use super::fault::object;
+use super::session::{Session, field, floats, from_js, indices, loaded, refusal, to_js};
+use crate::app::{
+    AppError, Arrangement, ConjectureReport, FillOptions, FlipOptions, Pane, SubdivideOptions,
+};
 use js_sys::{Float64Array, Function};
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
@@ -103,8 +105,8 @@ impl Session {
     /// If there is no such vertex.
     pub fn quadrilateral(&self, corners: &[u32]) -> Result<JsValue, JsValue> {
         let Ok(corners) = <[u32; 4]>::try_from(corners) else {
-            let message = format!("{} corners are given", corners.len());
-            return Err(fault("BadOption", &message, "A quadrilateral has four."));
+            let corners = corners.len();
+            return Err(refusal(AppError::BadQuadrilateral { corners }));
         };
         Ok(to_js(&self.0.quadrilateral(corners)?))
     }

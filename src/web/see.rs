@@ -1,15 +1,15 @@
 //! What `Session` shows of the mathematics: Möbius inversion, circles, curvature lines.
 
-use super::fault::{fault, object};
-use super::session::{Session, field, floats, from_js, indices, to_js};
-use crate::app::{Look, SelfIntersections};
+use super::fault::object;
+use super::session::{Session, field, floats, from_js, indices, refusal, to_js};
+use crate::app::{AppError, Look, SelfIntersections};
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::*;
 
 fn point(centre: &[f64]) -> Result<[f64; 3], JsValue> {
     <[f64; 3]>::try_from(centre).map_err(|_| {
-        let message = format!("{} coordinates are given", centre.len());
-        fault("BadOption", &message, "A centre has three.")
+        let coordinates = centre.len();
+        refusal(AppError::BadPoint { coordinates })
     })
 }
 

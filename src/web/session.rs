@@ -2,8 +2,8 @@
 //!
 //! Typed arrays given out are copies owned by JavaScript, safe to transfer.
 
-use super::fault::{fault, object};
-use crate::app::{Fault, Field, Loaded, RegulariseOptions, Session as Inner};
+use super::fault::object;
+use crate::app::{AppError, Fault, Field, Loaded, RegulariseOptions, Session as Inner};
 use crate::energy::circle::Boundary;
 use crate::flow::options::FlowOptions;
 use crate::io::Format;
@@ -21,6 +21,10 @@ impl From<Fault> for JsValue {
     }
 }
 
+pub(super) fn refusal(error: AppError) -> JsValue {
+    Fault::from(error).into()
+}
+
 /// A plain object; maps become objects, `None` becomes null.
 pub(super) fn to_js<T: Serialize>(value: &T) -> JsValue {
     let serializer = serde_wasm_bindgen::Serializer::new()
@@ -35,11 +39,8 @@ pub(super) fn from_js<T: DeserializeOwned + Default>(value: JsValue) -> Result<T
         return Ok(T::default());
     }
     serde_wasm_bindgen::from_value(value).map_err(|error| {
-        fault(
-            "BadOption",
-            &error.to_string(),
-            "See the list of options and their values.",
-        )
+        let reason = error.to_string();
+        refusal(AppError::BadOptions { reason })
     })
 }
 
@@ -72,7 +73,6 @@ pub(super) fn loaded(l: &Loaded) -> JsValue {
 pub(super) fn field(f: &Field) -> JsValue {
     object(&[
         ("name", to_js(&f.name)),
-        ("label", f.label.into()),
         ("values", floats(&f.values)),
         ("low", f.low.into()),
         ("high", f.high.into()),
@@ -337,12 +337,10 @@ impl Session {
     /// Unknown formats.
     pub fn export(&self, format: &str) -> Result<Uint8Array, JsValue> {
         let Some(format) = Format::from_name(format) else {
-            let message = format!("there is no format `{format}`");
-            return Err(fault(
-                "UnknownFormat",
-                &message,
-                "obj, off, ply, ply-ascii, stl, stl-ascii or glb.",
-            ));
+            return Err(refusal(AppError::UnknownFormat {
+                name: format.into(),
+                known: Format::ALL.map(Format::name).to_vec(),
+            }));
         };
         Ok(Uint8Array::from(self.0.export(format)?.as_slice()))
     }

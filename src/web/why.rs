@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 fn diagnosis(d: &Diagnosis) -> JsValue {
     object(&[
         ("kind", to_js(&d.kind)),
-        ("sentence", to_js(&d.sentence)),
+        ("message", to_js(&d.message)),
         ("vertices", indices(&d.vertices)),
         ("faces", indices(&d.faces)),
         ("edges", indices(&d.edges)),

@@ -6,17 +6,18 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { after, test } from "node:test";
 import { FluentResource } from "@fluent/bundle";
+import { parseAst } from "vite";
 import { languages, speak } from "../../www/language.js";
 import { say } from "../../www/words.js";
 
 after(() => speak("en"));
 
-/** The entries of a language as Fluent reads them. @param {string} language */
-function wordsOf(language) {
+/** The entries of a language as Fluent reads them. @param {string} language @param {string} [only] */
+function wordsOf(language, only) {
   const folder = new URL(`../../www/locales/${language}/`, import.meta.url);
   /** @type {Map<string, { variables: string[], text: string }>} */
   const found = new Map();
-  for (const file of readdirSync(folder)) {
+  for (const file of only ? [only] : readdirSync(folder)) {
     const source = readFileSync(new URL(file, folder), "utf8");
     const { body } = new FluentResource(source);
     // Fluent leaves out what it cannot read, without a word.
@@ -48,6 +49,68 @@ test("every language has words for the same messages, with the same values", () 
     assert.deepEqual([...words.keys()].sort(), [...english.keys()].sort(), language);
     for (const [id, { variables }] of words)
       assert.deepEqual(variables, english.get(id)?.variables, `${language} ${id}`);
+  }
+});
+
+/** What the page, the worker and the command line say by its id. */
+function saidHere() {
+  /** @type {Set<string>} */
+  const found = new Set();
+  const www = new URL("../../www/", import.meta.url);
+  const names = readdirSync(www, { recursive: true, encoding: "utf8" });
+  /** @param {any} node */
+  const literal = (node) => (node?.type === "Literal" ? String(node.value) : null);
+  /** @param {any} node */
+  function walk(node) {
+    if (Array.isArray(node)) return node.forEach(walk);
+    if (typeof node?.type !== "string") return;
+    if (node.type === "CallExpression") {
+      const { name } = node.callee;
+      const [first, , third] = node.arguments.map(literal);
+      if (name === "say" && first) found.add(first);
+      if (name === "badRecipe" && first) found.add(first).add(`${first}.hint`);
+      if (name === "check" && third) found.add(`must-be-${third}`);
+    }
+    if (node.type === "ObjectExpression") {
+      const keys = node.properties.map((/** @type {any} */ { key }) => key?.name);
+      const [id] = node.properties.map((/** @type {any} */ { value }) => literal(value));
+      if (id && ["id", "id,values"].includes(keys.join())) found.add(id);
+    }
+    for (const value of Object.values(node)) if (value && typeof value === "object") walk(value);
+  }
+  for (const name of names.filter((one) => /^(?!pkg|tools).*\.js$/.test(one))) {
+    walk(parseAst(readFileSync(new URL(name, www), "utf8")));
+  }
+  return found;
+}
+
+test("what the page says has words, and no words of its own are left over", () => {
+  const [said, words] = [saidHere(), wordsOf("en")];
+  assert.ok(said.size > 30);
+  assert.deepEqual(
+    [...said].filter((id) => !words.has(id)),
+    [],
+  );
+  const own = [...wordsOf("en", "page.ftl").keys()];
+  assert.deepEqual(
+    own.filter((id) => !said.has(id)),
+    [],
+  );
+});
+
+test("every message can be said, with any values of their kind", async () => {
+  const lists = new Set(["faces", "vertices", "loops", "known"]);
+  for (const language of Object.keys(languages)) {
+    await speak(/** @type {"en" | "de"} */ (language));
+    for (const [id, { variables, text }] of wordsOf(language)) {
+      const values = Object.fromEntries(
+        variables.map((name) => {
+          const isList = lists.has(name) && /"name":"(COUNT|LIST)"/.test(text);
+          return [name, isList ? [3, 4] : 2];
+        }),
+      );
+      assert.doesNotMatch(say(id, values), /\{[$A-Z-]|^$|undefined|NaN/, `${language} ${id}`);
+    }
   }
 });
 

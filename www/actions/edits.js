@@ -142,7 +142,7 @@ export function createEdits(core) {
           ...earlier,
           { source, options: before, history, what },
         ]);
-        for (const warning of outcome.warnings) voice.note(warning);
+        for (const warning of outcome.warnings) voice.note(say(warning), warning.id);
         const flow = byCurvature.includes(before.flow) ? before.flow : "mmcv";
         const free = loaded.free ? [...loaded.free] : null;
         const plain = { boundary: null, fixed: null, dt: null, tau: null, prefill: false };

@@ -2,6 +2,7 @@
 // `umbilic bench`: the tables of the documentation, measured on this machine.
 
 import { isOver } from "../standing.js";
+import { say } from "../words.js";
 import { Failure, orExit, usage } from "./failure.js";
 import { chosen, figureRows } from "./figures.js";
 import { number, parse } from "./options.js";
@@ -353,7 +354,9 @@ const blank = { step: null, assemble: null, factor: null, solve: null, rejected:
 function oneStep(session) {
   const report = orExit(4, () => session.step());
   if (report) return report;
-  throw new Failure(4, "NoStep", `There is no step to measure: ${session.state().message}.`, "");
+  const { message } = session.state();
+  const why = message ? say(message) : "";
+  throw new Failure(4, "NoStep", `There is no step to measure: ${why}.`, "");
 }
 
 /** @param {number[]} values */

@@ -2,15 +2,17 @@
 // `umbilic fill`: closes holes or connects boundary loops, and fairs what is new.
 
 import { isBreakdown } from "../standing.js";
+import { say } from "../words.js";
 import { orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
 import { budgetOf, budgetOptions, runSteps } from "./flow.js";
 import { number, parse } from "./options.js";
-import { format } from "./text.js";
+import { format, inWords } from "./text.js";
 
 /** @typedef {import("../protocol.js").Filled} Filled */
 /** @typedef {import("../protocol.js").Info} Info */
 /** @typedef {import("../protocol.js").Fairing} Fairing */
+/** @typedef {import("../protocol.js").Message} Message */
 /** @typedef {import("../protocol.js").StepReport} StepReport */
 /** @typedef {import("./options.js").Values} Values */
 
@@ -61,19 +63,21 @@ export const fill = {
     /** @type {Fairing | undefined} */
     let fairing;
     if (flow !== "none" && verticesAdded === 0) {
-      filled.warnings.push(`There is no new vertex, and nothing for ${flow} to move.`);
+      filled.warnings.push({ id: "fair-nothing", values: { flow } });
     } else if (flow !== "none") {
       const { warnings, ...rest } = fair(session, flow, firstVertex, verticesAdded, budget, io);
       filled.warnings.push(...warnings);
       fairing = rest;
     }
     /** @type {Info} */
-    const info = session.info();
+    const card = session.info();
+    const info = inWords(card);
+    const said = inWords(filled);
 
     if (values.out) writeOutput(values.out, session.export(outFormat));
-    const report = { ...filled, ...(fairing && { fair: fairing }), info };
+    const report = { ...said, ...(fairing && { fair: fairing }), info };
     if (values.json) io.write(`${JSON.stringify(report)}\n`);
-    else io.write(summary(filled, fairing, info));
+    else io.write(summary(said, fairing, info));
     return fairing && isBreakdown(fairing.status) ? 4 : 0;
   },
 };
@@ -101,19 +105,20 @@ function loops(values) {
  * @param {number} count
  * @param {ReturnType<typeof budgetOf>} budget
  * @param {import("./terminal.js").Terminal} io
- * @returns {Fairing & { warnings: string[] }}
+ * @returns {Fairing & { warnings: Message[] }}
  */
 function fair(session, flow, first, count, budget, io) {
   const free = Array.from({ length: count }, (_, i) => first + i);
   orExit(3, () => session.configure({ ...budget, flow, boundary: "fixed", free }));
-  const { status, message, steps } = runSteps(session, ({ step, energy }) =>
+  const { status, message, messageId, steps } = runSteps(session, ({ step, energy }) =>
     io.log(`step ${step}  energy ${energy}`),
   );
   const curvatureJump = session.curvatureJump();
   const warnings = told(steps);
   // The best patch there is, but not the one that was meant.
-  if (status === "stalled") warnings.push(`The patch is not at rest. ${message}.`);
-  return { flow, status, message, steps: steps.length, curvatureJump, warnings };
+  const reason = session.state().message;
+  if (status === "stalled") warnings.push({ id: "fair-not-at-rest", values: { reason } });
+  return { flow, status, message, messageId, steps: steps.length, curvatureJump, warnings };
 }
 
 /**
@@ -122,9 +127,12 @@ function fair(session, flow, first, count, budget, io) {
  */
 function told(steps) {
   const folding = steps.filter(({ flippedFaces }) => flippedFaces > 0).length;
-  const others = steps.flatMap(({ warnings }) => warnings.filter((w) => !/folded over/.test(w)));
-  const folds = folding > 0 ? [`Faces folded over in ${folding} of ${steps.length} steps.`] : [];
-  return [...new Set(others), ...folds];
+  const all = steps.flatMap(({ warnings }) => warnings);
+  const others = new Map(
+    all.filter(({ id }) => id !== "warning-folded-faces").map((warning) => [say(warning), warning]),
+  );
+  const values = { folding, steps: steps.length };
+  return [...others.values(), ...(folding > 0 ? [{ id: "fair-folds", values }] : [])];
 }
 
 /**
@@ -143,9 +151,9 @@ function summary({ loops, verticesAdded, facesAdded, warnings }, fairing, info) 
 }
 
 /** @param {Fairing} fairing */
-function fairingLines({ flow, status, message, steps, curvatureJump }) {
+function fairingLines({ flow, message, curvatureJump }) {
   return [
-    `${flow}: ${status} after ${steps} steps: ${message}`,
+    `${flow}: ${message}`,
     ...(curvatureJump ? [`jump of H across the rims: ${format(curvatureJump.relative)}`] : []),
   ];
 }

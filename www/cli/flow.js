@@ -2,10 +2,11 @@
 // `umbilic flow`: runs a flow and reports every step.
 
 import { isBreakdown, isOver } from "../standing.js";
+import { say } from "../words.js";
 import { Failure, orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, readSelection, writeOutput } from "./files.js";
 import { number, parse } from "./options.js";
-import { entries, format, table } from "./text.js";
+import { entries, format, inWords, table } from "./text.js";
 
 /** @typedef {import("../protocol.js").FlowOptions} FlowOptions */
 /** @typedef {import("../protocol.js").StepReport} StepReport */
@@ -121,11 +122,18 @@ export const flow = {
     const energyOptions = { p: powers, ...(options.boundary && { boundary: options.boundary }) };
     const readings = () => ({ ...session.energy(energyOptions), ...crossings(session, values) });
     const initial = orExit(3, readings);
-    const { status, message, steps, fault } = runSteps(session, (step) => io.log(stepLine(step)));
+    const { steps, fault, ...end } = runSteps(session, (step) => io.log(stepLine(step)));
+    const { status } = end;
     const final = status === "failed" ? orNull(readings) : readings();
     const { monitored } = session.state();
-    const outcome = { status, message, ...fault, monitored };
-    const report = { ...outcome, steps, initial, final, ...jump(session, options) };
+    const outcome = { ...end, ...fault, monitored };
+    const report = {
+      ...outcome,
+      steps: steps.map(inWords),
+      initial,
+      final,
+      ...jump(session, options),
+    };
 
     if (values.out) writeOutput(values.out, session.export(outFormat));
     if (values.history) writeOutput(values.history, session.history());
@@ -291,7 +299,7 @@ function positive(values, name) {
  * Steps until the session says it is over.
  * @param {Session} session
  * @param {(step: StepReport) => void} onStep
- * @returns {{ status: Status, message: string, steps: StepReport[],
+ * @returns {{ status: Status, message: string, messageId: string | null, steps: StepReport[],
  *             fault?: { kind: string, hint: string } }}
  */
 export function runSteps(session, onStep) {
@@ -308,12 +316,19 @@ export function runSteps(session, onStep) {
     }
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
-    const { kind, message, hint } = error;
-    return { status: "failed", message, steps, fault: { kind, hint } };
+    const { kind, message, hint, id = null } = error;
+    const fault = { kind, hint };
+    return { ...ending("failed", steps.length, message), messageId: id, steps, fault };
   }
-  const { status, message } = session.state();
-  return { status, message, steps };
+  const { status, message, step } = session.state();
+  return { ...ending(status, step, message), messageId: message?.id ?? null, steps };
 }
+
+/** @param {Status} status @param {number} steps @param {unknown} reason */
+const ending = (status, steps, reason) => ({
+  status,
+  message: say("run-over", { ended: { id: "ended", values: { status, steps } }, reason }),
+});
 
 /**
  * @template T
@@ -337,13 +352,12 @@ function stepLine({ step, energy, dt, gradientNorm, milliseconds }) {
 }
 
 /**
- * @param {{ status: string, message: string, steps: StepReport[], initial: any, final: any,
+ * @param {{ message: string, initial: any, final: any,
  *           curvatureJump?: CurvatureJump | null }} report
  */
-function summary({ status, message, steps, initial, final, curvatureJump }) {
+function summary({ message, initial, final, curvatureJump }) {
   const last = final && new Map(entries(final));
   const rows = entries(initial).map(([key, value]) => [key, format(value), format(last?.get(key))]);
-  const heading = `${status}, ${steps.length} steps: ${message}\n\n`;
   if (curvatureJump) rows.push(["curvatureJump", "", format(curvatureJump.relative)]);
-  return heading + table([["", "initial", "final"], ...rows]);
+  return `${message}\n\n${table([["", "initial", "final"], ...rows])}`;
 }

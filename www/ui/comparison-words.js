@@ -9,6 +9,7 @@ import { letter, optionsOf } from "../comparison.js";
 import { t, translated } from "../language.js";
 import { asText, choices, usualBoundary } from "../options.js";
 import { isOver, standings } from "../standing.js";
+import { say } from "../words.js";
 import { flowLabel } from "./curvature-form.js";
 import { formatNumber } from "./number.js";
 
@@ -91,8 +92,8 @@ function standing({ reading, phase, reason }) {
   if (phase === "loading") return t("loading…");
   if (phase === "lost") return reason;
   if (!reading || !isOver(reading.status)) return "";
-  return reading.status === "failed"
-    ? t("failed: {reason}", { reason: reading.message })
+  return reading.status === "failed" && reading.message
+    ? t("failed: {reason}", { reason: say(reading.message) })
     : translated(standings[reading.status]);
 }
 

@@ -3,6 +3,7 @@
 use super::curvatures::Curvatures;
 use super::{curvature_variation, mean_curvature, surface_diffusion, willmore};
 use crate::flow::FlowError;
+use crate::flow::error::Allowed;
 use crate::flow::options::FlowName;
 
 /// Which velocity.
@@ -25,7 +26,7 @@ impl Law {
             FlowName::Circle | FlowName::PWillmore | FlowName::Flips => Err(FlowError::BadOption {
                 name: "flow",
                 value: format!("{flow:?}"),
-                allowed: "one by mean curvature or its derivatives",
+                allowed: Allowed::CurvatureFlow,
             }),
         }
     }

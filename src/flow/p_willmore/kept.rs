@@ -3,6 +3,7 @@
 use crate::energy::p_willmore::{Evaluation, Integrals};
 use crate::flow::FlowError;
 use crate::flow::constraint::{self, Constraint};
+use crate::flow::error::Allowed;
 use crate::flow::options::FlowOptions;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -43,9 +44,9 @@ impl Kept {
             Some(reduced) => {
                 if !(keeps_area && keeps_volume) {
                     return Err(FlowError::BadOption {
-                        name: "the reduced volume",
+                        name: "reducedVolume",
                         value: reduced.to_string(),
-                        allowed: "given only where both area and volume are kept",
+                        allowed: Allowed::WithAreaAndVolume,
                     });
                 }
                 Some(reduced * ball_volume(start.area) * start.volume.signum())

@@ -21,13 +21,14 @@ mod system;
 mod warning;
 
 use super::bounds::lower_bounds;
+use super::error::Allowed;
 use super::options::{FlowOptions, Scheme};
-use super::report::WarningsGiven;
 use super::rules::{Ceiling, Folds};
 use super::step_size::StepSize;
+use super::warning::WarningsGiven;
 use super::{
-    Cost, Flow, FlowError, Functional, Monitored, Move, Multipliers, Occasion, Phase, Proposal,
-    Reading, Refusal, Rules, StepReport, vesicle,
+    Advice, Cost, Flow, FlowError, Functional, Monitored, Move, Multipliers, Occasion, Phase,
+    Proposal, Reading, Refusal, Rules, StepReport, vesicle,
 };
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
 use crate::geometry::measure;
@@ -369,15 +370,15 @@ impl Flow for PWillmoreFlow {
         self.warn_of(x, report, given);
     }
 
-    fn remedy(&self) -> &'static str {
+    fn advice(&self) -> Advice {
         if self.mode() == Mode::Off {
-            "conformal regularisation or a finer mesh helps"
+            Advice::RegularOrFiner
         } else if self.options.p < 2.0 {
-            "where it thins out the surface becomes singular; keeping the volume prevents that"
+            Advice::KeepVolume
         } else if self.options.p > 2.0 {
-            "smooth with p = 2 first, or use a finer mesh"
+            Advice::SmoothFirst
         } else {
-            "a finer mesh helps"
+            Advice::FinerMesh
         }
     }
 
@@ -437,16 +438,16 @@ fn helfrich(options: &FlowOptions, scale: f64, triangles: bool) -> Result<Helfri
     };
     if helfrich != Helfrich::default() && options.p != 2.0 {
         return Err(FlowError::BadOption {
-            name: "the exponent p",
+            name: "p",
             value: options.p.to_string(),
-            allowed: "only 2 with spontaneous curvature, tension or pressure",
+            allowed: Allowed::HelfrichTwo,
         });
     }
     if helfrich.spontaneous != 0.0 && !triangles {
         return Err(FlowError::BadOption {
-            name: "the spontaneous curvature",
+            name: "spontaneousCurvature",
             value: options.spontaneous_curvature.to_string(),
-            allowed: "0 on quadrilaterals; triangulate the mesh for others",
+            allowed: Allowed::ZeroOnQuadrilaterals,
         });
     }
     Ok(helfrich)
@@ -461,15 +462,15 @@ fn check_paper(options: &FlowOptions, vertices: usize) -> Result<(), FlowError> 
         });
     }
     let terms = [
-        ("the spontaneous curvature", options.spontaneous_curvature),
-        ("the tension", options.tension),
-        ("the pressure", options.pressure),
+        ("spontaneousCurvature", options.spontaneous_curvature),
+        ("tension", options.tension),
+        ("pressure", options.pressure),
     ];
     match terms.into_iter().find(|(_, value)| *value != 0.0) {
         Some((name, value)) => Err(FlowError::BadOption {
             name,
             value: value.to_string(),
-            allowed: "only 0 in the paper's scheme",
+            allowed: Allowed::ZeroInPaper,
         }),
         None => Ok(()),
     }

@@ -1,0 +1,148 @@
+# Flows: src/flow.
+
+## Why a flow cannot start or go on
+
+flow-not-triangular = face { $face } has { $corners } corners; this flow works on triangles
+    .hint = Triangulate the mesh first.
+flow-zero-length-edge = the edge between vertices { $a } and { $b } has no length{ $others ->
+    [0] {""}
+    [one] ; one other edge is like it
+   *[other] ; { $others } other edges are like it
+}
+    .hint = Merge the two vertices in a mesh editor (merge by distance), then load again.
+flow-nothing-free = no vertex is free to move
+    .hint = With a clamped boundary the vertices within one edge of it are held too: choose a fixed or free boundary, a finer mesh, or a larger selection.
+flow-selection-out-of-range = the selection names vertex { $vertex }, but there are only { $vertices } vertices
+    .hint = Vertex indices count from 0 in the order of the file.
+flow-bad-option = { $name } cannot be { $value }
+    .hint = It may be { $allowed }.
+flow-not-closed = the surface has { $loops ->
+    [one] { $loops } boundary loop
+   *[other] { $loops } boundary loops
+}; this flow is for closed surfaces
+    .hint = Close its holes in a mesh editor and open it again, or choose the circle-angle Willmore flow, which takes boundaries.
+flow-not-oriented = the surface is one-sided; this flow is for orientable surfaces
+    .hint = Choose the circle-angle Willmore flow, which needs no orientation.
+flow-mixed-faces = the mesh mixes faces of different degree
+    .hint = Triangulate the mesh first.
+flow-too-large = the mesh has { $vertices } vertices; the paper's scheme takes { $limit }
+    .hint = Choose the recommended scheme, which tends to the same flow, or a coarser mesh.
+flow-unfit = the surface cannot be fitted at vertex { $vertex }
+    .hint = It has too few neighbours, some of them coincide, or faces around it have collapsed or are folded: repair the mesh there, or hold the vertices around it.
+flow-inaccurate = the linear system was solved to a residual of { NUMBER($residual, digits: 2) } only
+    .hint = Choose a smaller step size, a coarser mesh or a flow of lower order.
+flow-non-finite-energy = the energy is not a finite number at step { $step }
+    .hint = Go back a step, choose a smaller step size or the recommended scheme, and look for a folded or collapsed triangle.
+flow-linear = the linear system could not be solved: { $reason }
+
+## What an option may be
+
+allowed-positive = any positive number
+allowed-finite = any finite number
+allowed-range = a number from { $low } to { $high }
+allowed-zero-or-range = 0, or a number from { $low } to { $high }
+allowed-up-to = above 0 and at most { $high }
+allowed-whole-from = a whole number from { $low }
+allowed-moving-flow = one that moves vertices
+allowed-curvature-flow = one by mean curvature or its derivatives
+allowed-with-area-and-volume = given only where both area and volume are kept
+allowed-helfrich-two = only 2 with spontaneous curvature, tension or pressure
+allowed-zero-on-quadrilaterals = 0 on quadrilaterals; triangulate the mesh for others
+allowed-zero-in-paper = only 0 in the paper's scheme
+
+## Warnings of a step
+
+warning-near-bound = ∫H² is below that of every smooth surface with these handles: the mesh no longer resolves the surface.
+warning-growth = The area has grown several times over: a bubble, round and thus cheap, may be forming. From a rough start, smooth a little first.
+warning-balloon = Half of the area is held by few large faces: a part of the surface inflates, which this energy does not mind. The p-Willmore flow with area and volume kept does not let it.
+warning-reading-rose = W rose from { NUMBER($before, digits: 5) } to { NUMBER($after, digits: 5) } in this step, although the smoothed energy that the flow lowers fell: many of its angles were near zero.
+warning-coarse = At vertex { $vertex } edges are too long for the curvature: use a finer mesh.
+warning-nearly-singular = At vertex { $vertex } the surface is about to become singular, as a neck that pinches off: use a finer mesh.
+warning-large-face = The largest face has grown to { $times } times the mean: one part of the surface inflates, and the energy shown is too low. A finer mesh helps.
+warning-slivers = The mesh degenerates: its smallest angle is { NUMBER($degrees, digits: 2) }°, { NUMBER($before, digits: 2) }° at the start; { $advice }.
+warning-folded-faces = { $count ->
+    [one] { $count } face
+   *[other] { $count } faces
+} folded over in this step.
+warning-far-moves = The recommended scheme limits how far vertices move.
+warning-iterative-mesh = The mesh is too large to factor its matrices in memory: they are solved iteratively, and steps take longer.
+warning-iterative-patch = The patch is too large to factor its matrix in memory: it is solved iteratively, and steps take longer.
+warning-inaccurate = The linear system was solved to a residual of { NUMBER($residual, digits: 2) } only.
+warning-margin = { $rings ->
+    [2] Fewer than two rings of held vertices lie between the free patch's boundary and the mesh's: there the surface is fitted from one side, and only positions are given, not the curvature.
+   *[other] Fewer than one ring of held vertices lies between the free patch's boundary and the mesh's: there the surface is fitted from one side, and only positions are given, not the tangent plane.
+}
+warning-disagreement = Two readings of ∫H², with a lumped and with a consistent mass, part by { NUMBER($percent, digits: 2) } %: the mesh does not resolve its curvature well.
+warning-branch = The volume is where it was to go. The shape is { $shape ->
+    [round] round
+    [prolate] prolate
+    [oblate] oblate
+   *[triaxial] of three different axes
+}: its principal lengths are 1 : { $middle } : { $shortest }. Others at rest with this area and volume may have less energy; a perturbation of the start lets a symmetric shape leave an unstable branch.
+warning-halved-step = I/dt + K was not positive definite: this step was halved { $times ->
+    [one] once
+   *[other] { $times } times
+}.
+warning-newton-failed = Newton's method did not converge in this step.
+warning-near-sphere = Near a sphere semi-implicit steps take over again.
+warning-away-from-sphere = Away from a sphere angles are smoothed again.
+warning-little-gain = Steps gain little: L-BFGS takes over.
+warning-no-gain = Steps gain nothing: L-BFGS takes over.
+warning-exact-halt = Exact steps have come to a halt: angles are smoothed again.
+warning-another-round = W still falls: another round of L-BFGS.
+warning-rough-start = The start is too rough for the sixth-order flow, which would move it by { NUMBER($edges, digits: 2) } edge lengths: up to { $steps } steps of surface diffusion go before.
+warning-back-to-start = No rest in sight: back to the start, up to { $steps } steps of surface diffusion go before.
+warning-better-before = A surface on the way varied its curvature less than the last: it is put in place.
+
+## What helps, in half a sentence
+
+advice-finer-mesh = a finer mesh helps
+advice-better-mesh = a better mesh helps, as conformal regularisation makes it
+advice-regular-or-finer = conformal regularisation or a finer mesh helps
+advice-keep-volume = where it thins out the surface becomes singular; keeping the volume prevents that
+advice-smooth-first = smooth with p = 2 first, or use a finer mesh
+advice-p-willmore-zero = the p-Willmore flow with p = 0 keeps its mesh a better one
+advice-regular-or-p-willmore = conformal regularisation or the p-Willmore flow helps
+advice-first-guess = a smooth first guess, a finer mesh or a flow of lower order helps
+
+## Why a trial step was refused
+
+cause-rise = the energy would rise
+cause-reading-jump = the energy as printed would jump up
+cause-bound = the energy would be below that of every smooth surface of this topology
+cause-unfit = curvatures could no longer be fitted
+cause-fold = faces would fold over
+cause-too-far = a vertex would move by more than half an edge
+cause-turn = a face would turn by more than 60°
+cause-sliver = a face would become a sliver
+cause-constraints = the constraints cannot be met together
+cause-not-finite = the energy is not finite
+cause-newton = Newton’s method does not converge, or a face would turn over
+
+## Why a run is over, after its status
+
+reason-at-rest = the surface is at rest
+reason-still = no vertex moves any more
+reason-zero-energy = the energy is zero up to roundoff
+reason-smoothed = { $steps ->
+    [one] { $steps } step of smoothing is
+   *[other] { $steps } steps of smoothing are
+} done, as asked
+reason-step-limit = the limit of { $steps ->
+    [one] { $steps } step
+   *[other] { $steps } steps
+} is reached
+reason-time-limit = the { $seconds } seconds of computing are used up, and the surface is not at rest
+reason-large-face = face { $face } is { $times } times as large as the mean, and the mesh no longer resolves the surface; a finer mesh helps, or keeping area and volume under the p-Willmore flow
+reason-refused = every step tried was refused, the last because { $cause }; { $advice }
+reason-creeping = only ever smaller steps lower the energy, which is not at rest; { $advice }
+reason-below-bound = any further step would have less energy than every smooth surface of this topology, so something closes between the vertices; the surface is the last good one, and a finer or better mesh helps
+reason-vanishes = at time { NUMBER($time, digits: 4) } the surface shrinks to a point near ({ $place }); keeping the volume prevents that
+reason-pinched-neck = at time { NUMBER($time, digits: 4) } a neck pinches off at vertex { $vertex }, near ({ $place }); the flow has no solution beyond it, and keeping the volume or a finer mesh helps
+reason-sharp-tip = at time { NUMBER($time, digits: 4) } a tip becomes a point at vertex { $vertex }, near ({ $place }); the flow has no solution beyond it, and keeping the volume or a finer mesh helps
+reason-no-flips = no flip lowers { $criterion ->
+    [area] the area
+    [willmore] the Willmore energy
+    [localised] the localised Willmore energy
+   *[all] any of the three costs
+} any more
