@@ -189,7 +189,7 @@ fn options(flow: FlowName) -> FlowOptions {
 }
 
 /// Whether a flow takes the mesh; the kind of its refusal otherwise.
-fn takes(session: &mut Session, flow: FlowName) -> Result<(), String> {
+fn takes(session: &mut Session, flow: FlowName) -> Result<(), &'static str> {
     session
         .configure(options(flow))
         .map(|_| ())
@@ -209,8 +209,8 @@ fn flows_take_the_meshes_that_their_rows_say() {
     let size = [("along".into(), 24.0), ("around".into(), 12.0)];
     one_sided.sample("klein-bottle", &size).expect("a bottle");
     for row in FLOWS {
-        let refusal = |session, taken: bool, kind: &str| {
-            let expected = if taken { Ok(()) } else { Err(kind.to_owned()) };
+        let refusal = |session, taken: bool, kind: &'static str| {
+            let expected = if taken { Ok(()) } else { Err(kind) };
             assert_eq!(takes(session, row.id), expected, "{:?}", row.id);
         };
         refusal(&mut open, row.meshes.open, "NotClosed");

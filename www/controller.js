@@ -2,12 +2,11 @@
 // What a user can ask for, as functions: each asks the solver and moves the state on.
 // Nothing here touches the document.
 
-/** @import { Arrangement } from "./generated/types.js" */
-/** @import { Fault } from "./generated/types.js" */
-/** @import { Frame } from "./state.js" */
-/** @import { FieldName } from "./state.js" */
+/** @import { Arrangement } from "./generated/schema.js" */
+/** @import { Message, State } from "./generated/types.js" */
 /** @import { Figure } from "./library.js" */
-/** @import { Stopped } from "./solver.js" */
+/** @import { FieldName, Frame } from "./state.js" */
+/** @import { Fault } from "./words.js" */
 /** @import { Scene } from "./link.js" */
 /** @import { Options } from "./options.js" */
 /** @import { Marks, Store, View } from "./state.js" */
@@ -23,19 +22,20 @@ import { createWhyActions } from "./actions/why.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { figures, samples } from "./generated/library.js";
-import { t, translated } from "./language.js";
+import { t } from "./language.js";
 import { sampleName } from "./library.js";
 import { isPlainLink, sceneOf } from "./link.js";
 import { defaults } from "./options.js";
 import { stepsIn } from "./recipe-schema.js";
 import { createSolver, LOST } from "./solver.js";
 import { goesOn, transitions as to } from "./state.js";
-import { say } from "./words.js";
+import { say, sayFault } from "./words.js";
 
 /**
  * @typedef {object} Voice  how the controller speaks to the user
  * @property {(fault: Pick<Fault, 'message' | 'hint'>) => void} error
- * @property {(text: string) => void} note    worth knowing, said once
+ * @property {(text: string, key?: string) => void} note  worth knowing, said once; of what has
+ *   the same key, once for all
  * @property {(text: string) => void} answer  to what was asked for, said every time
  * @property {() => void} clear   a new mesh: what was said of the old one no longer holds
  */
@@ -51,30 +51,34 @@ export function createController(store, voice) {
       revive((step) => ({
         message: t(
           "The solver stopped unexpectedly ({reason}); a new one goes on from step {step}.",
-          { reason: translated(reason), step },
+          { reason, step },
         ),
         hint: t("If it was short of memory, close other tabs or use a mesh with fewer faces."),
       })),
   });
 
+  /** A warning: with other values it is the same. @param {Message} warning */
+  const note = (warning) => voice.note(say(warning), warning.id);
+
   /** @param {Frame} frame */
   function onFrame(frame) {
     if (framing.holds(frame) || contest.holds(frame)) return;
     store.update(to.frame, frame);
-    for (const text of frame.reports.flatMap(({ warnings }) => warnings)) voice.note(text);
+    for (const { warnings } of frame.reports) warnings.forEach(note);
   }
 
-  /** @param {Stopped} stopped */
-  function onStopped({ state, fault }) {
+  /** @param {State} state @param {Fault | null} fault */
+  function onStopped(state, fault) {
     store.update(to.stopped, state);
     if (fault) voice.error(fault);
   }
 
-  /** @param {any} error  a `Fault`, or an error of the page's own */
+  /** @param {any} error  a `Fault`, a `Refusal`, or an error of the page's own */
   function report(error) {
     // Whoever ended the solver has said so already.
     if (error?.kind === LOST) return;
-    if (error?.kind) voice.error(error);
+    // A recipe is read here, and refuses in no language.
+    if (error?.kind) voice.error(typeof error.message === "string" ? error : sayFault(error));
     else voice.error({ message: String(error?.message ?? error), hint: "" });
     if (!error?.kind) console.error(error);
   }
@@ -117,7 +121,7 @@ export function createController(store, voice) {
       const mesh = fill ? (await solver.fill(fill)).loaded : shape;
       voice.clear();
       store.update(to.loaded, source, mesh, origin);
-      for (const warning of mesh.info.warnings) voice.note(warning);
+      mesh.info.warnings.forEach(note);
       if (scene.camera) store.update(to.looked, scene.camera);
       compare.prepare(scene.comparison);
       if (scene.arrangement) await arrange(scene.arrangement);

@@ -36,7 +36,7 @@ import { say } from "./words.js";
 
 /**
  * What a run of a figure came to: whether as expected, and what was measured.
- * @typedef {{ ok: boolean, message: import("./words.js").Message }} Finding
+ * @typedef {{ ok: boolean, message: import("./generated/types.js").Message }} Finding
  */
 
 /** @type {readonly Figure["paper"][]} in the order of the gallery */

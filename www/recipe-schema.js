@@ -1,7 +1,7 @@
 // @ts-check
 // What a recipe, or a part of one in a link, is made of. Its options the solver checks.
 
-/** @import { Chapter as RecipeChapter, Leg as RecipeLeg } from "./generated/types.js" */
+/** @import { Message, Chapter as RecipeChapter, Leg as RecipeLeg, Fault as Refusal } from "./generated/types.js" */
 
 /** @param {unknown} value @returns {value is Record<string, any>} */
 export const isObject = (value) =>
@@ -13,20 +13,23 @@ export const isNumber = (value) => typeof value === "number" && Number.isFinite(
 /** @param {unknown} value */
 export const isCount = (value) => Number.isSafeInteger(value) && Number(value) >= 0;
 
-/** A recipe that cannot be followed, told in the shape of a `Fault`. */
-export class BadRecipe extends Error {
-  /** @param {string} message @param {string} [hint] */
-  constructor(message, hint = "Recipes are made by “Save as: Recipe”.") {
-    super(message);
-    this.kind = "BadRecipe";
-    this.hint = hint;
-    this.detail = {};
-  }
-}
+/**
+ * A recipe that cannot be followed.
+ * @param {string} id  of what is said
+ * @param {Record<string, unknown>} [values]
+ * @returns {Refusal}
+ */
+export const badRecipe = (id, values = {}) => ({
+  kind: "BadRecipe",
+  message: { id, values },
+  hint: { id: `${id}.hint`, values: {} },
+  detail: {},
+});
 
-/** @param {boolean} holds @param {string} key @param {string} wanted */
-export function check(holds, key, wanted) {
-  if (!holds) throw new BadRecipe(`The recipe’s “${key}” must be ${wanted}.`);
+/** @param {boolean} holds @param {string} key @param {string | Message} must  what it must be: `must-be-…` */
+export function check(holds, key, must) {
+  const said = typeof must === "string" ? { id: `must-be-${must}` } : must;
+  if (!holds) throw badRecipe("recipe-malformed", { key, must: said });
 }
 
 /** @param {unknown} value */
@@ -34,24 +37,24 @@ export const isHash = (value) => typeof value === "string" && /^[0-9a-f]{64}$/.t
 
 /** @param {any} mesh */
 export function checkMesh(mesh) {
-  check(isObject(mesh), "mesh", "an object");
+  check(isObject(mesh), "mesh", "object");
   if ("shape" in mesh) {
-    check(typeof mesh.shape === "string", "mesh.shape", "the name of a shape");
+    check(typeof mesh.shape === "string", "mesh.shape", "shape-name");
     const fits = isObject(mesh.parameters) && Object.values(mesh.parameters).every(isNumber);
-    check(fits, "mesh.parameters", "an object of numbers");
+    check(fits, "mesh.parameters", "numbers");
     return;
   }
-  check(typeof mesh.name === "string", "mesh.name", "the name of a file");
-  check(isHash(mesh.sha256), "mesh.sha256", "a SHA-256, 64 digits from 0 to f");
-  check(isCount(mesh.bytes), "mesh.bytes", "a whole number");
+  check(typeof mesh.name === "string", "mesh.name", "file-name");
+  check(isHash(mesh.sha256), "mesh.sha256", "hash");
+  check(isCount(mesh.bytes), "mesh.bytes", "count");
 }
 
 /** @param {any} flow @param {string} key */
-export const checkFlow = (flow, key) => check(isObject(flow), key, "an object of options");
+export const checkFlow = (flow, key) => check(isObject(flow), key, "options");
 
 /** @param {any} path @param {string} [key] */
 export function checkPath(path, key = "path") {
-  check(Array.isArray(path), key, "a list");
+  check(Array.isArray(path), key, "list");
   for (const [n, leg] of path.entries()) {
     if (isObject(leg) && isObject(leg.flow) && Object.keys(leg).length === 1) {
       checkFlow(leg.flow, `${key}[${n}].flow`);
@@ -61,29 +64,25 @@ export function checkPath(path, key = "path") {
       leg === "anew" ||
       (isObject(leg) && isCount(leg.steps) && Object.keys(leg).length === 1) ||
       (isObject(leg) && isObject(leg.regularise) && Object.keys(leg).length === 1);
-    check(known, `${key}[${n}]`, "{ steps }, { regularise }, { flow } or “anew”");
+    check(known, `${key}[${n}]`, "path-part");
   }
 }
 
 /** @param {any} chapter @param {string} key */
 function checkChapter(chapter, key) {
-  check(isObject(chapter), key, "an object");
+  check(isObject(chapter), key, "object");
   const { flow, path, edit } = chapter;
   if (flow !== null) checkFlow(flow, `${key}.flow`);
   checkPath(path, `${key}.path`);
   const { fill, flip, subdivide, invert } = isObject(edit) ? edit : {};
   const isCentre = Array.isArray(invert) && invert.length === 3 && invert.every(isNumber);
   const known = edit === "adopt" || [fill, flip, subdivide].some(isObject) || isCentre;
-  check(
-    known,
-    `${key}.edit`,
-    "“adopt”, { fill }, { flip }, { subdivide } or { invert: [x, y, z] }",
-  );
+  check(known, `${key}.edit`, "edit");
 }
 
 /** @param {any} edits */
 export function checkEdits(edits) {
-  check(Array.isArray(edits), "edits", "a list");
+  check(Array.isArray(edits), "edits", "list");
   for (const [n, chapter] of edits.entries()) checkChapter(chapter, `edits[${n}]`);
 }
 

@@ -8,7 +8,7 @@
 /** @import { Chapter as RecipeChapter, Leg as RecipeLeg, State, Recipe as Story } from "./generated/types.js" */
 
 import {
-  BadRecipe,
+  badRecipe,
   check,
   checkEdits,
   checkFlow,
@@ -75,7 +75,7 @@ export const resultOf = ({ energy, area, volume, minAngleDegrees, time }) => ({
  * @returns {Recipe}
  */
 export function makeRecipe({ version, mesh, story, arrangement, state, positions }) {
-  if (!story.flow) throw new BadRecipe("No flow has been chosen yet.", "Choose one first.");
+  if (!story.flow) throw badRecipe("recipe-without-flow");
   return {
     umbilic: version,
     mesh,
@@ -94,7 +94,7 @@ export const pathOf = ({ path, steps }) => path ?? (steps > 0 ? [{ steps }] : []
 /**
  * @param {string} text
  * @returns {Recipe}
- * @throws {BadRecipe} naming the line or the key
+ * @throws {Refusal}  naming the line or the key
  */
 export function readRecipe(text) {
   /** @type {any} */
@@ -105,30 +105,26 @@ export function readRecipe(text) {
     const { message } = /** @type {Error} */ (error);
     const place = /position (\d+)/.exec(message);
     const line = text.slice(0, place ? Number(place[1]) : text.length).split("\n").length;
-    throw new BadRecipe(`The recipe is not JSON: line ${line} cannot be read.`);
+    throw badRecipe("recipe-not-json", { line });
   }
-  check(isObject(recipe) && typeof recipe.umbilic === "string", "umbilic", "the version, as text");
+  check(isObject(recipe) && typeof recipe.umbilic === "string", "umbilic", "version");
   checkMesh(recipe.mesh);
   if (recipe.edits !== undefined) checkEdits(recipe.edits);
   checkFlow(recipe.flow, "flow");
   const { arrangement = {}, steps, path, result } = recipe;
-  check(isObject(arrangement), "arrangement", "an object");
-  check(isCount(steps), "steps", "a whole number from 0");
+  check(isObject(arrangement), "arrangement", "object");
+  check(isCount(steps), "steps", "count");
   if (path !== undefined) {
     checkPath(path);
-    check(
-      stepsIn(path) === steps,
-      "path",
-      `a list whose steps are ${steps} in all, as "steps" says`,
-    );
+    check(stepsIn(path) === steps, "path", { id: "must-be-steps", values: { steps } });
   }
-  check(isObject(result), "result", "an object");
+  check(isObject(result), "result", "object");
   for (const key of ["energy", "area", "minAngleDegrees", "time"]) {
-    check(isNumber(result[key]), `result.${key}`, "a number");
+    check(isNumber(result[key]), `result.${key}`, "number");
   }
-  check(result.volume === null || isNumber(result.volume), "result.volume", "a number or null");
+  check(result.volume === null || isNumber(result.volume), "result.volume", "number-or-null");
   const { positions } = result;
-  check(positions === undefined || isHash(positions), "result.positions", "a SHA-256");
+  check(positions === undefined || isHash(positions), "result.positions", "hash");
   return recipe;
 }
 
@@ -152,7 +148,7 @@ export function prepare(session, { mesh, edits = [] }, bytes, tell) {
   if (!isOwn(mesh)) {
     perform(session, "sample", { name: mesh.shape, parameters: mesh.parameters });
   } else if (bytes) perform(session, "load", { bytes, name: mesh.name });
-  else throw new BadRecipe(`The recipe needs the mesh ${mesh.name}.`, "Open it first.");
+  else throw badRecipe("recipe-needs-mesh", { name: mesh.name });
   for (const { flow, path, edit } of edits) {
     if (flow) {
       perform(session, "configure", { options: flow });
@@ -214,8 +210,8 @@ function advance(session, steps, tell) {
     const report = perform(session, "step");
     // At an end there is none to take; asked again, a flow goes on with its budget anew.
     if (!report && isOver) {
-      const { message } = perform(session, "state");
-      throw new BadRecipe(`The flow ends at step ${step} of ${goal}: ${message}.`, "");
+      const reason = perform(session, "state").message;
+      throw badRecipe("recipe-ends-early", { step, goal, reason });
     }
     isOver = !report;
     step = report?.step ?? step;

@@ -2,21 +2,22 @@
 // The page's side of the worker: a promise for every request, events for the rest,
 // and a new worker with the old scene in it when the old one is lost.
 
-/** @import { FlowOptions } from "./generated/schema.js" */
-/** @import { Arrangement } from "./generated/types.js" */
-/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, Fault, Field, FillOutcome as Filled, FillOptions, InversionReport, Inverted, LabReport as Lab, Loaded, Look, QuadReport as Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Recipe as Story, StudyReport as Study, StudyOptions, Wanted } from "./generated/types.js" */
-/** @import { FieldName } from "./state.js" */
+/** @import { Arrangement, FlowOptions } from "./generated/schema.js" */
+/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, InversionReport, Inverted, LabReport as Lab, Loaded, Look, QuadReport as Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Recipe as Story, StudyReport as Study, StudyOptions, Wanted } from "./generated/types.js" */
 /** @import { Finding } from "./library.js" */
+/** @import { Field, FieldName } from "./state.js" */
+/** @import { Fault } from "./words.js" */
 /** @import { Recipe } from "./recipe.js" */
 /** @import { Frame } from "./generated/types.js" */
 
 import { t } from "./language.js";
+import { sayFault } from "./words.js";
 
 /**
  * @typedef {object} Listener
  * @property {(version: string) => void} onReady
  * @property {(frame: Frame & { run: number }) => void} onFrame
- * @property {(stopped: Stopped) => void} onStopped
+ * @property {(state: State, fault: Fault | null) => void} onStopped  with the fault of a step that failed
  * @property {(progress: { stage: string, fraction: number }) => void} onProgress
  * @property {(reason: string) => void} onCrashed  the worker is gone; `revive` brings the scene back
  */
@@ -106,14 +107,17 @@ export function createSolver(listener) {
     if ("id" in message) {
       const request = waiting.get(message.id);
       waiting.delete(message.id);
-      if (message.error) request?.reject(message.error);
+      if (message.error) request?.reject(sayFault(message.error));
       else request?.resolve(message.ok);
     } else if (message.type === "ready") listener.onReady(message.version);
     else if (message.type === "crashed") lost(message.message);
     else if (message.type === "progress") listener.onProgress(message);
     else if (message.run !== run) return;
     else if (message.type === "frame") take(message);
-    else if (message.type === "stopped") listener.onStopped(message);
+    else if (message.type === "stopped") {
+      const { state, fault } = message;
+      listener.onStopped(state, fault && sayFault(fault));
+    }
   }
 
   /** @param {Frame & { run: number }} frame */

@@ -16,7 +16,10 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
 /** What a surface is coloured by; `distance`, from one pane to another, is the page's own.
  * @typedef {import("./generated/types.js").FieldName | "none" | "distance"} FieldName
  */
-/** @typedef {Omit<import("./generated/types.js").Field, "name"> & { name: FieldName }} Field */
+/**
+ * A field; `label` is of one that is the page's own.
+ * @typedef {Omit<import("./generated/types.js").Field, "name"> & { name: FieldName, label?: string }} Field
+ */
 /** A frame as the page takes it in: of several panes it makes some itself.
  * @typedef {Omit<import("./generated/types.js").Frame, "exact" | "timeline" | "field"> & { timeline: Timeline | null, field: Field | null }} Frame
  */

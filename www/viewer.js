@@ -4,14 +4,15 @@
 // graphics device is lost.
 
 import { listenForGestures } from "./gestures.js";
-import { t, translated } from "./language.js";
+import { t } from "./language.js";
 import { chooseRenderer, openViewer } from "./renderer.js";
 import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
+import { say } from "./words.js";
 
 /**
  * @typedef {Pick<import("./generated/types.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
  * @typedef {import("./state.js").Field} Field
- * @typedef {import("./generated/types.js").Fault} Fault
+ * @typedef {import("./words.js").Fault} Fault
  * @typedef {import("./pkg/viewer/viewer.js").Viewer} WasmViewer
  */
 
@@ -546,8 +547,8 @@ class SurfaceView {
 function lostFault(reason) {
   return {
     kind: "GpuLost",
-    message: t("the graphics device was lost: {reason}", { reason: translated(reason) }),
-    hint: t("Reload the page. Your surface is safe: download it first if you changed it."),
+    message: say("viewer-gpu-lost", { reason }),
+    hint: say("viewer-gpu-lost.hint"),
     detail: {},
   };
 }

@@ -2,8 +2,8 @@
 // The solver's side: one session, of which the page asks by commands, and a run loop that lets
 // messages in after every step.
 
-/** @import { Fault } from "./generated/types.js" */
 /** @import { Finding } from "./library.js" */
+/** @import { Fault as Refusal } from "./generated/types.js" */
 /** @import { CommandName } from "./session.js" */
 
 import init, { FigureRun, readOptions, Session } from "./pkg/solver/solver.js";
@@ -48,14 +48,14 @@ turns.port1.onmessage = ({ data }) => running && data === run && guarded(advance
 function advance() {
   // Goes on when the page has taken the last frame.
   if (paced && until === null && !taken) return;
-  /** @type {Fault | null} */
+  /** @type {Refusal | null} */
   let fault = null;
   let report = null;
   try {
     report = perform(session, "step");
   } catch (error) {
     if (isTrap(error)) throw error;
-    fault = asFault(error);
+    fault = asRefusal(error);
   }
   const state = perform(session, "state");
   paced = state.flips !== null;
@@ -164,16 +164,16 @@ function buffersOf(answer) {
 /** @param {unknown} error  whether the wasm instance is dead, and not just unwilling */
 const isTrap = (error) => error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
 
-/** @param {any} error @returns {Fault} */
-function asFault(error) {
+/** @param {any} error @returns {Refusal} */
+function asRefusal(error) {
   if (typeof error?.kind === "string") {
     const { kind, message, hint, detail } = error;
     return { kind, message, hint, detail };
   }
   return {
     kind: "Internal",
-    message: `The solver met an error of its own: ${error?.message ?? error}`,
-    hint: "Please report this, with the mesh if you can.",
+    message: { id: "worker-internal", values: { reason: String(error?.message ?? error) } },
+    hint: { id: "worker-internal.hint", values: {} },
     detail: {},
   };
 }
@@ -207,7 +207,7 @@ function answer({ id, name, fields, run: number, shown }) {
   /** @param {unknown} error */
   const refuse = (error) => {
     if (isTrap(error)) throw error;
-    page.postMessage({ id, error: asFault(error) });
+    page.postMessage({ id, error: asRefusal(error) });
   };
   if (number !== undefined) {
     running = false;

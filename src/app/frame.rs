@@ -13,8 +13,8 @@ use super::work::{Configured, Work};
 use super::{Session, as_f32};
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
-use crate::flow::StepReport;
 use crate::flow::options::FlowOptions;
+use crate::flow::{StepReport, Warning};
 use serde::Serialize;
 use std::mem::take;
 use std::rc::Rc;
@@ -41,11 +41,11 @@ pub struct PlotPoint {
     /// Smallest corner angle.
     pub min_angle_degrees: f64,
     /// Worth telling the user; none where the step was told of before.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl PlotPoint {
-    fn of(report: &StepReport, warnings: &[String]) -> Self {
+    fn of(report: &StepReport, warnings: &[Warning]) -> Self {
         Self {
             step: report.step,
             time: report.time,

@@ -4,7 +4,7 @@
 use super::fault::Fault;
 use super::pane::{Arrangement, Compare};
 use crate::flow::option::{
-    self, Kind, Named, OptionError, Options, Range, ReadBy, Row, Values, row,
+    self, Allowed, Kind, Named, OptionError, Options, Range, ReadBy, Row, Values, row,
 };
 use crate::flow::options::{FlowName, FlowOptions};
 use crate::flow::spec::FLIPS;
@@ -89,10 +89,10 @@ fn pane(words: &Values) -> Result<Values, OptionError> {
     let values = option::read::<FlowOptions>(words)?;
     if option::options_of::<FlowOptions>(&values)?.flow == FlowName::Flips {
         // They change the mesh: nothing can stand beside them.
-        return Err(OptionError::BadValue {
+        return Err(OptionError::BadOption {
             name: "flow",
             value: FlowName::Flips.id().into(),
-            allowed: "one that moves vertices".into(),
+            allowed: Allowed::MovingFlow,
         });
     }
     Ok(values)

@@ -22,6 +22,7 @@ mod history;
 mod invert;
 pub mod library;
 mod look;
+mod message;
 mod pane;
 mod probe;
 mod readings;
@@ -37,7 +38,7 @@ pub use beside::Standing;
 pub use command::{Answer, Command};
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
 pub use crossing::SelfIntersections;
-pub use diagnosis::{Change, Diagnosis, DiagnosisKind, Remedy, RemedyId, Text};
+pub use diagnosis::{Change, Diagnosis, Label, Remedy, RemedyId, Symptom};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
@@ -49,6 +50,7 @@ pub use invert::{InversionReadings, InversionReport, Inverted};
 pub use look::{
     ALIGNED_DEGREES, Alignment, Drawn, Look, MAX_CIRCLES, MAX_CROSSES, SegmentKind, Wanted,
 };
+pub use message::{AppError, Notice};
 pub use pane::{Arrangement, Compare, Curve, Curves, Pane};
 pub use probe::{Probe, ProbedEdge, edge_angle};
 pub use readings::{EnergyReadings, Info, State};

@@ -2,6 +2,7 @@
 //! field names in camel case.
 
 use super::crossing;
+use super::message::Notice;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{self, Boundary, CircleEnergy};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore, WillmoreBounds};
@@ -9,7 +10,8 @@ use crate::energy::{conformal, p_willmore};
 use crate::flow::flips::FlipReading;
 use crate::flow::{Monitored, Multipliers, Status, StepReport};
 use crate::geometry::measure;
-use crate::mesh::{HalfedgeMesh, counted};
+use crate::mesh::HalfedgeMesh;
+use crate::message::Message;
 use crate::operator::{Elements, Mass};
 use glam::DVec3;
 use serde::Serialize;
@@ -53,7 +55,7 @@ pub struct Info {
     /// many triangles to be compared in about a second.
     pub self_intersections: Option<usize>,
     /// What was repaired or is worth knowing.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 impl Info {
@@ -62,15 +64,12 @@ impl Info {
         mesh: &Rc<HalfedgeMesh>,
         triangles: &HalfedgeMesh,
         x: &[DVec3],
-        warnings: &[String],
+        warnings: &[Message],
     ) -> Self {
         let self_intersections = crossing::count(triangles, x);
         let mut warnings = warnings.to_vec();
         if let Some(n) = self_intersections.filter(|&n| n > 0) {
-            warnings.push(format!(
-                "The surface passes through itself in {}: the flows go on all the same.",
-                counted(n, "pair of triangles", "pairs of triangles")
-            ));
+            warnings.push(Notice::SelfIntersections { count: n }.into());
         }
         let quads = quadrilateral_integrals(mesh, x, 2.0);
         let volume = measure::volume(mesh, x);
@@ -189,8 +188,8 @@ pub struct State {
     pub time: f64,
     /// Whether and why the run is over.
     pub status: Status,
-    /// The reason, a sentence.
-    pub message: String,
+    /// The reason.
+    pub message: Option<Message>,
     /// The flow's own energy, as in [`StepReport::energy`].
     pub energy: f64,
     /// See [`StepReport::energy_normalised`].

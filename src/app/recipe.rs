@@ -6,6 +6,7 @@ use super::fault::Fault;
 use super::fill::{FillOptions, Loops};
 use super::flip::FlipOptions;
 use super::history::Deed;
+use super::message::AppError;
 use super::subdivide::SubdivideOptions;
 use super::work::Work;
 use crate::flow::options::FlowOptions;
@@ -76,12 +77,7 @@ impl Session {
     pub fn recipe(&self) -> Result<Recipe, Fault> {
         let work = self.work()?;
         let Some(edits) = work.origin.clone().filter(|_| !work.is_restored) else {
-            return Err(Fault::new(
-                "NoRecipe",
-                "how this surface came about is not known: its positions were put in place after \
-                 the solver was lost",
-                "Go back to the start with Reset, or load the mesh again.",
-            ));
+            return Err(AppError::NoRecipe.into());
         };
         Ok(Recipe {
             edits,

@@ -88,7 +88,7 @@ impl Words {
     /// A finding is said with all of its values and no other.
     fn check(&self, finding: &Finding) {
         let message = &finding.message;
-        let shown: BTreeSet<&str> = (self.of(message.id).split('$').skip(1))
+        let shown: BTreeSet<&str> = (self.of(&message.id).split('$').skip(1))
             .map(|rest| rest.split([' ', ',']).next().unwrap_or_default())
             .collect();
         let known: BTreeSet<&str> = message.values.iter().map(|(name, _)| *name).collect();

@@ -19,6 +19,7 @@ mod io;
 mod library;
 mod linalg;
 mod mesh;
+mod messages;
 mod modelling;
 mod moebius;
 mod organic_flows;

@@ -106,7 +106,7 @@ fn a_hole_in_a_coarse_hand_keeps_its_best_patch() {
             let allowed = match end.status {
                 Status::Stalled => {
                     stalled += 1;
-                    assert!(end.message.contains("helps"), "{}", end.message);
+                    assert!(end.message.contains("helps"), "{:?}", end.reason);
                     1.1e-3
                 }
                 Status::Converged => {
@@ -150,7 +150,7 @@ fn a_noisy_sphere_is_round_in_a_few_steps() {
             end.reports.len(),
             end.last().energy
         );
-        assert_eq!(end.status, Status::Converged, "{}", end.message);
+        assert_eq!(end.status, Status::Converged, "{:?}", end.reason);
         assert!(end.reports.len() <= 8 && end.last().energy < 1e-8);
     }
 }

@@ -365,9 +365,6 @@ fn a_rod_of_needles_is_refused_and_stays_as_it_is() {
     let expected = RegulariseError::OnlyCreases { vertices: 64 };
     let rod = surface(&rod());
     assert_eq!(refusal(&rod), expected);
-    let text = "all 64 vertices lie on creases, which a regularisation keeps";
-    assert_eq!(expected.to_string(), text);
-    assert!(expected.hint().starts_with("Refine the mesh first"));
     // With features left to slide it is the bounds that hold it.
     let sliding = RegulariseOptions {
         features: 0.0,
@@ -399,7 +396,7 @@ fn a_session_refuses_a_rod_of_needles_and_says_why() {
         .regularise(&RegulariseOptions::default())
         .expect_err("refused");
     assert_eq!(fault.kind, "OnlyCreases");
-    assert!(fault.message.contains("all 64 vertices") && fault.hint.contains("Refine"));
+    assert_eq!(fault.message.number("vertices"), Some(64.0));
     assert!(shown(&session) == before);
     assert!(!session.state().expect("a mesh").can_step_back);
     let mut session = session_on(&parts::refined(&rod(), 2));

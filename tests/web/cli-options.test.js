@@ -11,6 +11,7 @@ import { openSession } from "../../www/cli/solver.js";
 import { main } from "../../www/cli.js";
 import { options } from "../../www/generated/schema.js";
 import { asText, defaults, isRead, rowOf, toFlow } from "../../www/options.js";
+import { perform } from "../../www/session.js";
 import { FakeSession } from "./support/fake-session.js";
 import { readScene } from "./support/scene.js";
 
@@ -78,10 +79,10 @@ const bad = [
 
 test("the same bad values are refused in the same words, four ways", async () => {
   const session = await openSession();
-  session.sample("icosahedron", { level: 2 });
-  session.configure({ flow: "circle", epsilon: 0.2 });
-  session.step();
-  const standing = () => [session.options(), session.state(), session.positions()];
+  perform(session, "sample", { name: "icosahedron", parameters: { level: 2 } });
+  perform(session, "configure", { options: { flow: "circle", epsilon: 0.2 } });
+  perform(session, "step");
+  const standing = () => [session.frame(false).flow, perform(session, "state"), session.frame(false).positions];
   const untouched = standing();
   const recipe = {
     umbilic: "0.1.0",

@@ -14,6 +14,7 @@ import { sha256 } from "../../www/digest.js";
 import { writeLink } from "../../www/link.js";
 import { defaults } from "../../www/options.js";
 import { follow, makeRecipe, prepare, readRecipe } from "../../www/recipe.js";
+import { perform } from "../../www/session.js";
 import { initial } from "../../www/state.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 import { readScene } from "./support/scene.js";
@@ -45,7 +46,8 @@ function replay(...parameters) {
 
 /** @param {number} steps */
 function take(steps) {
-  for (let n = 0; n < steps; n += 1) assert.ok(session.step(), `step ${n + 1} of ${steps}`);
+  for (let n = 0; n < steps; n += 1)
+    assert.ok(perform(session, "step"), `step ${n + 1} of ${steps}`);
 }
 
 /**
@@ -55,8 +57,8 @@ function take(steps) {
 async function recipe(mesh) {
   return makeRecipe({
     ...{ version: packageVersion(), mesh, arrangement: {} },
-    ...{ story: session.recipe(), state: session.state() },
-    positions: await sha256(new Float32Array(session.positions())),
+    ...{ story: perform(session, "recipe"), state: perform(session, "state") },
+    positions: await sha256(session.frame(false).positions),
   });
 }
 
@@ -70,8 +72,8 @@ const sphere = { shape: "bumpy-sphere", parameters: { level: 3 } };
 
 /** @param {import("../../www/generated/schema.js").FlowOptions} options */
 function flow(options) {
-  session.sample(sphere.shape, sphere.parameters);
-  session.configure(options);
+  perform(session, "sample", { name: sphere.shape, parameters: sphere.parameters });
+  perform(session, "configure", { options });
 }
 
 test("a plain run is reproduced to the last bit, and the mesh written", async () => {
@@ -84,29 +86,36 @@ test("a plain run is reproduced to the last bit, and the mesh written", async ()
   const { same, exact, expected, got } = JSON.parse(out);
   assert.deepEqual([exit, same, exact], [0, true, true]);
   assert.deepEqual(got, expected);
-  assert.deepEqual(readFileSync(file("end.ply")), Buffer.from(session.export("ply")));
+  assert.deepEqual(
+    readFileSync(file("end.ply")),
+    Buffer.from(perform(session, "export", { format: "ply" })),
+  );
   assert.match(replay(file("plain.json")).out, /^Reproduced after 5 steps, to the last bit\./);
 });
 
 test("edits, regularisations, flips and looks back are done again", async () => {
   const bytes = Buffer.from(obj(wavyTorus(24, 12)));
   writeFileSync(file("torus.obj"), bytes);
-  session.load(bytes, "torus.obj");
-  session.configure({ flow: "p-willmore", regularise: "off" });
+  perform(session, "load", { bytes, name: "torus.obj" });
+  perform(session, "configure", { options: { flow: "p-willmore", regularise: "off" } });
   take(3);
-  session.seek(1);
-  session.regularise({ epsilon: 0.02 });
+  perform(session, "seek", { step: 1 });
+  perform(session, "regularise", { options: { epsilon: 0.02 } });
   take(2);
-  session.adopt();
-  session.configure({ flow: "flips", criterion: "area" });
-  session.arrange({ compare: "criteria", subdivide: 0, flipsPerStep: 3 });
-  for (let n = 0; n < 400 && session.step(); n += 1);
-  session.seek(6);
-  session.adopt();
-  session.arrange({ compare: "none", subdivide: 0, flipsPerStep: 1 });
-  session.configure({ flow: "circle", integrator: "l-bfgs", fixed: [0, 1, 2] });
+  perform(session, "adopt");
+  perform(session, "configure", { options: { flow: "flips", criterion: "area" } });
+  perform(session, "arrange", {
+    arrangement: { compare: "criteria", subdivide: 0, flipsPerStep: 3 },
+  });
+  for (let n = 0; n < 400 && perform(session, "step"); n += 1);
+  perform(session, "seek", { step: 6 });
+  perform(session, "adopt");
+  perform(session, "arrange", { arrangement: { compare: "none", subdivide: 0, flipsPerStep: 1 } });
+  perform(session, "configure", {
+    options: { flow: "circle", integrator: "l-bfgs", fixed: [0, 1, 2] },
+  });
   take(6);
-  session.seek(3);
+  perform(session, "seek", { step: 3 });
   take(2);
   const mesh = { name: "torus.obj", sha256: await sha256(bytes), bytes: bytes.length };
   const made = await recipe(mesh);
@@ -131,9 +140,9 @@ test("edits, regularisations, flips and looks back are done again", async () => 
 
 test("a fill and the flow that fairs it are done again", async () => {
   const tubes = { shape: "tubes", parameters: { count: 2 } };
-  session.sample(tubes.shape, tubes.parameters);
-  session.fill({ loops: [0, 2], connect: true }, undefined);
-  session.configure({ flow: "mmcv" });
+  perform(session, "sample", { name: tubes.shape, parameters: tubes.parameters });
+  perform(session, "fill", { options: { loops: [0, 2], connect: true } });
+  perform(session, "configure", { options: { flow: "mmcv" } });
   take(3);
   const made = await recipe(tubes);
   assert.deepEqual(made.edits?.[0].edit, {
@@ -165,26 +174,28 @@ test("what differs is told, with exit code 4; of another version to a tolerance"
 
 test("edits of every kind go through a link, and give the same surface to the last bit", async () => {
   const tubes = { shape: "tubes", parameters: { count: 2 } };
-  session.sample(tubes.shape, tubes.parameters);
-  session.fill({ loops: [0, 2], connect: true }, undefined);
-  session.configure({ flow: "mmcv" });
+  perform(session, "sample", { name: tubes.shape, parameters: tubes.parameters });
+  perform(session, "fill", { options: { loops: [0, 2], connect: true } });
+  perform(session, "configure", { options: { flow: "mmcv" } });
   take(1);
-  session.adopt();
-  session.subdivide({ scheme: "linear" });
-  session.invert(new Float64Array([3.1, 0.2, -1 / 3]));
-  session.configure({ flow: "circle", epsilon: 0.03, free: [5, 6, 7, 40, 41] });
+  perform(session, "adopt");
+  perform(session, "subdivide", { options: { scheme: "linear" } });
+  perform(session, "invert", { centre: [3.1, 0.2, -1 / 3] });
+  perform(session, "configure", {
+    options: { flow: "circle", epsilon: 0.03, free: [5, 6, 7, 40, 41] },
+  });
   take(2);
-  session.adopt();
-  session.configure({ flow: "flips", criterion: "willmore" });
+  perform(session, "adopt");
+  perform(session, "configure", { options: { flow: "flips", criterion: "willmore" } });
   take(2);
-  session.adopt();
+  perform(session, "adopt");
   const options = /** @type {const} */ ({ ...defaults, flow: "circle" });
-  session.configure(options);
+  perform(session, "configure", { options });
   take(3);
-  session.seek(1);
+  perform(session, "seek", { step: 1 });
   take(1);
-  const story = session.recipe();
-  const { step, energy } = session.state();
+  const story = perform(session, "recipe");
+  const { step, energy } = perform(session, "state");
   const state = /** @type {any} */ ({
     ...{ ...initial, story, options, reading: { step, energy, status: "running" } },
     source: { kind: "file", name: "tubes" },
@@ -192,13 +203,13 @@ test("edits of every kind go through a link, and give the same surface to the la
   });
   const { edits, path, ...scene } = readScene({ search: "", hash: writeLink(state) });
   assert.deepEqual([edits, path, scene.step], [story.edits, story.path, step]);
-  const positions = new Float32Array(session.positions());
-  session.configure({ flow: "circle" });
+  const positions = session.frame(false).positions;
+  perform(session, "configure", { options: { flow: "circle" } });
   prepare(session, { mesh: tubes, edits: edits ?? [] }, null, () => {});
-  session.configure(options);
+  perform(session, "configure", { options });
   follow(session, { flow: options, steps: step, path: path ?? [] }, () => {});
-  assert.equal(session.state().energy, energy);
-  assert.deepEqual(new Float32Array(session.positions()), positions);
+  assert.equal(perform(session, "state").energy, energy);
+  assert.deepEqual(session.frame(false).positions, positions);
 });
 
 test("a recipe that cannot be followed is refused, with the line or the key", async () => {

@@ -8,6 +8,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { robustnessColumns, robustnessRows, shaken } from "../../www/cli/robustness.js";
 import { openSession } from "../../www/cli/solver.js";
+import { perform } from "../../www/session.js";
 import { FakeSession } from "./support/fake-session.js";
 
 let folder = "";
@@ -70,8 +71,8 @@ test("what is refused is a row too, and the others go on", async () => {
   const square = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
   writeFileSync(path.join(folder, "square.off"), square);
   const session = await openSession();
-  session.sample("ellipsoid", { level: 2 });
-  writeFileSync(path.join(folder, "tall.ply"), session.export("ply"));
+  perform(session, "sample", { name: "ellipsoid", parameters: { level: 2 } });
+  writeFileSync(path.join(folder, "tall.ply"), perform(session, "export", { format: "ply" }));
   const found = rows(session);
   const columns = robustnessColumns.toSorted();
   for (const row of found) assert.deepEqual(Object.keys(row).sort(), columns);

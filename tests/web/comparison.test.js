@@ -30,7 +30,7 @@ const reading = (change) => ({
   step: 0,
   time: 0,
   status: "ready",
-  message: "",
+  message: null,
   energy: 8,
   dt: 0.1,
   area: 12,

@@ -5,6 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openSession } from "../../www/cli/solver.js";
+import { perform } from "../../www/session.js";
 import { button, choice, until, useSite } from "./support/app.js";
 import { accessibilityFaults } from "./support/axe.js";
 import { difference } from "./support/browser.js";
@@ -47,11 +48,11 @@ async function table(page) {
  */
 async function alone(options, steps) {
   const session = await openSession();
-  session.sample("icosahedron", { level: 4 });
-  const { state } = session.configure(options);
+  perform(session, "sample", { name: "icosahedron", parameters: { level: 4 } });
+  const { state } = perform(session, "configure", { options });
   const energies = [state.energy];
-  for (let i = 0; i < steps; i += 1) energies.push(session.step().energy);
-  const positions = session.positions();
+  for (let i = 0; i < steps; i += 1) energies.push(perform(session, "step").energy);
+  const positions = session.frame(false).positions;
   session.free();
   return { energies, positions };
 }

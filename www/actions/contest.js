@@ -11,6 +11,7 @@ import { t } from "../language.js";
 import { LOST } from "../solver.js";
 import { isOver } from "../standing.js";
 import { transitions as to } from "../state.js";
+import { say } from "../words.js";
 import { createRivals } from "./rivals.js";
 
 /** A turn shorter than this says nothing of whom it waits for. */
@@ -93,7 +94,9 @@ export function createContest({ store, solver, voice, report }) {
   function put(id, frame) {
     if (id !== MAIN) return store.update(on.rivalFrame, id, frame);
     store.update(to.frame, frame);
-    for (const text of frame.reports.flatMap(({ warnings }) => warnings)) voice.note(text);
+    for (const warning of frame.reports.flatMap(({ warnings }) => warnings)) {
+      voice.note(say(warning), warning.id);
+    }
   }
 
   /** Shows frames, and all panes in colours on one scale. @param {ReadonlyMap<number, Frame>} [frames] */

@@ -142,7 +142,7 @@ export function createEdits(core) {
           ...earlier,
           { source, options: before, history, what },
         ]);
-        for (const warning of outcome.warnings) voice.note(warning);
+        for (const warning of outcome.warnings) voice.note(say(warning), warning.id);
         const flow = byCurvature.includes(before.flow) ? before.flow : "mmcv";
         const free = loaded.free ? [...loaded.free] : null;
         await configure({ ...before, ...toFlow(flow), fixed: null, prefill: false, free });

@@ -1,7 +1,9 @@
 // @ts-check
 // `umbilic bench`: the tables of the documentation, measured on this machine.
 
+import { perform } from "../session.js";
 import { isOver } from "../standing.js";
+import { say } from "../words.js";
 import { Failure, orExit, usage } from "./failure.js";
 import { chosen, figureRows } from "./figures.js";
 import { number, parse } from "./options.js";
@@ -169,9 +171,12 @@ function* flipRows(session, { maxVertices }) {
     const around = Math.min(2 * tube, 1000);
     if (around * tube > maxVertices) return;
     for (const criterion of ["area", "willmore", "localised"]) {
-      const { info } = session.sample("sampled-torus", { around, tube });
+      const { info } = perform(session, "sample", {
+        name: "sampled-torus",
+        parameters: { around, tube },
+      });
       const start = performance.now();
-      const { flips } = session.flip({ criterion });
+      const { flips } = perform(session, "flip", { options: { criterion } });
       const milliseconds = performance.now() - start;
       yield {
         edges: info.edges,
@@ -205,8 +210,11 @@ const sides = [51, 100, 192, 316, 592];
 function* circleRows(session, { maxVertices, steps }) {
   for (const side of sides) {
     if (side * side > maxVertices) return;
-    const { info } = session.sample("torus", { around: side, tube: side });
-    session.configure({ flow: "circle", maxSteps: steps + 1 });
+    const { info } = perform(session, "sample", {
+      name: "torus",
+      parameters: { around: side, tube: side },
+    });
+    perform(session, "configure", { options: { flow: "circle", maxSteps: steps + 1 } });
     // The first step also analyses the matrix's pattern.
     oneStep(session);
     const reports = Array.from({ length: steps }, () => oneStep(session));
@@ -239,13 +247,15 @@ const restingCase = { around: 150, tube: 115, paper: { linear: 2100, nonlinear: 
 function* pWillmoreRows(session, { maxVertices, steps }) {
   const megabytes = () => Math.round(memoryBytes() / 1e6);
   const torus = (/** @type {number} */ around, /** @type {number} */ tube) =>
-    session.sample("torus", { around, tube }).info.faces;
+    perform(session, "sample", { name: "torus", parameters: { around, tube } }).info.faces;
   const { around, tube } = restingCase;
   if (around * tube <= maxVertices) {
     for (const mode of /** @type {const} */ (["linear", "nonlinear"])) {
       const faces = torus(around, tube);
       const start = performance.now();
-      orExit(4, () => session.regularise({ mode, iterations: 1, features: 0 }));
+      orExit(4, () =>
+        perform(session, "regularise", { options: { mode, iterations: 1, features: 0 } }),
+      );
       const first = performance.now() - start;
       const paper = restingCase.paper[mode];
       yield { ...blank, case: `regularise, ${mode}`, faces, first, megabytes: megabytes(), paper };
@@ -255,7 +265,9 @@ function* pWillmoreRows(session, { maxVertices, steps }) {
     if (around * tube > maxVertices) continue;
     const faces = torus(around, tube);
     const maxSteps = steps + 1;
-    session.configure({ flow: "p-willmore", keep: ["area", "volume"], maxSteps });
+    perform(session, "configure", {
+      options: { flow: "p-willmore", keep: ["area", "volume"], maxSteps },
+    });
     const first = oneStep(session).milliseconds;
     const reports = Array.from({ length: steps }, () => oneStep(session));
     yield {
@@ -317,14 +329,16 @@ const mmcvCases = [
  */
 function* mmcvRows(session, { maxVertices, steps }) {
   for (const { figure, sample, parameters, fill, table } of mmcvCases) {
-    const { info } = session.sample(sample, parameters);
+    const { info } = perform(session, "sample", { name: sample, parameters });
     if (info.vertices > maxVertices) continue;
-    if (fill) orExit(4, () => session.fill(fill, undefined));
-    const { freeVertices } = session.configure({ flow: "mmcv", maxSteps: 60 });
+    if (fill) orExit(4, () => perform(session, "fill", { options: fill }));
+    const { freeVertices } = perform(session, "configure", {
+      options: { flow: "mmcv", maxSteps: 60 },
+    });
     const first = oneStep(session).milliseconds;
     /** @type {StepReport[]} */
     const reports = [];
-    while (!isOver(session.state().status)) reports.push(oneStep(session));
+    while (!isOver(perform(session, "state").status)) reports.push(oneStep(session));
     const measured = reports.slice(0, steps);
     const step = median(measured.map((report) => report.milliseconds));
     const [unknowns, paperSteps, forming, solving] = table ?? [];
@@ -337,7 +351,7 @@ function* mmcvRows(session, { maxVertices, steps }) {
       assemble: median(measured.map((report) => report.assembleMilliseconds)),
       factor: median(measured.map((report) => report.factorMilliseconds)),
       solve: median(measured.map((report) => report.solveMilliseconds)),
-      steps: `${reports.length + 1} ${session.state().status}`,
+      steps: `${reports.length + 1} ${perform(session, "state").status}`,
       megabytes: Math.round(memoryBytes() / 1e6),
       paperUnknowns: unknowns ?? null,
       paperSteps: paperSteps ?? null,
@@ -351,9 +365,11 @@ const blank = { step: null, assemble: null, factor: null, solve: null, rejected:
 
 /** @param {Session} session @returns {StepReport} */
 function oneStep(session) {
-  const report = orExit(4, () => session.step());
+  const report = orExit(4, () => perform(session, "step"));
   if (report) return report;
-  throw new Failure(4, "NoStep", `There is no step to measure: ${session.state().message}.`, "");
+  const { message } = perform(session, "state");
+  const why = message ? say(message) : "";
+  throw new Failure(4, "NoStep", `There is no step to measure: ${why}.`, "");
 }
 
 /** @param {number[]} values */

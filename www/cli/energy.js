@@ -2,6 +2,7 @@
 // `umbilic energy`: the energies and integrals of a mesh.
 
 import { rowOf } from "../options.js";
+import { perform } from "../session.js";
 import { orExit, usage } from "./failure.js";
 import { readMesh } from "./files.js";
 import { parse } from "./options.js";
@@ -29,9 +30,9 @@ export const energy = {
     const p = (values.p ?? []).map(exponent);
     const { bytes, name } = readMesh(operands[0], io);
     const session = await open();
-    orExit(3, () => session.load(bytes, name));
+    orExit(3, () => perform(session, "load", { bytes, name }));
     const options = { p, ...(values.boundary && { boundary: values.boundary }) };
-    const energies = orExit(3, () => session.energy(options));
+    const energies = orExit(3, () => perform(session, "energy", options));
     if (values.json) io.write(`${JSON.stringify(energies)}\n`);
     else io.write(table(entries(energies).map(([key, value]) => [key, format(value)])));
     return 0;

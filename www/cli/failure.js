@@ -2,20 +2,25 @@
 // How a command ends when it does not end well: one shape, three exit codes.
 
 /** @typedef {import("../generated/types.js").Fault} Fault */
+import { sayFault } from "../words.js";
 
-/** Bad usage, refused input or numerical failure, told in words. */
+/** @typedef {import("../generated/types.js").Fault} Refusal */
+
+/** Bad usage, refused input or numerical failure, in words. */
 export class Failure extends Error {
   /**
    * @param {2 | 3 | 4} exit
    * @param {string} kind
    * @param {string} message
    * @param {string} hint
+   * @param {string} [id]  of the message, where the solver says it
    */
-  constructor(exit, kind, message, hint) {
+  constructor(exit, kind, message, hint, id) {
     super(message);
     this.exit = exit;
     this.kind = kind;
     this.hint = hint;
+    this.id = id;
   }
 }
 
@@ -38,8 +43,9 @@ export function orExit(exit, call) {
   try {
     return call();
   } catch (error) {
-    if (!isFault(error)) throw error;
-    throw new Failure(exit, error.kind, error.message, error.hint);
+    if (!isRefusal(error)) throw error;
+    const { kind, message, hint } = sayFault(error);
+    throw new Failure(exit, kind, message, hint, error.message.id);
   }
 }
 
@@ -60,8 +66,8 @@ export function failureOf(error) {
 
 /**
  * @param {unknown} error
- * @returns {error is Fault}
+ * @returns {error is Refusal}
  */
-function isFault(error) {
+function isRefusal(error) {
   return typeof error === "object" && error !== null && "kind" in error && "hint" in error;
 }

@@ -2,15 +2,18 @@
 // `umbilic fill`: closes holes or connects boundary loops, and fairs what is new.
 
 import { rowOf } from "../options.js";
+import { perform } from "../session.js";
 import { isBreakdown } from "../standing.js";
+import { say } from "../words.js";
 import { orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
 import { budgetFlags, budgetOf, readFlags, runSteps } from "./flow.js";
 import { number, parse } from "./options.js";
-import { format } from "./text.js";
+import { format, inWords } from "./text.js";
 
 /** @typedef {import("../generated/types.js").FillOutcome} Filled */
 /** @typedef {import("../generated/types.js").Info} Info */
+/** @typedef {import("../generated/types.js").Message} Message */
 /**
  * What `umbilic fill --fair` tells of the flow: it has come to rest only if `status` is
  * `converged`.
@@ -18,6 +21,7 @@ import { format } from "./text.js";
  * @property {string} flow
  * @property {import("../generated/types.js").Status} status
  * @property {string} message
+ * @property {string | null} messageId
  * @property {number} steps
  * @property {import("../generated/types.js").CurvatureJump | null} curvatureJump  across the rims of the patches
  */
@@ -65,28 +69,30 @@ export const fill = {
     const outFormat = values.out && formatOf(values.out);
     const { bytes, name } = readMesh(operands[0], io);
     const session = await open();
-    orExit(3, () => session.load(bytes, name));
+    orExit(3, () => perform(session, "load", { bytes, name }));
 
     /** @type {Filled} */
-    const { firstVertex, ...filled } = orExit(3, () => session.fill(options, undefined));
+    const { firstVertex, ...filled } = orExit(3, () => perform(session, "fill", { options }));
     const { verticesAdded } = filled;
     /** @type {Fairing | undefined} */
-    let faired;
+    let fairing;
     if (chosen && verticesAdded === 0) {
-      filled.warnings.push(`There is no new vertex, and nothing for ${flow} to move.`);
+      filled.warnings.push({ id: "fair-nothing", values: { flow } });
     } else if (chosen) {
       const { warnings, ...rest } = fair(session, chosen, firstVertex, verticesAdded, io);
       filled.warnings.push(...warnings);
-      faired = rest;
+      fairing = rest;
     }
     /** @type {Info} */
-    const info = session.info();
+    const card = perform(session, "info");
+    const info = inWords(card);
+    const said = inWords(filled);
 
-    if (values.out) writeOutput(values.out, session.export(outFormat));
-    const report = { ...filled, ...(faired && { fair: faired }), info };
+    if (values.out) writeOutput(values.out, perform(session, "export", { format: outFormat }));
+    const report = { ...said, ...(fairing && { fair: fairing }), info };
     if (values.json) io.write(`${JSON.stringify(report)}\n`);
-    else io.write(summary(filled, faired, info));
-    return faired && isBreakdown(faired.status) ? 4 : 0;
+    else io.write(summary(said, fairing, info));
+    return fairing && isBreakdown(fairing.status) ? 4 : 0;
   },
 };
 
@@ -112,20 +118,21 @@ function loops(values) {
  * @param {number} first
  * @param {number} count
  * @param {import("./terminal.js").Terminal} io
- * @returns {Fairing & { warnings: string[] }}
+ * @returns {Fairing & { warnings: Message[] }}
  */
 function fair(session, options, first, count, io) {
   const free = Array.from({ length: count }, (_, i) => first + i);
-  orExit(3, () => session.configure({ ...options, free }));
-  const { status, message, steps } = runSteps(session, ({ step, energy }) =>
+  orExit(3, () => perform(session, "configure", { options: { ...options, free } }));
+  const { status, message, messageId, steps } = runSteps(session, ({ step, energy }) =>
     io.log(`step ${step}  energy ${energy}`),
   );
-  const curvatureJump = session.curvatureJump();
+  const curvatureJump = perform(session, "curvatureJump");
   const warnings = told(steps);
   // The best patch there is, but not the one that was meant.
-  if (status === "stalled") warnings.push(`The patch is not at rest. ${message}.`);
+  const reason = perform(session, "state").message;
+  if (status === "stalled") warnings.push({ id: "fair-not-at-rest", values: { reason } });
   const flow = String(options.flow);
-  return { flow, status, message, steps: steps.length, curvatureJump, warnings };
+  return { flow, status, message, messageId, steps: steps.length, curvatureJump, warnings };
 }
 
 /**
@@ -134,9 +141,12 @@ function fair(session, options, first, count, io) {
  */
 function told(steps) {
   const folding = steps.filter(({ flippedFaces }) => flippedFaces > 0).length;
-  const others = steps.flatMap(({ warnings }) => warnings.filter((w) => !/folded over/.test(w)));
-  const folds = folding > 0 ? [`Faces folded over in ${folding} of ${steps.length} steps.`] : [];
-  return [...new Set(others), ...folds];
+  const all = steps.flatMap(({ warnings }) => warnings);
+  const others = new Map(
+    all.filter(({ id }) => id !== "warning-folded-faces").map((warning) => [say(warning), warning]),
+  );
+  const values = { folding, steps: steps.length };
+  return [...others.values(), ...(folding > 0 ? [{ id: "fair-folds", values }] : [])];
 }
 
 /**
@@ -155,9 +165,9 @@ function summary({ loops, verticesAdded, facesAdded, warnings }, fairing, info) 
 }
 
 /** @param {Fairing} fairing */
-function fairingLines({ flow, status, message, steps, curvatureJump }) {
+function fairingLines({ flow, message, curvatureJump }) {
   return [
-    `${flow}: ${status} after ${steps} steps: ${message}`,
+    `${flow}: ${message}`,
     ...(curvatureJump ? [`jump of H across the rims: ${format(curvatureJump.relative)}`] : []),
   ];
 }

@@ -2,6 +2,7 @@
 // `umbilic flips`: edge-flip optimisation.
 
 import { rowOf } from "../options.js";
+import { perform } from "../session.js";
 import { orExit } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
 import { readFlags } from "./flow.js";
@@ -35,15 +36,15 @@ export const flips = {
     const outFormat = values.out && formatOf(values.out);
     const { bytes, name } = readMesh(operands[0], io);
     const session = await open();
-    orExit(3, () => session.load(bytes, name));
+    orExit(3, () => perform(session, "load", { bytes, name }));
     const options = {
       ...chosen,
       ...(max !== undefined && { max }),
       history: values.history !== undefined,
     };
     /** @type {Flipped} */
-    const { history, ...outcome } = orExit(3, () => session.flip(options));
-    if (values.out) writeOutput(values.out, session.export(outFormat));
+    const { history, ...outcome } = orExit(3, () => perform(session, "flip", { options }));
+    if (values.out) writeOutput(values.out, perform(session, "export", { format: outFormat }));
     if (values.history) writeOutput(values.history, history ?? "");
     if (values.json) io.write(`${JSON.stringify(outcome)}\n`);
     else io.write(summary(outcome));

@@ -3,13 +3,14 @@
 
 import * as schema from "../generated/schema.js";
 import { byCurvature, rowOf } from "../options.js";
+import { perform } from "../session.js";
 import { isBreakdown, isOver } from "../standing.js";
 import { say } from "../words.js";
 import { Failure, orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, readSelection, writeOutput } from "./files.js";
 import { flagsOf, parse, typed } from "./options.js";
 import { loadSolver } from "./solver.js";
-import { entries, format, table } from "./text.js";
+import { entries, format, inWords, table } from "./text.js";
 
 /** @typedef {import("../generated/schema.js").FlowOptions} FlowOptions */
 /** @typedef {import("../generated/types.js").StepReport} StepReport */
@@ -60,20 +61,27 @@ export const flow = {
     const { bytes, name } = readMesh(operands[0], io);
 
     const session = await open();
-    orExit(3, () => session.load(bytes, name));
-    orExit(3, () => session.configure(options));
+    orExit(3, () => perform(session, "load", { bytes, name }));
+    orExit(3, () => perform(session, "configure", { options }));
     const powers = options.p === undefined ? [] : [options.p];
     const energyOptions = { p: powers, ...(options.boundary && { boundary: options.boundary }) };
     const readings = () => ({ ...session.energy(energyOptions), ...crossings(session, values) });
     const initial = orExit(3, readings);
-    const { status, message, steps, fault } = runSteps(session, (step) => io.log(stepLine(step)));
+    const { steps, fault, ...end } = runSteps(session, (step) => io.log(stepLine(step)));
+    const { status } = end;
     const final = status === "failed" ? orNull(readings) : readings();
-    const { monitored } = session.state();
-    const outcome = { status, message, ...fault, monitored };
-    const report = { ...outcome, steps, initial, final, ...jump(session, options) };
+    const { monitored } = perform(session, "state");
+    const outcome = { ...end, ...fault, monitored };
+    const report = {
+      ...outcome,
+      steps: steps.map(inWords),
+      initial,
+      final,
+      ...jump(session, options),
+    };
 
-    if (values.out) writeOutput(values.out, session.export(outFormat));
-    if (values.history) writeOutput(values.history, session.history());
+    if (values.out) writeOutput(values.out, perform(session, "export", { format: outFormat }));
+    if (values.history) writeOutput(values.history, perform(session, "history"));
     if (values.report) writeOutput(values.report, `${JSON.stringify(report, null, 1)}\n`);
     if (values.json) io.write(`${JSON.stringify(report)}\n`);
     else io.write(summary(report));
@@ -130,7 +138,7 @@ export function budgetOf(values) {
  */
 function jump(session, options) {
   if (!byCurvature.includes(options.flow ?? "")) return {};
-  return { curvatureJump: session.curvatureJump() };
+  return { curvatureJump: perform(session, "curvatureJump") };
 }
 
 /**
@@ -141,7 +149,7 @@ function jump(session, options) {
  */
 function crossings(session, values) {
   if (!values["self-intersections"]) return {};
-  const found = session.selfIntersections();
+  const found = perform(session, "selfIntersections");
   return { selfIntersections: found && found.pairs.length / 2 };
 }
 
@@ -149,16 +157,16 @@ function crossings(session, values) {
  * Steps until the session says it is over.
  * @param {Session} session
  * @param {(step: StepReport) => void} onStep
- * @returns {{ status: Status, message: string, steps: StepReport[],
+ * @returns {{ status: Status, message: string, messageId: string | null, steps: StepReport[],
  *             fault?: { kind: string, hint: string } }}
  */
 export function runSteps(session, onStep) {
   /** @type {StepReport[]} */
   const steps = [];
   try {
-    while (!isOver(session.state().status)) {
+    while (!isOver(perform(session, "state").status)) {
       /** @type {StepReport | null} */
-      const step = orExit(4, () => session.step());
+      const step = orExit(4, () => perform(session, "step"));
       // There was none to take: the state says why.
       if (step === null) break;
       steps.push(step);
@@ -166,12 +174,19 @@ export function runSteps(session, onStep) {
     }
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
-    const { kind, message, hint } = error;
-    return { status: "failed", message, steps, fault: { kind, hint } };
+    const { kind, message, hint, id = null } = error;
+    const fault = { kind, hint };
+    return { ...ending("failed", steps.length, message), messageId: id, steps, fault };
   }
-  const { status, message } = session.state();
-  return { status, message, steps };
+  const { status, message, step } = perform(session, "state");
+  return { ...ending(status, step, message), messageId: message?.id ?? null, steps };
 }
+
+/** @param {Status} status @param {number} steps @param {unknown} reason */
+const ending = (status, steps, reason) => ({
+  status,
+  message: say("run-over", { ended: { id: "ended", values: { status, steps } }, reason }),
+});
 
 /**
  * @template T
@@ -195,13 +210,12 @@ function stepLine({ step, energy, dt, gradientNorm, milliseconds }) {
 }
 
 /**
- * @param {{ status: string, message: string, steps: StepReport[], initial: any, final: any,
+ * @param {{ message: string, initial: any, final: any,
  *           curvatureJump?: CurvatureJump | null }} report
  */
-function summary({ status, message, steps, initial, final, curvatureJump }) {
+function summary({ message, initial, final, curvatureJump }) {
   const last = final && new Map(entries(final));
   const rows = entries(initial).map(([key, value]) => [key, format(value), format(last?.get(key))]);
-  const heading = `${status}, ${steps.length} steps: ${message}\n\n`;
   if (curvatureJump) rows.push(["curvatureJump", "", format(curvatureJump.relative)]);
-  return heading + table([["", "initial", "final"], ...rows]);
+  return `${message}\n\n${table([["", "initial", "final"], ...rows])}`;
 }

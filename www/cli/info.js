@@ -1,10 +1,11 @@
 // @ts-check
 // `umbilic info`: the diagnosis card of a mesh.
 
+import { perform } from "../session.js";
 import { orExit } from "./failure.js";
 import { readMesh } from "./files.js";
 import { parse } from "./options.js";
-import { entries, format, table } from "./text.js";
+import { entries, format, inWords, table } from "./text.js";
 
 /** @type {import("./options.js").Syntax} */
 const syntax = {
@@ -20,7 +21,7 @@ export const info = {
     const { operands, values } = await parse(parameters, syntax);
     const { bytes, name } = readMesh(operands[0], io);
     const session = await open();
-    const { info } = orExit(3, () => session.load(bytes, name));
+    const info = inWords(orExit(3, () => perform(session, "load", { bytes, name })).info);
     if (values.json) {
       io.write(`${JSON.stringify(info)}\n`);
     } else {

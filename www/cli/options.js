@@ -3,7 +3,7 @@
 
 import { parseArgs } from "node:util";
 import * as schema from "../generated/schema.js";
-import { say } from "../words.js";
+import { say, sayFault } from "../words.js";
 import { Failure, usage } from "./failure.js";
 import { loadSolver } from "./solver.js";
 
@@ -83,9 +83,8 @@ async function strictly(args, options) {
     if (code !== "ERR_PARSE_ARGS_UNKNOWN_OPTION") throw usage(message);
     const typed = /'--?(?:no-)?([^' ]*)/.exec(message)?.[1] ?? "";
     const { unknownFlag } = await loadSolver();
-    /** @type {import("../generated/types.js").Fault} */
-    const fault = unknownFlag(typed, Object.keys(options));
-    throw new Failure(2, fault.kind, fault.message, fault.hint);
+    const { kind, message, hint } = sayFault(unknownFlag(typed, Object.keys(options)));
+    throw new Failure(2, kind, message, hint);
   }
 }
 

@@ -1,3 +1,5 @@
+import { perform } from "../session.js";
+
 // @ts-check
 // The table `refinement` of `umbilic bench`: energies of surfaces that are known, at several
 // resolutions, with observed orders.
@@ -21,8 +23,8 @@ export const refinementColumns = [
 export function* refinementRows(session, { maxVertices }) {
   for (const { shape, parameters } of cases) {
     /** @type {import("../generated/types.js").StudyReport} */
-    let study = session.study({ shape, parameters });
-    while (!study.finished) study = session.study(undefined);
+    let study = perform(session, "study", { options: { shape, parameters } });
+    while (!study.finished) study = perform(session, "study");
     for (const [k, { vertices, h }] of study.rows.entries()) {
       if (vertices > maxVertices) break;
       /** @type {Record<string, number | string | null>} */

@@ -1,6 +1,7 @@
 // @ts-check
 // `umbilic regularise`: conformal regularisation of a mesh at rest.
 
+import { perform } from "../session.js";
 import { orExit } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
 import { number, parse } from "./options.js";
@@ -43,15 +44,15 @@ export const regularise = {
     const outFormat = values.out && formatOf(values.out);
     const { bytes, name } = readMesh(operands[0], io);
     const session = await open();
-    orExit(3, () => session.load(bytes, name));
+    orExit(3, () => perform(session, "load", { bytes, name }));
     // Without steps: the flow's checks of the mesh are those of the regularisation.
-    orExit(3, () => session.configure({ flow: "p-willmore" }));
+    orExit(3, () => perform(session, "configure", { options: { flow: "p-willmore" } }));
     const options = Object.fromEntries(Object.entries(given).filter(([, v]) => v !== undefined));
     const start = performance.now();
     /** @type {Regularised} */
-    const outcome = orExit(4, () => session.regularise(options));
+    const outcome = orExit(4, () => perform(session, "regularise", { options }));
     const milliseconds = performance.now() - start;
-    if (values.out) writeOutput(values.out, session.export(outFormat));
+    if (values.out) writeOutput(values.out, perform(session, "export", { format: outFormat }));
     if (values.json) io.write(`${JSON.stringify({ ...outcome, milliseconds })}\n`);
     else io.write(summary(outcome));
     return 0;

@@ -14,6 +14,7 @@ import {
   resultOf,
   TOLERANCE,
 } from "../recipe.js";
+import { perform } from "../session.js";
 import { Failure, orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
 import { parse } from "./options.js";
@@ -48,12 +49,12 @@ export const replay = {
     const session = await open();
     const tell = progress(io);
     orRefuse(() => prepare(session, recipe, bytes, tell));
-    orRefuse(() => session.configure(recipe.flow));
+    orRefuse(() => perform(session, "configure", { options: recipe.flow }));
     orExit(4, () => follow(session, recipe, tell));
-    const positions = new Float32Array(session.positions());
-    const got = { ...resultOf(session.state()), positions: await sha256(positions) };
+    const positions = session.frame(false).positions;
+    const got = { ...resultOf(perform(session, "state")), positions: await sha256(positions) };
     const verdict = compare(recipe, got, packageVersion());
-    if (values.out) writeOutput(values.out, session.export(outFormat));
+    if (values.out) writeOutput(values.out, perform(session, "export", { format: outFormat }));
     const { same, exact } = verdict;
     const report = { same, exact, ...(exact ? {} : { tolerance: TOLERANCE }) };
     const { steps, result: expected } = recipe;

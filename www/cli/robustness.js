@@ -5,6 +5,7 @@
 import { readdirSync } from "node:fs";
 import path from "node:path";
 import { byCurvature } from "../options.js";
+import { perform } from "../session.js";
 import { Failure, orExit, usage } from "./failure.js";
 import { isMesh, readInput } from "./files.js";
 import { runSteps } from "./flow.js";
@@ -100,16 +101,19 @@ export function* robustnessRows(session, { maxVertices, meshes }) {
   if (meshes !== undefined) {
     for (const file of meshesIn(meshes)) {
       const name = path.basename(file);
-      const load = () => session.load(readInput(file), name);
+      const load = () => perform(session, "load", { bytes: readInput(file), name });
       const few = every.map((options) => ({ ...options, maxSteps: STEPS }));
       yield* rowsOf(session, name, load, few, maxVertices);
     }
     return;
   }
   for (const { name, shape, parameters = {}, make, noise = 0, flows } of cases) {
-    const sample = () => session.sample(shape ?? "", parameters);
+    const sample = () => perform(session, "sample", { name: shape ?? "", parameters });
     const mesh = make?.() ?? (noise > 0 ? meshOf(sample()) : null);
-    const load = () => (mesh ? session.load(written(shaken(mesh, noise)), "case.obj") : sample());
+    const load = () =>
+      mesh
+        ? perform(session, "load", { bytes: written(shaken(mesh, noise)), name: "case.obj" })
+        : sample();
     yield* rowsOf(session, name, load, flows, maxVertices);
   }
 }
@@ -134,7 +138,7 @@ function* rowsOf(session, name, load, flows, maxVertices) {
     const flow = [options.flow, ...(options.keep ?? [])].join(", ");
     // Each from the file: what one flow has done to the session is nothing to the next.
     load();
-    const refused = orKind(() => session.configure(options));
+    const refused = orKind(() => perform(session, "configure", { options }));
     if (typeof refused === "string") {
       yield { ...blank, case: name, flow, ending: `refused: ${refused}` };
     } else yield { case: name, flow, ...outcome(session) };
@@ -145,10 +149,10 @@ const blank = { steps: null, first: null, last: null, rise: null, angle: null, s
 
 /** Runs what is configured. @param {Session} session */
 function outcome(session) {
-  const first = session.state();
+  const first = perform(session, "state");
   const begun = performance.now();
   const { status, steps, fault } = runSteps(session, () => {});
-  const last = session.state();
+  const last = perform(session, "state");
   return {
     ending: fault ? `${status}: ${fault.kind}` : status,
     steps: steps.length,

@@ -1,6 +1,7 @@
 // @ts-check
 // `umbilic shape`: writes a sample shape.
 
+import { perform } from "../session.js";
 import { orExit, usage } from "./failure.js";
 import { checkOutputs, formatOf, writeOutput } from "./files.js";
 import { number, parse } from "./options.js";
@@ -32,7 +33,7 @@ export const shape = {
   async run({ parameters, io, open }) {
     const session = await open();
     /** @type {Shape[]} */
-    const shapes = session.shapes();
+    const shapes = Session.shapes();
     if (parameters.includes("--list")) {
       const { values } = await parse(parameters, { ...syntax, operands: [] });
       io.write(values.json ? `${JSON.stringify(shapes)}\n` : list(shapes));
@@ -48,10 +49,12 @@ export const shape = {
     const outFormat = formatOf(values.out);
     checkOutputs([values.out, values.selection]);
 
-    const sample = orExit(2, () => session.sample(operands[0], asked(chosen, values)));
+    const sample = orExit(2, () =>
+      perform(session, "sample", { name: operands[0], parameters: asked(chosen, values) }),
+    );
     writeOutput(
       values.out,
-      orExit(3, () => session.export(outFormat)),
+      orExit(3, () => perform(session, "export", { format: outFormat })),
     );
     if (values.selection) {
       const [free, fixed] = [sample.free, sample.fixed].map((list) => list && Array.from(list));

@@ -1,6 +1,21 @@
 // @ts-check
 // Results as text for people.
 
+import { say } from "../words.js";
+
+/** @import { Message } from "../generated/types.js" */
+
+/**
+ * Warnings as sentences, their ids beside them.
+ * @template {{ warnings: Message[] }} T
+ * @param {T} told
+ */
+export const inWords = (told) => ({
+  ...told,
+  warnings: told.warnings.map((warning) => say(warning)),
+  warningIds: told.warnings.map(({ id }) => id),
+});
+
 /**
  * Six significant digits; whole numbers in full.
  * @param {unknown} value

@@ -18,7 +18,7 @@
 // now on), `ready` (a scene is there), `frame`, `statechange`, `error`, and `key` (Page Up or Page Down,
 // pressed in the surface).
 
-/** @import { Fault } from "../generated/types.js" */
+/** @import { Fault } from "../words.js" */
 /** @import { Link } from "../link.js" */
 
 import { t } from "../language.js";

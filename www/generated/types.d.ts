@@ -408,13 +408,13 @@ runs: Array<Curve>, };
  */
 export type Diagnosis = { 
 /**
- * What it is.
+ * What it is: name of a [`Symptom`].
  */
-kind: DiagnosisKind, 
+kind: string, 
 /**
- * The same in one sentence.
+ * The same, to be said in one sentence.
  */
-sentence: Text, 
+message: Message, 
 /**
  * Vertices at fault.
  */
@@ -431,11 +431,6 @@ edges: Uint32Array,
  * What helps, the best first; three at most.
  */
 remedies: Array<Remedy>, };
-
-/**
- * What is the matter.
- */
-export type DiagnosisKind = "RejectedSteps" | "RefusedSteps" | "CocircularKink" | "RisingEnergy" | "Pinch" | "Inflating" | "Growing" | "Shrinking" | "DegenerateFaces" | "FoldedFaces" | "BelowSmoothMinimum" | "TooRough" | "Unfit" | "StepLimit";
 
 /**
  * Circles or crosses drawn of those there are.
@@ -504,7 +499,7 @@ gradientNorm: number, };
 /**
  * A refusal or failure: what is wrong and where, and what to do about it.
  *
- * Code switches on `kind`, never on the text.
+ * Code switches on `kind`, never on the message.
  */
 export type Fault = { 
 /**
@@ -514,11 +509,11 @@ kind: string,
 /**
  * What is wrong and where.
  */
-message: string, 
+message: Message, 
 /**
  * What the user can do.
  */
-hint: string, 
+hint: Message, 
 /**
  * The elements at fault: lists of indices by name.
  */
@@ -532,10 +527,6 @@ export type Field = {
  * Which field.
  */
 name: FieldName, 
-/**
- * For people.
- */
-label: string, 
 /**
  * One value a vertex.
  */
@@ -597,9 +588,9 @@ facesAdded: number,
  */
 firstVertex: number, 
 /**
- * What is worth knowing, a sentence each.
+ * What is worth knowing.
  */
-warnings: Array<string>, };
+warnings: Array<Message>, };
 
 /**
  * How connectivity is optimised. Unknown names are refused.
@@ -828,7 +819,7 @@ state: State,
 /**
  * The steps that no frame has told of yet, oldest first.
  */
-reports: Array<Sample>, 
+reports: Array<PlotPoint>, 
 /**
  * Three coordinates a vertex, relative to the mesh's frame, for drawing.
  */
@@ -944,7 +935,7 @@ selfIntersections: number | null,
 /**
  * What was repaired or is worth knowing.
  */
-warnings: Array<string>, };
+warnings: Array<Message>, };
 
 /**
  * How time is discretised.
@@ -1192,6 +1183,19 @@ area: number,
 volume: number | null, };
 
 /**
+ * Something to be said. In JSON `{ id, values }`.
+ */
+export type Message = { 
+/**
+ * Of the words, which may use each of the values.
+ */
+id: string, 
+/**
+ * By name.
+ */
+values: Record<string, unknown>, };
+
+/**
  * Where the normals are taken that a pass holds.
  */
 export type Mode = "off" | "linear" | "nonlinear";
@@ -1250,6 +1254,47 @@ highlight: Uint32Array,
  * Colours.
  */
 field: Field | null, };
+
+/**
+ * What a plot has of a step, and what the step warns of.
+ */
+export type PlotPoint = { 
+/**
+ * Number of the step.
+ */
+step: number, 
+/**
+ * Flow time after it.
+ */
+time: number, 
+/**
+ * Raw step size.
+ */
+dt: number, 
+/**
+ * See [`StepReport::energy`].
+ */
+energy: number, 
+/**
+ * See [`StepReport::objective`].
+ */
+objective: number, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * Signed volume of a closed oriented surface.
+ */
+volume: number | null, 
+/**
+ * Smallest corner angle.
+ */
+minAngleDegrees: number, 
+/**
+ * Worth telling the user; none where the step was told of before.
+ */
+warnings: Array<Message>, };
 
 /**
  * What is known of a vertex. Angles are in radians; H, K and the areas have the units of the
@@ -1439,7 +1484,7 @@ id: RemedyId,
 /**
  * What the button says.
  */
-label: Text, 
+label: Message, 
 /**
  * Options that change.
  */
@@ -1505,35 +1550,6 @@ gauss: number,
 unfit: number, };
 
 /**
- * What a plot has of a step, and what the step warns of.
- */
-export type Sample = { 
-/**
- * Number of the step.
- */
-step: number, 
-/**
- * Flow time after it.
- */
-time: number, 
-/**
- * Raw step size.
- */
-dt: number, 
-/**
- * See [`StepReport::energy`].
- */
-energy: number, 
-/**
- * See [`StepReport::objective`].
- */
-objective: number, 
-/**
- * Worth telling the user; none where the step was told of before.
- */
-warnings: Array<string>, };
-
-/**
  * Recommended treatment or the paper's own.
  */
 export type Scheme = "auto" | "paper";
@@ -1566,7 +1582,7 @@ status: Status,
 /**
  * Why.
  */
-message: string, 
+message: Message | null, 
 /**
  * The jump of H across the boundary of what moves.
  */
@@ -1589,9 +1605,9 @@ time: number,
  */
 status: Status, 
 /**
- * The reason, a sentence.
+ * The reason.
  */
-message: string, 
+message: Message | null, 
 /**
  * The flow's own energy, as in [`StepReport::energy`].
  */
@@ -1800,7 +1816,7 @@ regulariseMilliseconds: number,
 /**
  * Worth telling the user.
  */
-warnings: Array<string>, };
+warnings: Array<Message>, };
 
 /**
  * What is studied.
@@ -1866,19 +1882,6 @@ export type SubdivisionScheme = "linear" | "loop";
  * Where the values of a quantity lead.
  */
 export type Tendency = "exact" | "converges" | "elsewhere" | "diverges" | "unknown";
-
-/**
- * A sentence in English with `{name}` where a value stands, and the values.
- */
-export type Text = { 
-/**
- * The sentence.
- */
-template: string, 
-/**
- * What stands in it.
- */
-values: { [key in string]: string }, };
 
 /**
  * The steps that can be shown.

@@ -6,7 +6,7 @@
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
-import { t, translated } from "../language.js";
+import { t } from "../language.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 
@@ -166,10 +166,7 @@ export function createMoebius(controller, canvas, pictured) {
   /** @param {any} error */
   function refuse(error) {
     isRefused = true;
-    setText(
-      refusal,
-      `${translated(String(error?.message ?? error))}. ${translated(error?.hint ?? "")}`,
-    );
+    setText(refusal, `${error?.message ?? error}. ${error?.hint ?? ""}`);
     refusal.hidden = false;
     keep.ariaDisabled = "true";
   }

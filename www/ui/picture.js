@@ -2,11 +2,12 @@
 // The canvas: hands the viewer what changed, and says in words what it shows. Where
 // there is neither WebGPU nor WebGL2 it says so in place of the picture.
 
-/** @import { Fault, Pane } from "../generated/types.js" */
+/** @import { Pane } from "../generated/types.js" */
+/** @import { Fault } from "../words.js" */
 /** @import { PageState, View } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
-import { t, translated } from "../language.js";
+import { t } from "../language.js";
 import { sampleName } from "../library.js";
 import { hasContrast, isDark } from "../state.js";
 import { byId, setText } from "./element.js";
@@ -100,8 +101,8 @@ export function createPicture(controller, state, samples) {
     viewer = null;
     canvas.hidden = true;
     absence.hidden = false;
-    setText(byId("absence-reason", HTMLElement), translated(fault.message));
-    setText(byId("absence-hint", HTMLElement), translated(fault.hint));
+    setText(byId("absence-reason", HTMLElement), fault.message);
+    setText(byId("absence-hint", HTMLElement), fault.hint);
   }
 
   /** @param {Float32Array} now */
@@ -201,10 +202,7 @@ export function createPicture(controller, state, samples) {
         viewer = opened;
         const { name, reason } = viewer.renderer;
         for (const id of ["renderer", "help-renderer"]) {
-          setText(
-            byId(id, HTMLElement),
-            t("Drawn with {name}: {reason}.", { name, reason: translated(reason) }),
-          );
+          setText(byId(id, HTMLElement), t("Drawn with {name}: {reason}.", { name, reason }));
         }
         if (shape) viewer.setMesh(shape);
         draw(state());

@@ -48,10 +48,8 @@ export function statusText({ phase, loadingName, mesh, reading, pausing, version
 export function reasonText(state) {
   if (state.phase !== "paused" || !state.reading) return "";
   const { status, message } = state.reading;
-  const [text, said] = [translated(message), statusText(state)];
-  if (status === "stepLimit") return t("{reason}. Play goes on.", { reason: text });
-  // The solver counts in the plural only.
-  return text.startsWith(said) ? text.slice(said.length).replace(/^\p{L}*[:.,\s]+/u, "") : text;
+  if (!message) return "";
+  return status === "stepLimit" ? say("play-goes-on", { reason: message }) : say(message);
 }
 
 /** @param {Readonly<PageState>} state how much of the way is done, or null where nothing is to be waited for */

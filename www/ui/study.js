@@ -8,7 +8,7 @@
 /** @import { Solver } from "../solver.js" */
 
 import { samples } from "../generated/library.js";
-import { t, translated } from "../language.js";
+import { t } from "../language.js";
 import { createSolver, LOST } from "../solver.js";
 import { byId, fillSelect, setText } from "./element.js";
 import { formatNumber } from "./number.js";
@@ -244,9 +244,9 @@ export function createStudy(controller) {
       setText(status, t("Done."));
       end();
     } catch (error) {
-      const { kind, message } = /** @type {import("../generated/types.js").Fault} */ (error);
+      const { kind, message } = /** @type {import("../words.js").Fault} */ (error);
       if (solver !== own || kind === LOST) return;
-      setText(status, translated(message));
+      setText(status, message);
       end();
     }
   }

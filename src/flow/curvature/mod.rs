@@ -39,12 +39,12 @@ mod willmore;
 
 use super::bounds::lower_bounds;
 use super::options::{FlowOptions, Scheme};
-use super::report::WarningsGiven;
 use super::rules::{Ceiling, Folds};
 use super::step_size::StepSize;
+use super::warning::WarningsGiven;
 use super::{
-    Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal, Reading,
-    Refusal, Rules, StepReport, boundary, prefill,
+    Advice, Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal,
+    Reading, Refusal, Rules, StepReport, boundary, prefill,
 };
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
@@ -401,11 +401,11 @@ impl Flow for CurvatureFlow {
         self.warn_of(report, given);
     }
 
-    fn remedy(&self) -> &'static str {
+    fn advice(&self) -> Advice {
         match self.law {
-            Law::MeanCurvature => "the p-Willmore flow with p = 0 keeps its mesh a better one",
-            _ if self.is_whole() => "conformal regularisation or the p-Willmore flow helps",
-            _ => "a smooth pre-fill, a finer mesh or a flow of lower order helps",
+            Law::MeanCurvature => Advice::PWillmoreZero,
+            _ if self.is_whole() => Advice::RegularOrPWillmore,
+            _ => Advice::FirstGuess,
         }
     }
 

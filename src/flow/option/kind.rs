@@ -1,10 +1,10 @@
 //! What an option may be: its range or its names, read from text and checked.
 
+use super::error::Allowed;
 use super::value::Value;
 use serde::Serialize;
 use serde::de::value::Error;
 use serde::de::{self, DeserializeOwned, Deserializer, IntoDeserializer, Visitor};
-use std::fmt;
 
 /// Numbers between two ends, each belonging to them or not.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -73,17 +73,14 @@ impl Range {
     }
 }
 
-impl fmt::Display for Range {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [low, high] = [self.low, self.high].map(Value::Number);
-        let numbers = match (self.whole, self.low_open) {
-            (true, _) => format!("a whole number from {low} to {high}"),
-            (false, false) => format!("a number from {low} to {high}"),
-            (false, true) => format!("a number above {low}, at most {high}"),
-        };
-        match self.also {
-            Some(also) => write!(f, "{also}, or {numbers}"),
-            None => f.write_str(&numbers),
+impl From<Range> for Allowed {
+    fn from(range: Range) -> Self {
+        let Range { low, high, .. } = range;
+        match (range.also, range.whole, range.low_open) {
+            (Some(_), ..) => Self::ZeroOrRange { low, high },
+            (None, true, _) => Self::WholeRange { low, high },
+            (None, false, true) => Self::Above { low, high },
+            (None, false, false) => Self::Range { low, high },
         }
     }
 }
@@ -149,14 +146,18 @@ impl Kind {
         }
     }
 
-    /// The allowed values, in half a sentence.
-    pub fn allowed(&self) -> String {
+    /// The allowed values.
+    pub fn allowed(&self) -> Allowed {
         match self {
-            Self::Number(range) => range.to_string(),
-            Self::Choice(ids) => format!("one of {}", ids().join(", ")),
-            Self::Set(ids) => format!("none, or any of {}", ids().join(", ")),
-            Self::Switch => "true or false".into(),
-            Self::Vertices => "a list of vertex numbers from 0".into(),
+            Self::Number(range) => (*range).into(),
+            Self::Choice(ids) => Allowed::OneOf {
+                names: ids().to_vec(),
+            },
+            Self::Set(ids) => Allowed::AnyOf {
+                names: ids().to_vec(),
+            },
+            Self::Switch => Allowed::Switch,
+            Self::Vertices => Allowed::Vertices,
         }
     }
 }

@@ -14,7 +14,10 @@ const energies = {
   gradientNorm: 0.25,
 };
 
-const info = { vertices: 3, faces: 1, area: 4, volume: null, warnings: ["one odd thing"] };
+const info = {
+  ...{ vertices: 3, faces: 1, area: 4, volume: null },
+  warnings: [{ id: "repair-turned-faces", values: { count: 1 } }],
+};
 
 export class FakeSession {
   /**
@@ -45,7 +48,10 @@ export class FakeSession {
    */
   load(bytes, name) {
     this.calls.push(["load", Buffer.from(bytes).toString(), name]);
-    if (this.refuse) throw fault("NonManifoldEdge", "Edge 3–4 has 3 faces.", "Delete one.");
+    if (this.refuse) {
+      const values = { a: 3, b: 4, faces: [0, 1, 2], others: 0 };
+      throw refusal("NonManifoldEdge", "mesh-non-manifold-edge", values);
+    }
     return { name, info };
   }
 
@@ -63,7 +69,8 @@ export class FakeSession {
   state() {
     const isSpent = this.step_ >= this.limit;
     const status = this.over ? this.ending : isSpent ? "stepLimit" : "running";
-    return { status, message: `At step ${this.step_}`, monitored: "smoothedCircle" };
+    const message = { id: "reason-at-rest", values: {} };
+    return { status, message, step: this.step_, monitored: "smoothedCircle" };
   }
 
   curvatureJump() {
@@ -75,7 +82,9 @@ export class FakeSession {
       this.over = true;
       return null;
     }
-    if (this.step_ + 1 >= this.failAt) throw fault("NotFinite", "Vertex 2 is not finite.", "Less.");
+    if (this.step_ + 1 >= this.failAt) {
+      throw refusal("NonFiniteEnergy", "flow-non-finite-energy", { step: this.step_ + 1 });
+    }
     this.step_ += 1;
     const cost = { gradientNorm: 1, milliseconds: 2, flippedFaces: 0, warnings: [] };
     return { step: this.step_, energy: 12 - this.step_, dt: 0.1, ...cost };
@@ -127,9 +136,9 @@ export class FakeSession {
 
 /**
  * @param {string} kind
- * @param {string} message
- * @param {string} hint
+ * @param {string} id
+ * @param {Record<string, unknown>} values
  */
-function fault(kind, message, hint) {
-  return { kind, message, hint, detail: {} };
+function refusal(kind, id, values) {
+  return { kind, message: { id, values }, hint: { id: `${id}.hint`, values }, detail: {} };
 }

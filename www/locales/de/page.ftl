@@ -50,3 +50,54 @@ filled = { $count ->
     [one] { $vertices } neuen Ecke
    *[other] { $vertices } neuen Ecken
 } gefüllt. „Start“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.
+
+## Wie ein Lauf endete
+
+play-goes-on = { $reason }. „Start“ macht weiter.
+run-over = { $ended }: { $reason }
+
+## Glätten nach dem Füllen
+
+fair-nothing = Es gibt keine neue Ecke und nichts, was { $flow } bewegen könnte.
+fair-not-at-rest = Der Flicken ist nicht in Ruhe: { $reason }.
+fair-folds = In { $folding } von { $steps ->
+    [one] { $steps } Schritt
+   *[other] { $steps } Schritten
+} klappten Facetten um.
+
+## Der Worker und Folgen von Netzen
+
+worker-internal = Im Löser ist ein Fehler aufgetreten: { $reason }
+    .hint = Bitte melden Sie das, wenn möglich mit dem Netz.
+sequence-too-large = { $meshes } Netze wären { NUMBER($gigabytes, digits: 2) } GB, mehr als 1 GB.
+    .hint = Nehmen Sie weniger Schritte oder ein kleineres Format.
+
+## Rezepte
+
+recipe-without-flow = Es ist noch kein Fluss gewählt.
+    .hint = Wählen Sie zuerst einen.
+recipe-not-json = Das Rezept ist kein JSON: Zeile { $line } ist nicht lesbar.
+    .hint = Rezepte entstehen mit „Sichern als: Rezept“.
+recipe-malformed = „{ $key }“ im Rezept muss so sein: { $must }.
+    .hint = Rezepte entstehen mit „Sichern als: Rezept“.
+recipe-needs-mesh = Das Rezept braucht das Netz { $name }.
+    .hint = Öffnen Sie es zuerst.
+recipe-ends-early = Der Fluss endet bei Schritt { $step } von { $goal }: { $reason }.
+    .hint = Nehmen Sie weniger Schritte.
+must-be-version = die Version, als Text
+must-be-list = eine Liste
+must-be-object = ein Objekt
+must-be-options = ein Objekt aus Optionen
+must-be-numbers = ein Objekt aus Zahlen
+must-be-count = eine ganze Zahl ab 0
+must-be-number = eine Zahl
+must-be-number-or-null = eine Zahl oder null
+must-be-hash = ein SHA-256, 64 Ziffern von 0 bis f
+must-be-shape-name = der Name einer Form
+must-be-file-name = der Name einer Datei
+must-be-steps = eine Liste, deren Schritte zusammen { $steps } sind, wie „steps“ sagt
+must-be-path-part = {"{"} steps {"}"}, {"{"} regularise {"}"}, {"{"} flow {"}"} oder „anew“
+must-be-edit = „adopt“, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide {"}"} oder {"{"} invert: [x, y, z] {"}"}
+must-be-left-out = weggelassen: Diese Option gibt es nicht
+must-be-selection = null oder eine Liste von Eckennummern
+must-be-other-value = ein anderer Wert: { $given } ist keiner dieser Option

@@ -50,3 +50,54 @@ filled = Filled { $count ->
     [one] { $vertices } new vertex
    *[other] { $vertices } new vertices
 }. Play lets the flow fair them; Undo takes the fill back.
+
+## How a run ended
+
+play-goes-on = { $reason }. Play goes on.
+run-over = { $ended }: { $reason }
+
+## Fairing after a fill
+
+fair-nothing = There is no new vertex, and nothing for { $flow } to move.
+fair-not-at-rest = The patch is not at rest: { $reason }.
+fair-folds = Faces folded over in { $folding } of { $steps ->
+    [one] { $steps } step
+   *[other] { $steps } steps
+}.
+
+## The worker, and sequences of meshes
+
+worker-internal = The solver met an error of its own: { $reason }
+    .hint = Please report this, with the mesh if you can.
+sequence-too-large = { $meshes } meshes would be { NUMBER($gigabytes, digits: 2) } GB, more than 1 GB.
+    .hint = Take fewer of the steps, or a smaller format.
+
+## Recipes
+
+recipe-without-flow = No flow has been chosen yet.
+    .hint = Choose one first.
+recipe-not-json = The recipe is not JSON: line { $line } cannot be read.
+    .hint = Recipes are made by “Save as: Recipe”.
+recipe-malformed = The recipe’s “{ $key }” must be { $must }.
+    .hint = Recipes are made by “Save as: Recipe”.
+recipe-needs-mesh = The recipe needs the mesh { $name }.
+    .hint = Open it first.
+recipe-ends-early = The flow ends at step { $step } of { $goal }: { $reason }.
+    .hint = Take fewer steps.
+must-be-version = the version, as text
+must-be-list = a list
+must-be-object = an object
+must-be-options = an object of options
+must-be-numbers = an object of numbers
+must-be-count = a whole number from 0
+must-be-number = a number
+must-be-number-or-null = a number or null
+must-be-hash = a SHA-256, 64 digits from 0 to f
+must-be-shape-name = the name of a shape
+must-be-file-name = the name of a file
+must-be-steps = a list whose steps are { $steps } in all, as “steps” says
+must-be-path-part = {"{"} steps {"}"}, {"{"} regularise {"}"}, {"{"} flow {"}"} or “anew”
+must-be-edit = “adopt”, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide {"}"} or {"{"} invert: [x, y, z] {"}"}
+must-be-left-out = left out: there is no such option
+must-be-selection = null or a list of vertex numbers
+must-be-other-value = another value: { $given } is not one of this option
