@@ -9,10 +9,10 @@ use std::fmt;
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Message {
     /// Of the words, which may use each of the values.
-    pub id: String,
+    pub id: Box<str>,
     /// By name.
     #[cfg_attr(test, ts(type = "Record<string, unknown>"))]
-    pub values: Vec<(&'static str, Value)>,
+    pub values: Box<[(&'static str, Value)]>,
 }
 
 /// What stands in a sentence.
@@ -41,13 +41,16 @@ impl Message {
             }
             id.push(c.to_ascii_lowercase());
         }
-        Self { id, values }
+        Self {
+            id: id.into(),
+            values: values.into(),
+        }
     }
 
     /// What can be done about it: a further sentence of the same words.
     #[must_use]
     pub fn hint(mut self) -> Self {
-        self.id.push_str(".hint");
+        self.id = (self.id.into_string() + ".hint").into();
         self
     }
 
@@ -70,7 +73,7 @@ impl Message {
 impl fmt::Display for Message {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.id)?;
-        for (name, value) in &self.values {
+        for (name, value) in self.values.iter() {
             write!(f, " {name}={value}")?;
         }
         Ok(())
@@ -365,7 +368,7 @@ mod tests {
             r#"{"id":"refusal-too-many","values":{"count":2.0,"names":["a","b"]}}"#
         );
         assert_eq!(said.kind(), "TooMany");
-        assert_eq!(said.hint().id, "refusal-too-many.hint");
+        assert_eq!(&*said.hint().id, "refusal-too-many.hint");
         assert_eq!(said.hint().number("count"), Some(2.0));
         assert_eq!(said.to_string(), "refusal-too-many count=2 names=a;b;");
         let names: [(&str, &[&str]); 2] =
@@ -377,7 +380,7 @@ mod tests {
     fn what_is_wrong_within_has_the_kind_and_the_hint() {
         let said = Refusal::from(Reason::NoRoom);
         assert_eq!(
-            (said.kind(), said.hint().id.as_str()),
+            (said.kind(), &*said.hint().id),
             ("NoRoom", "reason-no-room.hint")
         );
         let json = serde_json::to_string(&said.message()).unwrap();

@@ -34,7 +34,7 @@ pub(super) fn fault(said: &impl crate::message::Say) -> JsValue {
     fn message(said: &Message) -> JsValue {
         let values = said.values.iter();
         let values: Vec<_> = values.map(|(name, said)| (*name, value_of(said))).collect();
-        object(&[("id", said.id.as_str().into()), ("values", object(&values))])
+        object(&[("id", (&*said.id).into()), ("values", object(&values))])
     }
     object(&[
         ("kind", said.kind().into()),

@@ -661,7 +661,7 @@ fn a_heap_of_triangles_is_given_up() {
     assert!(
         info.warnings
             .iter()
-            .all(|w| w.id != "notice-self-intersections")
+            .all(|w| &*w.id != "notice-self-intersections")
     );
     // Asked for, it takes its time.
     let found = session.self_intersections().expect("a mesh");

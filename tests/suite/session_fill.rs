@@ -48,7 +48,7 @@ fn the_next_flow_moves_the_new_vertices_only() {
     assert!(
         info.warnings
             .iter()
-            .any(|w| w.id == "notice-filled" && w.number("count") == Some(1.0))
+            .any(|w| &*w.id == "notice-filled" && w.number("count") == Some(1.0))
     );
     // Whatever was asked of the flow before.
     let configured = s.configure(FlowOptions::default()).expect("configured");

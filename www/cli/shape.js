@@ -33,7 +33,7 @@ export const shape = {
   async run({ parameters, io, open }) {
     const session = await open();
     /** @type {Shape[]} */
-    const shapes = Session.shapes();
+    const shapes = /** @type {any} */ (session.constructor).shapes();
     if (parameters.includes("--list")) {
       const { values } = await parse(parameters, { ...syntax, operands: [] });
       io.write(values.json ? `${JSON.stringify(shapes)}\n` : list(shapes));
