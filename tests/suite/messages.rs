@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use umbilic::app::{AppError, Label, Notice, Symptom};
-use umbilic::flow::error::Allowed;
+use umbilic::flow::option::{Allowed, OptionError};
 use umbilic::flow::{Advice, Cause, FlowError, Reason, Warning};
 use umbilic::io::{Expected, Format, Found, Oddity, Place, ReadError, WriteError};
 use umbilic::linalg::LinalgError;
@@ -52,6 +52,7 @@ fn errors() -> Vec<(&'static str, Messages)> {
         FillError,
         RegulariseError,
         FlowError,
+        OptionError,
         AppError,
         ViewerError,
     ]

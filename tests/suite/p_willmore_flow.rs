@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use std::rc::Rc;
 use umbilic::flow::Verdict;
 use umbilic::flow::constraint::Kept;
-use umbilic::flow::error::Allowed;
+use umbilic::flow::option::{Allowed, OptionError};
 use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
 use umbilic::flow::p_willmore::PWillmoreFlow;
 use umbilic::flow::{Advice, Driver, FlowError, Reason, Status, StepReport, Warning};
@@ -583,7 +583,7 @@ fn open_and_one_sided_surfaces_are_refused() {
     let bad = |change: FlowOptions| {
         let flow = drive(&bumpy.mesh, &mut bumpy.x.clone(), change);
         match flow.err().expect("a refusal") {
-            FlowError::BadOption { name, allowed, .. } => (name, allowed),
+            FlowError::Option(OptionError::BadOption { name, allowed, .. }) => (name, allowed),
             other => panic!("{other}"),
         }
     };

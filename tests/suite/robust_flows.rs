@@ -192,7 +192,7 @@ fn starts() -> Vec<Start> {
             let mut surface = Surface {
                 mesh: Rc::clone(&shape.mesh),
                 x: shape.x.clone(),
-                warnings: Vec::new(),
+                repairs: Vec::new(),
             };
             surface = roughened(surface, noise, seed as u64);
             for p in &mut surface.x {
@@ -216,8 +216,8 @@ fn random_surfaces_under_every_flow() {
             assert_ne!(
                 found.status,
                 Status::Failed,
-                "{what}, {flow:?}: {}",
-                found.message
+                "{what}, {flow:?}: {:?}",
+                found.reason
             );
         }
     }

@@ -83,8 +83,8 @@ async function strictly(args, options) {
     if (code !== "ERR_PARSE_ARGS_UNKNOWN_OPTION") throw usage(message);
     const typed = /'--?(?:no-)?([^' ]*)/.exec(message)?.[1] ?? "";
     const { unknownFlag } = await loadSolver();
-    const { kind, message, hint } = sayFault(unknownFlag(typed, Object.keys(options)));
-    throw new Failure(2, kind, message, hint);
+    const fault = sayFault(unknownFlag(typed, Object.keys(options)));
+    throw new Failure(2, fault.kind, fault.message, fault.hint);
   }
 }
 
