@@ -91,7 +91,7 @@ impl From<Status> for Value {
 fn said(id: &str, values: &[(&'static str, Value)]) -> Message {
     Message {
         id: id.into(),
-        values: values.to_vec(),
+        values: values.into(),
     }
 }
 
