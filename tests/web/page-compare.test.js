@@ -51,7 +51,9 @@ async function alone(options, steps) {
   perform(session, "sample", { name: "icosahedron", parameters: { level: 4 } });
   const { state } = perform(session, "configure", { options });
   const energies = [state.energy];
-  for (let i = 0; i < steps; i += 1) energies.push(perform(session, "step").energy);
+  for (let i = 0; i < steps; i += 1) {
+    energies.push(perform(session, "step")?.energy ?? Number.NaN);
+  }
   const positions = session.frame(false).positions;
   session.free();
   return { energies, positions };

@@ -170,7 +170,7 @@ function* flipRows(session, { maxVertices }) {
     // The shape has 1000 points at most each way.
     const around = Math.min(2 * tube, 1000);
     if (around * tube > maxVertices) return;
-    for (const criterion of ["area", "willmore", "localised"]) {
+    for (const criterion of /** @type {const} */ (["area", "willmore", "localised"])) {
       const { info } = perform(session, "sample", {
         name: "sampled-torus",
         parameters: { around, tube },

@@ -65,7 +65,10 @@ export const flow = {
     orExit(3, () => perform(session, "configure", { options }));
     const powers = options.p === undefined ? [] : [options.p];
     const energyOptions = { p: powers, ...(options.boundary && { boundary: options.boundary }) };
-    const readings = () => ({ ...session.energy(energyOptions), ...crossings(session, values) });
+    const readings = () => ({
+      ...perform(session, "energy", energyOptions),
+      ...crossings(session, values),
+    });
     const initial = orExit(3, readings);
     const { steps, fault, ...end } = runSteps(session, (step) => io.log(stepLine(step)));
     const { status } = end;
