@@ -89,8 +89,8 @@ impl ReadBy {
         OptionError::UnreadOption {
             name,
             flows: self.flows.iter().map(|flow| flow.id()).collect(),
-            scheme: self.scheme.map(|scheme| id_of(&scheme)),
-            goal: self.goal.map(|goal| id_of(&goal)),
+            scheme: self.scheme.map_or("any", |scheme| id_of(&scheme)),
+            goal: self.goal.map_or("any", |goal| id_of(&goal)),
         }
     }
 }
@@ -200,8 +200,8 @@ pub fn unknown<'a>(
     let near = near.and_then(|near| known.clone().find(|(a, b)| *a == near || *b == near));
     OptionError::UnknownOption {
         name: name.chars().take(60).collect(),
-        near: near.map(|(name, _)| name.into()),
-        flag: near.map(|(_, flag)| flag.into()),
+        near: near.map_or("none", |(name, _)| name).into(),
+        flag: near.map_or("none", |(_, flag)| flag).into(),
     }
 }
 
@@ -247,6 +247,16 @@ pub fn read<S: Options>(words: &Values) -> Result<Values, OptionError> {
 pub fn check<S: Options>(options: &S) -> Result<(), OptionError> {
     let mut rows = S::ROWS.iter();
     rows.try_for_each(|row| row.check(&(row.get)(options)))
+}
+
+impl FlowOptions {
+    /// Refuses values that make no sense.
+    ///
+    /// # Errors
+    /// [`OptionError::BadOption`] naming the option.
+    pub fn check(&self) -> Result<(), OptionError> {
+        check(self)
+    }
 }
 
 /// [`read`], and refuses what would change nothing: on a command line that is a mistake.

@@ -117,9 +117,9 @@ test("the same bad values are refused in the same words, four ways", async () =>
     assert.deepEqual(await refusedLine(["replay", file], 3), line, `recipe: ${about}`);
 
     for (const way of /** @type {const} */ (["configure", "continueWith"])) {
-      const options = /** @type {any} */ ({ [name]: value });
+      const fields = /** @type {any} */ ({ options: { [name]: value } });
       assert.deepEqual(
-        refusalOf(() => perform(session, way, { options })),
+        refusalOf(() => perform(session, way, fields)),
         line,
         `${way}: ${about}`,
       );

@@ -197,7 +197,7 @@ test("edits of every kind go through a link, and give the same surface to the la
   const story = perform(session, "recipe");
   const { step, energy } = perform(session, "state");
   const state = /** @type {any} */ ({
-    ...{ ...initial, story, options, reading: { step, energy, status: "running" } },
+    ...{ ...initial, story, options, reading: { step, energy, status: "ready" } },
     source: { kind: "file", name: "tubes" },
     origin: { kind: "sample", id: "two-tubes" },
   });

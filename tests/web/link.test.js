@@ -105,7 +105,7 @@ function randomState(seed) {
       boundary: yes(),
       scale: of(["auto", "log", "linear"]),
     },
-    reading: { step, energy: real(1e-12, 1e6), status: "running" },
+    reading: { step, energy: real(1e-12, 1e6), status: "ready" },
     history: [{ step: 0, time: 0, dt: 0, energy: 10 }],
   });
 }
@@ -254,7 +254,7 @@ test("what was done by hand comes back from a link as it was", () => {
     const story = randomStory(seed);
     const steps = story.path.map((/** @type {any} */ leg) => leg.steps ?? 0);
     const step = steps.reduce((a, b) => a + b, 0);
-    const state = { ...edited(story, seed), reading: { step, energy: 1, status: "running" } };
+    const state = { ...edited(story, seed), reading: { step, energy: 1, status: "ready" } };
     const about = `seed ${seed}: ${writeLink(state).slice(0, 400)}`;
     const scene = readScene({ search: "", hash: writeLink(state) });
     assert.equal(scene.sample, "icosahedron", about);
@@ -355,7 +355,7 @@ test("energies are compared to the last bit, or as far as they were written", ()
 test("the verdict names what is off, and why it may be", () => {
   const state = randomState(5);
   const energy = 12.345678901234567;
-  const here = { ...state, version: "0.2.0", reading: { step: 7, energy, status: "running" } };
+  const here = { ...state, version: "0.2.0", reading: { step: 7, energy, status: "ready" } };
   const scene = { ...readScene({ search: "", hash: "#step=7&version=0.2.0&sample=pipe" }) };
   const say = (/** @type {any} */ change, /** @type {any} */ now = here, isFile = true) =>
     verdict({ ...scene, ...change }, now, "W", isFile);
@@ -371,7 +371,7 @@ test("the verdict names what is off, and why it may be", () => {
   assert.match(say({ check: "13.0000000" }, short)?.message ?? "", /step 7.*ends at step 5/);
   // Paused by the user on the way, or played on.
   for (const step of [5, 9]) {
-    const paused = { ...here, reading: { step, energy, status: "running" } };
+    const paused = { ...here, reading: { step, energy, status: "ready" } };
     assert.equal(say({ check: "13.0000000" }, paused), null);
   }
 });

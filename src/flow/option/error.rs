@@ -10,10 +10,10 @@ messages! {
         UnknownOption {
             /// As given.
             name: String,
-            /// The option that is called almost so …
-            near: Option<String>,
+            /// The option that is called almost so, or `none`, …
+            near: String,
             /// … and its flag.
-            flag: Option<String>,
+            flag: String,
         },
         /// Not in its range, or of another kind.
         BadOption {
@@ -30,10 +30,10 @@ messages! {
             name: &'static str,
             /// The flows that read it …
             flows: Vec<&'static str>,
-            /// … with this scheme, …
-            scheme: Option<&'static str>,
-            /// … or with this goal.
-            goal: Option<&'static str>,
+            /// … with this scheme, or `any`, …
+            scheme: &'static str,
+            /// … and with this goal, or `any`.
+            goal: &'static str,
         },
         /// Two that say the same thing differently.
         ConflictingOptions {

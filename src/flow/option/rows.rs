@@ -283,12 +283,12 @@ mod tests {
             let OptionError::UnknownOption { near, flag, .. } = error else {
                 panic!("{error}");
             };
-            near.zip(flag)
+            (near, flag)
         };
-        let both = |name: &str, flag: &str| Some((name.to_owned(), flag.to_owned()));
+        let both = |name: &str, flag: &str| (name.to_owned(), flag.to_owned());
         assert_eq!(meant("stepz"), both("maxSteps", "steps"));
         assert_eq!(meant("maxSecond"), both("maxSeconds", "seconds"));
-        assert_eq!(meant("unheard"), None);
+        assert_eq!(meant("unheard"), both("none", "none"));
     }
 
     #[test]
@@ -305,11 +305,11 @@ mod tests {
         };
         assert_eq!(refused(&[("epsilon", "0.2"), ("tau", "1")]), None);
         let other = refused(&[("flow", "mmcv"), ("epsilon", "0.2")]);
-        assert_eq!(other, Some((vec!["circle"], None, None)));
+        assert_eq!(other, Some((vec!["circle"], "any", "any")));
         let goal = refused(&[("detail", "3")]);
-        assert_eq!(goal, Some((vec!["circle"], None, Some("smooth"))));
+        assert_eq!(goal, Some((vec!["circle"], "any", "smooth")));
         let scheme = refused(&[("flow", "p-willmore"), ("tauMax", "3")]);
-        assert_eq!(scheme, Some((vec!["p-willmore"], Some("paper"), None)));
+        assert_eq!(scheme, Some((vec!["p-willmore"], "paper", "any")));
         assert!(matches!(
             read_strictly(&words(&[("dt", "1"), ("tau", "1")])),
             Err(OptionError::ConflictingOptions {

@@ -115,14 +115,14 @@ option-yes = Ja
 
 option-error-unknown-option = es gibt keine Option `{ $name }`
     .hint = { $near ->
-        [–] --help nennt die Optionen; ein von der Seite kopierter Link zeigt, wie sie geschrieben werden.
+        [none] --help nennt die Optionen; ein von der Seite kopierter Link zeigt, wie sie geschrieben werden.
        *[other] Meinten Sie `{ $near }` (--{ $flag })?
     }
 option-error-bad-option = `{ $name }` kann nicht `{ $value }` sein
     .hint = Erlaubt ist: { $allowed }.
 option-error-unread-option = `{ $name }` ändert hier nichts: es gehört zu { $flows }{ $scheme ->
-        [–] { $goal ->
-            [–] {""}
+        [any] { $goal ->
+            [any] {""}
            *[other] {" mit dem Ziel "}{ $goal }
         }
        *[other] {" mit dem Schema "}{ $scheme }

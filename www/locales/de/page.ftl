@@ -98,6 +98,3 @@ must-be-file-name = der Name einer Datei
 must-be-steps = eine Liste, deren Schritte zusammen { $steps } sind, wie „steps“ sagt
 must-be-path-part = {"{"} steps {"}"}, {"{"} regularise {"}"}, {"{"} flow {"}"} oder „anew“
 must-be-edit = „adopt“, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide {"}"} oder {"{"} invert: [x, y, z] {"}"}
-must-be-left-out = weggelassen: Diese Option gibt es nicht
-must-be-selection = null oder eine Liste von Eckennummern
-must-be-other-value = ein anderer Wert: { $given } ist keiner dieser Option

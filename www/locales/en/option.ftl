@@ -115,14 +115,14 @@ option-yes = Yes
 
 option-error-unknown-option = there is no option `{ $name }`
     .hint = { $near ->
-        [–] --help lists the options; a link that is copied from the page shows how they are written.
+        [none] --help lists the options; a link that is copied from the page shows how they are written.
        *[other] Did you mean `{ $near }` (--{ $flag })?
     }
 option-error-bad-option = `{ $name }` cannot be `{ $value }`
     .hint = It may be { $allowed }.
 option-error-unread-option = `{ $name }` changes nothing here: it is for { $flows }{ $scheme ->
-        [–] { $goal ->
-            [–] {""}
+        [any] { $goal ->
+            [any] {""}
            *[other] {" with goal "}{ $goal }
         }
        *[other] {" with scheme "}{ $scheme }

@@ -98,6 +98,3 @@ must-be-file-name = the name of a file
 must-be-steps = a list whose steps are { $steps } in all, as “steps” says
 must-be-path-part = {"{"} steps {"}"}, {"{"} regularise {"}"}, {"{"} flow {"}"} or “anew”
 must-be-edit = “adopt”, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide {"}"} or {"{"} invert: [x, y, z] {"}"}
-must-be-left-out = left out: there is no such option
-must-be-selection = null or a list of vertex numbers
-must-be-other-value = another value: { $given } is not one of this option
