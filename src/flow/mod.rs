@@ -25,6 +25,8 @@ pub mod refusal;
 pub mod report;
 pub mod rules;
 mod run;
+#[cfg(test)]
+mod scripted;
 mod search;
 pub mod step_size;
 pub mod termination;
