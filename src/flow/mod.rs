@@ -28,6 +28,8 @@ pub mod refusal;
 pub mod report;
 pub mod rules;
 mod run;
+#[cfg(test)]
+mod scripted;
 mod search;
 pub mod spec;
 pub mod step_size;
