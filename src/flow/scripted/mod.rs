@@ -7,7 +7,7 @@ use super::rules::{Ceiling, Rules};
 use super::step_size::StepSize;
 use super::{
     Cost, Driver, Flow, FlowError, Functional, Memory, Monitored, Move, Occasion, Phase, Proposal,
-    Reading, Refusal, Search, Status, StepReport, Verdict,
+    Reading, Reason, Refusal, Search, Status, StepReport, Verdict,
 };
 use crate::mesh::{HalfedgeMesh, build, shape};
 use glam::DVec3;
@@ -80,7 +80,7 @@ impl Script {
     }
 
     /// A run from the unit sphere, for so many steps at most.
-    fn run(&self, steps: usize) -> (Vec<StepReport>, Option<(Status, String)>, f64) {
+    fn run(&self, steps: usize) -> (Vec<StepReport>, Option<(Status, Reason)>, f64) {
         let (mesh, mut x) = ball(self.level);
         let options = FlowOptions {
             max_steps: Some(steps),

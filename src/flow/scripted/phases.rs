@@ -4,7 +4,7 @@ use super::{Script, Scripted, ball, idle};
 use crate::flow::circle::CircleFlow;
 use crate::flow::options::FlowOptions;
 use crate::flow::rules::{Ceiling, Rules};
-use crate::flow::{Cause, Driver, FlowError, Phase, Refusal, Search, Status};
+use crate::flow::{Cause, Driver, FlowError, Phase, Reason, Refusal, Search, Status};
 use std::rc::Rc;
 
 #[test]
@@ -20,7 +20,7 @@ fn a_better_surface_takes_the_place_of_the_last_and_is_no_rest() {
         assert_eq!(status, Status::Stalled, "{why}");
         assert!((r - 0.5).abs() < 1e-12, "{r}");
         assert!(
-            is_at_rest == why.contains("more energy than on the way"),
+            is_at_rest == matches!(why, Reason::WorseRest { .. }),
             "{why}"
         );
         assert_eq!(reports.len(), if is_at_rest { 11 } else { 41 });
