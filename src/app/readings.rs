@@ -14,7 +14,7 @@ use crate::mesh::HalfedgeMesh;
 use crate::message::Message;
 use crate::operator::{Elements, Mass};
 use glam::DVec3;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -90,6 +90,17 @@ impl Info {
             warnings,
         }
     }
+}
+
+/// Which energies. Unknown names are refused.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct EnergyOptions {
+    /// Exponents beside the usual ones.
+    pub p: Vec<f64>,
+    /// What holds at the boundary.
+    pub boundary: Boundary,
 }
 
 /// All energies and integrals of a surface.

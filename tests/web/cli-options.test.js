@@ -82,7 +82,11 @@ test("the same bad values are refused in the same words, four ways", async () =>
   perform(session, "sample", { name: "icosahedron", parameters: { level: 2 } });
   perform(session, "configure", { options: { flow: "circle", epsilon: 0.2 } });
   perform(session, "step");
-  const standing = () => [session.frame(false).flow, perform(session, "state"), session.frame(false).positions];
+  const standing = () => [
+    session.frame(false).flow,
+    perform(session, "state"),
+    session.frame(false).positions,
+  ];
   const untouched = standing();
   const recipe = {
     umbilic: "0.1.0",
@@ -113,9 +117,10 @@ test("the same bad values are refused in the same words, four ways", async () =>
     assert.deepEqual(await refusedLine(["replay", file], 3), line, `recipe: ${about}`);
 
     for (const way of /** @type {const} */ (["configure", "continueWith"])) {
-      const options = /** @type {any} */ ({ [name]: value });
+      /** @type {any} */
+      const fields = { options: { [name]: value } };
       assert.deepEqual(
-        refusalOf(() => session[way](options)),
+        refusalOf(() => perform(session, way, fields)),
         line,
         `${way}: ${about}`,
       );

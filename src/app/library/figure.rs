@@ -96,7 +96,11 @@ fn said(id: &str, values: &[(&'static str, Value)]) -> Message {
 }
 
 impl Finding {
-    pub(super) fn new(ok: bool, id: &'static str, values: &[(&'static str, Value)]) -> Self {
+    pub(in crate::app) fn new(
+        ok: bool,
+        id: &'static str,
+        values: &[(&'static str, Value)],
+    ) -> Self {
         let message = said(id, values);
         Self { ok, message }
     }
@@ -104,7 +108,7 @@ impl Finding {
 
 impl Figure {
     /// A figure with nothing special about it, for the tables to begin with.
-    pub(super) const PLAIN: Self = Self {
+    pub(in crate::app) const PLAIN: Self = Self {
         id: "",
         paper: Paper::Circle,
         number: "",
