@@ -8,10 +8,6 @@
 /** A run that came to its end, of its own accord or at a limit. @param {Status} status @returns {status is Ended} */
 export const isOver = (status) => status !== "ready";
 
-/** Whether the surface could not be kept good any longer: what is left is the last good one. @param {Status} status */
-export const isBreakdown = (status) =>
-  status === "singular" || status === "collapsed" || status === "failed";
-
 /** In a word or two. @type {Readonly<Record<Status, string>>} */
 export const standings = {
   ready: "moving",

@@ -14,14 +14,13 @@ use std::rc::Rc;
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum Loops {
-    /// All, by name.
-    #[default]
-    #[serde(skip)]
-    All,
     /// Some of them.
     Some(Vec<usize>),
     /// A word: `all`, or `inner` for all but the longest.
     Word(String),
+    /// All.
+    #[default]
+    All,
 }
 
 /// How holes are filled. Unknown names are refused.

@@ -1,7 +1,7 @@
 //! What the application itself has to say; flows, files and meshes have messages of their own.
 
 use crate::flow::option::Allowed;
-use crate::message::messages;
+use crate::message::{Message, messages};
 
 messages! {
     /// Why something asked for cannot be done.
@@ -86,6 +86,13 @@ messages! {
         NoRecipe,
         /// No refinement study has begun.
         NoStudy,
+        /// No table of measurements has begun.
+        NoBench,
+        /// A flow takes no step that could be measured.
+        NoStep {
+            /// Why.
+            reason: Option<Message>,
+        },
         /// A subdivision would make more faces than there may be.
         TooManyFaces {
             /// How many it would make.

@@ -3,6 +3,7 @@
 //! Knows no wasm; `web::session` only converts. A failed request changes nothing: the
 //! mesh, its positions and its history stay as they were.
 
+mod bench;
 mod beside;
 mod command;
 mod conjecture;
@@ -23,6 +24,8 @@ mod invert;
 pub mod library;
 mod look;
 mod message;
+mod options;
+mod outcome;
 mod pane;
 mod probe;
 mod readings;
@@ -34,6 +37,7 @@ mod work;
 
 pub use crate::flow::Progress;
 pub use crate::remesh::static_pass::{MeshQuality, RegulariseOptions, Regularised};
+pub use bench::{Bench, BenchOptions, BenchReport, MeshFile, TableName};
 pub use beside::Standing;
 pub use command::{Answer, Command};
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
@@ -51,9 +55,10 @@ pub use look::{
     ALIGNED_DEGREES, Alignment, Drawn, Look, MAX_CIRCLES, MAX_CROSSES, SegmentKind, Wanted,
 };
 pub use message::{AppError, Notice};
+pub use outcome::{Outcome, RunNotice};
 pub use pane::{Arrangement, Compare, Curve, Curves, Pane};
 pub use probe::{Probe, ProbedEdge, edge_angle};
-pub use readings::{EnergyReadings, Info, State};
+pub use readings::{EnergyOptions, EnergyReadings, Info, State};
 pub use recipe::{Chapter, Edit, Leg, Recipe};
 pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
 pub use subdivide::{SubdivideOptions, SubdivisionScheme};
@@ -122,6 +127,7 @@ pub struct Session {
     lab: Option<Lab>,
     edits: Edits,
     study: Option<Study>,
+    bench: Option<Bench>,
     view: View,
     progress: Option<Progress>,
 }

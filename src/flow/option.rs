@@ -53,6 +53,9 @@ pub struct ReadBy {
 }
 
 impl ReadBy {
+    /// A command of its own, whatever flow runs.
+    pub const COMMAND: Self = Self::flows(&[]);
+
     /// Flows, whatever their scheme and goal.
     pub const fn flows(flows: &'static [FlowName]) -> Self {
         Self {
@@ -330,6 +333,20 @@ impl Field for bool {
     fn of(value: &Value) -> Option<Self> {
         match value {
             Value::Switch(x) => Some(*x),
+            _ => None,
+        }
+    }
+}
+
+/// A name out of a list that is no enum.
+impl Field for String {
+    fn value(&self) -> Value {
+        Value::Text(self.clone())
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Text(text) => Some(text.clone()),
             _ => None,
         }
     }

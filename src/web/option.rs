@@ -16,14 +16,14 @@ pub fn read_options(asked: JsValue) -> Result<JsValue, JsValue> {
     Ok(to_js(&app::read_options(&asked)?))
 }
 
-/// Options of a command line by name, as text, with their types.
+/// The options of a command of the command line by name, as text, with their types.
 ///
 /// # Errors
 /// As `readOptions`, and options that would change nothing.
 #[wasm_bindgen(js_name = readFlags)]
-pub fn read_flags(words: JsValue) -> Result<JsValue, JsValue> {
+pub fn read_flags(command: &str, words: JsValue) -> Result<JsValue, JsValue> {
     let words: Values = from_js(words)?;
-    Ok(to_js(&app::read_flags(&words)?))
+    Ok(to_js(&app::read_flags(command, &words)?))
 }
 
 /// Which of some names was probably meant, if any.

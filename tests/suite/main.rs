@@ -4,6 +4,7 @@
 
 mod support;
 
+mod bench;
 mod beside_session;
 mod circle_figures;
 mod circle_invariants;

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-use umbilic::app::{AppError, Label, Notice, Symptom};
+use umbilic::app::{AppError, Label, Notice, RunNotice, Symptom};
 use umbilic::flow::option::{Allowed, OptionError};
 use umbilic::flow::{Advice, Cause, FlowError, Reason, Warning};
 use umbilic::io::{Expected, Format, Found, Oddity, Place, ReadError, WriteError};
@@ -62,7 +62,7 @@ fn errors() -> Vec<(&'static str, Messages)> {
 fn others() -> Vec<(&'static str, Messages)> {
     groups![
         Place, Found, Expected, Oddity, Repair, Conflict, FillNotice, Allowed, Warning, Advice,
-        Cause, Reason, Notice, Symptom, Label,
+        Cause, Reason, Notice, RunNotice, Symptom, Label,
     ]
     .to_vec()
 }

@@ -117,7 +117,8 @@ test("the same bad values are refused in the same words, four ways", async () =>
     assert.deepEqual(await refusedLine(["replay", file], 3), line, `recipe: ${about}`);
 
     for (const way of /** @type {const} */ (["configure", "continueWith"])) {
-      const fields = /** @type {any} */ ({ options: { [name]: value } });
+      /** @type {any} */
+      const fields = { options: { [name]: value } };
       assert.deepEqual(
         refusalOf(() => perform(session, way, fields)),
         line,

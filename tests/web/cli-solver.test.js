@@ -209,6 +209,12 @@ test("exit codes: 2 bad usage, 3 refused input, 4 numerical failure", () => {
   assert.equal(level.exit, 2);
   assert.equal(JSON.parse(level.out).kind, "OutOfRange");
 
+  const around = ["--around", "7.5", "--out", file("x.off"), "--json"];
+  const torus = umbilic(["shape", "torus", ...around]);
+  assert.deepEqual([torus.exit, JSON.parse(torus.out).kind], [2, "NotAnInteger"]);
+  const word = umbilic(["shape", "torus", ...around.with(1, "few")]);
+  assert.deepEqual([word.exit, JSON.parse(word.out).kind], [2, "OutOfRange"]);
+
   const mesh = file("failing.off");
   json(["shape", "icosahedron", "--level", "2", "--out", mesh]);
   const far = ["--scheme", "paper", "--integrator", "forward-euler", "--dt", "1e300"];

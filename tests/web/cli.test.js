@@ -65,15 +65,15 @@ test("bad usage ends with 2 and says what would be right", async () => {
     [[], /command is missing/],
     [["flov", mesh], /Did you mean `flow`/],
     [["constructor"], /no command `constructor`/],
-    [["fill", mesh, "--loops", "two"], /not all, or numbers/],
-    [["fill", mesh, "--loops", "0,-1"], /not all, or numbers/],
+    [["fill", mesh, "--loops", "two"], /all, or any number of these/],
+    [["fill", mesh, "--loops", "0,-1"], /a whole number from 0/],
     [["fill", mesh, "--steps", "3"], /needs --fair/],
     [["fill", mesh, "--until-converged"], /--until-converged needs --fair/],
     [["fill", mesh, "--fair", "mmcv", "--steps", "3", "--seconds", "3"], /cannot both/],
-    [["fill", mesh, "--fair", "smooth"], /none, circle, mean-curvature/],
-    [["fill", mesh, "--max-vertices", "1.5"], /not a whole number/],
+    [["fill", mesh, "--fair", "smooth"], /`flow` cannot be `smooth`/],
+    [["fill", mesh, "--max-vertices", "1.5"], /auto, or a whole number/],
     [["flips", mesh, "--criterion", "length"], /area, willmore, localised/],
-    [["flips", mesh, "--max", "few"], /not a whole number/],
+    [["flips", mesh, "--max", "few"], /all, or a whole number/],
     [["flow", mesh, "--stepz", "3"], /Did you mean `maxSteps` \(--steps\)/],
     [["flow", mesh, "--steps"], /--steps/],
     [["flow", mesh, "--steps=-1"], /`maxSteps` cannot be `-1`/],
@@ -95,19 +95,26 @@ test("bad usage ends with 2 and says what would be right", async () => {
     [["flow", mesh, "--flow", "p-willmore", "--epsilon", "0.1"], /it is for circle/],
     [["flow", mesh, "--flow", "p-willmore", "--keep", "area,shape"], /any of area, volume/],
     [["flow", mesh, "--flow", "p-willmore", "--p=-1"], /`p` cannot be `-1`/],
-    [["regularise", mesh, "--mode", "fast"], /linear, nonlinear/],
+    [["regularise", mesh, "--mode", "fast"], /one of linear, nonlinear/],
+    [["regularise", mesh, "--mode", "off"], /one of linear, nonlinear/],
+    [["regularise", mesh, "--epsilon", "0"], /above 0/],
+    [["regularise", mesh, "--iterations=-1"], /a whole number from 0/],
     [["flow", mesh, "--detail", "2"], /it is for circle with goal smooth/],
     [["flow", mesh, "--goal", "smooth", "--until-converged"], /it is for/],
     [["flow", mesh, "--out", "mesh.xyz"], /which format/],
     [["flow", mesh, "--out", "no/such/folder/mesh.obj"], /cannot be written/],
-    [["energy", mesh, "--p", "two"], /not an exponent/],
+    [["energy", mesh, "--p", "two"], /any number of these/],
+    [["energy", mesh, "--p", "2", "--p=-1"], /`p` cannot be/],
     [["energy", mesh, "--boundary", "open"], /clamped, fixed, free/],
     [["info"], /Arguments wanted: MESH; given: none/],
     [["info", mesh, mesh], /Arguments wanted: MESH/],
     [["shape", "torsu", "--out", "t.obj"], /Did you mean `torus`/],
     [["shape", "torus"], /--out FILE is missing/],
-    [["shape", "torus", "--around", "7.5", "--out", "t.obj"], /not a whole number/],
+    [["bench"], /`table` is missing/],
     [["bench", "--table", "none"], /circle/],
+    [["bench", "--table", "circle", "--steps", "0"], /a whole number from 1/],
+    [["bench", "--table", "circle", "--quick"], /`quick` needs `table` to be `figures`/],
+    [["bench", "--table", "figures", "--figures", "circle-1"], /circle-6/],
     [["bench", "--table", "circle", "--meshes", "."], /needs --table robustness/],
   ];
   for (const [parameters, words] of cases) {
@@ -221,7 +228,7 @@ test("flow and fill: until rest or for the default time, unless told otherwise",
     assert.deepEqual(configured(run.session), options, given.join(" "));
     const fill = ["fill", mesh, "--fair", "mmcv", ...given];
     const fair = await umbilic(fill, new FakeSession({ endAfter: 1 }));
-    const patch = { flow: "mmcv", boundary: "fixed", free: [3], ...budget };
+    const patch = { flow: "mmcv", boundary: "fixed", ...budget };
     assert.deepEqual(configured(fair.session), patch, given.join(" "));
   }
 });
@@ -334,5 +341,5 @@ test("shape: parameters, mesh and selection", async () => {
 test("shape --list", async () => {
   const { exit, out } = await umbilic(["shape", "--list"]);
   assert.equal(exit, 0);
-  assert.match(out, /^torus +Torus +--around 8 --major 2$/m);
+  assert.match(out, /^torus +Torus +--major 1 --minor 0\.35 --around 48 --tube 24$/m);
 });

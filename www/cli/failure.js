@@ -13,14 +13,12 @@ export class Failure extends Error {
    * @param {string} kind
    * @param {string} message
    * @param {string} hint
-   * @param {string} [id]  of the message, where the solver says it
    */
-  constructor(exit, kind, message, hint, id) {
+  constructor(exit, kind, message, hint) {
     super(message);
     this.exit = exit;
     this.kind = kind;
     this.hint = hint;
-    this.id = id;
   }
 }
 
@@ -45,7 +43,7 @@ export function orExit(exit, call) {
   } catch (error) {
     if (!isRefusal(error)) throw error;
     const { kind, message, hint } = sayFault(error);
-    throw new Failure(exit, kind, message, hint, error.message.id);
+    throw new Failure(exit, kind, message, hint);
   }
 }
 
@@ -68,6 +66,6 @@ export function failureOf(error) {
  * @param {unknown} error
  * @returns {error is Refusal}
  */
-function isRefusal(error) {
+export function isRefusal(error) {
   return typeof error === "object" && error !== null && "kind" in error && "hint" in error;
 }

@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "renew": null } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "curvatureJump": CurvatureJump | null } | { "recipe": Recipe } | { "export": Uint8Array } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "renew": null } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "recipe": Recipe } | { "export": Uint8Array } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -176,15 +176,7 @@ name: string,
 /**
  * Parameters that are not the usual ones.
  */
-parameters: { [key in string]: number }, } } | { "loaded": Record<symbol, never> } | { "info": Record<symbol, never> } | { "energy": { 
-/**
- * Exponents beside the usual ones.
- */
-p: Array<number>, 
-/**
- * What holds at the boundary.
- */
-boundary: Boundary, } } | { "configure": { 
+parameters: { [key in string]: number }, } } | { "loaded": Record<symbol, never> } | { "info": Record<symbol, never> } | { "energy": EnergyOptions } | { "configure": { 
 /**
  * Those that are not the usual ones.
  */
@@ -260,7 +252,11 @@ pairs: number, } } | { "why": Record<symbol, never> } | { "selfIntersections": R
 /**
  * Of what.
  */
-options: StudyOptions | null, } } | { "curvatureJump": Record<symbol, never> } | { "recipe": Record<symbol, never> } | { "export": { 
+options: StudyOptions | null, } } | { "bench": { 
+/**
+ * Of what.
+ */
+options: BenchOptions | null, } } | { "outcome": Record<symbol, never> } | { "curvatureJump": Record<symbol, never> } | { "recipe": Record<symbol, never> } | { "export": { 
 /**
  * Its format by name.
  */
@@ -1144,7 +1140,7 @@ vertices: Array<number>, };
 /**
  * Which loops are filled: a word, or their numbers, counted from 0.
  */
-export type Loops = Array<number> | string;
+export type Loops = Array<number> | string | null;
 
 /**
  * How a surface is refined.
@@ -1971,3 +1967,10 @@ circles: boolean,
  * Principal directions.
  */
 directions: boolean, };
+
+export type BenchOptions = { table: TableName | null, maxVertices: number | null, steps: number, figures: Array<string> | null, quick: boolean, meshes: Array<MeshFile>, };
+export type BenchReport = { columns: Array<string>, left: number, digits: number | null, row: unknown[] | null, };
+export type EnergyOptions = { p: Array<number>, boundary: Boundary, };
+export type MeshFile = { name: string, bytes: Uint8Array, };
+export type Outcome = { status: Status, isBreakdown: boolean, message: Message, reason: Message | null, fault: Fault | null, monitored: Monitored, curvatureJump: CurvatureJump | null, warnings: Array<Message>, };
+export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "robustness" | "figures";

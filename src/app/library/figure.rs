@@ -38,7 +38,7 @@ pub struct Figure {
     /// Whether it is known not to come out as the paper has it; the words say why.
     pub falls_short: bool,
     /// Whether a run comes out as expected, and what was measured.
-    pub(super) judge: fn(&Run<'_>) -> Finding,
+    pub(in crate::app) judge: fn(&Run<'_>) -> Finding,
 }
 
 /// The four papers, see [the references](crate#references).
@@ -96,7 +96,11 @@ fn said(id: &str, values: &[(&'static str, Value)]) -> Message {
 }
 
 impl Finding {
-    pub(super) fn new(ok: bool, id: &'static str, values: &[(&'static str, Value)]) -> Self {
+    pub(in crate::app) fn new(
+        ok: bool,
+        id: &'static str,
+        values: &[(&'static str, Value)],
+    ) -> Self {
         let message = said(id, values);
         Self { ok, message }
     }
@@ -104,7 +108,7 @@ impl Finding {
 
 impl Figure {
     /// A figure with nothing special about it, for the tables to begin with.
-    pub(super) const PLAIN: Self = Self {
+    pub(in crate::app) const PLAIN: Self = Self {
         id: "",
         paper: Paper::Circle,
         number: "",

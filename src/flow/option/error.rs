@@ -35,6 +35,22 @@ messages! {
             /// … and with this goal, or `any`.
             goal: &'static str,
         },
+        /// One that there must be.
+        MissingOption {
+            /// The option.
+            name: &'static str,
+            /// What it may be.
+            allowed: Allowed,
+        },
+        /// One that is read together with a value of another only.
+        LoneOption {
+            /// The option.
+            name: &'static str,
+            /// The other.
+            other: &'static str,
+            /// What that would have to be.
+            value: &'static str,
+        },
         /// Two that say the same thing differently.
         ConflictingOptions {
             /// One.
@@ -89,6 +105,11 @@ messages! {
         },
         /// Yes or no.
         Switch,
+        /// Any number of these, with commas.
+        SeveralOf {
+            /// What each may be.
+            allowed: Message,
+        },
         /// Vertex numbers.
         Vertices,
         /// A word, or something else.

@@ -2,6 +2,7 @@
 
 use super::error::Allowed;
 use super::value::Value;
+use crate::message::Say;
 use serde::Serialize;
 use serde::de::value::Error;
 use serde::de::{self, DeserializeOwned, Deserializer, IntoDeserializer, Visitor};
@@ -96,6 +97,8 @@ pub enum Kind {
     Set(fn() -> &'static [&'static str]),
     /// Yes or no.
     Switch,
+    /// Any number of numbers.
+    Numbers(Range),
     /// Vertex numbers, counted from 0.
     Vertices,
 }
@@ -123,7 +126,9 @@ impl Kind {
             Self::Set(_) if text == "none" => Some(Value::List(Vec::new())),
             Self::Set(_) => list(|name| Some(Value::Text(name.into()))),
             Self::Switch => text.parse().ok().map(Value::Switch),
-            Self::Vertices => list(|number| number.parse().ok().map(Value::Number)),
+            Self::Numbers(_) | Self::Vertices => {
+                list(|number| number.parse().ok().map(Value::Number))
+            }
         };
         value.unwrap_or_else(|| Value::Text(text.into()))
     }
@@ -138,6 +143,10 @@ impl Kind {
                 ids().contains(&id.as_str()) && !values[..n].contains(value)
             }),
             (Self::Switch, Value::Switch(_)) => true,
+            (Self::Numbers(range), Value::List(values)) => values.iter().all(|value| match value {
+                Value::Number(x) => range.holds(*x),
+                _ => false,
+            }),
             (Self::Vertices, Value::List(values)) => values.iter().all(|value| match value {
                 Value::Number(x) => *x >= 0.0 && *x <= f64::from(u32::MAX) && x.fract() == 0.0,
                 _ => false,
@@ -157,6 +166,9 @@ impl Kind {
                 names: ids().to_vec(),
             },
             Self::Switch => Allowed::Switch,
+            Self::Numbers(range) => Allowed::SeveralOf {
+                allowed: Allowed::from(*range).message(),
+            },
             Self::Vertices => Allowed::Vertices,
         }
     }

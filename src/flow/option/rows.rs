@@ -189,7 +189,7 @@ mod tests {
                     Value::Switch(true) => "false".into(),
                     _ => "true".into(),
                 },
-                Kind::Vertices => "3,1,4".into(),
+                Kind::Numbers(_) | Kind::Vertices => "3,1,4".into(),
             };
             let given = read::<FlowOptions>(&words(&[(row.name, &text)])).expect(row.name);
             let options: FlowOptions = options_of(&given).expect(row.name);

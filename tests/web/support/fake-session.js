@@ -38,15 +38,24 @@ export class FakeSession {
     this.refuse = refuse;
     this.step_ = 0;
     this.over = false;
+    /** @type {ReturnType<typeof refusal> | null} */
+    this.fault = null;
     /** @type {[string, ...unknown[]][]} */
     this.calls = [];
   }
 
   /**
-   * @param {Uint8Array} bytes
-   * @param {string} name
+   * As the solver's: one command by its name, with its fields.
+   * @param {Record<string, any>} command
    */
-  load(bytes, name) {
+  perform(command) {
+    const [[name, fields]] = Object.entries(command);
+    const method = /** @type {any} */ (this)[name];
+    return { [name]: method.call(this, fields) };
+  }
+
+  /** @param {{ bytes: Uint8Array, name: string }} file */
+  load({ bytes, name }) {
     this.calls.push(["load", Buffer.from(bytes).toString(), name]);
     if (this.refuse) {
       const values = { a: 3, b: 4, faces: [0, 1, 2], others: 0 };
@@ -60,21 +69,33 @@ export class FakeSession {
     return { pairs: Uint32Array.of(0, 1, 0, 2), triangles: Uint32Array.of(0, 1, 2) };
   }
 
-  /** @param {{ maxSteps?: number }} options */
-  configure(options) {
+  /** @param {{ options: { maxSteps?: number } }} fields */
+  configure({ options }) {
     this.limit = options.maxSteps ?? Infinity;
     this.calls.push(["configure", options]);
   }
 
   state() {
     const isSpent = this.step_ >= this.limit;
-    const status = this.over ? this.ending : isSpent ? "stepLimit" : "running";
+    const status = this.over ? this.ending : isSpent ? "stepLimit" : "ready";
     const message = { id: "reason-at-rest", values: {} };
     return { status, message, step: this.step_, monitored: "smoothedCircle" };
   }
 
-  curvatureJump() {
-    return null;
+  outcome() {
+    const { status, message: reason, step: steps, monitored } = this.state();
+    const ended = { id: "ended", values: { status, steps } };
+    const why = this.fault?.message ?? reason;
+    return {
+      status,
+      isBreakdown: ["singular", "collapsed", "failed"].includes(status),
+      message: { id: "run-over", values: { ended, reason: why } },
+      reason: why,
+      fault: this.fault,
+      monitored,
+      curvatureJump: null,
+      warnings: status === "stalled" ? [{ id: "run-not-at-rest", values: { reason } }] : [],
+    };
   }
 
   step() {
@@ -83,7 +104,9 @@ export class FakeSession {
       return null;
     }
     if (this.step_ + 1 >= this.failAt) {
-      throw refusal("NonFiniteEnergy", "flow-non-finite-energy", { step: this.step_ + 1 });
+      const fault = refusal("NonFiniteEnergy", "flow-non-finite-energy", { step: this.step_ + 1 });
+      [this.over, this.ending, this.fault] = [true, "failed", fault];
+      throw fault;
     }
     this.step_ += 1;
     const cost = { gradientNorm: 1, milliseconds: 2, flippedFaces: 0, warnings: [] };
@@ -105,8 +128,8 @@ export class FakeSession {
     return info;
   }
 
-  /** @param {string} format */
-  export(format) {
+  /** @param {{ format: string }} fields */
+  export({ format }) {
     return Buffer.from(`${format} of step ${this.step_}`);
   }
 
@@ -114,21 +137,8 @@ export class FakeSession {
     return "step,energy\n";
   }
 
-  shapes() {
-    const whole = { label: "Around", default: 8, low: 3, high: 100, integer: true };
-    const real = { label: "Large radius", default: 2, low: 0, high: 10, integer: false };
-    const parameters = [
-      { name: "around", ...whole },
-      { name: "major", ...real },
-    ];
-    return [{ name: "torus", label: "Torus", parameters }];
-  }
-
-  /**
-   * @param {string} name
-   * @param {unknown} parameters
-   */
-  sample(name, parameters) {
+  /** @param {{ name: string, parameters: unknown }} fields */
+  sample({ name, parameters }) {
     this.calls.push(["sample", name, parameters]);
     return { name, info, fixed: new Uint32Array([0, 2]), free: null };
   }

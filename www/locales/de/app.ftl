@@ -44,12 +44,25 @@ app-no-recipe = wie diese Fläche entstand, ist nicht bekannt: Ihre Lagen wurden
     .hint = Gehen Sie mit „Anfang“ zum Anfang zurück, oder laden Sie das Netz neu.
 app-no-study = es hat keine Studie begonnen
     .hint = Geben Sie an, was untersucht werden soll.
+app-no-bench = keine Tabelle von Messungen ist begonnen
+    .hint = Sagen Sie, welche.
+app-no-step = es gibt keinen Schritt zu messen: { $reason }
+    .hint = Lassen Sie das Netz weg, oder wählen Sie andere Optionen.
 app-too-many-faces = das feinere Netz hätte { $faces } Facetten
     .hint = Mehr als { $most } werden nicht gemacht.
 app-centre-too-far = das Zentrum ist weiter als das { $most }-Fache der Größe der Fläche entfernt
     .hint = Aus solcher Ferne scheint eine Inversion nichts zu tun: Wählen Sie ein näheres Zentrum.
 app-centre-too-near = das Zentrum ist um { $percent } % der Größe der Fläche von ihr entfernt, nötig sind { $least } %
     .hint = Ein Punkt der Fläche im Zentrum ginge ins Unendliche: Rücken Sie das Zentrum von ihr weg.
+
+## Wie ein Lauf endete
+
+run-over = { $ended }: { $reason }
+run-not-at-rest = Der Flicken ist nicht in Ruhe: { $reason }.
+run-folds = In { $folding } von { $steps ->
+    [one] { $steps } Schritt
+   *[other] { $steps } Schritten
+} klappten Facetten um.
 
 ## Was man von einem Netz wissen sollte
 

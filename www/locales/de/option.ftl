@@ -111,6 +111,30 @@ option-nothing = Nichts
 option-no = Nein
 option-yes = Ja
 
+## Optionen anderer Befehle
+
+energy-p-help = weitere Exponenten von ∫|H|^p dA, neben 0 bis 4
+energy-boundary-help = bei offenen Netzen: welche Terme zählen und welche Ecken sich bewegen
+
+regularise-mode-help = nonlinear erhält das Volumen besser
+regularise-epsilon-help = 1e-3 ist getreu, 1e-1 kräftig
+regularise-iterations-help = höchstens so viele Durchgänge
+regularise-features-help = wie fest Merkmale bleiben; bei 0 gleiten auch Kanten
+
+fill-loops-help = welche Randkurven, gezählt ab 0
+fill-connect-help = verbindet diese Randkurven durch einen Flicken, statt jede zu schließen
+fill-maxVertices-help = höchstens so viele neue Ecken; auto heißt 200000
+
+flips-criterion-help = { option-criterion-help }
+flips-guardFolds-help = { option-guardFolds-help }
+flips-max-help = höchstens so viele Flips
+
+bench-table-help = welche Tabelle
+bench-maxVertices-help = lässt größere Netze weg
+bench-steps-help = gemessene Schritte je Zeile, nach einem, der nicht zählt
+bench-figures-help = von der Tabelle figures nur diese
+bench-quick-help = von der Tabelle figures nur die, die wenige Sekunden dauern
+
 ## Eine Option, die es nicht gibt, oder ein Wert, den sie nicht haben kann
 
 option-error-unknown-option = es gibt keine Option `{ $name }`
@@ -128,6 +152,10 @@ option-error-unread-option = `{ $name }` ändert hier nichts: es gehört zu { $f
        *[other] {" mit dem Schema "}{ $scheme }
     }
     .hint = Lassen Sie es weg, oder wählen Sie, was es liest.
+option-error-missing-option = `{ $name }` fehlt
+    .hint = Erlaubt ist: { $allowed }.
+option-error-lone-option = `{ $name }` gilt nur, wenn `{ $other }` `{ $value }` ist
+    .hint = Lassen Sie es weg, oder wählen Sie, was es liest.
 option-error-conflicting-options = `{ $first }` und `{ $second }` können nicht beide angegeben werden
     .hint = Beide sagen dasselbe auf ihre Weise.
 
@@ -140,6 +168,7 @@ allowed-whole-range = eine ganze Zahl von { $low } bis { $high }
 allowed-one-of = eines von { LIST($names) }
 allowed-any-of = none oder beliebige von { LIST($names) }
 allowed-switch = true oder false
+allowed-several-of = beliebig viele davon, mit Kommas dazwischen: { $allowed }
 allowed-vertices = eine Liste von Eckennummern ab 0
 allowed-word-or = { $word } oder { $allowed }
 allowed-moving-flow = ein Fluss, der Ecken bewegt

@@ -54,16 +54,10 @@ filled = { $count ->
 ## Wie ein Lauf endete
 
 play-goes-on = { $reason }. „Start“ macht weiter.
-run-over = { $ended }: { $reason }
 
-## Glätten nach dem Füllen
+## Füllen
 
 fair-nothing = Es gibt keine neue Ecke und nichts, was { $flow } bewegen könnte.
-fair-not-at-rest = Der Flicken ist nicht in Ruhe: { $reason }.
-fair-folds = In { $folding } von { $steps ->
-    [one] { $steps } Schritt
-   *[other] { $steps } Schritten
-} klappten Facetten um.
 
 ## Der Worker und Folgen von Netzen
 

@@ -44,12 +44,25 @@ app-no-recipe = how this surface came about is not known: its positions were put
     .hint = Go back to the start with Reset, or load the mesh again.
 app-no-study = no study has begun
     .hint = Say what is to be studied.
+app-no-bench = no table of measurements has begun
+    .hint = Say which.
+app-no-step = there is no step to measure: { $reason }
+    .hint = Leave the mesh out, or choose other options.
 app-too-many-faces = the finer mesh would have { $faces } faces
     .hint = No more than { $most } are made.
 app-centre-too-far = the centre is more than { $most } times the size of the surface away
     .hint = From so far an inversion looks like doing nothing: choose a centre nearer by.
 app-centre-too-near = the centre is { $percent } % of the size of the surface away from it, and needs { $least } %
     .hint = A point of the surface at the centre would go to infinity: move the centre off it.
+
+## How a run ended
+
+run-over = { $ended }: { $reason }
+run-not-at-rest = The patch is not at rest: { $reason }.
+run-folds = Faces folded over in { $folding } of { $steps ->
+    [one] { $steps } step
+   *[other] { $steps } steps
+}.
 
 ## What is to be known of a mesh
 

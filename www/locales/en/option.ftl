@@ -111,6 +111,30 @@ option-nothing = Nothing
 option-no = No
 option-yes = Yes
 
+## Options of other commands
+
+energy-p-help = further exponents of ∫|H|^p dA, beside 0 to 4
+energy-boundary-help = of open meshes: which terms count and which vertices move
+
+regularise-mode-help = nonlinear keeps the volume better
+regularise-epsilon-help = 1e-3 is faithful, 1e-1 aggressive
+regularise-iterations-help = passes at most
+regularise-features-help = how strongly features stay; with 0 creases slide too
+
+fill-loops-help = which boundary loops, counted from 0
+fill-connect-help = connects these loops by one patch instead of closing each
+fill-maxVertices-help = at most so many new vertices; auto is 200000
+
+flips-criterion-help = { option-criterion-help }
+flips-guardFolds-help = { option-guardFolds-help }
+flips-max-help = at most so many flips
+
+bench-table-help = which table
+bench-maxVertices-help = leaves out larger meshes
+bench-steps-help = steps measured a row, after one that is not
+bench-figures-help = of the table figures only these
+bench-quick-help = of the table figures only those that take a few seconds
+
 ## An option that there is not, or a value that it cannot have
 
 option-error-unknown-option = there is no option `{ $name }`
@@ -128,6 +152,10 @@ option-error-unread-option = `{ $name }` changes nothing here: it is for { $flow
        *[other] {" with scheme "}{ $scheme }
     }
     .hint = Leave it out, or choose what reads it.
+option-error-missing-option = `{ $name }` is missing
+    .hint = It may be { $allowed }.
+option-error-lone-option = `{ $name }` needs `{ $other }` to be `{ $value }`
+    .hint = Leave it out, or choose what reads it.
 option-error-conflicting-options = `{ $first }` and `{ $second }` cannot both be given
     .hint = Each says the same thing in its own way.
 
@@ -140,6 +168,7 @@ allowed-whole-range = a whole number from { $low } to { $high }
 allowed-one-of = one of { LIST($names) }
 allowed-any-of = none, or any of { LIST($names) }
 allowed-switch = true or false
+allowed-several-of = any number of these, with commas between them: { $allowed }
 allowed-vertices = a list of vertex numbers from 0
 allowed-word-or = { $word }, or { $allowed }
 allowed-moving-flow = one that moves vertices

@@ -54,16 +54,10 @@ filled = Filled { $count ->
 ## How a run ended
 
 play-goes-on = { $reason }. Play goes on.
-run-over = { $ended }: { $reason }
 
-## Fairing after a fill
+## A fill
 
 fair-nothing = There is no new vertex, and nothing for { $flow } to move.
-fair-not-at-rest = The patch is not at rest: { $reason }.
-fair-folds = Faces folded over in { $folding } of { $steps ->
-    [one] { $steps } step
-   *[other] { $steps } steps
-}.
 
 ## The worker, and sequences of meshes
 
