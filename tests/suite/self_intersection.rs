@@ -686,7 +686,7 @@ fn a_session_tells_of_the_surface_as_it_is() {
         loaded.info.warnings
     );
     let found = session.self_intersections().expect("a mesh").expect("few");
-    assert_eq!(found.pairs.len(), n);
+    assert_eq!(found.pairs.len(), 2 * n);
     let mut own: Vec<u32> = found.pairs.to_vec();
     own.sort_unstable();
     own.dedup();
