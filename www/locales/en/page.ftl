@@ -101,3 +101,20 @@ must-be-edit = “adopt”, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide 
 must-be-left-out = left out: there is no such option
 must-be-selection = null or a list of vertex numbers
 must-be-other-value = another value: { $given } is not one of this option
+
+## A solver that was lost, or is silent
+
+solver-silent = No sign of life from the solver for some time; it may be at work on something large.
+solver-gone = What is shown can still be saved.
+restart-solver = Restart the solver
+solver-lost-again = The solver stopped each time the surface was to be restored.
+    .hint = Download saves what is shown. “Restart the solver” tries again; if memory is short, close other tabs first.
+lost-with-solver = { $what ->
+    [steps] Its stored steps are gone; the history starts anew.
+    [edits] Edits made before can no longer be undone.
+   *[both] Its stored steps are gone, the history starts anew, and edits made before can no longer be undone.
+}
+saved-own-copy = The solver cannot be asked now: the mesh was saved as PLY, as triangles, from what the page itself has.
+no-mesh-yet = There is no mesh yet.
+too-many-requests = More than { $most } requests wait to be answered.
+    .hint = Wait for the answers before asking for more.
