@@ -5,12 +5,16 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { LOST } from "../../www/channel.js";
+import { loadSolver } from "../../www/cli/solver.js";
 import { createController } from "../../www/controller.js";
+import { plyOf } from "../../www/ply.js";
+import { perform } from "../../www/session.js";
 import { createSolver } from "../../www/solver.js";
 import { createStore } from "../../www/state.js";
 import { statusText } from "../../www/ui/status.js";
 import { say } from "../../www/words.js";
 import { FakeWorker } from "./support/fake-worker.js";
+import { obj, wavyTorus } from "./support/meshes.js";
 
 beforeEach(() => FakeWorker.begin());
 
@@ -87,6 +91,25 @@ test("a solver that never comes back is given up, and a later request brings the
   const names = FakeWorker.last.asked.map(({ name }) => name);
   assert.deepEqual(names, ["load", "configure", "restore", "step"]);
   assert.deepEqual(await solver.export("obj"), { format: "obj", bytes: Uint8Array.of(3) });
+});
+
+test("the page's own copy is to the bit what the solver writes, far from the origin too", async () => {
+  const { Session } = await loadSolver();
+  for (const far of [0, 1e6]) {
+    const session = new Session();
+    const text = obj(wavyTorus(12, 8)).replace(/^v (\S+)/gm, (_, x) => `v ${Number(x) + far}`);
+    const bytes = new TextEncoder().encode(text);
+    const { shift, triangles } = perform(session, "load", { bytes, name: "far.obj" });
+    perform(session, "configure", { options: {} });
+    perform(session, "step");
+    const { exact } = session.frame(false);
+    const own = plyOf(exact, shift, triangles);
+    const body = (/** @type {Uint8Array} */ file) =>
+      Buffer.from(file.subarray(Buffer.from(file).indexOf("end_header\n") + 11));
+    assert.ok(body(own).equals(body(perform(session, "export", { format: "ply" }))), `at ${far}`);
+    assert.equal(shift[0] !== 0, far !== 0);
+    session.free();
+  }
 });
 
 test("an export that a crash meets is of the page's own copy", async () => {
