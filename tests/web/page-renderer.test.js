@@ -110,6 +110,7 @@ test("where WebGPU is lost for good, WebGL2 goes on with the same picture", asyn
   await page.evaluate(() => /** @type {any} */ (globalThis).devices[0].destroy());
   await page
     .getByText(/^Drawn with WebGL2: the graphics device was lost/)
+    .first()
     .waitFor({ state: "attached" });
   await untilPictured(page, before, (mean) => mean < MEAN);
   assert.equal(await page.locator("#absence").isVisible(), false);

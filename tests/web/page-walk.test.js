@@ -6,6 +6,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { loadSolver } from "../../www/cli/solver.js";
+import { samples } from "../../www/generated/library.js";
 import { perform } from "../../www/session.js";
 import { formatNumber } from "../../www/ui/number.js";
 import { useSite } from "./support/app.js";
@@ -110,14 +111,21 @@ async function rest() {
   };
 }
 
-/** The energy of a mesh as the page would show it, by the options of a link. @param {string} file @param {string} hash */
+/** The energy of a mesh as the page would show it, by the options of a link; NaN where its flow refuses the mesh. @param {string} file @param {string} hash */
 function energyOf(file, hash) {
-  const { options } = readScene({ search: "", hash });
+  const { sample, options: told, path } = readScene({ search: "", hash });
+  const first = { ...samples.find(({ id }) => id === sample)?.options, ...told };
+  // The flow may have been changed on the way.
+  const legs = /** @type {any[]} */ (path ?? []);
+  const options = legs.findLast((leg) => leg.flow)?.flow ?? first;
   const session = new Session();
   try {
     perform(session, "load", { bytes: Buffer.from(file, "base64"), name: "walk.ply" });
     const { state } = perform(session, "configure", { options });
     return state.energy;
+  } catch (error) {
+    if (/** @type {any} */ (error).kind === undefined) throw error;
+    return Number.NaN;
   } finally {
     session.free();
   }
