@@ -44,7 +44,8 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
   let worker = null;
   /** Whether it has been loaded: until then it is the network that takes its time. */
   let isReady = false;
-  let isRunning = false;
+  /** Number of the run that goes on. @type {number | null} */
+  let running = null;
   let isSilent = false;
   /** Whether it waits for a frame to be drawn, which a hidden window does not do. */
   let isUndrawn = false;
@@ -63,7 +64,7 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
 
   /** Waits for a sign of life, where one is owed. */
   function expect() {
-    if (watch !== null || isSilent || !isReady || (waiting.size === 0 && !isRunning)) return;
+    if (watch !== null || isSilent || !isReady || (waiting.size === 0 && running === null)) return;
     watch = setTimeout(() => {
       watch = null;
       if (isUndrawn) expect();
@@ -89,7 +90,7 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
     } else if (message.type === "crashed") onLost(message.message);
     else {
       if (message.type === "ready") isReady = true;
-      if (message.type === "stopped") isRunning = false;
+      if (message.type === "stopped" && message.run === running) running = null;
       onEvent(message);
     }
     expect();
@@ -116,7 +117,7 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
       worker?.terminate();
       worker = null;
       isReady = false;
-      isRunning = false;
+      running = null;
       isUndrawn = false;
       heard();
       /** @type {Fault} */
@@ -133,8 +134,9 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
       const asked = begin();
       lastId += 1;
       const id = lastId;
+      const { name, run } = request;
       // A request with a number ends the run at hand, as a pause does.
-      if (request.run !== undefined || request.name === "pause") isRunning = request.name === "run";
+      if (run !== undefined || name === "pause") running = name === "run" ? (run ?? null) : null;
       return new Promise((resolve, reject) => {
         waiting.set(id, { resolve, reject });
         asked.postMessage({ id, ...request });
