@@ -19,6 +19,7 @@ import { createQuestions } from "./actions/questions.js";
 import { createSeeing } from "./actions/see.js";
 import { createTime, meshOf } from "./actions/time.js";
 import { createWhyActions } from "./actions/why.js";
+import { LOST } from "./channel.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { figures, samples } from "./generated/library.js";
@@ -27,7 +28,7 @@ import { sampleName } from "./library.js";
 import { isPlainLink, sceneOf } from "./link.js";
 import { defaults } from "./options.js";
 import { stepsIn } from "./recipe-schema.js";
-import { createSolver, LOST } from "./solver.js";
+import { createSolver } from "./solver.js";
 import { goesOn, transitions as to } from "./state.js";
 import { say, sayFault } from "./words.js";
 
@@ -40,22 +41,30 @@ import { say, sayFault } from "./words.js";
  * @property {() => void} clear   a new mesh: what was said of the old one no longer holds
  */
 
-/** @param {Store} store @param {Voice} voice */
-export function createController(store, voice) {
-  const solver = createSolver({
-    onReady: (version) => store.update(to.solverReady, version),
-    onFrame,
-    onStopped,
-    onProgress: (progress) => store.update(to.progress, progress),
-    onCrashed: (reason) =>
-      revive((step) => ({
-        message: t(
-          "The solver stopped unexpectedly ({reason}); a new one goes on from step {step}.",
-          { reason, step },
-        ),
-        hint: t("If it was short of memory, close other tabs or use a mesh with fewer faces."),
-      })),
-  });
+/**
+ * @param {Store} store
+ * @param {Voice} voice
+ * @param {Parameters<typeof createSolver>[1]} [waits]
+ */
+export function createController(store, voice, waits) {
+  const solver = createSolver(
+    {
+      onReady: (version) => store.update(to.solverReady, version),
+      onFrame,
+      onStopped,
+      onProgress: (progress) => store.update(to.progress, progress),
+      onSilent: (isSilent) => store.update(to.silent, isSilent),
+      onCrashed: (reason) =>
+        revive((step) => ({
+          message: t(
+            "The solver stopped unexpectedly ({reason}); a new one goes on from step {step}.",
+            { reason, step },
+          ),
+          hint: t("If it was short of memory, close other tabs or use a mesh with fewer faces."),
+        })),
+    },
+    waits,
+  );
 
   /** A warning: with other values it is the same. @param {Message} warning */
   const note = (warning) => voice.note(say(warning), warning.id);
@@ -124,7 +133,8 @@ export function createController(store, voice) {
       mesh.info.warnings.forEach(note);
       if (scene.camera) store.update(to.looked, scene.camera);
       compare.prepare(scene.comparison);
-      if (scene.arrangement) await arrange(scene.arrangement);
+      // A new solver knows of none.
+      await arrange(scene.arrangement ?? {});
       const suits = await configure(options).then(
         () => true,
         async (error) => {
@@ -205,28 +215,42 @@ export function createController(store, voice) {
       contest.play(({ step }, n) => step >= ((n > 0 ? steps[n - 1] : null) ?? until ?? Infinity));
   }
 
-  let reviving = false;
+  /** What went with a solver and has not been said. @type {Set<"steps" | "edits">} */
+  const losses = new Set();
+  function noteLosses() {
+    const { timeline, earlier } = store.get();
+    if (timeline && timeline.stored > 1) losses.add("steps");
+    if (earlier.length > 0) losses.add("edits");
+  }
+  function sayLosses() {
+    const [what] = losses.size > 1 ? ["both"] : losses;
+    losses.clear();
+    return what ? say("lost-with-solver", { what }) : "";
+  }
+
   /** Ends the worker and goes on in a new one. @param {(step: number) => Pick<Fault, 'message' | 'hint'>} tell */
   function revive(tell) {
-    // A crash on the way back is reported by the request that met it.
-    if (reviving) return queue;
-    reviving = true;
     age += 1;
+    time.stop();
     solver.dismiss();
     return enqueue(async () => {
+      noteLosses();
       store.update(to.reviving);
       try {
-        if (store.get().version === "") throw new Error(t("The solver could not be started."));
+        if (store.get().version === "") {
+          const hint = t("Reload the page; its address keeps the scene.");
+          throw { kind: "NoSolver", message: t("The solver could not be started."), hint };
+        }
         const reading = await solver.revive();
         if (reading) store.update(to.stopped, reading);
         else store.update(to.refused);
-        voice.error(tell(reading?.step ?? 0));
+        const { message, hint } = tell(reading?.step ?? 0);
+        voice.error({ message, hint: [sayLosses(), hint].filter(Boolean).join(" ") });
       } catch (error) {
+        // Ended once more: then another one is on its way.
+        if (/** @type {any} */ (error)?.kind === LOST) return;
         store.update(to.failed);
-        const { message } = /** @type {Error} */ (error);
-        voice.error({ message, hint: t("Reload the page; its address keeps the scene.") });
-      } finally {
-        reviving = false;
+        report(error);
       }
     });
   }
@@ -323,13 +347,15 @@ export function createController(store, voice) {
       }),
     reset: () => alone(() => rest().then(() => store.get().reading && contest.reset())),
 
-    /** Ends a step that takes too long. */
-    halt: () =>
-      contest.halt() &&
+    /** Ends a step that takes too long, or a solver that is silent; starts one that is gone. */
+    halt() {
+      const { isSilent, phase } = store.get();
+      if (!contest.halt() && !isSilent && phase !== "failed") return;
       revive((step) => ({
         message: t("The computation was ended; the surface is as after step {step}.", { step }),
         hint: "",
-      })),
+      }));
+    },
 
     /**
      * Whether a change of the flow goes on from the step that is shown; null: where it is not
@@ -393,9 +419,15 @@ export function createController(store, voice) {
 
     /**
      * @param {string} format  of a mesh, or `csv`
-     * @returns {Promise<Uint8Array<ArrayBuffer> | string>}
+     * @returns {Promise<{ format: string, bytes: Uint8Array<ArrayBuffer> | string }>}  the format
+     *   is another where the solver cannot be asked
      */
-    export: (format) => (format === "csv" ? solver.history() : solver.export(format)),
+    async export(format) {
+      if (format === "csv") return { format, bytes: await solver.history() };
+      const file = await solver.export(format);
+      if (file.format !== format) voice.answer(say("saved-own-copy"));
+      return file;
+    },
     report,
   };
   return controller;

@@ -34,6 +34,25 @@ export function chooseRenderer() {
 }
 
 /**
+ * WebGL2 from now on: WebGPU has been lost for good.
+ * @param {Renderer} lost
+ * @param {string} reason
+ * @returns {Promise<boolean>} whether there is one; the address may ask for WebGPU alone
+ */
+export async function giveUpWebgpu(lost, reason) {
+  if (lost.isForced || lost.name === "WebGL2") return false;
+  if ((await chooseRenderer()).name === "WebGPU") chosen = loadWebgl(reason, false);
+  return chooseRenderer().then(
+    () => true,
+    () => {
+      // What is shown of another canvas stays.
+      chosen = Promise.resolve(lost);
+      return false;
+    },
+  );
+}
+
+/**
  * Opens a viewer on a canvas. Rejects with a `Fault` where neither renderer works.
  * @param {HTMLCanvasElement} canvas
  * @param {{ samples: number }} options

@@ -59,7 +59,8 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
 /**
  * @typedef {object} PageState
  * @property {Phase} phase
- * @property {string | null} loadingName
+ * @property {string | null} loadingName  of the mesh that is being loaded; null while the
+ *   surface is brought back
  * @property {Source | null} source
  * @property {import("./recipe.js").Recipe["mesh"] | Source | null} origin  what was loaded before
  *   all edits; null where that is not known
@@ -85,6 +86,7 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
  * @property {number | null} goal         the step a link asks for, while running to it
  * @property {boolean} pausing            asked to pause; the step in hand is not done
  * @property {{ stage: string, fraction: number, pane?: string } | null} progress
+ * @property {boolean} isSilent           the solver owes an answer and gives no sign of life
  * @property {Float32Array | null} camera
  * @property {View} view
  * @property {boolean} presenting
@@ -118,6 +120,7 @@ export const initial = Object.freeze({
   goal: null,
   pausing: false,
   progress: null,
+  isSilent: false,
   camera: null,
   view: Object.freeze({
     shading: "smooth",
@@ -194,13 +197,12 @@ export const transitions = {
   refused: (s) => ({
     ...s,
     phase: still(s.reading),
-    ...{ loadingName: null, pausing: false, progress: null },
+    ...{ pausing: false, progress: null },
   }),
 
   /** @param {S} s @param {Source} source @param {Loaded} mesh @param {S["origin"]} [origin] @returns {S} */
   loaded: (s, source, mesh, origin = source) => ({
     ...s,
-    loadingName: null,
     source,
     origin,
     story: null,
@@ -340,13 +342,23 @@ export const transitions = {
   /** Lines and colours change too: the view is another. @param {S} s @param {boolean} presenting @returns {S} */
   presenting: (s, presenting) => ({ ...s, presenting, view: Object.freeze({ ...s.view }) }),
 
-  /** A new solver is on its way; what could be undone went with the old one. @param {S} s @returns {S} */
+  /** @param {S} s @param {boolean} isSilent @returns {S} */
+  silent: (s, isSilent) => ({ ...s, isSilent }),
+
+  /**
+   * A new solver is on its way; stored steps, and what could be undone, went with the old one.
+   * @param {S} s @returns {S}
+   */
   reviving: (s) => ({
     ...s,
     phase: "loading",
     loadingName: null,
     pausing: false,
+    goal: null,
     progress: null,
+    reading: s.reading && { ...s.reading, canStepBack: false },
+    timeline: null,
+    story: null,
     earlier: [],
     // The new solver has a mesh edited here as a file of its own.
     origin: s.earlier.length === 0 ? s.origin : null,

@@ -35,6 +35,7 @@ let paced = false;
 /** Work shorter than this says nothing of its progress. */
 const PATIENCE = 500;
 let nextProgress = 0;
+let nextLife = 0;
 /** @type {FigureRun | null} that is measured now, on surfaces of its own */
 let figureRun = null;
 
@@ -94,6 +95,7 @@ async function measured(run) {
       /** @type {Finding | null} */
       const finding = run.advance();
       if (finding) return finding;
+      live();
       await new Promise((resolve) => {
         port1.onmessage = resolve;
         port2.postMessage(null);
@@ -233,6 +235,14 @@ function tell(stage, fraction) {
   if (now < nextProgress) return;
   nextProgress = now + 100;
   page.postMessage({ type: "progress", run, stage, fraction });
+}
+
+/** A sign of life, once a second at most, where nothing else is said between steps. */
+function live() {
+  const now = performance.now();
+  if (now < nextLife) return;
+  nextLife = now + 1000;
+  page.postMessage({ type: "alive" });
 }
 
 const wasm = new URL("./pkg/solver/solver_bg.wasm", import.meta.url);

@@ -90,6 +90,9 @@ pub struct Loaded {
     pub info: Info,
     /// Three coordinates a vertex, relative to the mesh's frame.
     pub positions: TypedArray<f32>,
+    /// What is added to positions for the file's coordinates; zero unless those lie far from the
+    /// origin.
+    pub shift: [f64; 3],
     /// Three corners a triangle.
     pub triangles: TypedArray<u32>,
     /// Two ends an edge of the file's own faces.
@@ -110,6 +113,7 @@ impl Loaded {
             name: document.name.clone(),
             info: document.info(),
             positions: as_f32(&document.start).into(),
+            shift: document.frame.shift.to_array(),
             triangles: document.triangles.triangle_indices().into(),
             wire_edges: document.polygons.edge_indices(false).into(),
             boundary_edges: document.polygons.edge_indices(true).into(),

@@ -5,10 +5,10 @@
 /** @import { Field, Frame } from "../state.js" */
 /** @import { Solver } from "../solver.js" */
 
+import { LOST } from "../channel.js";
 import { lastTurn, MAIN, nextTurn, paneOf, sharedFields } from "../comparison.js";
 import { comparisonTransitions as on } from "../comparison-state.js";
 import { t } from "../language.js";
-import { LOST } from "../solver.js";
 import { isOver } from "../standing.js";
 import { transitions as to } from "../state.js";
 import { say } from "../words.js";

@@ -68,7 +68,7 @@ export function createWhyActions(core, edits, run) {
      * @returns {Promise<{ name: string, bytes: ArrayBuffer }>}
      */
     async presentSurface() {
-      const bytes = await solver.export("ply");
+      const { bytes } = await solver.export("ply");
       return { name: "surface.ply", bytes: bytes.buffer };
     },
   };

@@ -1067,6 +1067,11 @@ info: Info,
  */
 positions: Float32Array, 
 /**
+ * What is added to positions for the file's coordinates; zero unless those lie far from the
+ * origin.
+ */
+shift: [number, number, number], 
+/**
  * Three corners a triangle.
  */
 triangles: Uint32Array, 

@@ -111,6 +111,13 @@ export function createPicture(controller, state, samples) {
     controller.look(now);
   }
 
+  /** @param {import("../renderer.js").Renderer} renderer */
+  function onRenderer({ name, reason }) {
+    for (const id of ["renderer", "help-renderer"]) {
+      setText(byId(id, HTMLElement), t("Drawn with {name}: {reason}.", { name, reason }));
+    }
+  }
+
   /** @param {Readonly<PageState>} s */
   function draw(s) {
     if (!viewer) return;
@@ -196,14 +203,10 @@ export function createPicture(controller, state, samples) {
       try {
         const { createViewer, icosahedron } = await import("../viewer.js");
         const [opened, shape] = await Promise.all([
-          createViewer(canvas, { samples, onFault: showAbsence, onCamera }),
+          createViewer(canvas, { samples, onFault: showAbsence, onCamera, onRenderer }),
           level === null ? null : icosahedron(level),
         ]);
         viewer = opened;
-        const { name, reason } = viewer.renderer;
-        for (const id of ["renderer", "help-renderer"]) {
-          setText(byId(id, HTMLElement), t("Drawn with {name}: {reason}.", { name, reason }));
-        }
         if (shape) viewer.setMesh(shape);
         draw(state());
         await viewer.drawn();
@@ -245,6 +248,8 @@ export function createPicture(controller, state, samples) {
     nearestEdge: (event, ends) => viewer?.nearestEdge(event, ends) ?? null,
     /** @returns {Promise<Blob | null>} */
     snapshot: async () => viewer?.snapshot() ?? null,
+    /** Whether it is drawn on another canvas than at first. */
+    isMoved: () => viewer?.isMoved ?? false,
     /** @type {import("./montage.js").Tile["paint"]} */
     paint: (...place) => viewer?.paint(...place),
     /** @param {boolean} signed @param {number} count @returns {Uint8Array | null} rgb */

@@ -66,6 +66,15 @@ function progressOf({ progress, goal, reading, phase }) {
   };
 }
 
+/**
+ * What is the matter with the solver, where starting another one helps.
+ * @param {Readonly<PageState>} state
+ */
+function troubleOf({ isSilent, phase, mesh }) {
+  if (isSilent) return say("solver-silent");
+  return phase === "failed" && mesh ? say("solver-gone") : null;
+}
+
 /** @type {Readonly<Record<string, string>>} */
 const symbols = {
   circle: "W",
@@ -91,6 +100,7 @@ export function createStatus() {
   const box = byId("progress", HTMLElement);
   const bar = byId("progress-bar", HTMLProgressElement);
   const stage = byId("progress-stage", HTMLElement);
+  const halt = byId("halt", HTMLButtonElement);
 
   return {
     /** @param {Readonly<PageState>} state */
@@ -103,9 +113,12 @@ export function createStatus() {
       setText(reason, why);
       reason.hidden = why === "";
 
-      const waiting = progressOf(state);
-      box.hidden = !waiting && !state.pausing;
-      setText(stage, waiting?.stage ?? "");
+      const trouble = troubleOf(state);
+      const waiting = trouble ? null : progressOf(state);
+      box.hidden = !waiting && !state.pausing && !trouble;
+      bar.hidden = trouble !== null;
+      setText(stage, trouble ?? waiting?.stage ?? "");
+      setText(halt, trouble ? say("restart-solver") : t("Stop now"));
       if (waiting) bar.value = waiting.fraction;
       else bar.removeAttribute("value");
     },

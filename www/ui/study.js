@@ -7,9 +7,10 @@
 /** @import { Controller } from "../controller.js" */
 /** @import { Solver } from "../solver.js" */
 
+import { LOST } from "../channel.js";
 import { samples } from "../generated/library.js";
 import { t } from "../language.js";
-import { createSolver, LOST } from "../solver.js";
+import { createSolver } from "../solver.js";
 import { byId, fillSelect, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { drawOrders } from "./study-plot.js";
@@ -209,6 +210,8 @@ export function createStudy(controller) {
       onFrame: () => {},
       onStopped: () => {},
       onProgress: () => {},
+      // It can be cancelled at any time.
+      onSilent: () => {},
       onCrashed: (reason) => {
         setText(status, t("The study stopped unexpectedly ({reason}).", { reason }));
         end();

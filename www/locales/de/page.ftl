@@ -92,3 +92,20 @@ must-be-file-name = der Name einer Datei
 must-be-steps = eine Liste, deren Schritte zusammen { $steps } sind, wie „steps“ sagt
 must-be-path-part = {"{"} steps {"}"}, {"{"} regularise {"}"}, {"{"} flow {"}"} oder „anew“
 must-be-edit = „adopt“, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide {"}"} oder {"{"} invert: [x, y, z] {"}"}
+
+## A solver that was lost, or is silent
+
+solver-silent = Der Löser gibt seit einiger Zeit kein Lebenszeichen; vielleicht arbeitet er an etwas Großem.
+solver-gone = Was zu sehen ist, lässt sich noch sichern.
+restart-solver = Löser neu starten
+solver-lost-again = Der Löser brach jedes Mal ab, wenn die Fläche wiederhergestellt werden sollte.
+    .hint = „Herunterladen“ sichert, was zu sehen ist. „Löser neu starten“ versucht es noch einmal; fehlt Speicher, so schließen Sie zuerst andere Tabs.
+lost-with-solver = { $what ->
+    [steps] Seine gespeicherten Schritte sind verloren; der Verlauf beginnt neu.
+    [edits] Frühere Änderungen lassen sich nicht mehr rückgängig machen.
+   *[both] Seine gespeicherten Schritte sind verloren, der Verlauf beginnt neu, und frühere Änderungen lassen sich nicht mehr rückgängig machen.
+}
+saved-own-copy = Der Löser ist jetzt nicht zu fragen: Das Netz wurde als PLY gesichert, in Dreiecken, aus dem, was die Seite selbst hat.
+no-mesh-yet = Es gibt noch kein Netz.
+too-many-requests = Mehr als { $most } Anfragen warten auf eine Antwort.
+    .hint = Warten Sie die Antworten ab, bevor Sie weitere stellen.

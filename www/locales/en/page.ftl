@@ -92,3 +92,20 @@ must-be-file-name = the name of a file
 must-be-steps = a list whose steps are { $steps } in all, as “steps” says
 must-be-path-part = {"{"} steps {"}"}, {"{"} regularise {"}"}, {"{"} flow {"}"} or “anew”
 must-be-edit = “adopt”, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide {"}"} or {"{"} invert: [x, y, z] {"}"}
+
+## A solver that was lost, or is silent
+
+solver-silent = No sign of life from the solver for some time; it may be at work on something large.
+solver-gone = What is shown can still be saved.
+restart-solver = Restart the solver
+solver-lost-again = The solver stopped each time the surface was to be restored.
+    .hint = Download saves what is shown. “Restart the solver” tries again; if memory is short, close other tabs first.
+lost-with-solver = { $what ->
+    [steps] Its stored steps are gone; the history starts anew.
+    [edits] Edits made before can no longer be undone.
+   *[both] Its stored steps are gone, the history starts anew, and edits made before can no longer be undone.
+}
+saved-own-copy = The solver cannot be asked now: the mesh was saved as PLY, as triangles, from what the page itself has.
+no-mesh-yet = There is no mesh yet.
+too-many-requests = More than { $most } requests wait to be answered.
+    .hint = Wait for the answers before asking for more.
