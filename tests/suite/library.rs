@@ -351,7 +351,7 @@ fn module() -> String {
     let mut text = String::from(
         "// @ts-check\n\
          // Samples and figures as src/app/library has them. Written by tests/suite/library.rs.\n\n\
-         /** @import { Figure, Sample } from \"../protocol.js\" */\n",
+         /** @import { Figure, Sample } from \"../library.js\" */\n",
     );
     text += "\n/** @type {readonly Sample[]} */\nexport const samples = [\n";
     text.extend(SAMPLES.iter().map(|sample| line(&sample_row(sample))));

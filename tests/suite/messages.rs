@@ -24,13 +24,14 @@ type Messages = &'static [(&'static str, &'static [&'static str])];
 type Words = BTreeMap<String, BTreeSet<String>>;
 
 /// The files whose words are the crate's; those of `page.ftl` are the page's own.
-const FILES: [&str; 4] = ["app", "files", "flow", "mesh"];
+const FILES: [&str; 5] = ["app", "files", "flow", "mesh", "refusal"];
 
 /// Errors that another one within says more of, with a hint of its own.
-const PASSED_ON: [&str; 4] = [
+const PASSED_ON: [&str; 5] = [
     "fill-linear",
     "fill-mesh",
     "flow-linear",
+    "flow-option",
     "regularise-linear",
 ];
 

@@ -707,7 +707,7 @@ fn a_session_tells_of_the_surface_as_it_is() {
         session.info().expect("a mesh"),
     );
     assert_eq!(
-        now.expect("a mesh").map(|f| f.pairs.len()),
+        now.expect("a mesh").map(|f| f.pairs.len() / 2),
         info.self_intersections
     );
     session.sample("icosphere", &[]).expect("a sample");

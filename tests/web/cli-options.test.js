@@ -12,6 +12,7 @@ import { main } from "../../www/cli.js";
 import { options } from "../../www/generated/schema.js";
 import { asText, defaults, isRead, rowOf, toFlow } from "../../www/options.js";
 import { perform } from "../../www/session.js";
+import { sayFault } from "../../www/words.js";
 import { FakeSession } from "./support/fake-session.js";
 import { readScene } from "./support/scene.js";
 
@@ -33,7 +34,7 @@ function refusalOf(call) {
     call();
     return null;
   } catch (error) {
-    return said(/** @type {any} */ (error));
+    return said(sayFault(/** @type {any} */ (error)));
   }
 }
 

@@ -14,6 +14,7 @@ flow-nothing-free = keine Ecke kann sich bewegen
     .hint = Bei eingespanntem Rand werden auch die Ecken festgehalten, die eine Kante von ihm entfernt sind: Wählen Sie festen oder freien Rand, ein feineres Netz oder eine größere Auswahl.
 flow-selection-out-of-range = die Auswahl nennt Ecke { $vertex }, es gibt aber nur { $vertices } Ecken
     .hint = Ecken werden ab 0 gezählt, in der Reihenfolge der Datei.
+flow-option = { $error }
 flow-not-closed = die Fläche hat { $loops ->
     [one] { $loops } Randkurve
    *[other] { $loops } Randkurven

@@ -14,6 +14,7 @@ flow-nothing-free = no vertex is free to move
     .hint = With a clamped boundary the vertices within one edge of it are held too: choose a fixed or free boundary, a finer mesh, or a larger selection.
 flow-selection-out-of-range = the selection names vertex { $vertex }, but there are only { $vertices } vertices
     .hint = Vertex indices count from 0 in the order of the file.
+flow-option = { $error }
 flow-not-closed = the surface has { $loops ->
     [one] { $loops } boundary loop
    *[other] { $loops } boundary loops
