@@ -76,7 +76,7 @@ fn the_smallest_row_of_each_table_of_times_is_whole() {
         assert!((rate * row.number("milliseconds") - flips).abs() < 1e-9 * flips);
     }
 
-    let mmcv = rows(TableName::Mmcv, small(700));
+    let mmcv = rows(TableName::Mmcv, small(1200));
     assert!(!mmcv.is_empty());
     for row in &mmcv {
         let steps = row

@@ -83,7 +83,7 @@ test("bad usage ends with 2 and says what would be right", async () => {
     [["flow", mesh, "--seconds", "3", "--until-converged"], /not both/],
     [["flow", mesh, "--perturbation", "0.1"], /it is for p-willmore/],
     [["flow", mesh, "--dt", "0"], /above 0/],
-    [["flow", mesh, "--dt", ""], /`dt` has no value/],
+    [["flow", mesh, "--dt", ""], /`dt` cannot be/],
     [["flow", mesh, "--dt", "0.1", "--tau", "1"], /cannot both/],
     [["flow", mesh, "--integrator", "rk4"], /semi-implicit, forward-euler/],
     [["flow", mesh, "--flow", "willmore", "--rungs", "3"], /it is for mmcv/],
