@@ -145,6 +145,7 @@ const own = {
   },
   follow({ recipe }) {
     follow(session, recipe, replayed);
+    perform(session, "repeatFlow");
     return perform(session, "state");
   },
   sequence: ({ format, every }) =>

@@ -91,6 +91,8 @@ pub enum Command {
     },
     /// The steps that can be shown.
     Timeline {},
+    /// The next frame tells of the flow that stands, as nobody who watches frames chose it.
+    RepeatFlow {},
     /// The flow is made anew where it stands, as a step after a look back does.
     Renew {},
     /// Puts positions from outside in place, as after a crash.
@@ -222,6 +224,7 @@ pub enum Answer {
     Seek(State),
     Branch(State),
     Timeline(Timeline),
+    RepeatFlow(()),
     Renew(()),
     Restore(State),
     Regularise(Regularised),
@@ -313,6 +316,10 @@ impl Session {
                 Answer::Branch(state)
             }
             C::Timeline {} => Answer::Timeline(self.timeline()?),
+            C::RepeatFlow {} => {
+                self.view.flow = None;
+                Answer::RepeatFlow(())
+            }
             C::Renew {} => Answer::Renew(self.renew()?),
             C::Restore { exact, step, time } => Answer::Restore(self.restore(&exact, step, time)?),
             C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),

@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "renew": null } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "recipe": Recipe } | { "export": Uint8Array } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "repeatFlow": null } | { "renew": null } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "recipe": Recipe } | { "export": Uint8Array } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -34,6 +34,56 @@ subdivide: number,
  * Flips a step makes; all that gain anything if absent.
  */
 flipsPerStep: number | null, };
+
+/**
+ * What is measured.
+ */
+export type BenchOptions = { 
+/**
+ * Which table; there must be one.
+ */
+table: TableName | null, 
+/**
+ * Larger meshes are left out.
+ */
+maxVertices: number | null, 
+/**
+ * Steps measured a row, after one that is not.
+ */
+steps: number, 
+/**
+ * Of the table of figures these, by their ids.
+ */
+figures: Array<string> | null, 
+/**
+ * Of the table of figures those that take a few seconds.
+ */
+quick: boolean, 
+/**
+ * Of the table of robustness: meshes to try instead of shapes with noise.
+ */
+meshes: Array<MeshFile>, };
+
+/**
+ * A table as far as it has come.
+ */
+export type BenchReport = { 
+/**
+ * Keys of a row, in order.
+ */
+columns: Array<string>, 
+/**
+ * How many of them are set flush left.
+ */
+left: number, 
+/**
+ * Significant digits of a number that is not whole; none: one after the point.
+ */
+digits: number | null, 
+/**
+ * The next row, a cell a column; none after the last.
+ */
+row: unknown[] | null, };
 
 /**
  * What the energy of an open surface is (Section 3.3 of the paper).
@@ -192,7 +242,7 @@ step: number, } } | { "branch": {
 /**
  * Its number.
  */
-branch: number, } } | { "timeline": Record<symbol, never> } | { "renew": Record<symbol, never> } | { "restore": { 
+branch: number, } } | { "timeline": Record<symbol, never> } | { "repeatFlow": Record<symbol, never> } | { "renew": Record<symbol, never> } | { "restore": { 
 /**
  * Three coordinates a vertex.
  */
@@ -449,6 +499,19 @@ leftOut: number, };
  * What made another mesh of the one at hand.
  */
 export type Edit = "adopt" | { "fill": FillOptions } | { "flip": FlipOptions } | { "subdivide": SubdivideOptions } | { "invert": [number, number, number] };
+
+/**
+ * Which energies. Unknown names are refused.
+ */
+export type EnergyOptions = { 
+/**
+ * Exponents beside the usual ones.
+ */
+p: Array<number>, 
+/**
+ * What holds at the boundary.
+ */
+boundary: Boundary, };
 
 /**
  * All energies and integrals of a surface.
@@ -1158,6 +1221,19 @@ export type Manner = "sampled" | "polyhedron" | "loop";
 export type MassChoice = "auto" | "uniform" | "area";
 
 /**
+ * A mesh that was read.
+ */
+export type MeshFile = { 
+/**
+ * Of the file.
+ */
+name: string, 
+/**
+ * All of it.
+ */
+bytes: Uint8Array, };
+
+/**
  * How good a mesh is.
  */
 export type MeshQuality = { 
@@ -1218,6 +1294,43 @@ tension: number | null,
  * Of the volume; positive pushes outwards.
  */
 pressure: number | null, };
+
+/**
+ * How a run ended, or how far it has come.
+ */
+export type Outcome = { 
+/**
+ * Whether it is over, and of which kind its end is.
+ */
+status: Status, 
+/**
+ * Whether the surface could not be kept good any longer: what is left is the last good one.
+ */
+isBreakdown: boolean, 
+/**
+ * How it ended, and why.
+ */
+message: Message, 
+/**
+ * The reason alone.
+ */
+reason: Message | null, 
+/**
+ * The failure of its last step.
+ */
+fault: Fault | null, 
+/**
+ * Which functional its steps must not raise.
+ */
+monitored: Monitored, 
+/**
+ * The jump of H across the boundary of what moves.
+ */
+curvatureJump: CurvatureJump | null, 
+/**
+ * What its steps warned of, the last of each kind, and whether it came to rest.
+ */
+warnings: Array<Message>, };
 
 /**
  * A picture: all of what a viewer draws.
@@ -1880,6 +1993,11 @@ scheme: SubdivisionScheme, };
 export type SubdivisionScheme = "linear" | "loop";
 
 /**
+ * Which table.
+ */
+export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "robustness" | "figures";
+
+/**
  * Where the values of a quantity lead.
  */
 export type Tendency = "exact" | "converges" | "elsewhere" | "diverges" | "unknown";
@@ -1972,10 +2090,3 @@ circles: boolean,
  * Principal directions.
  */
 directions: boolean, };
-
-export type BenchOptions = { table: TableName | null, maxVertices: number | null, steps: number, figures: Array<string> | null, quick: boolean, meshes: Array<MeshFile>, };
-export type BenchReport = { columns: Array<string>, left: number, digits: number | null, row: unknown[] | null, };
-export type EnergyOptions = { p: Array<number>, boundary: Boundary, };
-export type MeshFile = { name: string, bytes: Uint8Array, };
-export type Outcome = { status: Status, isBreakdown: boolean, message: Message, reason: Message | null, fault: Fault | null, monitored: Monitored, curvatureJump: CurvatureJump | null, warnings: Array<Message>, };
-export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "robustness" | "figures";
