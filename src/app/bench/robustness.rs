@@ -147,7 +147,7 @@ fn of_mesh(
             let measurement = |left: Left| -> Measurement {
                 let (load, mut row) = (Rc::clone(&load), vec![case.clone()]);
                 Box::new(move || {
-                    let names = left.keep.iter().map(|kept| id_of(kept));
+                    let names = left.keep.iter().map(id_of);
                     let names: Vec<&str> = std::iter::once(left.flow.id()).chain(names).collect();
                     row.push(("flow", names.join(", ").into()));
                     row.extend(run(&load, left, max_steps)?);
