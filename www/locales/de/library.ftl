@@ -147,7 +147,7 @@ figure-p-willmore-2-p0 = Abb. { $number }, p = 0
 figure-p-willmore-2-p2 = Abb. { $number }, p = 2
     .title = Buchstabe C, p = 2
     .reports = Mit p = 2 wird der Buchstabe C zur runden Sphäre.
-    .expected = ∫H² auf 1 % genau das einer Sphäre nach höchstens 120 Schritten
+    .expected = ∫H² auf 1 % genau das einer Sphäre nach höchstens 160 Schritten
 figure-p-willmore-2-p4 = Abb. { $number }, p = 4
     .title = Buchstabe C, p = 4
     .reports = Mit p = 4 wächst der Buchstabe C ohne Ende.
