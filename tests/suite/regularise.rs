@@ -1,5 +1,6 @@
 //! Conformal regularisation of meshes at rest, and readings of the printed paper that fail.
 
+use crate::p_willmore_energy::roughened;
 use crate::support::parts::{self, Ends};
 use crate::support::session::{flowing, shown};
 use crate::support::*;
@@ -507,6 +508,10 @@ fn creases_are_the_edges_of_over_forty_degrees() {
     let noisy = noisy_ellipsoid();
     let pinned = readings(&noisy).pinned;
     assert!(pinned < noisy.x.len() / 10, "{pinned}");
+    for seed in 0..6 {
+        let rough = roughened(sample("ellipsoid", &[("level", 3.0)]), 0.2, seed);
+        assert_eq!(readings(&rough).pinned, 0, "seed {seed}");
+    }
 }
 
 /// An ellipsoid, each vertex pushed about by up to a fifth of an edge along each axis.

@@ -575,6 +575,8 @@ fn sheets_along_a_common_line_cross_if_they_alternate() {
     assert_eq!(crossing([-10.0, 10.0], [100.0, 260.0], 0.0), 0);
     assert_eq!(crossing([-10.0, 100.0], [20.0, 70.0], 0.5), 0);
     assert_eq!(crossing([10.0, 100.0], [20.0, 200.0], 3.5), 0);
+    // One side on a side of the other: they touch along all of it.
+    assert_eq!(crossing([10.0, 190.0], [10.0, 280.0], 0.0), 0);
 }
 
 #[test]

@@ -21,22 +21,23 @@ fn an_idle_run_has_converged_only_where_it_is_at_rest() {
     assert_eq!(resting.status(), (1, Status::Converged));
 }
 
+/// The first whole step alone would go below the bound: the run has not got stuck since.
 #[test]
 fn an_idle_run_that_met_a_bound_has_collapsed() {
-    // The first whole step would go below the bound.
     let met = Script {
-        bounded: Rc::new(|r| if r > 1.5 { 0.0 } else { 2.0 }),
+        bounded: Rc::new(|r| if r > 1.9 { 0.0 } else { 2.0 }),
         rules: Rules {
             bound: Some(2.0),
             bound_share: 0.9,
             ..idle().rules
         },
         dt: 1000.0,
-        ..idle()
+        ..Script::new(|_| 1.0, |r| if r < 1.01 { 1e-3 } else { 1e-9 })
     };
     let (reports, ending, _) = met.run(200);
     assert_eq!(ending.expect("an ending").0, Status::Collapsed);
-    assert!(reports[0].rejected > 0 && reports.len() <= 10);
+    let refused: usize = reports.iter().map(|report| report.rejected).sum();
+    assert_eq!((reports.len(), refused), (10, 1));
 }
 
 /// Every trial is refused: for a bound, for a sliver above and below it, for a rise at rest.
@@ -90,6 +91,32 @@ fn a_surface_that_may_vanish_is_singular_once_it_has() {
     // 4^(−5) of the area is left after five.
     assert_eq!(shrinking(true), (5, Status::Singular));
     assert_eq!(shrinking(false), (12, Status::StepLimit));
+}
+
+/// A tip that has grown on a surface that may vanish, and from which no step bends further, is
+/// singular; not so where the functional alone is in the way, or the tip was there before.
+#[test]
+fn a_new_tip_from_which_no_step_leads_is_singular() {
+    let grown = |cause: Cause, spike: f64| {
+        let script = Script {
+            rules: Rules {
+                can_vanish: true,
+                ..idle().rules
+            },
+            refusal: Rc::new(move |r| (r > 1.2).then(|| Refusal::of(cause))),
+            spike,
+            level: 3.0,
+            growth: 1.0,
+            search: Search::Solve,
+            ..Script::new(|r| -r, |_| 1e-2)
+        };
+        script.run(200).1.expect("an ending")
+    };
+    let (status, why) = grown(Cause::Turn, 10.0);
+    assert_eq!(status, Status::Singular, "{why}");
+    assert!(why.contains("at vertex 0, near ("), "{why}");
+    assert_eq!(grown(Cause::Rise, 10.0).0, Status::Stalled);
+    assert_eq!(grown(Cause::Turn, 1.0).0, Status::Stalled);
 }
 
 #[test]

@@ -27,6 +27,27 @@ fn a_better_surface_takes_the_place_of_the_last_and_is_no_rest() {
     }
 }
 
+/// A sharp tip at a surface that is at rest is no singularity, while no step was refused.
+#[test]
+fn a_better_surface_takes_the_place_of_a_rest_with_a_tip_too() {
+    let script = Script {
+        stationarity: 1.0,
+        better: Some((true, 0.5)),
+        rules: Rules {
+            can_vanish: true,
+            ..idle().rules
+        },
+        spike: 20.0,
+        level: 3.0,
+        growth: 1.0,
+        ..idle()
+    };
+    let (reports, ending, r) = script.run(200);
+    assert_eq!(ending.expect("an ending").0, Status::Stalled);
+    assert_eq!(reports.len(), 11);
+    assert!((r - 0.5).abs() < 1e-12, "{r}");
+}
+
 /// The functional of a phase is compared with itself, its window is its own, and its step size
 /// begins anew where that is asked for.
 #[test]
