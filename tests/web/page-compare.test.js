@@ -78,7 +78,8 @@ test("two panes step together, and each is what it is by itself", async () => {
   await page.locator("#comparison > summary").click();
   await button(page, "Add a pane").click();
   await untilCaptions(page, /^A: .*step 0.*\nB: .*step 0/);
-  const epsilon = page.getByLabel("Smoothing ε", { exact: true });
+  const form = page.locator(".pane-form").first();
+  const epsilon = form.getByLabel("Angle smoothing ε", { exact: true });
   await epsilon.fill("0.01");
   await epsilon.press("Tab");
   await untilCaptions(page, /^A: ε = 0.1 .*\nB: ε = 0.01 .*step 0/);
