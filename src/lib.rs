@@ -73,6 +73,7 @@ pub mod io;
 #[cfg(feature = "solver")]
 pub mod linalg;
 pub mod mesh;
+pub mod message;
 #[cfg(feature = "solver")]
 pub mod operator;
 #[cfg(feature = "solver")]

@@ -11,31 +11,38 @@ use std::path::{Path, PathBuf};
 const ALLOWED: &[(&str, &[&str])] = &[
     ("soup", &[]),
     ("arrays", &[]),
-    ("linalg", &[]),
-    ("io", &["soup"]),
-    ("mesh", &["soup"]),
-    ("viewer", &["soup"]),
+    ("message", &[]),
+    ("linalg", &["message"]),
+    ("io", &["message", "soup"]),
+    ("mesh", &["message", "soup"]),
+    ("viewer", &["message", "soup"]),
     ("geometry", &["mesh"]),
     ("operator", &["mesh", "geometry", "linalg"]),
     ("energy", &["mesh", "geometry", "operator", "linalg"]),
     (
         "flow",
-        &["mesh", "geometry", "operator", "energy", "remesh", "linalg"],
+        &[
+            "message", "mesh", "geometry", "operator", "energy", "remesh", "linalg",
+        ],
     ),
     (
         "remesh",
-        &["soup", "mesh", "geometry", "operator", "energy", "linalg"],
+        &[
+            "message", "soup", "mesh", "geometry", "operator", "energy", "linalg",
+        ],
     ),
     (
         "app",
         &[
-            "soup", "arrays", "io", "mesh", "geometry", "operator", "energy", "flow", "remesh",
-            "linalg",
+            "message", "soup", "arrays", "io", "mesh", "geometry", "operator", "energy", "flow",
+            "remesh", "linalg",
         ],
     ),
     (
         "web",
-        &["app", "viewer", "io", "mesh", "energy", "flow", "linalg"],
+        &[
+            "message", "app", "viewer", "io", "mesh", "energy", "flow", "linalg",
+        ],
     ),
 ];
 

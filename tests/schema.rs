@@ -3,7 +3,9 @@
 
 use serde_json::{Value as Json, json};
 use std::path::Path;
-use umbilic::app::{Arrangement, Session};
+use umbilic::app::{
+    Arrangement, BenchOptions, EnergyOptions, FillOptions, FlipOptions, RegulariseOptions, Session,
+};
 use umbilic::energy::circle::Boundary;
 use umbilic::flow::option::{Kind, Options, Row, Value};
 use umbilic::flow::options::{FlowName, FlowOptions};
@@ -31,14 +33,14 @@ fn schema() -> String {
     let flows: Vec<Json> = FLOWS.iter().map(flow_json).collect();
     let head = "// @ts-check
 // Flows and options as the solver knows them. Written from src/flow/spec.rs,
-// src/flow/option/rows.rs and src/app/given.rs by `UPDATE_SCHEMA=1 cargo test --test schema`.
+// src/flow/option/rows.rs, src/app/given.rs and src/app/options.rs by `UPDATE_SCHEMA=1 cargo test --test schema`.
 
 /**
  * What an option may be, and what reads it. `absent` is the word for null.
  * @typedef {object} Row
  * @property {string} name
  * @property {string} flag
- * @property {'number' | 'choice' | 'set' | 'switch' | 'vertices'} kind
+ * @property {'number' | 'choice' | 'set' | 'switch' | 'numbers' | 'vertices'} kind
  * @property {{ low: number, high: number, lowOpen: boolean, whole: boolean, also: number | null } | null} range
  * @property {readonly string[]} ids
  * @property {any} default
@@ -75,6 +77,12 @@ fn schema() -> String {
         list("readonly Flow[]", "flows", &flows),
         list("readonly Row[]", "options", &rows::<FlowOptions>()),
         list("readonly Row[]", "arrangement", &rows::<Arrangement>()),
+        "// Of the commands that are called so.\n".into(),
+        list("readonly Row[]", "energy", &rows::<EnergyOptions>()),
+        list("readonly Row[]", "regularise", &rows::<RegulariseOptions>()),
+        list("readonly Row[]", "fill", &rows::<FillOptions>()),
+        list("readonly Row[]", "flips", &rows::<FlipOptions>()),
+        list("readonly Row[]", "bench", &rows::<BenchOptions>()),
     ]
     .join("\n")
 }
@@ -99,6 +107,7 @@ fn row_json<S: Options>(row: &Row<S>) -> Json {
         Kind::Choice(ids) => ("choice", None, ids()),
         Kind::Set(ids) => ("set", None, ids()),
         Kind::Switch => ("switch", None, &[][..]),
+        Kind::Numbers(range) => ("numbers", Some(range), &[][..]),
         Kind::Vertices => ("vertices", None, &[][..]),
     };
     let number = |x: f64| serde_json::to_value(Value::Number(x)).expect("JSON");
@@ -140,7 +149,7 @@ fn typedef<S: Options>(name: &str) -> String {
             Kind::Choice(ids) => of(ids()),
             Kind::Set(ids) => format!("({})[]", of(ids())),
             Kind::Switch => "boolean".into(),
-            Kind::Vertices => "number[]".into(),
+            Kind::Numbers(_) | Kind::Vertices => "number[]".into(),
         };
         let null = if row.absent.is_some() { " | null" } else { "" };
         format!(" * @property {{{kind}{null}}} [{}]", row.name)
@@ -189,7 +198,7 @@ fn options(flow: FlowName) -> FlowOptions {
 }
 
 /// Whether a flow takes the mesh; the kind of its refusal otherwise.
-fn takes(session: &mut Session, flow: FlowName) -> Result<(), String> {
+fn takes(session: &mut Session, flow: FlowName) -> Result<(), &'static str> {
     session
         .configure(options(flow))
         .map(|_| ())
@@ -209,8 +218,8 @@ fn flows_take_the_meshes_that_their_rows_say() {
     let size = [("along".into(), 24.0), ("around".into(), 12.0)];
     one_sided.sample("klein-bottle", &size).expect("a bottle");
     for row in FLOWS {
-        let refusal = |session, taken: bool, kind: &str| {
-            let expected = if taken { Ok(()) } else { Err(kind.to_owned()) };
+        let refusal = |session, taken: bool, kind: &'static str| {
+            let expected = if taken { Ok(()) } else { Err(kind) };
             assert_eq!(takes(session, row.id), expected, "{:?}", row.id);
         };
         refusal(&mut open, row.meshes.open, "NotClosed");

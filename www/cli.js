@@ -4,7 +4,7 @@
 
 import { realpathSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { commands, laterCommands, overview } from "./cli/commands.js";
+import { commands, overview } from "./cli/commands.js";
 import { failureOf, usage } from "./cli/failure.js";
 import { help } from "./cli/options.js";
 import { loadSolver, openSession, packageVersion } from "./cli/solver.js";
@@ -47,7 +47,6 @@ async function dispatch([name = "", ...rest], io, open) {
     io.write(overview());
     return 0;
   }
-  if (laterCommands.includes(name)) throw usage(`\`${name}\` is not in this version.`);
   if (!Object.hasOwn(commands, name)) {
     const { nearest } = await loadSolver();
     const near = nearest(name, Object.keys(commands));

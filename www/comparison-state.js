@@ -1,7 +1,8 @@
 // @ts-check
 // How the state of the page changes while flows are compared. Pure, as all transitions.
 
-/** @import { Configured, Field, Frame, State as Reading } from "./protocol.js" */
+/** @import { Configured, State as Reading } from "./generated/types.js" */
+/** @import { Field, Frame } from "./state.js" */
 /** @import { Comparison, Rival } from "./comparison.js" */
 /** @import { PageState } from "./state.js" */
 

@@ -2,7 +2,8 @@
 // Flows side by side, as pure functions: what a pane does otherwise than the first, whose turn
 // it is to step, and how far surfaces are apart.
 
-/** @import { Configured, Field, State as Reading } from "./protocol.js" */
+/** @import { Configured, State as Reading } from "./generated/types.js" */
+/** @import { Field } from "./state.js" */
 /** @import { Options } from "./options.js" */
 /** @import { Sample } from "./state.js" */
 

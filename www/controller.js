@@ -2,7 +2,11 @@
 // What a user can ask for, as functions: each asks the solver and moves the state on.
 // Nothing here touches the document.
 
-/** @import { Arrangement, Fault, FieldName, Figure, Frame, Stopped } from "./protocol.js" */
+/** @import { Arrangement } from "./generated/schema.js" */
+/** @import { Message, State } from "./generated/types.js" */
+/** @import { Figure } from "./library.js" */
+/** @import { FieldName, Frame } from "./state.js" */
+/** @import { Fault } from "./words.js" */
 /** @import { Scene } from "./link.js" */
 /** @import { Options } from "./options.js" */
 /** @import { Marks, Store, View } from "./state.js" */
@@ -15,61 +19,75 @@ import { createQuestions } from "./actions/questions.js";
 import { createSeeing } from "./actions/see.js";
 import { createTime } from "./actions/time.js";
 import { createWhyActions } from "./actions/why.js";
+import { LOST } from "./channel.js";
 import { canStepBack, comparisonTransitions as on } from "./comparison-state.js";
 import { sha256 } from "./digest.js";
 import { figures, samples } from "./generated/library.js";
-import { t, translated } from "./language.js";
+import { t } from "./language.js";
 import { sampleName } from "./library.js";
 import { pageScene, sceneOf } from "./link.js";
 import { defaults } from "./options.js";
-import { CANCELLED, createSolver, LOST } from "./solver.js";
+import { CANCELLED, createSolver } from "./solver.js";
 import { goesOn, transitions as to } from "./state.js";
-import { say } from "./words.js";
+import { say, sayFault } from "./words.js";
 
 /**
  * @typedef {object} Voice  how the controller speaks to the user
  * @property {(fault: Pick<Fault, 'message' | 'hint'>) => void} error
- * @property {(text: string) => void} note    worth knowing, said once
+ * @property {(text: string, key?: string) => void} note  worth knowing, said once; of what has
+ *   the same key, once for all
  * @property {(text: string) => void} answer  to what was asked for, said every time
  * @property {(text: string) => Promise<boolean>} ask  whether to do what takes long
  * @property {() => void} clear   a new mesh: what was said of the old one no longer holds
  */
 
-/** @param {Store} store @param {Voice} voice */
-export function createController(store, voice) {
-  const solver = createSolver({
-    onReady: (version) => store.update(to.solverReady, version),
-    onFrame,
-    onStopped,
-    onProgress: (progress) => store.update(to.progress, progress),
-    onCrashed: (reason) =>
-      revive((step) => ({
-        message: t(
-          "The solver stopped unexpectedly ({reason}); a new one goes on from step {step}.",
-          { reason: translated(reason), step },
-        ),
-        hint: t("If it was short of memory, close other tabs or use a mesh with fewer faces."),
-      })),
-  });
+/**
+ * @param {Store} store
+ * @param {Voice} voice
+ * @param {Parameters<typeof createSolver>[1]} [waits]
+ */
+export function createController(store, voice, waits) {
+  const solver = createSolver(
+    {
+      onReady: (version) => store.update(to.solverReady, version),
+      onFrame,
+      onStopped,
+      onProgress: (progress) => store.update(to.progress, progress),
+      onSilent: (isSilent) => store.update(to.silent, isSilent),
+      onCrashed: (reason) =>
+        revive((step) => ({
+          message: t(
+            "The solver stopped unexpectedly ({reason}); a new one goes on from step {step}.",
+            { reason, step },
+          ),
+          hint: t("If it was short of memory, close other tabs or use a mesh with fewer faces."),
+        })),
+    },
+    waits,
+  );
+
+  /** A warning: with other values it is the same. @param {Message} warning */
+  const note = (warning) => voice.note(say(warning), warning.id);
 
   /** @param {Frame} frame */
   function onFrame(frame) {
     if (framing.holds(frame) || contest.holds(frame)) return;
     store.update(to.frame, frame);
-    for (const text of frame.reports.flatMap(({ warnings }) => warnings)) voice.note(text);
+    for (const { warnings } of frame.reports) warnings.forEach(note);
   }
 
-  /** @param {Stopped} stopped */
-  function onStopped({ state, fault }) {
+  /** @param {State} state @param {Fault | null} fault */
+  function onStopped(state, fault) {
     store.update(to.stopped, state);
     if (fault) voice.error(fault);
   }
 
-  /** @param {any} error  a `Fault`, or an error of the page's own */
+  /** @param {any} error  a `Fault`, a `Refusal`, or an error of the page's own */
   function report(error) {
     // Whoever ended the solver has said so already.
     if (error?.kind === LOST || error?.kind === CANCELLED) return;
-    if (error?.kind) voice.error(error);
+    // A worker that could not be asked refuses in no language.
+    if (error?.kind) voice.error(typeof error.message === "string" ? error : sayFault(error));
     else voice.error({ message: String(error?.message ?? error), hint: "" });
     if (!error?.kind) console.error(error);
   }
@@ -112,10 +130,11 @@ export function createController(store, voice) {
       const mesh = fill ? (await solver.fill(fill)).loaded : shape;
       voice.clear();
       store.update(to.loaded, source, mesh, origin);
-      for (const warning of mesh.info.warnings) voice.note(warning);
+      mesh.info.warnings.forEach(note);
       if (scene.camera) store.update(to.looked, scene.camera);
       compare.prepare(scene.comparison);
-      if (scene.arrangement) await arrange(scene.arrangement);
+      // A new solver knows of none.
+      await arrange(scene.arrangement ?? {});
       const suits = await configure(options).then(
         () => true,
         async (error) => {
@@ -206,28 +225,42 @@ export function createController(store, voice) {
   /** What is being done again, and whether that was asked to end. @type {"on" | "ending" | null} */
   let replaying = null;
 
-  let reviving = false;
+  /** What went with a solver and has not been said. @type {Set<"steps" | "edits">} */
+  const losses = new Set();
+  function noteLosses() {
+    const { timeline, earlier } = store.get();
+    if (timeline && timeline.stored > 1) losses.add("steps");
+    if (earlier.length > 0) losses.add("edits");
+  }
+  function sayLosses() {
+    const [what] = losses.size > 1 ? ["both"] : losses;
+    losses.clear();
+    return what ? say("lost-with-solver", { what }) : "";
+  }
+
   /** Ends the worker and goes on in a new one. @param {(step: number) => Pick<Fault, 'message' | 'hint'>} tell */
   function revive(tell) {
-    // A crash on the way back is reported by the request that met it.
-    if (reviving) return queue;
-    reviving = true;
     age += 1;
+    time.stop();
     solver.dismiss();
     return enqueue(async () => {
+      noteLosses();
       store.update(to.reviving);
       try {
-        if (store.get().version === "") throw new Error(t("The solver could not be started."));
+        if (store.get().version === "") {
+          const hint = t("Reload the page; its address keeps the scene.");
+          throw { kind: "NoSolver", message: t("The solver could not be started."), hint };
+        }
         const reading = await solver.revive();
         if (reading) store.update(to.stopped, reading);
         else store.update(to.refused);
-        voice.error(tell(reading?.step ?? 0));
+        const { message, hint } = tell(reading?.step ?? 0);
+        voice.error({ message, hint: [sayLosses(), hint].filter(Boolean).join(" ") });
       } catch (error) {
+        // Ended once more: then another one is on its way.
+        if (/** @type {any} */ (error)?.kind === LOST) return;
         store.update(to.failed);
-        const { message } = /** @type {Error} */ (error);
-        voice.error({ message, hint: t("Reload the page; its address keeps the scene.") });
-      } finally {
-        reviving = false;
+        report(error);
       }
     });
   }
@@ -330,14 +363,15 @@ export function createController(store, voice) {
       }),
     reset: () => alone(() => rest().then(() => store.get().reading && contest.reset())),
 
-    /** Ends a step that takes too long. */
+    /** Ends a step that takes too long, or a solver that is silent; starts one that is gone. */
     halt() {
-      if (replaying === "on") {
+      const { isSilent, phase } = store.get();
+      if (replaying === "on" && !isSilent) {
         replaying = "ending";
         return solver.cancel().catch(report);
       }
-      if (!contest.halt()) return;
-      return revive((step) => ({
+      if (!contest.halt() && !isSilent && phase !== "failed") return;
+      revive((step) => ({
         message: t("The computation was ended; the surface is as after step {step}.", { step }),
         hint: "",
       }));
@@ -405,9 +439,15 @@ export function createController(store, voice) {
 
     /**
      * @param {string} format  of a mesh, or `csv`
-     * @returns {Promise<Uint8Array<ArrayBuffer> | string>}
+     * @returns {Promise<{ format: string, bytes: Uint8Array<ArrayBuffer> | string }>}  the format
+     *   is another where the solver cannot be asked
      */
-    export: (format) => (format === "csv" ? solver.history() : solver.export(format)),
+    async export(format) {
+      if (format === "csv") return { format, bytes: await solver.history() };
+      const file = await solver.export(format);
+      if (file.format !== format) voice.answer(say("saved-own-copy"));
+      return file;
+    },
     report,
   };
   return controller;

@@ -1,7 +1,6 @@
 // @ts-check
-// What the page says to people, in their language. The English sentence is the key of its
-// translation, so English needs nothing fetched, and a sentence that nobody has translated yet is
-// shown in English. The command line speaks English.
+// The page's own labels, in the language of its reader. The English sentence is the key of its
+// translation. What the solver, the worker and recipes say comes in messages (see words.js).
 //
 // Numbers keep the decimal point in every language: they are copied into other programs, and
 // stand beside the same numbers in files, tables and papers.
@@ -17,8 +16,8 @@ const KEY = "umbilic-language";
 
 /** @type {Language} */
 let language = "en";
-/** @type {(english: string) => string} of whole sentences, values in them or not */
-let translate = (english) => english;
+/** By the English sentence. @type {Readonly<Record<string, string>>} */
+let german = {};
 
 /** The language that the page is in. */
 export const currentLanguage = () => language;
@@ -36,15 +35,10 @@ const filled = (sentence, values) =>
  * @param {string} english  a literal
  * @param {Values} [values]
  */
-export const t = (english, values = {}) => filled(translate(english), values);
+export const t = (english, values = {}) => filled(translated(english), values);
 
-/**
- * A sentence that comes as data: from a table of labels, or from the solver with its numbers
- * in it or beside it.
- * @param {string} english
- * @param {Values} [values]
- */
-export const translated = (english, values = {}) => filled(translate(english), values);
+/** A sentence that comes as data, from a table of labels. @param {string} english */
+export const translated = (english) => (Object.hasOwn(german, english) ? german[english] : english);
 
 /** @param {string | null | undefined} tag  as `de-CH` @returns {Language | null} */
 function known(tag) {
@@ -91,15 +85,7 @@ export function rememberLanguage(wanted) {
 export async function speak(wanted) {
   language = wanted;
   await speakWords(wanted);
-  if (wanted === "en") {
-    translate = (english) => english;
-    return;
-  }
-  const [{ german }, { createTranslator }] = await Promise.all([
-    import("./strings.js"),
-    import("./sentences.js"),
-  ]);
-  translate = createTranslator(german);
+  german = wanted === "de" ? (await import("./strings.js")).german : {};
 }
 
 /** The page in the language of its reader. To be done before any part of it is built. */

@@ -1,9 +1,43 @@
 // @ts-check
 // The words of samples and figures; what they are stands in `generated/library.js`.
 
+/** @import { FlowOptions } from "./generated/schema.js" */
+/** @import { Arrangement } from "./generated/types.js" */
+/** @import { FillOptions } from "./generated/types.js" */
+/** @import { FieldName } from "./state.js" */
+
 import { say } from "./words.js";
 
-/** @import { Figure } from "./protocol.js" */
+/**
+ * A surface to begin with; the words are `sample-<id>`.
+ * @typedef {object} Sample
+ * @property {string} id
+ * @property {'closed' | 'tubes' | 'boundary' | 'repair' | 'flips'} group
+ * @property {string} shape        name of the solver's shape …
+ * @property {Record<string, number>} parameters  … and its parameters
+ * @property {FlowOptions} options  over the defaults
+ * @property {Partial<FillOptions>} [fill]   holes filled at once
+ */
+
+/**
+ * A figure of a paper; the words are `figure-<id>`.
+ * @typedef {object} Figure
+ * @property {string} id
+ * @property {'circle' | 'p-willmore' | 'flips' | 'curvature'} paper
+ * @property {string} number       as the paper has it
+ * @property {string} sample       id of the sample it begins with
+ * @property {FlowOptions} options  over those of the sample
+ * @property {Arrangement} arrangement
+ * @property {FieldName} colour
+ * @property {number | 'rest'} steps  how far it runs; 0 for a figure without a flow
+ * @property {boolean} quick       a few seconds at most
+ * @property {boolean} fallsShort  known not to come out as the paper has it
+ */
+
+/**
+ * What a run of a figure came to: whether as expected, and what was measured.
+ * @typedef {{ ok: boolean, message: import("./generated/types.js").Message }} Finding
+ */
 
 /** @type {readonly Figure["paper"][]} in the order of the gallery */
 export const papers = ["circle", "p-willmore", "flips", "curvature"];

@@ -3,7 +3,7 @@
 // reads and writes its words; here is what it needs of the page.
 
 /** @import { LinkScene, PageScene, ScriptText } from "./generated/types.js" */
-/** @import { PageState } from "./state.js" */
+/** @import { FieldName, PageState } from "./state.js" */
 
 import { samples } from "./generated/library.js";
 import { plainArrangement } from "./options.js";
@@ -18,8 +18,8 @@ import { plainArrangement } from "./options.js";
  * @property {ScriptText} [prepares] makes the mesh, where it was edited
  * @property {ScriptText} [follows]  leads to the step, where that takes more than steps
  * @property {Partial<import("./options.js").Options>} options
- * @property {Partial<import("./protocol.js").Arrangement>} arrangement
- * @property {import("./protocol.js").FieldName} colour
+ * @property {Partial<import("./generated/types.js").Arrangement>} arrangement
+ * @property {FieldName} colour
  * @property {import("./actions/compare.js").Linked | null} comparison
  * @property {number} step
  * @property {Float32Array | null} camera

@@ -2,7 +2,8 @@
 // Options of a flow as the tables of `generated/schema.js` have them: defaults, what is read by
 // what, and how they are called. Reading and checking is the solver's.
 
-/** @import { Arrangement, Flow, FlowName, FlowOptions, Row } from "./generated/schema.js" */
+/** @import { Flow, FlowName, FlowOptions, Row } from "./generated/schema.js" */
+/** @import { Arrangement } from "./generated/types.js" */
 
 import * as schema from "./generated/schema.js";
 import { say } from "./words.js";

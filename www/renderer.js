@@ -5,8 +5,10 @@
 
 import { t } from "./language.js";
 import { hasContext } from "./webgl-context.js";
+import { sayFault } from "./words.js";
 
-/** @typedef {import("./protocol.js").Fault} Fault */
+/** @import { Fault as Refusal } from "./generated/types.js" */
+/** @import { Fault } from "./words.js" */
 /** @typedef {Pick<typeof import("./pkg/viewer/viewer.js"), "Viewer" | "icosahedron">} ViewerModule */
 
 /**
@@ -32,6 +34,25 @@ export function chooseRenderer() {
 }
 
 /**
+ * WebGL2 from now on: WebGPU has been lost for good.
+ * @param {Renderer} lost
+ * @param {string} reason
+ * @returns {Promise<boolean>} whether there is one; the address may ask for WebGPU alone
+ */
+export async function giveUpWebgpu(lost, reason) {
+  if (lost.isForced || lost.name === "WebGL2") return false;
+  if ((await chooseRenderer()).name === "WebGPU") chosen = loadWebgl(reason, false);
+  return chooseRenderer().then(
+    () => true,
+    () => {
+      // What is shown of another canvas stays.
+      chosen = Promise.resolve(lost);
+      return false;
+    },
+  );
+}
+
+/**
  * Opens a viewer on a canvas. Rejects with a `Fault` where neither renderer works.
  * @param {HTMLCanvasElement} canvas
  * @param {{ samples: number }} options
@@ -44,12 +65,17 @@ export async function openViewer(canvas, options) {
     return { viewer, renderer };
   } catch (error) {
     // An adapter that gives no device: the canvas has not been asked for anything yet.
-    const { kind = "", message = "" } = /** @type {Partial<Fault>} */ (error);
-    const isEarly = kind === "NoAdapter" || kind === "NoDevice";
-    if (hasOpened || renderer.isForced || renderer.name === "WebGL2" || !isEarly) throw error;
-    chosen = loadWebgl(message, false);
+    const refusal = /** @type {Refusal} */ (error);
+    if (typeof refusal?.kind !== "string") throw error;
+    const fault = sayFault(refusal);
+    const isEarly = fault.kind === "NoAdapter" || fault.kind === "NoDevice";
+    if (hasOpened || renderer.isForced || renderer.name === "WebGL2" || !isEarly) throw fault;
+    chosen = loadWebgl(fault.message, false);
     const fallback = await chosen;
-    return { viewer: await fallback.module.Viewer.create(canvas, options), renderer: fallback };
+    const viewer = await fallback.module.Viewer.create(canvas, options).catch((error) => {
+      throw typeof error?.kind === "string" ? sayFault(error) : error;
+    });
+    return { viewer, renderer: fallback };
   }
 }
 

@@ -51,8 +51,8 @@ export async function sequence(session, format, every, tell) {
   if (bytes > MOST_BYTES) {
     throw {
       kind: "TooLarge",
-      message: `${meshes} meshes would be ${(bytes / 2 ** 30).toFixed(1)} GB, more than 1 GB.`,
-      hint: "Take fewer of the steps, or a smaller format.",
+      message: { id: "sequence-too-large", values: { meshes, gigabytes: bytes / 2 ** 30 } },
+      hint: { id: "sequence-too-large.hint" },
       detail: {},
     };
   }

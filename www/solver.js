@@ -1,192 +1,258 @@
 // @ts-check
-// The page's side of the worker: a promise for every request, events for the rest,
-// and a new worker with the old scene in it when the old one is lost.
+// What may be asked of the solver, and the scene that it has: where its worker is lost, a new one
+// is given that scene before it is asked for anything else.
 
-/** @import { Arrangement, BoundaryLoop, Configured, Conjecture, Diagnosis, Fault, Field, FieldName, Filled, FillOptions, Finding, FlowOptions, InversionReport, Inverted, Lab, Loaded, Look, Quadrilateral, RegulariseOptions, Regularised, SelfIntersections, State, StepReport, Stopped, Study, StudyOptions, Wanted } from "./protocol.js" */
-/** @import { LinkCheck, LinkScene, Origin as MeshOrigin, PageScene, RecipeCard, ScriptText, WrittenLink } from "./generated/types.js" */
+/** @import { Arrangement, FlowOptions } from "./generated/schema.js" */
+/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, Wanted, WrittenLink } from "./generated/types.js" */
+/** @import { Finding } from "./library.js" */
+/** @import { Field, FieldName } from "./state.js" */
+/** @import { Fault } from "./words.js" */
 
-import { t } from "./language.js";
-
-/** What a new worker goes on from, too. @typedef {import("./protocol.js").Frame & { exact: Float64Array }} Frame */
+import { createChannel, LOST } from "./channel.js";
+import { plyOf } from "./ply.js";
+import { say, sayFault } from "./words.js";
 
 /**
  * @typedef {object} Listener
  * @property {(version: string) => void} onReady
- * @property {(frame: Frame) => void} onFrame
- * @property {(stopped: Stopped) => void} onStopped
+ * @property {(frame: Frame & { run: number }) => void} onFrame
+ * @property {(state: State, fault: Fault | null) => void} onStopped  with the fault of a step that failed
  * @property {(progress: { stage: string, fraction: number }) => void} onProgress
  * @property {(reason: string) => void} onCrashed  the worker is gone; `revive` brings the scene back
+ * @property {(isSilent: boolean) => void} onSilent  whether it owes an answer and gives no sign of life
  */
 
-/** What every request is answered with that a lost worker can no longer answer. */
-export const LOST = "SolverLost";
+/**
+ * How a mesh is made: a command. One that was edited is a file, which knows no selection.
+ * @typedef {{ name: string, fields: any, isEdited?: boolean }} Origin
+ */
 
 /** What is refused because something else was asked for meanwhile. */
 export const CANCELLED = "Cancelled";
 
-/** @returns {Worker} @throws {Fault} */
-function begun() {
-  try {
-    return new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-  } catch (error) {
-    throw {
-      kind: "NoWorker",
-      message: t("The solver may not be started here: {reason}", {
-        reason: /** @type {Error} */ (error).message,
-      }),
-      hint: t(
-        "If this page is in a frame with `sandbox`, that needs `allow-same-origin` beside `allow-scripts`.",
-      ),
-      detail: {},
-    };
-  }
+/**
+ * What a new worker is given, and what the page has of the surface by itself.
+ * @typedef {object} Shown
+ * @property {Origin | null} origin
+ * @property {Loaded | null} loaded     what that gave
+ * @property {boolean} isConfigured     whether a flow was chosen for the mesh: before, there is nothing to see
+ * @property {FlowOptions} options
+ * @property {FieldName} field
+ * @property {Arrangement | null} arrangement
+ * @property {Wanted | null} wanted     what is looked at more closely
+ * @property {Frame | null} last
+ */
+
+/** How often in a row the scene is given to a new worker that is lost meanwhile. */
+const ATTEMPTS = 6;
+/** Milliseconds before the second attempt, doubled for each further one: memory may be freed. */
+const PAUSE = 50;
+
+/** Ends the run at hand, and what comes of it is shown. */
+const MOVE = { ends: true, shown: true };
+
+/**
+ * Options with the selection that a mesh brings along: a file made of it knows none.
+ * @template {FlowOptions} Options
+ * @param {Options} options @param {Pick<Loaded, "free" | "fixed"> | null} mesh
+ * @returns {Options}
+ */
+export function withSelection(options, mesh) {
+  if (options.free || options.fixed) return options;
+  const list = (/** @type {Uint32Array | null | undefined} */ some) => (some ? [...some] : null);
+  return { ...options, free: list(mesh?.free), fixed: list(mesh?.fixed) };
 }
 
-/** How a mesh is made: a command. @typedef {{ name: string, fields: any }} Origin */
-
-/** @param {Listener} listener */
-export function createSolver(listener) {
-  /** @type {Worker | null} */
-  let worker = null;
-  let lastId = 0;
+/**
+ * @param {Listener} listener
+ * @param {{ patience?: number, pause?: number }} [waits]  in milliseconds: for a sign of life, and
+ *   between attempts to bring the scene back
+ */
+export function createSolver(listener, { patience, pause = PAUSE } = {}) {
+  const { onSilent } = listener;
+  const channel = createChannel({ onEvent, onLost, onSilent }, patience);
   let run = 0;
-  /** @type {Map<number, { resolve: (ok: any) => void, reject: (fault: Fault) => void }>} */
-  const waiting = new Map();
-  // The scene, for a new worker: how the mesh was made, its options, and where it stands.
-  /** @type {Origin | null} */
-  let origin = null;
-  /** Those of before the edits that can be undone. @type {(Origin | null)[]} */
+  /** @type {Shown} */
+  let scene = {
+    ...{ origin: null, loaded: null, isConfigured: false, options: {}, field: "none" },
+    ...{ arrangement: null, wanted: null, last: null },
+  };
+  /** Those of before the edits that can be undone. @type {Pick<Shown, "origin" | "loaded">[]} */
   let origins = [];
-  /** @type {FlowOptions} */
-  let options = {};
-  /** @type {FieldName} */
-  let field = "none";
-  /** @type {Arrangement | null} */
-  let arrangement = null;
-  /** @type {Wanted | null} */
-  let lookedAt = null;
-  /** @type {Frame | null} */
-  let last = null;
-  /** Whether a flow was chosen for the mesh: before, there is nothing to see. */
-  let isConfigured = false;
+  /** Whether the worker has the scene: a new one has not. */
+  let isWhole = true;
+  /** The scene on its way to a new worker. @type {Promise<State | null> | null} */
+  let revival = null;
 
-  /** @param {string} reason */
-  function lost(reason) {
-    dismiss();
-    listener.onCrashed(reason);
+  /** @param {any} message */
+  function onEvent(message) {
+    if (message.type === "ready") listener.onReady(message.version);
+    else if (message.type === "progress") listener.onProgress(message);
+    else if (message.run !== run) return;
+    else if (message.type === "frame") {
+      scene.options = message.flow?.options ?? scene.options;
+      scene.last = message;
+      listener.onFrame(message);
+      channel.acknowledge(message.run);
+    } else if (message.type === "stopped") {
+      listener.onStopped(message.state, message.fault && sayFault(message.fault));
+    }
   }
 
-  /** @throws {Fault} where the page may start none */
-  function start() {
-    const started = begun();
-    started.onmessage = ({ data }) => started === worker && receive(data);
-    started.onerror = (event) => {
-      if (started === worker) lost(event.message || t("it could not be loaded"));
-    };
-    return started;
+  function drop() {
+    run += 1;
+    isWhole = scene.origin === null;
+    channel.dismiss();
+  }
+
+  /** @param {string} reason */
+  function onLost(reason) {
+    drop();
+    // On the way back there is another attempt.
+    if (!revival) listener.onCrashed(reason);
   }
 
   /** Ends the worker; whoever waits for it learns so. The next request starts another. */
   function dismiss() {
-    worker?.terminate();
-    worker = null;
-    run += 1;
-    /** @type {Fault} */
-    const fault = { kind: LOST, message: "The solver was stopped.", hint: "", detail: {} };
-    for (const { reject } of waiting.values()) reject(fault);
-    waiting.clear();
-  }
-
-  /** @param {any} message  a `Reply` or an `Event` of the protocol */
-  function receive(message) {
-    if ("id" in message) {
-      const request = waiting.get(message.id);
-      waiting.delete(message.id);
-      if (message.error) request?.reject(message.error);
-      else request?.resolve(message.ok);
-    } else if (message.type === "ready") listener.onReady(message.version);
-    else if (message.type === "crashed") lost(message.message);
-    else if (message.type === "progress") listener.onProgress(message);
-    else if (message.run !== run) return;
-    else if (message.type === "frame") take(message);
-    else if (message.type === "stopped") listener.onStopped(message);
-  }
-
-  /** @param {Frame} frame */
-  function take(frame) {
-    options = frame.flow?.options ?? options;
-    last = frame;
-    listener.onFrame(frame);
-    // Only when the page has had its turn to draw may the next one come.
-    requestAnimationFrame(() => worker?.postMessage({ ack: frame.run }));
+    revival = null;
+    drop();
   }
 
   /**
    * @param {string} name  a command of the session, or what the worker itself can do
    * @param {Record<string, unknown>} [fields]
-   * @param {{ run?: number, shown?: boolean }} [way]  see the worker's `Request`
+   * @param {{ ends?: boolean, shown?: boolean }} [way]  whether it ends the run at hand; whether a
+   *   frame follows the answer
    * @returns {Promise<any>}
    */
-  function ask(name, fields = {}, way = {}) {
-    lastId += 1;
-    const id = lastId;
-    worker ??= start();
-    const asked = worker;
-    return new Promise((resolve, reject) => {
-      waiting.set(id, { resolve, reject });
-      asked.postMessage({ id, name, fields, ...way });
-    });
+  function send(name, fields = {}, { ends = false, shown = false } = {}) {
+    if (ends) run += 1;
+    return channel.ask({ name, fields, shown, ...(ends ? { run } : {}) });
   }
 
-  /** Ends the run at hand. @param {string} name @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
-  function stop(name, fields) {
-    run += 1;
-    return ask(name, fields, { run });
+  /** The same of a worker that has the scene. @type {typeof send} */
+  const ask = (...request) => (isWhole ? send(...request) : revive().then(() => send(...request)));
+
+  /** @param {string} name @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
+  const move = (name, fields) => ask(name, fields, MOVE);
+
+  /** Gives a new worker the scene. @returns {Promise<State | null>} */
+  async function restore() {
+    const { origin, loaded, isConfigured, options, field, arrangement, wanted, last } = scene;
+    if (!origin) return null;
+    const again = await send(origin.name, origin.fields, { ends: true });
+    let state = null;
+    if (isConfigured) {
+      const chosen = origin.isEdited ? withSelection(options, loaded) : options;
+      await send("configure", { options: chosen });
+      if (field !== "none") await send("colour", { field });
+      if (arrangement) await send("arrange", { arrangement });
+      if (wanted) await send("look", { wanted });
+      state = await place(last, loaded ?? again, again);
+    }
+    isWhole = true;
+    return state;
+  }
+
+  /**
+   * Puts the surface of the last frame in place, in full precision.
+   * @param {Frame | null} frame
+   * @param {Loaded} before  the mesh that the frame is of
+   * @param {Loaded} now     the same, read again
+   * @returns {Promise<State>}
+   */
+  async function place(frame, before, now) {
+    const isStart =
+      frame?.state.step === 0 && frame.positions.every((c, n) => c === now.positions[n]);
+    if (!frame || isStart) return send("reset", {}, MOVE);
+    // Far from the origin an edited mesh is read into a place of its own.
+    const by = before.shift.map((c, n) => c - now.shift[n]);
+    const exact = by.some(Boolean) ? frame.exact.map((c, n) => c + by[n % 3]) : frame.exact;
+    const { step, time } = frame.state;
+    return send("restore", { exact, step, time }, MOVE);
+  }
+
+  /**
+   * After a crash, or `dismiss`: a new worker with the scene. Lost again on the way, it is tried
+   * again.
+   * @returns {Promise<State | null>} where the new session stands; null where there is nothing to see
+   */
+  function revive() {
+    if (revival) return revival;
+    /** Whether nobody has ended it. */
+    const isWanted = () => revival === mine;
+    async function attempt() {
+      for (let n = 1; ; n += 1) {
+        try {
+          return await restore();
+        } catch (error) {
+          const { kind } = /** @type {Fault} */ (error);
+          if (kind !== LOST || !isWanted()) throw error;
+          if (n === ATTEMPTS) {
+            const [message, hint] = [say("solver-lost-again"), say("solver-lost-again.hint")];
+            throw { kind: "SolverLostAgain", message, hint, detail: {} };
+          }
+        }
+        await new Promise((resolve) => setTimeout(resolve, pause * 2 ** n));
+      }
+    }
+    const mine = Promise.resolve()
+      .then(attempt)
+      .finally(() => {
+        if (isWanted()) revival = null;
+      });
+    revival = mine;
+    return mine;
   }
 
   /** @param {string} name @param {Record<string, unknown>} fields @returns {Promise<Loaded>} */
   async function make(name, fields) {
-    const loaded = await stop(name, fields);
-    isConfigured = false;
-    origin = { name, fields };
+    // The scene is not needed any more: but it must not come after.
+    await revival?.catch(() => {});
+    const loaded = await send(name, fields, { ends: true });
+    isWhole = true;
     origins = [];
-    last = null;
+    begin(loaded, { name, fields });
     return loaded;
+  }
+
+  /** A mesh without a flow. @param {Loaded} loaded @param {Origin} origin */
+  function begin(loaded, origin) {
+    scene = { ...scene, origin, loaded, isConfigured: false, last: null };
   }
 
   /**
    * A mesh made of the one at hand: for a new worker it is a file of its own.
-   * @param {"adopt" | "subdivide"} type
-   * @param {Record<string, unknown>} [fields]
+   * @param {string} name @param {Record<string, unknown>} [fields]
    * @returns {Promise<Loaded>}
    */
-  async function edit(type, fields) {
-    const loaded = await stop(type, fields);
+  async function edit(name, fields) {
+    const loaded = await ask(name, fields, { ends: true });
     await keep(loaded);
     return loaded;
   }
 
   /** @param {Loaded} loaded */
   async function keep(loaded) {
-    const bytes = await ask("export", { format: "ply" });
-    origins.push(origin);
-    isConfigured = false;
-    origin = { name: "load", fields: { name: `${loaded.name}.ply`, bytes } };
-    last = null;
+    const bytes = await send("export", { format: "ply" });
+    origins.push({ origin: scene.origin, loaded: scene.loaded });
+    begin(loaded, { name: "load", fields: { name: `${loaded.name}.ply`, bytes }, isEdited: true });
   }
 
-  /** The same, and what comes of it is shown. @param {string} name @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
-  function move(name, fields) {
-    run += 1;
-    return ask(name, fields, { run, shown: true });
+  /** The surface that is shown, of what the page has. @returns {Uint8Array<ArrayBuffer>} */
+  function ownCopy() {
+    const { loaded, last } = scene;
+    if (!loaded) throw { kind: "NoMesh", message: say("no-mesh-yet"), hint: "", detail: {} };
+    // Edge flips change the triangles.
+    const pane = last?.panes.find(({ name }) => name === last.state.flips?.[0].criterion);
+    return plyOf(last?.exact ?? loaded.positions, loaded.shift, (pane ?? loaded).triangles);
   }
 
   return {
     dismiss,
-    /** Starts the worker, if nothing has been asked of it yet. */
-    begin() {
-      worker ??= start();
-    },
+    revive,
+    /** Starts the worker, if nothing has been asked of it yet. @throws {Fault} where that may not be */
+    begin: () => void channel.begin(),
     /** @param {{ text: string, isOwn: boolean }} link @returns {Promise<LinkScene>} */
     readLink: (link) => ask("readLink", link),
     /** @param {PageScene} scene @returns {Promise<WrittenLink>} */
@@ -196,56 +262,53 @@ export function createSolver(listener) {
     /** @param {string} name @param {Uint8Array<ArrayBuffer>} bytes  kept, so that a lost worker can be replaced */
     load: (name, bytes) => make("load", { name, bytes }),
     /** What the mesh was read from, if it was. @returns {Uint8Array<ArrayBuffer> | null} */
-    file: () => origin?.fields.bytes ?? null,
+    file: () => scene.origin?.fields.bytes ?? null,
     /** @param {string} name @param {Record<string, number>} parameters */
     sample: (name, parameters) => make("sample", { name, parameters }),
     /** How the mesh was made, so that another solver can make the same. */
-    origin: () => origin,
+    origin: () => scene.origin,
     /** @param {Origin} of  another solver's `origin` */
     same: ({ name, fields }) => make(name, fields),
     /** @param {FlowOptions} wanted @returns {Promise<Configured>} */
     async configure(wanted) {
       const configured = await move("configure", { options: wanted });
-      isConfigured = true;
-      options = wanted;
+      scene.isConfigured = true;
+      scene.options = wanted;
       return configured;
     },
     /** From the surface as it is. @param {FlowOptions} wanted @returns {Promise<Configured>} */
     async continueWith(wanted) {
       const configured = await move("continueWith", { options: wanted });
-      options = wanted;
+      scene.options = wanted;
       return configured;
     },
     /** @param {FieldName} name @returns {Promise<Field | null>} */
     async colour(name) {
-      const shown = (last?.panes.length ?? 0) > 0;
+      const shown = (scene.last?.panes.length ?? 0) > 0;
       const answer = await ask("colour", { field: name }, { shown });
-      field = name;
+      scene.field = name;
       return answer;
     },
     /** @param {number | null} until  the step to pause at */
-    run: (until) => /** @type {Promise<true>} */ (stop("run", { until })),
+    run: (until) => /** @type {Promise<true>} */ (ask("run", { until }, { ends: true })),
     /** @returns {Promise<State>} */
     pause: () => ask("pause"),
     /** @returns {Promise<StepReport | null>} */
     step: () => move("step"),
-    /** @param {RegulariseOptions} wanted @returns {Promise<Regularised>} */
+    /** @param {Partial<RegulariseOptions>} wanted @returns {Promise<Regularised>} */
     regularise: (wanted) => move("regularise", { options: wanted }),
     /** @param {Arrangement} wanted @returns {Promise<State>} */
     async arrange(wanted) {
-      const state = await ask("arrange", { arrangement: wanted }, { shown: isConfigured });
-      arrangement = wanted;
+      const state = await ask("arrange", { arrangement: wanted }, { shown: scene.isConfigured });
+      scene.arrangement = wanted;
       return state;
     },
     /** Makes the surface as it is the start. */
     adopt: () => edit("adopt"),
     /** Takes the last edit back. @returns {Promise<Loaded>} */
     async undo() {
-      // Its frame tells where that run had come to.
-      last = null;
       const loaded = await move("undo");
-      isConfigured = true;
-      origin = origins.pop() ?? origin;
+      scene = { ...scene, ...origins.pop(), isConfigured: true };
       return loaded;
     },
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
@@ -256,33 +319,33 @@ export function createSolver(listener) {
     why: () => ask("why"),
     /** @param {string} figure  its id @returns {Promise<Finding | null>} */
     judge: (figure) => ask("judge", { figure }),
-    /** @param {StudyOptions | null} options  null for the next resolution @returns {Promise<Study>} */
+    /** @param {Partial<StudyOptions> | null} options  null for the next resolution @returns {Promise<Study>} */
     study: (options) => ask("study", { options }),
     /** @returns {Promise<BoundaryLoop[]>} */
     loops: () => ask("loops"),
     /**
      * Fills holes, or connects loops.
-     * @param {FillOptions} wanted
+     * @param {Partial<FillOptions>} wanted
      * @returns {Promise<{ filled: Filled, loaded: Loaded }>}
      */
     async fill(wanted) {
-      const filled = await stop("fill", { options: wanted });
-      const loaded = await ask("loaded");
+      const filled = await ask("fill", { options: wanted }, { ends: true });
+      const loaded = await send("loaded");
       await keep(loaded);
       return { filled, loaded };
     },
     /** @param {Wanted} wanted @returns {Promise<Look>} */
     async look(wanted) {
       const look = await ask("look", { wanted });
-      lookedAt = wanted;
+      scene.wanted = wanted;
       return look;
     },
     /** @param {number[]} centre @returns {Promise<Inverted>} */
     previewInversion: (centre) => ask("previewInversion", { centre }),
     /** @param {number[]} centre @returns {Promise<{ report: InversionReport, loaded: Loaded }>} */
     async invert(centre) {
-      const report = await stop("invert", { centre });
-      const loaded = await ask("loaded");
+      const report = await ask("invert", { centre }, { ends: true });
+      const loaded = await send("loaded");
       await keep(loaded);
       return { report, loaded };
     },
@@ -314,39 +377,33 @@ export function createSolver(listener) {
     /** Does what it says after its edits. @param {ScriptText} script @returns {Promise<State>} */
     async follow(script) {
       const state = await move("follow", { script });
-      isConfigured = true;
+      scene.isConfigured = true;
       return state;
     },
     /** Gives up what is prepared or followed. @returns {Promise<null>} */
-    cancel: () => (last ? move("cancelReplay") : stop("cancelReplay")),
+    cancel: () => ask("cancelReplay", {}, { ends: true, shown: scene.last !== null }),
     /** @param {string} format @param {number} every @returns {Promise<Uint8Array<ArrayBuffer>>} ZIP */
     sequence: (format, every) => ask("sequence", { format, every }),
     /** @param {string} format @param {number} every @returns {Promise<{ meshes: number, bytes: number }>} */
     sequenceSize: (format, every) => ask("sequenceSize", { format, every }),
-    /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
-    export: (format) => ask("export", { format }),
+    /**
+     * The surface as a file; PLY of the page's own copy, where the solver cannot be asked.
+     * @param {string} format @returns {Promise<{ format: string, bytes: Uint8Array<ArrayBuffer> }>}
+     */
+    async export(format) {
+      try {
+        if (isWhole && !channel.isSilent()) {
+          return { format, bytes: await send("export", { format }) };
+        }
+      } catch (error) {
+        if (/** @type {Fault} */ (error).kind !== LOST) throw error;
+      }
+      return { format: "ply", bytes: ownCopy() };
+    },
     /** @returns {Promise<string>} CSV */
     history: () => ask("history"),
     /** @returns {Promise<number>} ∫H² dA of the surface as it is */
     bending: async () => (await ask("energy")).willmore,
-
-    /**
-     * After `dismiss` or a crash: a new worker with the mesh, options and positions of
-     * the last frame.
-     * @returns {Promise<State | null>} where the new session stands; null when there was no mesh
-     */
-    async revive() {
-      if (!origin) return null;
-      origins = [];
-      await ask(origin.name, origin.fields);
-      await ask("configure", { options });
-      if (field !== "none") await ask("colour", { field });
-      if (arrangement) await ask("arrange", { arrangement });
-      if (lookedAt) await ask("look", { wanted: lookedAt });
-      if (!last || last.state.step === 0) return move("reset");
-      const { exact, state } = last;
-      return move("restore", { exact, step: state.step, time: state.time });
-    },
   };
 }
 

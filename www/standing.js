@@ -1,21 +1,16 @@
 // @ts-check
 // Where a run stands: what its status means, and what that is called.
 
-/** @import { Status } from "./protocol.js" */
+/** @import { Status } from "./generated/types.js" */
 
-/** @typedef {Exclude<Status, "ready" | "running">} Ended */
+/** @typedef {Exclude<Status, "ready">} Ended */
 
 /** A run that came to its end, of its own accord or at a limit. @param {Status} status @returns {status is Ended} */
-export const isOver = (status) => status !== "ready" && status !== "running";
-
-/** Whether the surface could not be kept good any longer: what is left is the last good one. @param {Status} status */
-export const isBreakdown = (status) =>
-  status === "singular" || status === "collapsed" || status === "failed";
+export const isOver = (status) => status !== "ready";
 
 /** In a word or two. @type {Readonly<Record<Status, string>>} */
 export const standings = {
   ready: "moving",
-  running: "moving",
   converged: "converged",
   stalled: "stalled",
   stepLimit: "at its limit",

@@ -2,17 +2,26 @@
 // What the page shows, as one frozen object, and the only functions that change it.
 // Transitions are pure: (state, …) → state. Parts read; the controller writes.
 
-/** @import { Arrangement, Loaded, State as Reading, Configured, CurvatureJump, Curves, FlowOptions, Field, FieldName, Frame, Inverted, Look, Pane, Timeline, Wanted } from "./protocol.js" */
+/** @import { FlowOptions } from "./generated/schema.js" */
+/** @import { Arrangement } from "./generated/types.js" */
+/** @import { Configured, CurvatureJump, Curves, Inverted, Loaded, Look, Pane, PlotPoint, State as Reading, Timeline, Wanted } from "./generated/types.js" */
 
 import { alone, begunAnew, rebased } from "./comparison.js";
 import { byCurvature, defaults, plainArrangement } from "./options.js";
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'running' | 'paused' | 'failed'} Phase */
 
+/** A point of the plot. @typedef {Omit<PlotPoint, "warnings">} Sample */
+
+/** What a surface is coloured by; `distance`, from one pane to another, is the page's own.
+ * @typedef {import("./generated/types.js").FieldName | "none" | "distance"} FieldName
+ */
 /**
- * A point of the plot.
- * @typedef {Pick<Reading, "step" | "time" | "dt" | "energy" | "objective" | "area" | "volume" |
- *   "minAngleDegrees">} Sample
+ * A field; `label` is of one that is the page's own.
+ * @typedef {Omit<import("./generated/types.js").Field, "name"> & { name: FieldName, label?: string }} Field
+ */
+/** A frame as the page takes it in: of several panes it makes some itself.
+ * @typedef {Omit<import("./generated/types.js").Frame, "exact" | "timeline" | "field"> & { timeline: Timeline | null, field: Field | null }} Frame
  */
 
 /**
@@ -52,7 +61,8 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
 /**
  * @typedef {object} PageState
  * @property {Phase} phase
- * @property {string | null} loadingName
+ * @property {string | null} loadingName  of the mesh that is being loaded; null while the
+ *   surface is brought back
  * @property {Source | null} source
  * @property {Origin | null} origin  what was loaded before all edits; null where that is not known
  * @property {Loaded | null} mesh
@@ -69,12 +79,13 @@ import { byCurvature, defaults, plainArrangement } from "./options.js";
  * @property {Marks | null} marks         drawn over the surface
  * @property {Readonly<Wanted>} wanted    what is looked at more closely
  * @property {Inverted | null} preview    shown in place of the frame: the surface inverted
- * @property {import("./protocol.js").Figure | null} figure  of a paper, that is being shown
+ * @property {import("./library.js").Figure | null} figure  of a paper, that is being shown
  * @property {Readonly<import("./comparison.js").Comparison>} comparison  flows beside this one
  * @property {FieldName} colour
  * @property {number | null} goal         the step a link asks for, while running to it
  * @property {boolean} pausing            asked to pause; the step in hand is not done
  * @property {{ stage: string, fraction: number, pane?: string } | null} progress
+ * @property {boolean} isSilent           the solver owes an answer and gives no sign of life
  * @property {Float32Array | null} camera
  * @property {View} view
  * @property {boolean} presenting
@@ -107,6 +118,7 @@ export const initial = Object.freeze({
   goal: null,
   pausing: false,
   progress: null,
+  isSilent: false,
   camera: null,
   view: Object.freeze({
     shading: "smooth",
@@ -180,13 +192,12 @@ export const transitions = {
   refused: (s) => ({
     ...s,
     phase: still(s.reading),
-    ...{ loadingName: null, pausing: false, progress: null },
+    ...{ pausing: false, progress: null },
   }),
 
   /** @param {S} s @param {Source} source @param {Loaded} mesh @param {S["origin"]} [origin] @returns {S} */
   loaded: (s, source, mesh, origin = source) => ({
     ...s,
-    loadingName: null,
     source,
     origin,
     mesh,
@@ -236,7 +247,7 @@ export const transitions = {
   /** @param {S} s @param {Readonly<Arrangement>} arrangement @returns {S} */
   arranged: (s, arrangement) => ({ ...s, arrangement }),
 
-  /** @param {S} s @param {import("./protocol.js").Figure} figure @returns {S} */
+  /** @param {S} s @param {import("./library.js").Figure} figure @returns {S} */
   figured: (s, figure) => ({ ...s, figure }),
 
   /** @param {S} s @param {Marks | null} marks @returns {S} */
@@ -323,13 +334,22 @@ export const transitions = {
   /** Lines and colours change too: the view is another. @param {S} s @param {boolean} presenting @returns {S} */
   presenting: (s, presenting) => ({ ...s, presenting, view: Object.freeze({ ...s.view }) }),
 
-  /** A new solver is on its way; what could be undone went with the old one. @param {S} s @returns {S} */
+  /** @param {S} s @param {boolean} isSilent @returns {S} */
+  silent: (s, isSilent) => ({ ...s, isSilent }),
+
+  /**
+   * A new solver is on its way; stored steps, and what could be undone, went with the old one.
+   * @param {S} s @returns {S}
+   */
   reviving: (s) => ({
     ...s,
     phase: "loading",
     loadingName: null,
     pausing: false,
+    goal: null,
     progress: null,
+    reading: s.reading && { ...s.reading, canStepBack: false },
+    timeline: null,
     earlier: [],
     // The new solver has a mesh edited here as a file of its own.
     origin: s.earlier.length === 0 ? s.origin : null,

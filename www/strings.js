@@ -1,7 +1,7 @@
 // @ts-check
-// The words of the application: English, as they stand in the sources, and their German. `{name}`
-// and `{}` are values; where German wants the values of a solver's sentence in another order, they
-// are `{1}`, `{2}`, …. `tests/web/language.test.js` says what is missing and what is left over.
+// The page's own labels: English, as they stand in the sources, and their German. `{name}` is a
+// value. `tests/web/language.test.js` says what is missing and what is left over. What the solver
+// says stands in `locales`, in the same words:
 //
 // Words: mesh Netz, vertex Ecke, edge Kante, face Facette, surface Fläche, boundary loop
 // Randkurve, flow Fluss, clamped eingespannt, sample Beispiel, readings Messwerte, pane
@@ -52,7 +52,6 @@ export const german = {
   Running: "Läuft",
   Ready: "Bereit",
   "Paused at step {step}": "Angehalten bei Schritt {step}",
-  "{reason}. Play goes on.": "{reason}. „Start“ macht weiter.",
   "Step {step} of {goal}": "Schritt {step} von {goal}",
   Assembling: "Matrix aufstellen",
   Factorising: "Matrix zerlegen",
@@ -99,82 +98,8 @@ export const german = {
   "Use fixed boundary": "Festen Rand verwenden",
   "Free what the flow frees": "Freigeben, was der Fluss freigibt",
   "Use the circle-angle Willmore flow": "Willmore-Fluss der Kreiswinkel verwenden",
-  "Use the p-Willmore flow": "p-Willmore-Fluss verwenden",
-  "Use mean-curvature flow": "Fluss nach der mittleren Krümmung verwenden",
-  "Use surface diffusion": "Oberflächendiffusion verwenden",
-  "Use Willmore flow": "Willmore-Fluss verwenden",
-  "Use mean-curvature variation": "Variation der mittleren Krümmung verwenden",
   "Use the recommended scheme": "Empfohlenes Schema verwenden",
-  "More steps": "Weitere Schritte",
-  "Go {} steps back": "{} Schritte zurückgehen",
-  "Set τ to {}": "τ auf {} setzen",
-  "Choose τ automatically": "τ automatisch wählen",
-  "Set ε to {}": "ε auf {} setzen",
-  "Begin from a smooth first guess": "Von einem glatten ersten Ansatz ausgehen",
-  "Smooth with p = {} first": "Zuerst mit p = {} glätten",
-  "Keep the area": "Flächeninhalt beibehalten",
-  "Keep the volume": "Volumen beibehalten",
-  "Keep area and volume": "Flächeninhalt und Volumen beibehalten",
-  "Keep only the volume": "Nur das Volumen beibehalten",
-  "Regularise the mesh and go on": "Netz regularisieren und weitermachen",
-  "Regularise after each step": "Nach jedem Schritt regularisieren",
-  "Subdivide the mesh and go on": "Netz unterteilen und weitermachen",
-  "Flip edges": "Kanten flippen",
-  "Flip edges and go on": "Kanten flippen und weitermachen",
   "the edge flips": "die Kantenflips",
-  "At {} edges the four points of both triangles lie on one circle; there the energy has the tip of a cone, and with angle smoothing ε = {} no step descends from it.":
-    "An {} Kanten liegen die vier Punkte beider Dreiecke auf einem Kreis; dort hat die Energie eine Kegelspitze, und mit der Winkelglättung ε = {} führt kein Schritt von ihr hinab.",
-  "The energy rises, from {} to {}: the matrix of the step is indefinite for steps longer than τ = {}, so that errors are amplified; vertex {} moved by {} edge lengths in the last step.":
-    "Die Energie steigt, von {} auf {}: Für Schritte über τ = {} ist die Matrix des Schritts indefinit, sodass sich Fehler verstärken; Ecke {} bewegte sich im letzten Schritt um {} Kantenlängen.",
-  "The energy rises, from {} to {}: this scheme does not test for descent, and steps of τ = {} are too long for it; vertex {} moved by {} edge lengths in the last one.":
-    "Die Energie steigt, von {} auf {}: Dieses Schema prüft nicht, ob sie fällt, und Schritte mit τ = {} sind dafür zu lang; Ecke {} bewegte sich im letzten um {} Kantenlängen.",
-  "About vertex {} the surface has collapsed so far that no quadratic surface fits it, and curvatures by fits are what this flow goes by.":
-    "Um Ecke {} ist die Fläche so weit zusammengefallen, dass sich ihr keine quadratische Fläche anpassen lässt, und nach Krümmungen aus solchen Anpassungen richtet sich dieser Fluss.",
-  "With p = {} the sharpest points outweigh all others, most of all vertex {}: even the shortest step tried would go too far.":
-    "Mit p = {} überwiegen die schärfsten Stellen alle anderen, am meisten Ecke {}: Selbst der kürzeste versuchte Schritt ginge zu weit.",
-  "After {} steps vertices are still to move by up to {} edge lengths: the start is too rough for a flow of sixth order; the last step moved vertex {} most.":
-    "Nach {} Schritten sollen sich Ecken noch immer um bis zu {} Kantenlängen bewegen: Der Anfang ist zu rau für einen Fluss sechster Ordnung; der letzte Schritt bewegte Ecke {} am weitesten.",
-  "Every step tried was refused: even the last and shortest would move vertex {} by more than half an edge.":
-    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Ecke {} um mehr als eine halbe Kante bewegen.",
-  "Every step tried was refused: even the last and shortest would turn face {} by more than 60°.":
-    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Facette {} um mehr als 60° drehen.",
-  "Every step tried was refused: even the last and shortest would make a sliver of face {}.":
-    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste würde Facette {} zum Splitter machen.",
-  "Every step tried was refused: even the last and shortest would have less energy than any smooth surface of this topology, and move vertex {} most.":
-    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste hätte weniger Energie als jede glatte Fläche mit diesen Henkeln und würde Ecke {} am weitesten bewegen.",
-  "Every step tried was refused: even the last and shortest would leave no surface that can be fitted about vertex {}.":
-    "Jeder versuchte Schritt wurde abgelehnt: Selbst der letzte und kürzeste ließe um Ecke {} keine Fläche, die sich anpassen lässt.",
-  "Every step tried was refused: area and volume cannot both be kept by a small move of this surface, which would move vertex {} most.":
-    "Jeder versuchte Schritt wurde abgelehnt: Mit einer kleinen Bewegung dieser Fläche lassen sich Flächeninhalt und Volumen nicht beide einhalten; am weitesten würde sich Ecke {} bewegen.",
-  "Every step tried was refused: none lowers the energy, not even the last and shortest, which would move vertex {} most.":
-    "Jeder versuchte Schritt wurde abgelehnt: Keiner senkt die Energie, auch nicht der letzte und kürzeste, der Ecke {} am weitesten bewegen würde.",
-  "Nothing is wrong: after {} steps the energy still falls, by {} % in the last one, which moved vertex {} most.":
-    "Es ist alles in Ordnung: Nach {} Schritten fällt die Energie noch, um {} % im letzten, der Ecke {} am weitesten bewegte.",
-  "After {} steps the surface is not at rest; the last one moved vertex {} most.":
-    "Nach {} Schritten ist die Fläche nicht in Ruhe; der letzte bewegte Ecke {} am weitesten.",
-  "Nothing is wrong: in step {} a longer trial, which would have moved vertex {} most, was refused, and τ = {} taken, for which the energy falls.":
-    "Es ist alles in Ordnung: In Schritt {} wurde ein längerer Versuch, der Ecke {} am weitesten bewegt hätte, abgelehnt und τ = {} genommen, womit die Energie fällt.",
-  "Nothing is wrong: in step {} {} longer trials, the last of which would have moved vertex {} most, were refused, and τ = {} taken, for which the energy falls.":
-    "Es ist alles in Ordnung: In Schritt {} wurden {} längere Versuche, deren letzter Ecke {} am weitesten bewegt hätte, abgelehnt und τ = {} genommen, womit die Energie fällt.",
-  "∫|H|^p falls as the surface grows, for every exponent above 2: with p = {} its area is {} times that at the start, and it never comes to rest.":
-    "Für jeden Exponenten über 2 fällt ∫|H|^p, wenn die Fläche wächst: Mit p = {} ist ihr Inhalt das {}-Fache dessen am Anfang, und sie kommt nie zur Ruhe.",
-  "∫|H|^p falls as the surface shrinks, for every exponent below 2: with p = {} its area is 1/{} of that at the start, and it vanishes in finite time.":
-    "Für jeden Exponenten unter 2 fällt ∫|H|^p, wenn die Fläche schrumpft: Mit p = {} ist ihr Inhalt 1/{} dessen am Anfang, und sie verschwindet in endlicher Zeit.",
-  "The surface pinches off at vertex {}: the neck there is {} wide, too thin for a ring of edges, and this flow shrinks a neck to nothing in finite time.":
-    "Die Fläche schnürt sich bei Ecke {} ab: Der Hals dort ist {} breit, zu dünn für einen Ring von Kanten, und dieser Fluss zieht einen Hals in endlicher Zeit ganz zusammen.",
-  "The surface pinches off at vertex {}: the neck there is {} wide, with room for {} edges around, and this flow shrinks a neck to nothing in finite time.":
-    "Die Fläche schnürt sich bei Ecke {} ab: Der Hals dort ist {} breit, mit Platz für {} Kanten ringsum, und dieser Fluss zieht einen Hals in endlicher Zeit ganz zusammen.",
-  "Regularise and use surface diffusion": "Regularisieren und Flächendiffusion nehmen",
-  "The surface has swollen to {} times its area, as ∫H² does not depend on size, and its mesh is worn out by that: the smallest angle of face {} is {}°.":
-    "Die Fläche ist auf das {}-Fache ihres Inhalts angeschwollen, da ∫H² nicht von der Größe abhängt, und das hat ihr Netz verschlissen: Der kleinste Winkel von Facette {} ist {}°.",
-  "The energy is {}, and no smooth surface of this topology has less than {}: the mesh is too coarse to notice what bends between its vertices, most of all at vertex {}.":
-    "Die Energie ist {}, und keine glatte Fläche dieser Topologie hat weniger als {}: Das Netz ist zu grob, um zu bemerken, was sich zwischen seinen Ecken krümmt, am meisten bei Ecke {}.",
-  "Face {} is folded over, against its neighbours: about it normals and curvatures mean nothing, and steps are short or go astray.":
-    "Facette {} ist gegen ihre Nachbarn umgeklappt: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.",
-  "{} faces are folded over, against their neighbours, the first of them face {}: about them normals and curvatures mean nothing, and steps are short or go astray.":
-    "{} Facetten sind gegen ihre Nachbarn umgeklappt, als erste Facette {}: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.",
-  "The mesh degenerates: the smallest angle of face {} is {}°, and at the start no angle was below {}°; steps can be no longer than such a face allows.":
-    "Das Netz entartet: Der kleinste Winkel von Facette {} ist {}°, und am Anfang lag kein Winkel unter {}°; Schritte können nicht länger sein, als eine solche Facette erlaubt.",
 
   // Figure that is shown, and the gallery
   Figure: "Abbildung",
@@ -197,10 +122,8 @@ export const german = {
   "Mean curvature H": "Mittlere Krümmung H",
   "Gaussian curvature K": "Gaußsche Krümmung K",
   "Willmore energy Wᵢ": "Willmore-Energie Wᵢ",
-  "Willmore energy W_i": "Willmore-Energie W_i",
   "Gradient size": "Betrag des Gradienten",
   Displacement: "Verschiebung",
-  "Displacement from the start": "Verschiebung gegen den Anfang",
   "Colours: {name} from {from} to {to}": "Farben: {name} von {from} bis {to}",
   "A change takes the surface back to the start.":
     "Eine Änderung bringt die Fläche zurück zum Anfang.",
@@ -393,16 +316,6 @@ export const german = {
   "the inversion": "die Inversion",
   "The surface is inverted; W has changed by {change}. Undo brings the one before back.":
     "Die Fläche ist invertiert; W hat sich um {change} geändert. „Rückgängig“ bringt die vorige zurück.",
-  "the centre is more than {} times the size of the surface away":
-    "das Zentrum ist weiter als das {}-Fache der Größe der Fläche entfernt",
-  "From so far an inversion looks like doing nothing: choose a centre nearer by.":
-    "Aus solcher Ferne scheint eine Inversion nichts zu tun: Wählen Sie ein näheres Zentrum.",
-  "the centre is {} % of the size of the surface away from it, and needs {} %":
-    "das Zentrum ist um {} % der Größe der Fläche von ihr entfernt, nötig sind {} %",
-  "A point of the surface at the centre would go to infinity: move the centre off it.":
-    "Ein Punkt der Fläche im Zentrum ginge ins Unendliche: Rücken Sie das Zentrum von ihr weg.",
-  "A centre has three.": "Ein Zentrum hat drei.",
-  "{} coordinates are given": "{} Koordinaten sind angegeben",
   "Each triangle becomes four": "Aus jedem Dreieck werden vier",
   "How to subdivide": "Art der Unterteilung",
   "same surface": "dieselbe Fläche",
@@ -410,8 +323,6 @@ export const german = {
   "a subdivision": "eine Unterteilung",
   "Subdivided into {count} triangles; Undo takes it back.":
     "In {count} Dreiecke unterteilt; „Rückgängig“ nimmt es zurück.",
-  "the finer mesh would have {} faces": "das feinere Netz hätte {} Facetten",
-  "No more than {} are made.": "Mehr als {} werden nicht gemacht.",
 
   // Comparison of flows
   "Compare flows": "Flüsse vergleichen",
@@ -738,8 +649,6 @@ export const german = {
     "Die Energie der Kreiswinkel strebt nur dort gegen die glatte, wo die Kanten in einem rechtwinkligen Gitter den Krümmungslinien folgen. Auf anderen Gittern ist ihr Grenzwert größer, und wo Dreiecke nicht Delaunay sind, hat sie keinen (Bobenko und Schröder 2005, Abschnitt 2). Vergleichen Sie sie zwischen Schritten, nicht zwischen Netzen.",
   "That values converge on given meshes does not make minimisers converge: minimising any piecewise-linear Willmore energy proposed so far fails to converge to a solution of the smooth problem (Chen, Yu, Brogan, Kusner, Yang and Zigerelli, arXiv 1901.09990).":
     "Aus der Konvergenz der Werte auf gegebenen Netzen folgt nicht die der Minimierer: Für keine der bisher vorgeschlagenen stückweise linearen Willmore-Energien konvergiert die Minimierung gegen eine Lösung des glatten Problems (Chen, Yu, Brogan, Kusner, Yang und Zigerelli, arXiv 1901.09990).",
-  "no study has begun": "es hat keine Studie begonnen",
-  "Say what is to be studied.": "Geben Sie an, was untersucht werden soll.",
 
   // Goal and method
   "Goal and method": "Ziel und Verfahren",
@@ -801,10 +710,6 @@ export const german = {
     "Von dieser Fläche lässt sich kein Rezept machen: Woher ihr Netz kam, ist nicht mehr bekannt.",
   "Open the mesh or choose the sample again; what is done from then on is recorded.":
     "Öffnen Sie das Netz oder wählen Sie das Beispiel noch einmal; was von da an geschieht, lässt sich festhalten.",
-  "how this surface came about is not known: its positions were put in place after the solver was lost":
-    "wie diese Fläche entstand, ist nicht bekannt: Ihre Lagen wurden eingesetzt, nachdem der Löser verloren gegangen war",
-  "Go back to the start with Reset, or load the mesh again.":
-    "Gehen Sie mit „Anfang“ zum Anfang zurück, oder laden Sie das Netz neu.",
   "Record a film or all steps": "Film oder alle Schritte aufnehmen",
   "A film is what the picture shows while it is recorded: a flow that runs, the history that plays, a turn of the surface. Of several pictures it has all.":
     "Ein Film ist, was das Bild während der Aufnahme zeigt: einen Fluss, der läuft, den Verlauf, der abgespielt wird, eine Drehung der Fläche. Von mehreren Bildern ist es das erste.",
@@ -821,9 +726,6 @@ export const german = {
   "{meshes} meshes, about {size} before compression; 1 GB at most.":
     "{meshes} Netze, unkomprimiert etwa {size}; höchstens 1 GB.",
   "Save all steps (ZIP)": "Alle Schritte sichern (ZIP)",
-  "there is no branch {}": "es gibt keinen Zweig {}",
-  "Branches are forgotten, the oldest first, when there are many.":
-    "Zweige werden vergessen, die ältesten zuerst, wenn es viele sind.",
 
   // Sharing and embedding
   "The link carries the sample or the name of the mesh, what was done to it by hand, the flow and its parameters, the region, the step, the camera and the colours, and the energy to check them by. It does not carry the theme, messages or what was undone.":
@@ -916,12 +818,9 @@ export const german = {
   "the viewer could not be loaded: {reason}": "die Anzeige konnte nicht geladen werden: {reason}",
   "Check the connection and reload the page.":
     "Prüfen Sie die Verbindung und laden Sie die Seite neu.",
-  "the graphics device was lost: {reason}": "die Grafikeinheit ist verloren gegangen: {reason}",
   "the browser took the WebGL context away": "der Browser hat den WebGL-Kontext weggenommen",
   "no picture": "kein Bild",
   rebuilding: "wird neu aufgebaut",
-  "Reload the page. Your surface is safe: download it first if you changed it.":
-    "Laden Sie die Seite neu. Ihre Fläche ist sicher: Laden Sie sie vorher herunter, wenn Sie sie verändert haben.",
   "No picture here": "Hier kein Bild",
   "WebGPU is part of current Chrome and Edge (113 or later), Safari 26 and Firefox 141 or later; the page must come from <code>https://</code> or <code>localhost</code>. WebGL2, which will do as well, is part of every browser of the last years. Everything else on this page works without the picture: the flow runs, the readings and the plot follow it, and the mesh can be saved.":
     "WebGPU gehört zu heutigem Chrome und Edge (ab 113), Safari 26 und Firefox ab 141; die Seite muss von <code>https://</code> oder <code>localhost</code> kommen. WebGL2, das ebenso genügt, ist in jedem Browser der letzten Jahre. Alles andere auf dieser Seite geht auch ohne Bild: Der Fluss läuft, Messwerte und Kurve folgen ihm, und das Netz lässt sich sichern.",
@@ -960,508 +859,9 @@ export const german = {
     "Laden Sie die Seite neu; ihre Adresse behält die Szene.",
   "The computation was ended; the surface is as after step {step}.":
     "Die Rechnung wurde beendet; die Fläche ist wie nach Schritt {step}.",
-  "The solver met an error of its own: {}": "Im Löser ist ein Fehler aufgetreten: {}",
-  "Please report this, with the mesh if you can.":
-    "Bitte melden Sie das, wenn möglich mit dem Netz.",
-
-  // The solver: why a flow stopped
-  "Newton's method did not converge in this step.":
-    "Das Newton-Verfahren ist in diesem Schritt nicht konvergiert.",
-  "I/dt + K was not positive definite: this step was halved {} times.":
-    "I/dt + K war nicht positiv definit: Dieser Schritt wurde {}-mal halbiert.",
-  "Stopped at the step limit of {} steps": "Schrittgrenze von {} Schritten erreicht",
-  "Stopped after {} seconds of computing, at step {}; the surface is not at rest":
-    "Angehalten nach {} Sekunden Rechenzeit, bei Schritt {}; die Fläche ist nicht in Ruhe",
-  "Smoothed in {} steps, as asked": "Wie verlangt in {} Schritten geglättet",
-  "Converged after {} steps: the energy is zero up to roundoff":
-    "Konvergiert nach {} Schritten: Die Energie ist bis auf Rundung null",
-  "Converged after {} steps: no vertex moves any more":
-    "Konvergiert nach {} Schritten: Keine Ecke bewegt sich mehr",
-  "Converged after {} steps: the surface is at rest":
-    "Konvergiert nach {} Schritten: Die Fläche ist in Ruhe",
-  "Stalled after {} steps: face {} is {} times as large as the mean, and the mesh no longer resolves the surface; a finer mesh helps, or keeping area and volume under the p-Willmore flow":
-    "Stecken geblieben nach {} Schritten: Facette {} ist {}-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf; ein feineres Netz hilft oder fester Flächeninhalt und festes Volumen unter dem p-Willmore-Fluss",
-  "Stalled after {} steps{}; {}": "Stecken geblieben nach {} Schritten{}; {}",
-  ": every step tried was refused, the last because {}":
-    ": Jeder versuchte Schritt wurde abgelehnt, der letzte, weil {}",
-  ": the flow comes to rest with more energy than on the way":
-    ": Der Fluss kommt mit mehr Energie zur Ruhe, als er unterwegs hatte",
-  ": only ever smaller steps lower the energy, which is not at rest":
-    ": Nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist",
-  "Collapsed after {} steps: any further step would have less energy than every smooth surface of this topology, so something closes between the vertices; the surface is the last good one, and a finer or better mesh helps":
-    "Kollabiert nach {} Schritten: Jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft",
-  "Singular after {} steps, at time {}: the surface shrinks to a point near {}; keeping the volume prevents that":
-    "Singulär nach {} Schritten, zur Zeit {}: Die Fläche schrumpft auf einen Punkt bei {}; festes Volumen verhindert das",
-  "Singular after {} steps, at time {}: {} at vertex {}, near {}; the flow has no solution beyond it, and keeping the volume or a finer mesh helps":
-    "Singulär nach {1} Schritten, zur Zeit {2}: Bei Ecke {4}, nahe {5}, {3}; darüber hinaus hat der Fluss keine Lösung, und festes Volumen oder ein feineres Netz hilft",
-  "a neck pinches off": "schnürt sich ein Hals ab",
-  "a tip becomes a point": "wird eine Spitze zum Punkt",
-  "Newton’s method does not converge, or a face would turn over":
-    "das Newton-Verfahren nicht konvergiert oder eine Facette umklappen würde",
-  "a vertex would move by more than half an edge":
-    "eine Ecke sich um mehr als eine halbe Kante bewegen würde",
-  "the constraints cannot be met together":
-    "sich die Nebenbedingungen nicht zugleich erfüllen lassen",
-  "the energy is not finite": "die Energie nicht endlich ist",
-  "the energy would rise": "die Energie steigen würde",
-  "the energy as printed would jump up": "die Energie, wie sie gedruckt ist, hochspringen würde",
-  "the energy would be below that of every smooth surface of this topology":
-    "die Energie unter der jeder glatten Fläche mit diesen Henkeln läge",
-  "curvatures could no longer be fitted": "sich Krümmungen nicht mehr anpassen ließen",
-  "faces would fold over": "Facetten umklappen würden",
-  "a face would turn by more than 60°": "eine Facette sich um mehr als 60° drehen würde",
-  "a face would become a sliver": "eine Facette zum Splitter würde",
-  "conformal regularisation or a finer mesh helps":
-    "konforme Regularisierung oder ein feineres Netz hilft",
-  "where it thins out the surface becomes singular; keeping the volume prevents that":
-    "wo sie dünn wird, wird die Fläche singulär; festes Volumen verhindert das",
-  "smooth with p = 2 first, or use a finer mesh":
-    "glätten Sie zuerst mit p = 2, oder nehmen Sie ein feineres Netz",
-  "a finer mesh helps": "ein feineres Netz hilft",
-  "a better mesh helps, as conformal regularisation makes it":
-    "ein besseres Netz hilft, wie konforme Regularisierung es macht",
-  "the p-Willmore flow with p = 0 keeps its mesh a better one":
-    "der p-Willmore-Fluss mit p = 0 behält ein besseres Netz",
-  "conformal regularisation or the p-Willmore flow helps":
-    "konforme Regularisierung oder der p-Willmore-Fluss hilft",
-  "a smooth pre-fill, a finer mesh or a flow of lower order helps":
-    "eine glatte Vorfüllung, ein feineres Netz oder ein Fluss niedrigerer Ordnung hilft",
-  "no flip lowers any of the three costs any more": "kein Flip senkt noch eines der drei Kriterien",
-  "no flip lowers {} any more": "kein Flip senkt noch {}",
-  "the area": "den Flächeninhalt",
-  "the Willmore energy": "die Willmore-Energie",
-  "the localised Willmore energy": "die lokalisierte Willmore-Energie",
-
-  // The solver: warnings of a step
-  "1 face": "1 Facette",
-  "{} faces": "{} Facetten",
-  "{} folded over in this step.": "In diesem Schritt umgeklappt: {}.",
-  "The recommended scheme limits how far vertices move.":
-    "Das empfohlene Schema begrenzt, wie weit sich Ecken bewegen.",
-  "The area has grown several times over: a bubble, round and thus cheap, may be forming. From a rough start, smooth a little first.":
-    "Der Flächeninhalt ist auf ein Mehrfaches gewachsen: Vielleicht bildet sich eine Blase, rund und deshalb billig. Glätten Sie einen rauen Anfang zuerst ein wenig.",
-  "Half of the area is held by few large faces: a part of the surface inflates, which this energy does not mind. The p-Willmore flow with area and volume kept does not let it.":
-    "Die Hälfte des Flächeninhalts liegt in wenigen großen Facetten: Ein Teil der Fläche bläht sich auf, was diese Energie nicht stört. Der p-Willmore-Fluss mit festem Flächeninhalt und Volumen lässt das nicht zu.",
-  "W rose from {} to {} in this step, although the smoothed energy that the flow lowers fell: many of its angles were near zero.":
-    "W stieg in diesem Schritt von {} auf {}, obwohl die geglättete Energie fiel, die der Fluss senkt: Viele Winkel waren nahe null.",
-  "Near a sphere semi-implicit steps take over again.":
-    "Nahe einer Sphäre übernehmen wieder semi-implizite Schritte.",
-  "Away from a sphere angles are smoothed again.":
-    "Fern von einer Sphäre werden die Winkel wieder geglättet.",
-  "Steps gain little: L-BFGS takes over.": "Schritte bringen wenig: L-BFGS übernimmt.",
-  "Steps gain nothing: L-BFGS takes over.": "Schritte bringen nichts: L-BFGS übernimmt.",
-  "Exact steps have come to a halt: angles are smoothed again.":
-    "Genaue Schritte kommen nicht weiter: Die Winkel werden wieder geglättet.",
-  "W still falls: another round of L-BFGS.": "W fällt noch: eine weitere Runde L-BFGS.",
-  "The volume is where it was to go. The shape is {}: its principal lengths are 1 : {} : {}. Others at rest with this area and volume may have less energy; a perturbation of the start lets a symmetric shape leave an unstable branch.":
-    "Das Volumen ist, wo es hin sollte. Die Form ist {}: Ihre Hauptlängen sind 1 : {} : {}. Andere Formen in Ruhe mit diesem Flächeninhalt und Volumen haben vielleicht weniger Energie; durch eine Störung am Anfang verlässt eine symmetrische Form einen instabilen Zweig.",
-  round: "rund",
-  prolate: "gestreckt",
-  oblate: "abgeplattet",
-  "of three different axes": "dreiachsig",
-  "up to {} steps of surface diffusion go before":
-    "bis zu {} Schritte der Oberflächendiffusion gehen voraus",
-  "The start is too rough for the sixth-order flow, which would move it by {} edge lengths: {}.":
-    "Der Anfang ist zu rau für den Fluss sechster Ordnung, der ihn um {} Kantenlängen bewegen würde: {}.",
-  "No rest in sight: back to the start, up to {} steps of surface diffusion go before.":
-    "Keine Ruhe in Sicht: zurück zum Anfang, bis zu {} Schritte der Oberflächendiffusion gehen voraus.",
-  "A surface on the way varied its curvature less than the last: it is put in place.":
-    "Eine Fläche unterwegs hatte eine kleinere Variation der Krümmung als die letzte: Sie wird eingesetzt.",
-  "Fewer than {} of held vertices lie between the free patch's boundary and the mesh's: there the surface is fitted from one side, and only positions are given, not the {}.":
-    "Weniger als {} festgehaltener Ecken liegen zwischen dem Rand des freien Flickens und dem des Netzes: Dort wird die Fläche von einer Seite angepasst, und nur die Lage ist vorgegeben, nicht die {}.",
-  "two rings": "zwei Ringe",
-  "one ring": "ein Ring",
-  "tangent plane": "Tangentialebene",
-  curvature: "Krümmung",
-  "The patch is too large to factor its matrix in memory: it is solved iteratively, and steps take longer.":
-    "Der Flicken ist zu groß, um seine Matrix im Speicher zu zerlegen: Sie wird iterativ gelöst, und Schritte dauern länger.",
-  "The mesh is too large to factor its matrices in memory: they are solved iteratively, and steps take longer.":
-    "Das Netz ist zu groß, um seine Matrizen im Speicher zu zerlegen: Sie werden iterativ gelöst, und Schritte dauern länger.",
-  "The linear system was solved to a residual of {} only.":
-    "Das lineare Gleichungssystem wurde nur auf ein Residuum von {} gelöst.",
-  "The largest face has grown to {} times the mean: one part of the surface inflates, and the energy shown is too low. A finer mesh helps.":
-    "Die größte Facette ist auf das {}-Fache des Mittels gewachsen: Ein Teil der Fläche bläht sich auf, und die gezeigte Energie ist zu klein. Ein feineres Netz hilft.",
-  "The mesh degenerates: its smallest angle is {}°, {}° at the start; {}.":
-    "Das Netz entartet: Sein kleinster Winkel ist {}°, am Anfang {}°; {}.",
-  "Two readings of ∫H², with a lumped and with a consistent mass, part by {} %: the mesh does not resolve its curvature well.":
-    "Zwei Werte von ∫H², mit konzentrierter und mit konsistenter Masse, weichen um {} % voneinander ab: Das Netz löst seine Krümmung nicht gut auf.",
-  "∫H² is below that of every smooth surface with these handles: the mesh no longer resolves the surface.":
-    "∫H² liegt unter dem jeder glatten Fläche mit diesen Henkeln: Das Netz löst die Fläche nicht mehr auf.",
-  "At vertex {} {}: use a finer mesh.": "Bei Ecke {} {}: Nehmen Sie ein feineres Netz.",
-  "the surface is about to become singular, as a neck that pinches off":
-    "wird die Fläche gleich singulär, wie ein Hals, der sich abschnürt",
-  "edges are too long for the curvature": "sind die Kanten zu lang für die Krümmung",
-
-  // The solver: flows that cannot be
-  "face {} has {} corners; this flow works on triangles":
-    "Facette {} hat {} Ecken; dieser Fluss arbeitet auf Dreiecken",
-  "the edge between vertices {} and {} has no length{}":
-    "die Kante zwischen den Ecken {} und {} hat keine Länge{}",
-  "; one other edge is like it": "; eine weitere Kante ist ebenso",
-  "; {} other edges are like it": "; {} weitere Kanten sind ebenso",
-  "no vertex is free to move": "keine Ecke kann sich bewegen",
-  "the selection names vertex {}, but there are only {} vertices":
-    "die Auswahl nennt Ecke {}, es gibt aber nur {} Ecken",
-  "the surface has {} boundary loop; this flow is for closed surfaces":
-    "die Fläche hat {} Randkurve; dieser Fluss ist für geschlossene Flächen",
-  "the surface has {} boundary loops; this flow is for closed surfaces":
-    "die Fläche hat {} Randkurven; dieser Fluss ist für geschlossene Flächen",
-  "the surface is one-sided; this flow is for orientable surfaces":
-    "die Fläche ist einseitig; dieser Fluss ist für orientierbare Flächen",
-  "the mesh mixes faces of different degree": "das Netz mischt Facetten verschiedener Eckenzahl",
-  "the mesh has {} vertices; the paper's scheme takes {}":
-    "das Netz hat {} Ecken; das Schema der Arbeit nimmt {}",
-  "the surface cannot be fitted at vertex {}": "bei Ecke {} lässt sich die Fläche nicht anpassen",
-  "the linear system was solved to a residual of {} only":
-    "das lineare Gleichungssystem wurde nur auf ein Residuum von {} gelöst",
-  "the energy is not a finite number at step {}":
-    "die Energie ist bei Schritt {} keine endliche Zahl",
-  "the linear system could not be solved: {}":
-    "das lineare Gleichungssystem ließ sich nicht lösen: {}",
-  "Triangulate the mesh first.": "Triangulieren Sie das Netz zuerst.",
-  "Merge the two vertices in a mesh editor (merge by distance), then load again.":
-    "Verschmelzen Sie die beiden Ecken in einem Netzeditor (nach Abstand), und laden Sie neu.",
-  "With a clamped boundary the vertices within one edge of it are held too: choose a fixed or free boundary, a finer mesh, or a larger selection.":
-    "Bei eingespanntem Rand werden auch die Ecken gehalten, die eine Kante von ihm entfernt sind: Wählen Sie festen oder freien Rand, ein feineres Netz oder eine größere Auswahl.",
-  "Vertex indices count from 0 in the order of the file.":
-    "Ecken werden ab 0 gezählt, in der Reihenfolge der Datei.",
-  "It may be {}.": "Erlaubt ist: {}.",
-  "It may be none, {}.": "Erlaubt ist: none, {}.",
-  "Close its holes in a mesh editor and open it again, or choose the circle-angle Willmore flow, which takes boundaries.":
-    "Schließen Sie die Löcher in einem Netzeditor und öffnen Sie es neu, oder wählen Sie den Willmore-Fluss der Kreiswinkel, der Ränder zulässt.",
-  "Choose the circle-angle Willmore flow, which needs no orientation.":
-    "Wählen Sie den Willmore-Fluss der Kreiswinkel, der keine Orientierung braucht.",
-  "Choose the recommended scheme, which tends to the same flow, or a coarser mesh.":
-    "Wählen Sie das empfohlene Schema, das gegen denselben Fluss strebt, oder ein gröberes Netz.",
-  "It has too few neighbours, some of them coincide, or faces around it have collapsed or are folded: repair the mesh there, or hold the vertices around it.":
-    "Sie hat zu wenige Nachbarn, einige fallen zusammen, oder Facetten um sie sind zusammengefallen oder umgeklappt: Reparieren Sie das Netz dort, oder halten Sie die Ecken darum fest.",
-  "Choose a smaller step size, a coarser mesh or a flow of lower order.":
-    "Wählen Sie eine kleinere Schrittweite, ein gröberes Netz oder einen Fluss niedrigerer Ordnung.",
-  "Go back a step, choose a smaller step size or the recommended scheme, and look for a folded or collapsed triangle.":
-    "Gehen Sie einen Schritt zurück, wählen Sie eine kleinere Schrittweite oder das empfohlene Schema, und suchen Sie nach einem umgeklappten oder zusammengefallenen Dreieck.",
-  "one by mean curvature or its derivatives":
-    "einer nach der mittleren Krümmung oder ihren Ableitungen",
-  "given only where both area and volume are kept":
-    "nur dort, wo Flächeninhalt und Volumen fest sind",
-  "only 2 with spontaneous curvature, tension or pressure":
-    "nur 2 mit spontaner Krümmung, Spannung oder Druck",
-  "0 on quadrilaterals; triangulate the mesh for others":
-    "0 auf Vierecken; triangulieren Sie das Netz für andere Werte",
-  "only 0 in the paper's scheme": "nur 0 im Schema der Arbeit",
-  "there is no mesh": "es gibt kein Netz",
-  "Open a mesh or choose a sample first.":
-    "Öffnen Sie zuerst ein Netz oder wählen Sie ein Beispiel.",
-  "there is no field `{}`": "es gibt kein Feld `{}`",
-  "no flow has been chosen yet": "es ist noch kein Fluss gewählt",
-  "Configure one before asking for a field.": "Wählen Sie einen, bevor Sie ein Feld abfragen.",
-  "{} coordinates do not fit {} vertices": "{} Koordinaten passen nicht zu {} Ecken",
-  "Load the mesh again.": "Laden Sie das Netz neu.",
-  "there is no edit to undo": "es gibt nichts rückgängig zu machen",
-  "edge flips hold the positions, which a regularisation would move":
-    "Kantenflips halten die Lagen fest, die eine Regularisierung verschieben würde",
-  "edge flips, and flows beside each other, go from the mesh itself":
-    "Kantenflips und Flüsse nebeneinander gehen vom Netz selbst aus",
-  "Keep the surface as a new start, or change the flow from the start.":
-    "Behalten Sie die Fläche als neuen Anfang, oder ändern Sie den Fluss vom Anfang an.",
-  "Choose another flow, and regularise then.":
-    "Wählen Sie einen anderen Fluss, und regularisieren Sie dann.",
-  "all {} vertices lie on creases, which a regularisation keeps":
-    "alle {} Ecken liegen auf Kanten der Form, die eine Regularisierung erhält",
-  "any pass would move the surface by more than {} % of its size":
-    "jeder Durchgang würde die Fläche um mehr als {} % ihrer Größe verschieben",
-  "any pass would change the volume by more than {} %":
-    "jeder Durchgang würde das Volumen um mehr als {} % ändern",
-  "any pass would change the bounding box by more than {} %":
-    "jeder Durchgang würde den Hüllquader um mehr als {} % ändern",
-  "any pass would make the smallest angle smaller, and smaller than {}°":
-    "jeder Durchgang würde den kleinsten Winkel verkleinern, und unter {}°",
-  "Refine the mesh first: new vertices inside its faces are free to slide.":
-    "Verfeinern Sie zuerst das Netz: Neue Ecken im Innern seiner Facetten können gleiten.",
-  "A fill or edge flips can be undone once they are done.":
-    "Ein Füllen oder Kantenflips lassen sich rückgängig machen, sobald sie geschehen sind.",
-  "{} with scheme {}": "{} mit Schema {}",
-  "{} with goal {}": "{} mit Ziel {}",
-  "{}, or {}": "{} oder {}",
-  "there is no option `{}`": "es gibt keine Option `{}`",
-  "`{}` cannot be `{}`": "`{}` kann nicht `{}` sein",
-  "`{}` has no value": "`{}` hat keinen Wert",
-  "`{}` changes nothing here: it is for {}": "`{}` ändert hier nichts: Das ist für {}",
-  "`{}` and `{}` cannot both be given": "`{}` und `{}` lassen sich nicht beide angeben",
-  "Did you mean `{}`?": "Meinten Sie `{}`?",
-  "Did you mean `{}` (--{})?": "Meinten Sie `{}` (--{})?",
-  "--help lists the options; a link that is copied from the page shows how they are written.":
-    "--help nennt die Optionen; ein Link, der von der Seite kopiert ist, zeigt, wie sie geschrieben werden.",
-  "Leave it out, or choose what reads it.": "Lassen Sie sie weg, oder wählen Sie, was sie liest.",
-  "Each says the same thing in its own way.": "Jede sagt dasselbe auf ihre Weise.",
-  "a number from {} to {}": "eine Zahl von {} bis {}",
-  "a number above {}, at most {}": "eine Zahl über {}, höchstens {}",
-  "a whole number from {} to {}": "eine ganze Zahl von {} bis {}",
-  "one of {}": "eines von {}",
-  "none, or any of {}": "none oder beliebige von {}",
-  "true or false": "true oder false",
-  "a list of vertex numbers from 0": "eine Liste von Nummern von Ecken ab 0",
-  "there are no vertices {}": "es gibt keine Ecken {}",
-  "Choose an edge anew.": "Wählen Sie eine andere Kante.",
-  "{} corners are given": "{} Ecken sind angegeben",
-  "A quadrilateral has four.": "Ein Viereck hat vier.",
-  "See the list of options and their values.": "Siehe die Liste der Optionen und ihrer Werte.",
-  "there is no format `{}`": "es gibt kein Format `{}`",
-  "obj, off, ply, ply-ascii, stl, stl-ascii or glb.":
-    "obj, off, ply, ply-ascii, stl, stl-ascii oder glb.",
-  "the matrix is singular: the pivot of row {} is zero":
-    "die Matrix ist singulär: Das Pivotelement von Zeile {} ist null",
-  "the matrix has an entry that is not finite in column {}":
-    "die Matrix hat in Spalte {} einen nicht endlichen Eintrag",
-  "the right-hand side is not finite at vertex {}":
-    "die rechte Seite ist bei Ecke {} nicht endlich",
-  "the factor of a matrix of {} rows does not fit into memory":
-    "die Zerlegung einer Matrix mit {} Zeilen passt nicht in den Speicher",
-  "the factor of a matrix of {} rows has too many entries to be indexed":
-    "die Zerlegung einer Matrix mit {} Zeilen hat mehr Einträge, als sich zählen lassen",
-  "Take a smaller step.": "Nehmen Sie einen kleineren Schritt.",
-  "A triangle may have collapsed: take a smaller step or repair the mesh.":
-    "Vielleicht ist ein Dreieck zusammengefallen: Nehmen Sie einen kleineren Schritt oder reparieren Sie das Netz.",
-  "Use a coarser mesh.": "Nehmen Sie ein gröberes Netz.",
-
-  // The solver: files
-  "Faces of fewer than three corners were dropped":
-    "Facetten mit weniger als drei Ecken wurden weggelassen",
-  "Lines that are no part of a polygon mesh were skipped":
-    "Zeilen, die nicht zu einem Polygonnetz gehören, wurden übergangen",
-  "{}: {}, the first at {}.": "{}: {}, zuerst bei {}.",
-  "line {}": "Zeile {}",
-  "byte {}": "Byte {}",
-  "the file is empty": "die Datei ist leer",
-  "`{}` is not recognised as OBJ, OFF, PLY or STL":
-    "`{}` ist nicht als OBJ, OFF, PLY oder STL zu erkennen",
-  "{} files cannot be read": "Dateien der Art {} lassen sich nicht lesen",
-  "{}: byte {} is not text": "{}: Byte {} ist kein Text",
-  "{}, {}: found {}, expected {}": "{}, {}: {} gefunden, erwartet wurde {}",
-  "{}, {}: a face names vertex {}, the file has {}":
-    "{}, {}: Eine Facette nennt Ecke {}, die Datei hat {}",
-  "{}: vertex number {} (counted from 1) is not finite":
-    "{}: Ecke Nummer {} (ab 1 gezählt) ist nicht endlich",
-  "the file is cut short: {} bytes needed at byte {}, {} there":
-    "die Datei bricht ab: {} Bytes werden ab Byte {} gebraucht, {} sind da",
-  "{} announces {} {}, at most {} are possible": "{} kündigt {} {} an, höchstens {} sind möglich",
-  "the file has {} vertices and no faces": "die Datei hat {} Ecken und keine Facetten",
-  "Check that the export or download finished.":
-    "Prüfen Sie, ob der Export oder das Herunterladen zu Ende kam.",
-  "Open an OBJ, OFF, PLY or STL file.": "Öffnen Sie eine OBJ-, OFF-, PLY- oder STL-Datei.",
-  "Export the surface as OBJ, PLY or STL.": "Exportieren Sie die Fläche als OBJ, PLY oder STL.",
-  "The file is binary or UTF-16 text; save it as UTF-8 or give it the right ending.":
-    "Die Datei ist binär oder UTF-16-Text; sichern Sie sie als UTF-8, oder geben Sie ihr die richtige Endung.",
-  "Export with a decimal point instead of a decimal comma.":
-    "Exportieren Sie mit Dezimalpunkt statt Dezimalkomma.",
-  "Look at that place in the file, or export it again.":
-    "Sehen Sie an dieser Stelle der Datei nach, oder exportieren Sie sie neu.",
-  "OBJ counts vertices from 1, or from -1 backwards. Export the file again.":
-    "OBJ zählt Ecken ab 1 oder ab -1 rückwärts. Exportieren Sie die Datei neu.",
-  "This format counts vertices from 0. Export the file again.":
-    "Dieses Format zählt Ecken ab 0. Exportieren Sie die Datei neu.",
-  "Remove the vertex or give it a position, then export again.":
-    "Entfernen Sie die Ecke oder geben Sie ihr eine Lage, und exportieren Sie neu.",
-  "The download or copy may have stopped early; fetch it again.":
-    "Das Herunterladen oder Kopieren endete wohl zu früh; holen Sie die Datei noch einmal.",
-  "The count is wrong or the file is cut short.":
-    "Die Anzahl ist falsch, oder die Datei bricht ab.",
-  "Check that the file is what its name says.": "Prüfen Sie, ob die Datei ist, was ihr Name sagt.",
-  "Point clouds and curves have no surface; open a mesh.":
-    "Punktwolken und Kurven haben keine Fläche; öffnen Sie ein Netz.",
-  "there are no faces to write": "es gibt keine Facetten zu schreiben",
-  "face {} names vertex {} of {}": "Facette {} nennt Ecke {} von {}",
-  "vertex {} cannot be written as a {}": "Ecke {} lässt sich nicht schreiben als {}",
-  "32-bit float": "32-Bit-Gleitkommazahl",
-  "{} normals given for {} vertices": "{} Normalen für {} Ecken angegeben",
-  "the mesh is too large for {}": "das Netz ist zu groß für {}",
-  "Load a mesh first.": "Laden Sie zuerst ein Netz.",
-  "Scale the mesh down, or use OBJ, OFF or PLY: they keep double precision.":
-    "Verkleinern Sie das Netz, oder nehmen Sie OBJ, OFF oder PLY: Sie behalten doppelte Genauigkeit.",
-  "Step back to a state with finite positions.":
-    "Gehen Sie zurück zu einem Zustand mit endlichen Lagen.",
-  "Use OBJ, OFF or PLY.": "Nehmen Sie OBJ, OFF oder PLY.",
-  "This is a fault of the program; please report it.":
-    "Das ist ein Fehler des Programms; bitte melden Sie ihn.",
-  "big-endian PLY": "PLY (big-endian)",
-  "binary STL": "binäres STL",
-  "binary OFF": "binäres OFF",
-  "higher-dimensional OFF": "höherdimensionales OFF",
-  "The text is UTF-16; it was read as such.": "Der Text ist UTF-16; so wurde er gelesen.",
-  "The name ends in .{}, the contents are {}.": "Der Name endet auf .{}, der Inhalt ist {}.",
-  "a vertex index such as 7, 7/1 or 7//2": "ein Eckenindex wie 7, 7/1 oder 7//2",
-  "a vertex index": "ein Eckenindex",
-  "a vertex": "eine Ecke",
-  "a face": "eine Facette",
-  "a coordinate": "eine Koordinate",
-  "a number": "eine Zahl",
-  "the number of vertices": "die Zahl der Ecken",
-  "OFF or the number of vertices": "OFF oder die Zahl der Ecken",
-  "the number of faces": "die Zahl der Facetten",
-  "the number of corners": "die Zahl der Ecken der Facette",
-  "an integer type for the length of a list": "ein ganzzahliger Typ für die Länge einer Liste",
-  "the property's name": "der Name der Eigenschaft",
-  "a type such as float or uchar": "ein Typ wie float oder uchar",
-  "the element's name": "der Name des Elements",
-  "the number of elements": "die Zahl der Elemente",
-  "vertices and faces in one element each": "Ecken und Facetten in je einem Element",
-  "element, property or end_header": "element, property oder end_header",
-  "format ascii, binary_little_endian or binary_big_endian":
-    "format ascii, binary_little_endian oder binary_big_endian",
-  "one list `vertex_indices` of integers in element face":
-    "eine Liste `vertex_indices` ganzer Zahlen im Element face",
-  "one property each `x`, `y` and `z` in element vertex":
-    "je eine Eigenschaft `x`, `y` und `z` im Element vertex",
-  "element vertex": "das Element vertex",
-  "a line of another element": "eine Zeile eines anderen Elements",
-  "the length of a list": "die Länge einer Liste",
-  "{} bytes after the last triangle were left aside.":
-    "{} Bytes nach dem letzten Dreieck blieben unbeachtet.",
-  "facet, outer loop, vertex, endloop, endfacet, solid or endsolid":
-    "facet, outer loop, vertex, endloop, endfacet, solid oder endsolid",
-  "vertex or endloop": "vertex oder endloop",
-  "The last solid has no end; the file may be cut short.":
-    "Der letzte Körper hat kein Ende; vielleicht bricht die Datei ab.",
-  "end of file": "das Ende der Datei",
-  "end of line": "das Ende der Zeile",
-  "the coordinate x": "die Koordinate x",
-  "the coordinate y": "die Koordinate y",
-  "the coordinate z": "die Koordinate z",
-
-  // The solver: meshes
-  "face {} uses vertex {}, but there are only {} vertices":
-    "Facette {} benutzt Ecke {}, es gibt aber nur {} Ecken",
-  "vertex {} has a coordinate that is not a finite number":
-    "Ecke {} hat eine Koordinate, die keine endliche Zahl ist",
-  "the edge between vertices {} and {} has {} faces ({}){}":
-    "die Kante zwischen den Ecken {} und {} hat {} Facetten ({}){}",
-  "there is no face with three different corners and an area":
-    "es gibt keine Facette mit drei verschiedenen Ecken und einem Flächeninhalt",
-  "{} face corners are more than 32-bit indices can name":
-    "{} Ecken von Facetten sind mehr, als 32-Bit-Indizes benennen können",
-  "The file is damaged or was cut off: export it again from the program it came from.":
-    "Die Datei ist beschädigt oder abgeschnitten: Exportieren Sie sie neu aus dem Programm, aus dem sie stammt.",
-  "Remove the vertex, or give it a position, in a mesh editor.":
-    "Entfernen Sie die Ecke in einem Netzeditor, oder geben Sie ihr eine Lage.",
-  "A surface has at most two faces at an edge. In a mesh editor, select non-manifold edges and delete the inner faces, or split the surface there.":
-    "Eine Fläche hat an einer Kante höchstens zwei Facetten. Wählen Sie in einem Netzeditor die nicht-mannigfaltigen Kanten aus und löschen Sie die inneren Facetten, oder trennen Sie die Fläche dort.",
-  "Check that the file holds a surface and not only points or lines.":
-    "Prüfen Sie, ob die Datei eine Fläche enthält und nicht nur Punkte oder Linien.",
-  "Simplify the mesh first; about a million faces are practical.":
-    "Vereinfachen Sie das Netz zuerst; etwa eine Million Facetten sind praktikabel.",
-  "Simplify the mesh first.": "Vereinfachen Sie das Netz zuerst.",
-  "{} without a consistent orientation (like a Möbius strip); flows that need no normal still work.":
-    "{} ohne einheitliche Orientierung (wie ein Möbiusband); Flüsse, die keine Normale brauchen, gehen trotzdem.",
-  "1 component": "1 Komponente",
-  "{} components": "{} Komponenten",
-  "Turned {} to agree with the neighbours.": "Den Nachbarn entsprechend umgedreht: {}.",
-  "The surface was inside out (negative volume): all faces were turned.":
-    "Die Fläche war umgestülpt (negatives Volumen): Alle Facetten wurden umgedreht.",
-  "Dropped {}, the first being face {}.": "Weggelassen: {}, zuerst Facette {}.",
-  "1 degenerate face (a corner repeated)": "1 entartete Facette (mit wiederholter Ecke)",
-  "{} degenerate faces (a corner repeated)": "{} entartete Facetten (mit wiederholter Ecke)",
-  "Dropped {} on the same vertices as an earlier face.":
-    "Weggelassen: {} auf denselben Ecken wie eine frühere Facette.",
-  "Split {}, where several sheets touch in a point, into one vertex a sheet ({}).":
-    "Aufgeteilt: {}, wo sich mehrere Blätter in einem Punkt berühren, in eine Ecke je Blatt ({}).",
-  "1 non-manifold vertex": "1 nicht-mannigfaltige Ecke",
-  "{} non-manifold vertices": "{} nicht-mannigfaltige Ecken",
-  "Dropped {} in pieces without any area.": "Weggelassen: {} in Stücken ohne Flächeninhalt.",
-  "Dropped {} that no face uses.": "Weggelassen, da von keiner Facette benutzt: {}.",
-  "1 vertex": "1 Ecke",
-  "{} vertices": "{} Ecken",
-  "The mesh has {} of more than three corners: {}; files are written with the original faces.":
-    "Das Netz hat {} mit mehr als drei Ecken: {}; Dateien werden mit den ursprünglichen Facetten geschrieben.",
-  "the p-Willmore flow keeps them, other flows work on a triangulated copy":
-    "der p-Willmore-Fluss behält sie, andere Flüsse arbeiten auf einer triangulierten Kopie",
-  "flows work on a triangulated copy": "Flüsse arbeiten auf einer triangulierten Kopie",
-  "The mesh has {} without area (collinear corners).":
-    "Das Netz hat {} ohne Flächeninhalt (Ecken auf einer Geraden).",
-  "The surface passes through itself in {}: the flows go on all the same.":
-    "Die Fläche durchdringt sich selbst, in {}: Die Flüsse laufen trotzdem weiter.",
-  "1 pair of triangles": "1 Dreieckspaar",
-  "{} pairs of triangles": "{} Dreieckspaaren",
-  "1 triangle": "1 Dreieck",
-  "{} triangles": "{} Dreiecke",
-  "The mesh has {} shorter than a millionth of the mean, the first between vertices {} and {}: merge such vertices (merge by distance) for a better flow.":
-    "Das Netz hat {}, kürzer als ein Millionstel des Mittels, zuerst zwischen den Ecken {} und {}: Verschmelzen Sie solche Ecken (nach Abstand) für einen besseren Fluss.",
-  "1 edge": "1 Kante",
-  "{} edges": "{} Kanten",
-  "face {} has {} corners; subdivision needs triangles":
-    "Facette {} hat {} Ecken; Unterteilung braucht Dreiecke",
-  "edge {}-{} has more than two faces": "Kante {}-{} hat mehr als zwei Facetten",
-  "Split the surface along this edge first.": "Trennen Sie die Fläche zuerst längs dieser Kante.",
-
-  // The solver: holes
-  "The hole at {} is larger than a hemisphere: closing it smoothly takes {} times as much curvature, and its shape is a guess.":
-    "Das Loch an {} ist größer als eine Halbkugel: Es glatt zu schließen kostet {}-mal so viel Krümmung, und seine Form ist geraten.",
-  "The patch at {} meets the surface around it with its tangent planes but not its curvature, as {}.":
-    "Der Flicken an {} trifft die Fläche um ihn mit ihren Tangentialebenen, aber nicht mit ihrer Krümmung: {}.",
-  "The patch at {} meets the surface around it with a kink, as {}.":
-    "Der Flicken an {} trifft die Fläche um ihn mit einem Knick: {}.",
-  "The patch at {} stays a membrane, as {}.": "Der Flicken an {} bleibt eine Membran: {}.",
-  "loop {}": "Randkurve {}",
-  "loops {}": "den Randkurven {}",
-  "there are fewer than three rings of surface around it":
-    "um ihn liegen weniger als drei Ringe der Fläche",
-  "it has {}": "er hat {}",
-  "1 new vertex": "1 neue Ecke",
-  "{} new vertices": "{} neue Ecken",
-  "a smoother one would fold over": "ein glatterer würde umklappen",
-  "the surface around it is too rough to be continued":
-    "die Fläche um ihn ist zu rau, um fortgesetzt zu werden",
-  "the mesh has no boundary loop": "das Netz hat keine Randkurve",
-  "there is no boundary loop {}; the mesh has {}, counted from 0":
-    "es gibt keine Randkurve {}; das Netz hat {}, ab 0 gezählt",
-  "boundary loop {} touches itself: vertices {} and {} lie in the same place":
-    "Randkurve {} berührt sich selbst: Die Ecken {} und {} liegen am selben Ort",
-  "the surface has no consistent orientation": "die Fläche hat keine einheitliche Orientierung",
-  "{} boundary loops cannot be connected": "{} Randkurven lassen sich nicht verbinden",
-  "boundary loop {} does not lie on the convex hull of the loops to be connected, at vertex {}":
-    "Randkurve {} liegt bei Ecke {} nicht auf der konvexen Hülle der zu verbindenden Randkurven",
-  "vertices {} and {} of two loops are joined by an edge already":
-    "die Ecken {} und {} zweier Randkurven sind schon durch eine Kante verbunden",
-  "filling was cancelled": "das Füllen wurde abgebrochen",
-  "the filled mesh is not a surface: {}": "das gefüllte Netz ist keine Fläche: {}",
-  "There is nothing to fill.": "Es gibt nichts zu füllen.",
-  "Ask for all loops, or for one of those there are.":
-    "Nehmen Sie alle Randkurven oder eine von denen, die es gibt.",
-  "Merge such vertices in a mesh editor (merge by distance), or delete the faces around them.":
-    "Verschmelzen Sie solche Ecken in einem Netzeditor (nach Abstand), oder löschen Sie die Facetten um sie.",
-  "A one-sided surface cannot be filled.": "Eine einseitige Fläche lässt sich nicht füllen.",
-  "Name two loops or more, or fill them one by one.":
-    "Nennen Sie zwei oder mehr Randkurven, oder füllen Sie sie einzeln.",
-  "Move the parts apart or leave the loop out; loops that are round and face each other can be connected.":
-    "Rücken Sie die Teile auseinander, oder lassen Sie diese Randkurve weg; runde Randkurven, die einander gegenüberliegen, lassen sich verbinden.",
-  "Fill the loops one by one.": "Füllen Sie die Randkurven einzeln.",
-  "Start again whenever you like.": "Beginnen Sie neu, wann Sie möchten.",
-  "Left open: {}.": "Offen gelassen: {}.",
-  "The loops' edge lengths ask for about {} new vertices, more than the limit of {}: the patches' edges are {} times as long.":
-    "Die Kantenlängen der Randkurven verlangen etwa {} neue Ecken, mehr als die Grenze von {}: Die Kanten der Flicken sind {}-mal so lang.",
-  "`{}` names no boundary loops": "`{}` nennt keine Randkurven",
-  "there is no figure `{}`": "eine Abbildung `{}` gibt es nicht",
-  "See the list of figures.": "Siehe die Liste der Abbildungen.",
-  "Use all, inner, or a list of numbers.": "Nehmen Sie all, inner oder eine Liste von Zahlen.",
-  "Filled {} with {}.": "Gefüllt: {}, {}.",
-  "1 boundary loop": "1 Randkurve",
-  "{} boundary loops": "{} Randkurven",
 
   // The viewer
-  "{} offers no graphics adapter": "{} bietet keine Grafikkarte an",
   "WebGPU offers no graphics adapter": "WebGPU bietet keine Grafikkarte an",
-  "the graphics adapter gives no device: {}": "die Grafikkarte gibt kein Gerät her: {}",
-  "the canvas gives no {} context: {}": "die Zeichenfläche gibt keinen {}-Kontext her: {}",
-  "the graphics device was lost: {}": "die Grafikeinheit ist verloren gegangen: {}",
-  "{} has {} entries; the mesh wants {}": "{}: {} Einträge, das Netz verlangt {}",
-  "{} names element {} of {}": "{} nennt Element {} von {}",
-  "held vertices": "festgehaltene Ecken",
-  "marked triangles": "markierte Dreiecke",
-  "{} vertices are more than the {} this graphics device can draw":
-    "{} Ecken sind mehr als die {}, die diese Grafikeinheit zeichnen kann",
-  "Use a current Chrome, Edge, Firefox or Safari, over https or on localhost.":
-    "Nehmen Sie ein aktuelles Chrome, Edge, Firefox oder Safari, über https oder auf localhost.",
-  "Switch on hardware acceleration in the browser's settings, or update the graphics driver.":
-    "Schalten Sie in den Einstellungen des Browsers die Hardwarebeschleunigung ein, oder erneuern Sie den Grafiktreiber.",
-  "Reload the page.": "Laden Sie die Seite neu.",
 
   // Recipes that cannot be followed, and what is said of flows
   "{label} ({why})": "{label} ({why})",
@@ -1472,70 +872,10 @@ export const german = {
   "inverse of the Hessian, from the last steps":
     "Inverse der Hesse-Matrix, aus den letzten Schritten",
   "what the line search finds": "was die Liniensuche findet",
-  "No flow has been chosen yet.": "Es ist noch kein Fluss gewählt.",
-  "Choose one first.": "Wählen Sie zuerst einen.",
-  "The recipe is not JSON: line {} cannot be read.":
-    "Das Rezept ist kein JSON: Zeile {} ist nicht lesbar.",
-  "The recipe’s “{}” must be {}.": "„{}“ im Rezept muss so sein: {}.",
-  "The recipe needs the mesh {}.": "Das Rezept braucht das Netz {}.",
-  "Open it first.": "Öffnen Sie es zuerst.",
-  "The flow ends at step {} of {}: {}.": "Der Fluss endet bei Schritt {} von {}: {}.",
-  "the version, as text": "die Version, als Text",
-  "a list": "eine Liste",
-  "an object": "ein Objekt",
-  "a number or null": "eine Zahl oder null",
-  "a SHA-256, 64 digits from 0 to f": "ein SHA-256, 64 Ziffern von 0 bis f",
-  "the name of a shape": "der Name einer Form",
-  "an object of numbers": "ein Objekt aus Zahlen",
-  "the name of a file": "der Name einer Datei",
-  "an object of options": "ein Objekt aus Optionen",
-  "{}, {}, {} or “anew”": "{}, {}, {} oder „anew“",
-  "“adopt”, {}, {}, {} or {}, with options that there are":
-    "„adopt“, {}, {}, {} oder {}, mit Optionen, die es gibt",
-  "a list whose steps are {} in all, as “steps” says":
-    "eine Liste, deren Schritte zusammen {} sind, wie „steps“ sagt",
-  "options of a regularisation": "Optionen einer Regularisierung",
-  "the name of a sample": "der Name eines Beispiels",
-  "(the recipe was written by version {}; this is version {})":
-    "(das Rezept schrieb Version {}; dies ist Version {})",
-  "The recipe has {} bytes, more than the {} that are read.":
-    "Das Rezept hat {} Bytes, mehr als die {}, die gelesen werden.",
-  "The selections hold {} vertices in all, more than the {} that are read.":
-    "Die Auswahlen enthalten zusammen {} Ecken, mehr als die {}, die gelesen werden.",
-  "The flow changes {} times on a mesh of {} vertices: that is too much.":
-    "Der Fluss wechselt {} Mal auf einem Netz mit {} Ecken: Das ist zu viel.",
-  "The file given is not the mesh {}: its SHA-256 begins with {}, not with {}.":
-    "Die Datei ist nicht das Netz {}: Ihr SHA-256 beginnt mit {}, nicht mit {}.",
-  "The recipe holds for that very file only, to the last byte.":
-    "Das Rezept gilt nur für genau diese Datei, bis aufs letzte Byte.",
-  "No recipe is being followed.": "Es wird kein Rezept ausgeführt.",
-  "Open one first.": "Öffnen Sie zuerst eines.",
-  "Do the work in fewer parts, and save the mesh between them.":
-    "Gehen Sie in weniger Schritten vor und speichern Sie das Netz dazwischen.",
-  "Recipes are made by “Save as: Recipe”.": "Rezepte entstehen mit „Speichern als: Rezept“.",
   "This recipe runs about {steps} steps.": "Dieses Rezept rechnet etwa {steps} Schritte.",
   "This link runs about {steps} steps.": "Dieser Link rechnet etwa {steps} Schritte.",
   "Run them": "Rechnen",
   "Leave it": "Lassen",
-  "It was given up.": "Es wurde aufgegeben.",
-  "The link has {} bytes, more than the {} that are read.":
-    "Der Link hat {} Bytes, mehr als die {}, die gelesen werden.",
-  "The link has “{}” more than once.": "Der Link hat „{}“ mehr als einmal.",
-  "“{}” cannot be “{}”.": "„{}“ kann nicht „{}“ sein.",
-  "the id of a sample": "die Kennung eines Beispiels",
-  "There is no figure “{}”.": "Es gibt keine Abbildung „{}“.",
-  "The button Figures shows those there are.": "Der Knopf „Abbildungen“ zeigt, welche es gibt.",
-  "the first 16 digits of a SHA-256, or more of them":
-    "die ersten 16 Ziffern eines SHA-256, oder mehr davon",
-  "a whole number of at most seven digits": "eine ganze Zahl mit höchstens sieben Ziffern",
-  "the numbers of a camera, with commas between them":
-    "die Zahlen einer Kamera, mit Kommas dazwischen",
-  "a version": "eine Version",
-  "edits as a link writes them": "Bearbeitungen, wie ein Link sie schreibt",
-  "a path as a link writes it, to step {}": "ein Weg, wie ein Link ihn schreibt, bis Schritt {}",
-  "at most three panes, of flows that move vertices":
-    "höchstens drei Teilfenster, von Flüssen, die Ecken bewegen",
-  "the letter of a pane": "der Buchstabe eines Teilfensters",
 
   // Slides
   "Willmore flow in eight slides": "Willmore-Fluss auf acht Folien",

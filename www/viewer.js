@@ -4,14 +4,15 @@
 // graphics device is lost.
 
 import { listenForGestures } from "./gestures.js";
-import { t, translated } from "./language.js";
-import { chooseRenderer, openViewer } from "./renderer.js";
+import { t } from "./language.js";
+import { chooseRenderer, giveUpWebgpu, openViewer } from "./renderer.js";
 import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
+import { say } from "./words.js";
 
 /**
- * @typedef {Pick<import("./protocol.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
- * @typedef {import("./protocol.js").Field} Field
- * @typedef {import("./protocol.js").Fault} Fault
+ * @typedef {Pick<import("./generated/types.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
+ * @typedef {import("./state.js").Field} Field
+ * @typedef {import("./words.js").Fault} Fault
  * @typedef {import("./pkg/viewer/viewer.js").Viewer} WasmViewer
  */
 
@@ -30,6 +31,7 @@ import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
  * @property {1 | 4} [samples]                     a pixel; tests take 1, which is faster in software
  * @property {(fault: Fault) => void} [onFault]    what goes wrong after `createViewer` has answered
  * @property {(camera: Float32Array) => void} [onCamera]  after the user moved the camera
+ * @property {(renderer: import("./renderer.js").Renderer) => void} [onRenderer]  what draws, and why that
  */
 
 /**
@@ -84,7 +86,10 @@ export async function icosahedron(level) {
 }
 
 class SurfaceView {
+  /** Where the surface is seen, and where gestures are made. */
   #canvas;
+  /** What is drawn on: another one behind that, after WebGPU was lost for good. */
+  #drawnOn;
   #options;
   #listening = new AbortController();
   #observer = new ResizeObserver((entries) => this.#measure(entries[0]));
@@ -121,6 +126,7 @@ class SurfaceView {
    */
   constructor(canvas, options) {
     this.#canvas = canvas;
+    this.#drawnOn = canvas;
     this.#options = options;
     if (!canvas.hasAttribute("role")) canvas.setAttribute("role", "img");
   }
@@ -132,11 +138,15 @@ class SurfaceView {
     this.#size = this.#estimateSize({ width: clientWidth || 1, height: clientHeight || 1 });
     await this.#openDevice();
     this.#watchSize();
-    // Of a lost WebGPU device the viewer is told; of a lost WebGL context, the canvas is.
-    watchContext(this.#canvas, this.#listening.signal, () => {
+    this.#watchContext();
+    listenForGestures(this.#canvas, this.#moves(), this.#listening.signal);
+  }
+
+  /** Of a lost WebGPU device the viewer is told; of a lost WebGL context, the canvas is. */
+  #watchContext() {
+    watchContext(this.#drawnOn, this.#listening.signal, () => {
       if (this.#viewer) this.#recover(t("the browser took the WebGL context away"));
     });
-    listenForGestures(this.#canvas, this.#moves(), this.#listening.signal);
   }
 
   /**
@@ -322,7 +332,7 @@ class SurfaceView {
   snapshot() {
     this.#redrawn();
     return new Promise((resolve, reject) => {
-      this.#canvas.toBlob((blob) => (blob ? resolve(blob) : reject(lostFault(t("no picture")))));
+      this.#drawnOn.toBlob((blob) => (blob ? resolve(blob) : reject(lostFault(t("no picture")))));
     });
   }
 
@@ -333,7 +343,7 @@ class SurfaceView {
    */
   paint(context, x, y, width, height) {
     this.#redrawn();
-    context.drawImage(this.#canvas, x, y, width, height);
+    context.drawImage(this.#drawnOn, x, y, width, height);
   }
 
   /** A picture that can be read in this task: what is on the screen may be gone from the canvas. */
@@ -360,10 +370,9 @@ class SurfaceView {
     return this.#viewer?.colourBar(signed, count) ?? new Uint8Array(3 * count);
   }
 
-  /** What draws, and why that. */
-  get renderer() {
-    const { name = "WebGPU", reason = "" } = this.#renderer ?? {};
-    return { name, reason };
+  /** Whether the canvas is another one than it was opened on. */
+  get isMoved() {
+    return this.#drawnOn !== this.#canvas;
   }
 
   /** What the graphics adapter calls itself, often nothing. */
@@ -387,7 +396,8 @@ class SurfaceView {
     if (this.#frame !== null) cancelAnimationFrame(this.#frame);
     this.#viewer?.free();
     this.#viewer = null;
-    if (this.#isWebgl) releaseContext(this.#canvas);
+    if (this.#isWebgl) releaseContext(this.#drawnOn);
+    if (this.isMoved) this.#drawnOn.remove();
   }
 
   /** Resolves when what has been asked for is on the canvas. */
@@ -400,14 +410,15 @@ class SurfaceView {
   }
 
   async #openDevice() {
-    this.#canvas.width = this.#size.width;
-    this.#canvas.height = this.#size.height;
+    this.#drawnOn.width = this.#size.width;
+    this.#drawnOn.height = this.#size.height;
     const options = { samples: this.#options.samples ?? 4 };
-    const { viewer, renderer } = await openViewer(this.#canvas, options);
+    const { viewer, renderer } = await openViewer(this.#drawnOn, options);
     this.#renderer = renderer;
+    this.#options.onRenderer?.(renderer);
     if (this.#listening.signal.aborted) {
       viewer.free();
-      if (this.#isWebgl) releaseContext(this.#canvas);
+      if (this.#isWebgl) releaseContext(this.#drawnOn);
       return;
     }
     viewer.onLost((/** @type {string} */ reason) => {
@@ -439,7 +450,7 @@ class SurfaceView {
       this.#attempts += 1;
       try {
         // There is nothing to open on the canvas before.
-        if (this.#isWebgl && !(await contextBack(this.#canvas))) continue;
+        if (this.#isWebgl && !(await contextBack(this.#drawnOn))) continue;
         await this.#openDevice();
         this.setCamera(camera);
         return;
@@ -447,7 +458,33 @@ class SurfaceView {
         // Tried again, and told after the last attempt.
       }
     }
-    if (!this.#listening.signal.aborted) this.#options.onFault?.(lostFault(reason));
+    if (this.#listening.signal.aborted) return;
+    if (!(await this.#standIn(reason, camera))) this.#options.onFault?.(lostFault(reason));
+  }
+
+  /**
+   * Goes on with WebGL2, after WebGPU was lost for good: on another canvas, as one that was
+   * WebGPU's stays so.
+   * @param {string} reason @param {Float32Array} camera
+   * @returns {Promise<boolean>} whether there is a picture again
+   */
+  async #standIn(reason, camera) {
+    const lost = this.#renderer;
+    if (!lost || !(await giveUpWebgpu(lost, say("viewer-gpu-lost", { reason })))) return false;
+    const behind = document.createElement("canvas");
+    behind.ariaHidden = "true";
+    this.#canvas.before(behind);
+    this.#drawnOn = behind;
+    try {
+      await this.#openDevice();
+    } catch {
+      return false;
+    }
+    // Else the last picture would hide it.
+    /** @type {any} */ (this.#canvas.getContext("webgpu"))?.unconfigure();
+    this.#watchContext();
+    this.setCamera(camera);
+    return true;
   }
 
   #putStyle() {
@@ -546,8 +583,8 @@ class SurfaceView {
 function lostFault(reason) {
   return {
     kind: "GpuLost",
-    message: t("the graphics device was lost: {reason}", { reason: translated(reason) }),
-    hint: t("Reload the page. Your surface is safe: download it first if you changed it."),
+    message: say("viewer-gpu-lost", { reason }),
+    hint: say("viewer-gpu-lost.hint"),
     detail: {},
   };
 }

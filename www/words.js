@@ -12,8 +12,13 @@ import { FluentBundle, FluentNumber, FluentResource, FluentType } from "@fluent/
 import { english, fetchWords } from "#locales";
 import { formatShort } from "./ui/number.js";
 
+/** @import { Message, Fault as Refusal } from "./generated/types.js" */
+
+/**
+ * A refusal as people read it.
+ * @typedef {Omit<Refusal, "message" | "hint"> & { message: string, hint: string }} Fault
+ */
 /** @typedef {null | boolean | number | string | Message | { [n: number]: any, length: number }} Value */
-/** @typedef {{ id: string, values?: Readonly<Record<string, any>> }} Message  values are `Value`s */
 
 class Numeral extends FluentNumber {
   /** @param {number} value @param {number} [digits] significant, of numbers that are not whole */
@@ -90,6 +95,14 @@ export function say(message, values = {}) {
   // A value that is missing shows as its name.
   return bundle.formatPattern(pattern, Object.fromEntries(args), []);
 }
+
+/** A refusal in words. @param {Refusal} refusal @returns {Fault} */
+export const sayFault = ({ kind, message, hint, detail }) => ({
+  kind,
+  message: say(message),
+  hint: hint ? say(hint) : "",
+  detail,
+});
 
 /** Says what follows in another language. @param {"en" | "de"} language */
 export async function speakWords(language) {

@@ -2,8 +2,8 @@
 // The solver's side: one session, of which the page asks by commands, and a run loop that lets
 // messages in after every step.
 
-/** @import { Fault } from "./generated/types.js" */
-/** @import { Finding } from "./protocol.js" */
+/** @import { Finding } from "./library.js" */
+/** @import { Fault as Refusal } from "./generated/types.js" */
 /** @import { CommandName } from "./session.js" */
 
 import init, { Session } from "./pkg/solver/solver.js";
@@ -34,6 +34,7 @@ let paced = false;
 /** Work shorter than this says nothing of its progress. */
 const PATIENCE = 500;
 let nextProgress = 0;
+let nextLife = 0;
 /** What is done a piece at a time; whatever begins a run ends it. @type {object | null} */
 let task = null;
 /** Milliseconds between two looks at the messages, where pieces are short. */
@@ -49,14 +50,14 @@ turns.port1.onmessage = ({ data }) => running && data === run && guarded(advance
 function advance() {
   // Goes on when the page has taken the last frame.
   if (paced && until === null && !taken) return;
-  /** @type {Fault | null} */
+  /** @type {Refusal | null} */
   let fault = null;
   let report = null;
   try {
     report = perform(session, "step");
   } catch (error) {
     if (isTrap(error)) throw error;
-    fault = asFault(error);
+    fault = asRefusal(error);
   }
   const state = perform(session, "state");
   paced = state.flips !== null;
@@ -100,6 +101,7 @@ async function inTurns(piece) {
     while (task === begun) {
       const done = piece();
       if (done !== null) return done;
+      live();
       await new Promise((resolve) => {
         port1.onmessage = resolve;
         port2.postMessage(null);
@@ -140,7 +142,7 @@ async function replayed(name, fields) {
     } while (performance.now() < end);
     return null;
   });
-  if (!done) throw { kind: "Cancelled", message: "It was given up.", hint: "", detail: {} };
+  if (!done) throw refusal("Cancelled", "worker-cancelled");
 }
 
 /** What is asked of the worker itself. @type {Record<string, (fields: any) => unknown>} */
@@ -192,19 +194,25 @@ function buffersOf(answer) {
 /** @param {unknown} error  whether the wasm instance is dead, and not just unwilling */
 const isTrap = (error) => error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
 
-/** @param {any} error @returns {Fault} */
-function asFault(error) {
+/** @param {any} error @returns {Refusal} */
+function asRefusal(error) {
   if (typeof error?.kind === "string") {
     const { kind, message, hint, detail } = error;
     return { kind, message, hint, detail };
   }
-  return {
-    kind: "Internal",
-    message: `The solver met an error of its own: ${error?.message ?? error}`,
-    hint: "Please report this, with the mesh if you can.",
-    detail: {},
-  };
+  return refusal("Internal", "worker-internal", { reason: String(error?.message ?? error) });
 }
+
+/**
+ * @param {string} kind @param {string} id  of the words @param {Record<string, unknown>} [values]
+ * @returns {Refusal}
+ */
+const refusal = (kind, id, values = {}) => ({
+  kind,
+  message: { id, values },
+  hint: { id: `${id}.hint`, values },
+  detail: {},
+});
 
 /** Nothing may be asked of a session after a trap. @param {() => void} work */
 function guarded(work) {
@@ -239,7 +247,7 @@ function answer({ id, name, fields, run: number, shown }) {
   /** @param {unknown} error */
   const refuse = (error) => {
     if (isTrap(error)) throw error;
-    page.postMessage({ id, error: asFault(error) });
+    page.postMessage({ id, error: asRefusal(error) });
   };
   if (number !== undefined) {
     running = false;
@@ -266,6 +274,14 @@ function tell(stage, fraction) {
   if (now < nextProgress) return;
   nextProgress = now + 100;
   page.postMessage({ type: "progress", run, stage, fraction });
+}
+
+/** A sign of life, once a second at most, where nothing else is said between steps. */
+function live() {
+  const now = performance.now();
+  if (now < nextLife) return;
+  nextLife = now + 1000;
+  page.postMessage({ type: "alive" });
 }
 
 const wasm = new URL("./pkg/solver/solver_bg.wasm", import.meta.url);

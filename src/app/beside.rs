@@ -10,6 +10,7 @@ use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::Status;
 use crate::flow::options::{FlowName, FlowOptions};
 use crate::flow::spec::{self, Family};
+use crate::message::Message;
 use serde::Serialize;
 
 /// Steps that the others still take after the chosen flow has come to rest.
@@ -25,7 +26,7 @@ pub struct Standing {
     /// Whether it is over.
     pub status: Status,
     /// Why.
-    pub message: String,
+    pub message: Option<Message>,
     /// The jump of H across the boundary of what moves.
     pub jump: Option<CurvatureJump>,
 }

@@ -1,6 +1,7 @@
 //! What may be asked of the application, and what it answers: the one seam to JavaScript
 //! beside [`Frame`](super::Frame).
 
+use super::bench::{BenchOptions, BenchReport};
 use super::conjecture::{ConjectureReport, LabReport, QuadReport};
 use super::crossing::SelfIntersections;
 use super::diagnosis::Diagnosis;
@@ -12,14 +13,14 @@ use super::history::Timeline;
 use super::invert::{InversionReport, Inverted};
 use super::link::{LinkCheck, LinkScene, PageScene, WrittenLink};
 use super::look::{Look, Wanted};
-use super::readings::{EnergyReadings, Info, State};
+use super::outcome::Outcome;
+use super::readings::{EnergyOptions, EnergyReadings, Info, State};
 use super::recipe::{Origin, RecipeCard, ReplayProgress, ReplayReport, ScriptText};
 use super::study::{StudyOptions, StudyReport};
 use super::subdivide::SubdivideOptions;
 use super::work::Configured;
 use super::{Loaded, RegulariseOptions, Regularised, Session};
 use crate::arrays::TypedArray;
-use crate::energy::circle::Boundary;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::StepReport;
 use crate::flow::option::{Values, options_of};
@@ -58,14 +59,7 @@ pub enum Command {
     /// Diagnosis card.
     Info {},
     /// Energies of the surface as it is now.
-    Energy {
-        /// Exponents beside the usual ones.
-        #[serde(default)]
-        p: Vec<f64>,
-        /// What holds at the boundary.
-        #[serde(default)]
-        boundary: Boundary,
-    },
+    Energy(EnergyOptions),
     /// Chooses flow and parameters, and goes back to the start.
     Configure {
         /// Those that are not the usual ones.
@@ -185,6 +179,14 @@ pub enum Command {
         #[serde(default)]
         options: Option<StudyOptions>,
     },
+    /// The next row of a table of measurements; with options it begins anew.
+    Bench {
+        /// Of what.
+        #[serde(default)]
+        options: Option<BenchOptions>,
+    },
+    /// How the run of the present flow ended.
+    Outcome {},
     /// The jump of H across the boundary of what moves.
     CurvatureJump {},
     /// What is known of a recipe.
@@ -291,6 +293,8 @@ pub enum Answer {
     /// None where there are too many triangles near each other.
     SelfIntersections(Option<SelfIntersections>),
     Study(StudyReport),
+    Bench(BenchReport),
+    Outcome(Box<Outcome>),
     CurvatureJump(Option<CurvatureJump>),
     ReadRecipe(RecipeCard),
     WriteRecipe(String),
@@ -334,7 +338,7 @@ impl Session {
             }
             C::Loaded {} => Answer::Loaded(self.loaded()?),
             C::Info {} => Answer::Info(self.info()?),
-            C::Energy { p, boundary } => Answer::Energy(self.energy(boundary, &p)?),
+            C::Energy(options) => Answer::Energy(self.energy(options.boundary, &options.p)?),
             C::Configure { options } => {
                 let configured = self.configure(options_of(&options)?)?;
                 self.tell_flow();
@@ -404,6 +408,8 @@ impl Session {
             C::Why {} => Answer::Why(self.why()?),
             C::SelfIntersections {} => Answer::SelfIntersections(self.self_intersections()?),
             C::Study { options } => Answer::Study(self.study(options.as_ref())?),
+            C::Bench { options } => Answer::Bench(self.bench(options.as_ref())?),
+            C::Outcome {} => Answer::Outcome(Box::new(self.outcome()?)),
             C::CurvatureJump {} => Answer::CurvatureJump(self.curvature_jump()?),
             C::ReadRecipe { text } => Answer::ReadRecipe(self.read_recipe(&text)?),
             C::WriteRecipe { origin } => Answer::WriteRecipe(self.write_recipe(origin.as_ref())?),

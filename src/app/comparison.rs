@@ -119,6 +119,7 @@ mod tests {
     use crate::energy::circle::Boundary;
     use crate::flow::option::Value;
     use crate::flow::options::FlowName;
+    use crate::message::Say;
 
     #[test]
     fn a_change_gives_back_the_options_it_was_made_of() {

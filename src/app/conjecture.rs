@@ -2,6 +2,7 @@
 
 use super::Session;
 use super::fault::Fault;
+use super::message::AppError;
 use super::work::Work;
 use crate::arrays::TypedArray;
 use crate::mesh::{Edge, HalfedgeMesh};
@@ -147,8 +148,8 @@ impl Work {
             .map(|&v| self.x.get(v as usize).copied())
             .collect();
         let Some(x) = points else {
-            let message = format!("there are no vertices {corners:?}");
-            return Err(Fault::new("NoSuchVertex", message, "Choose an edge anew."));
+            let corners = corners.to_vec();
+            return Err(AppError::NoSuchVertex { corners }.into());
         };
         let x = self.document.frame.leave(&x);
         let quad = Quad {

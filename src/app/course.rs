@@ -5,6 +5,7 @@ use super::Session;
 use super::engine::Engine;
 use super::fault::Fault;
 use super::history::Deed;
+use super::message::AppError;
 use super::readings::State;
 use super::work::{Configured, Work};
 use crate::flow::options::{FlowName, FlowOptions};
@@ -145,9 +146,7 @@ impl Work {
     pub(super) fn continue_with(&mut self, options: FlowOptions) -> Result<Configured, Fault> {
         let is_flips = |options: &FlowOptions| options.flow == FlowName::Flips;
         if is_flips(self.options()) || is_flips(&options) || !self.beside.is_empty() {
-            let message = "edge flips, and flows beside each other, go from the mesh itself";
-            let hint = "Keep the surface as a new start, or change the flow from the start.";
-            return Err(Fault::new("WrongFlow", message, hint));
+            return Err(AppError::FixedStart.into());
         }
         let options = self.with_selection(options);
         if options == *self.options() {

@@ -1,11 +1,13 @@
 //! The mesh a session works on, as loaded and as flowed.
 
 use super::fault::Fault;
+use super::message::Notice;
 use super::readings::Info;
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
 use crate::mesh::shape::Sample;
-use crate::mesh::{self, Built, HalfedgeMesh, counted};
+use crate::mesh::{self, Built, HalfedgeMesh};
+use crate::message::Message;
 use crate::operator::Elements;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
@@ -28,8 +30,8 @@ pub(super) struct Document {
     pub(super) frame: Frame,
     /// Positions at step 0, in the frame.
     pub(super) start: Vec<DVec3>,
-    /// What was repaired.
-    pub(super) warnings: Vec<String>,
+    /// What was repaired, and is to be known of it.
+    pub(super) warnings: Vec<Message>,
     /// Vertices to hold or to move, of a sample that suggests them.
     pub(super) fixed: Option<Vec<u32>>,
     /// See `fixed`.
@@ -45,7 +47,7 @@ impl Document {
         Self::new(
             if name.is_empty() { "mesh" } else { name },
             read.soup,
-            read.warnings,
+            read.warnings.into_iter().map(Message::from).collect(),
         )
     }
 
@@ -59,15 +61,15 @@ impl Document {
         })
     }
 
-    fn new(name: &str, soup: PolygonSoup, mut warnings: Vec<String>) -> Result<Self, Fault> {
+    fn new(name: &str, soup: PolygonSoup, mut warnings: Vec<Message>) -> Result<Self, Fault> {
         let Built {
             mesh: polygons,
             positions: mut start,
-            warnings: repairs,
+            repairs,
             ..
         } = mesh::build(&soup)?;
         drop(soup);
-        warnings.extend(repairs);
+        warnings.extend(repairs.into_iter().map(Message::from));
         let polygons = Rc::new(polygons);
         let triangles = triangulated(&polygons, &start)?;
         if !polygons.is_triangular() {
@@ -75,16 +77,12 @@ impl Document {
                 .faces()
                 .filter(|&f| polygons.face_vertices(f).count() > 3)
                 .count();
-            let how = if larger == polygons.n_faces() && Elements::of(&polygons).is_some() {
-                "the p-Willmore flow keeps them, other flows work on a triangulated copy"
-            } else {
-                "flows work on a triangulated copy"
+            let is_kept = larger == polygons.n_faces() && Elements::of(&polygons).is_some();
+            let polygons = Notice::Polygons {
+                count: larger,
+                kept: if is_kept { "p-willmore" } else { "none" },
             };
-            warnings.push(format!(
-                "The mesh has {} of more than three corners: {how}; files are written with the \
-                 original faces.",
-                counted(larger, "face", "faces")
-            ));
+            warnings.push(polygons.into());
         }
         let frame = Frame::of(&start);
         frame.enter(&mut start);
@@ -112,10 +110,8 @@ impl Document {
             })
             .count();
         if flat > 0 {
-            self.warnings.push(format!(
-                "The mesh has {} without area (collinear corners).",
-                counted(flat, "triangle", "triangles")
-            ));
+            let count = flat;
+            self.warnings.push(Notice::FlatTriangles { count }.into());
         }
         let shortest = NEARLY_COINCIDENT * measure::mean_edge_length(mesh, x);
         let near = mesh
@@ -123,14 +119,10 @@ impl Document {
             .filter(|&e| measure::edge_length(mesh, x, e) < shortest);
         let mut near = near.peekable();
         if let Some(&e) = near.peek() {
-            let [a, b] = mesh.ends(e);
-            self.warnings.push(format!(
-                "The mesh has {} shorter than a millionth of the mean, the first between vertices {} \
-                 and {}: merge such vertices (merge by distance) for a better flow.",
-                counted(near.count(), "edge", "edges"),
-                a.0,
-                b.0
-            ));
+            let [a, b] = mesh.ends(e).map(|v| v.0);
+            let count = near.count();
+            self.warnings
+                .push(Notice::ShortEdges { count, a, b }.into());
         }
         self
     }

@@ -2,6 +2,7 @@
 
 use super::document::Document;
 use super::fault::Fault;
+use super::message::AppError;
 use super::recipe::Edit;
 use super::work::{Suspended, Work};
 use super::{Loaded, Session};
@@ -97,11 +98,7 @@ impl Session {
     /// `NothingToUndo`.
     pub fn undo_edit(&mut self) -> Result<Loaded, Fault> {
         let Some(before) = self.edits.0.pop() else {
-            return Err(Fault::new(
-                "NothingToUndo",
-                "there is no edit to undo",
-                "A fill or edge flips can be undone once they are done.",
-            ));
+            return Err(AppError::NothingToUndo.into());
         };
         self.work = Some(before.resume(self.progress.clone()));
         self.loaded()

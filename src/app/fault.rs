@@ -1,76 +1,80 @@
 //! The one shape of error that leaves the crate.
 
+use super::message::AppError;
 use crate::flow::FlowError;
 use crate::flow::option::OptionError;
 use crate::io::{ReadError, WriteError};
 use crate::mesh::MeshError;
 use crate::mesh::shape::ShapeError;
 use crate::mesh::subdivide::SubdivisionError;
+use crate::message::{Message, Say};
 use crate::remesh::fill::FillError;
+use crate::remesh::static_pass::RegulariseError;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// A refusal or failure: what is wrong and where, and what to do about it.
 ///
-/// Code switches on `kind`, never on the text.
+/// Code switches on `kind`, never on the message.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Fault {
     /// Noun of what is wrong.
-    pub kind: String,
+    pub kind: &'static str,
     /// What is wrong and where.
-    pub message: String,
+    pub message: Message,
     /// What the user can do.
-    pub hint: String,
+    pub hint: Message,
     /// The elements at fault: lists of indices by name.
-    pub detail: BTreeMap<String, Vec<f64>>,
+    pub detail: BTreeMap<&'static str, Vec<f64>>,
 }
 
 impl Fault {
     /// A fault without elements.
-    pub fn new(kind: &str, message: impl Into<String>, hint: impl Into<String>) -> Self {
-        let (message, hint) = (message.into(), hint.into());
+    pub fn new(said: &impl Say) -> Self {
         Self {
-            kind: kind.into(),
-            message,
-            hint,
+            kind: said.kind(),
+            message: said.message(),
+            hint: said.hint(),
             detail: BTreeMap::new(),
         }
     }
 
     /// Nothing has been loaded.
     pub fn no_mesh() -> Self {
-        Self::new(
-            "NoMesh",
-            "there is no mesh",
-            "Open a mesh or choose a sample first.",
-        )
+        AppError::NoMesh.into()
     }
 
     /// A name of a format that is none.
     pub fn unknown_format(name: &str) -> Self {
-        Self::new(
-            "UnknownFormat",
-            format!("there is no format `{name}`"),
-            "obj, off, ply, ply-ascii, stl, stl-ascii or glb.",
-        )
+        AppError::UnknownFormat {
+            name: name.into(),
+            known: crate::io::Format::ALL.map(crate::io::Format::name).to_vec(),
+        }
+        .into()
     }
 
     fn with(mut self, detail: impl IntoIterator<Item = (&'static str, Vec<u32>)>) -> Self {
         let numbers = |list: Vec<u32>| list.into_iter().map(f64::from).collect();
         self.detail = detail
             .into_iter()
-            .map(|(name, list)| (name.into(), numbers(list)))
+            .map(|(name, list)| (name, numbers(list)))
             .collect();
         self
     }
 }
 
+impl From<AppError> for Fault {
+    fn from(error: AppError) -> Self {
+        Self::new(&error)
+    }
+}
+
 impl From<ReadError> for Fault {
     fn from(error: ReadError) -> Self {
-        let mut fault = Self::new(error.kind(), error.to_string(), error.hint());
+        let mut fault = Self::new(&error);
         for (name, number) in error.detail() {
-            fault.detail.entry(name.into()).or_default().push(number);
+            fault.detail.entry(name).or_default().push(number);
         }
         fault
     }
@@ -78,42 +82,48 @@ impl From<ReadError> for Fault {
 
 impl From<WriteError> for Fault {
     fn from(error: WriteError) -> Self {
-        Self::new(error.kind(), error.to_string(), error.hint())
+        Self::new(&error)
     }
 }
 
 impl From<ShapeError> for Fault {
     fn from(error: ShapeError) -> Self {
-        Self::new(error.kind(), error.to_string(), error.hint())
-    }
-}
-
-impl From<MeshError> for Fault {
-    fn from(error: MeshError) -> Self {
-        Self::new(error.kind(), error.to_string(), error.hint()).with(error.detail())
-    }
-}
-
-impl From<FlowError> for Fault {
-    fn from(error: FlowError) -> Self {
-        Self::new(error.kind(), error.to_string(), error.hint()).with(error.detail())
+        Self::new(&error)
     }
 }
 
 impl From<OptionError> for Fault {
     fn from(error: OptionError) -> Self {
-        Self::new(error.kind(), error.to_string(), error.hint())
+        Self::new(&error)
     }
 }
 
 impl From<SubdivisionError> for Fault {
     fn from(error: SubdivisionError) -> Self {
-        Self::new(error.kind(), error.to_string(), error.hint())
+        Self::new(&error)
+    }
+}
+
+impl From<RegulariseError> for Fault {
+    fn from(error: RegulariseError) -> Self {
+        Self::new(&error)
+    }
+}
+
+impl From<MeshError> for Fault {
+    fn from(error: MeshError) -> Self {
+        Self::new(&error).with(error.detail())
+    }
+}
+
+impl From<FlowError> for Fault {
+    fn from(error: FlowError) -> Self {
+        Self::new(&error).with(error.detail())
     }
 }
 
 impl From<FillError> for Fault {
     fn from(error: FillError) -> Self {
-        Self::new(error.kind(), error.to_string(), error.hint()).with(error.detail())
+        Self::new(&error).with(error.detail())
     }
 }

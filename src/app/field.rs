@@ -1,6 +1,7 @@
 //! Scalar fields to colour the surface by.
 
 use super::fault::Fault;
+use super::message::AppError;
 use crate::arrays::TypedArray;
 use crate::energy::circle::{Boundary, CircleEnergy};
 use crate::geometry::curvature;
@@ -42,20 +43,12 @@ impl FieldName {
     pub fn parse(name: &str) -> Result<Self, Fault> {
         let found = Self::ALL.into_iter().find(|(_, n)| *n == name);
         found.map(|(field, _)| field).ok_or_else(|| {
-            let known: Vec<&str> = Self::ALL.iter().map(|(_, n)| *n).collect();
-            let hint = format!("It may be none, {}.", known.join(", "));
-            Fault::new("UnknownField", format!("there is no field `{name}`"), hint)
+            let error = AppError::UnknownField {
+                name: name.into(),
+                known: Self::ALL.iter().map(|(_, n)| *n).collect(),
+            };
+            error.into()
         })
-    }
-
-    fn label(self) -> &'static str {
-        match self {
-            Self::MeanCurvature => "Mean curvature H",
-            Self::GaussCurvature => "Gaussian curvature K",
-            Self::Willmore => "Willmore energy W_i",
-            Self::Gradient => "Gradient size",
-            Self::Displacement => "Displacement from the start",
-        }
     }
 
     fn is_signed(self) -> bool {
@@ -69,8 +62,6 @@ impl FieldName {
 pub struct Field {
     /// Which field.
     pub name: FieldName,
-    /// For people.
-    pub label: &'static str,
     /// One value a vertex.
     pub values: TypedArray<f32>,
     /// Lower end of the robust range; −`high` when signed.
@@ -103,10 +94,9 @@ impl Field {
         });
         let (low, high) = robust_range(&values, name.is_signed());
         let values = values.into_iter().map(|v| v as f32).collect();
-        let (label, signed) = (name.label(), name.is_signed());
+        let signed = name.is_signed();
         Self {
             name,
-            label,
             values,
             low: low as f32,
             high: high as f32,

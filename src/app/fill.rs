@@ -2,8 +2,9 @@
 
 use super::document::{Document, triangulated};
 use super::fault::Fault;
+use super::message::{AppError, Notice};
 use super::work::Work;
-use crate::mesh::counted;
+use crate::message::Message;
 use crate::remesh::fill::{self, BoundaryLoop, FillProgress, Filled, boundary_loops};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
@@ -13,14 +14,13 @@ use std::rc::Rc;
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum Loops {
-    /// All, by name.
-    #[default]
-    #[serde(skip)]
-    All,
     /// Some of them.
     Some(Vec<usize>),
     /// A word: `all`, or `inner` for all but the longest.
     Word(String),
+    /// All.
+    #[default]
+    All,
 }
 
 /// How holes are filled. Unknown names are refused.
@@ -50,8 +50,8 @@ pub struct FillOutcome {
     pub faces_added: usize,
     /// The first new vertex.
     pub first_vertex: usize,
-    /// What is worth knowing, a sentence each.
-    pub warnings: Vec<String>,
+    /// What is worth knowing.
+    pub warnings: Vec<Message>,
 }
 
 /// A boundary loop, for people to choose from.
@@ -101,12 +101,8 @@ impl Work {
             Loops::Word(word) if word == "all" => None,
             Loops::Some(loops) => Some(loops.clone()),
             Loops::Word(word) => {
-                let message = format!("`{word}` names no boundary loops");
-                return Err(Fault::new(
-                    "BadOption",
-                    message,
-                    "Use all, inner, or a list of numbers.",
-                ));
+                let word = word.clone();
+                return Err(AppError::UnknownLoops { word }.into());
             }
         };
         let document = self.present();
@@ -120,8 +116,11 @@ impl Work {
             mesh,
             positions,
             patches,
-            warnings,
+            notices,
+            repairs,
         } = fill::fill(&document.polygons, &self.x, &settings, progress)?;
+        let mut warnings: Vec<Message> = notices.into_iter().map(Message::from).collect();
+        warnings.extend(repairs.into_iter().map(Message::from));
         let (n_old, n_new) = (self.x.len(), positions.len() - self.x.len());
         let outcome = FillOutcome {
             loops: patches
@@ -135,11 +134,11 @@ impl Work {
         };
         let polygons = Rc::new(mesh);
         let mut said = document.warnings.clone();
-        said.push(format!(
-            "Filled {} with {}.",
-            counted(outcome.loops.len(), "boundary loop", "boundary loops"),
-            counted(n_new, "new vertex", "new vertices")
-        ));
+        let filled = Notice::Filled {
+            count: outcome.loops.len(),
+            vertices: n_new,
+        };
+        said.push(filled.into());
         said.extend(outcome.warnings.iter().cloned());
         let document = Document {
             name: document.name.clone(),

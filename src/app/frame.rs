@@ -12,16 +12,17 @@ use super::work::{Configured, Work};
 use super::{Session, as_f32};
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
-use crate::flow::StepReport;
 use crate::flow::options::FlowOptions;
+use crate::flow::{StepReport, Warning};
 use serde::Serialize;
 use std::mem::take;
 use std::rc::Rc;
 
 /// What a plot has of a step, and what the step warns of.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 #[cfg_attr(test, derive(ts_rs::TS))]
-pub struct Sample {
+pub struct PlotPoint {
     /// Number of the step.
     pub step: usize,
     /// Flow time after it.
@@ -32,18 +33,27 @@ pub struct Sample {
     pub energy: f64,
     /// See [`StepReport::objective`].
     pub objective: f64,
+    /// Total area.
+    pub area: f64,
+    /// Signed volume of a closed oriented surface.
+    pub volume: Option<f64>,
+    /// Smallest corner angle.
+    pub min_angle_degrees: f64,
     /// Worth telling the user; none where the step was told of before.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
-impl Sample {
-    fn of(report: &StepReport, warnings: &[String]) -> Self {
+impl PlotPoint {
+    fn of(report: &StepReport, warnings: &[Warning]) -> Self {
         Self {
             step: report.step,
             time: report.time,
             dt: report.dt,
             energy: report.energy,
             objective: report.objective,
+            area: report.area,
+            volume: report.volume,
+            min_angle_degrees: report.min_angle_degrees,
             warnings: warnings.to_vec(),
         }
     }
@@ -67,7 +77,7 @@ pub struct Frame {
     /// Readings.
     pub state: State,
     /// The steps that no frame has told of yet, oldest first.
-    pub reports: Vec<Sample>,
+    pub reports: Vec<PlotPoint>,
     /// Three coordinates a vertex, relative to the mesh's frame, for drawing.
     pub positions: TypedArray<f32>,
     /// The same in full precision, to go on from after a crash.
@@ -99,13 +109,13 @@ pub(super) struct View {
     pub(super) look: Option<Wanted>,
     /// The flow whose options were told.
     pub(super) flow: Option<Rc<Course>>,
-    reports: Vec<Sample>,
+    reports: Vec<PlotPoint>,
 }
 
 impl View {
     /// A step was taken that frames have not told of.
     pub(super) fn add(&mut self, report: &StepReport) {
-        self.reports.push(Sample::of(report, &report.warnings));
+        self.reports.push(PlotPoint::of(report, &report.warnings));
     }
 
     /// Steps not told of by now are of a run that is no more.
@@ -119,7 +129,7 @@ impl View {
         let first = reports.partition_point(|report| report.step <= step);
         let samples = reports[first..]
             .iter()
-            .map(|report| Sample::of(report, &[]));
+            .map(|report| PlotPoint::of(report, &[]));
         self.reports.extend(samples);
     }
 }

@@ -1,9 +1,16 @@
 //! What a link, a recipe or a command line gives beside the options of a flow: read and checked
 //! before anything is changed.
 
+use super::RegulariseOptions;
+use super::bench::BenchOptions;
 use super::fault::Fault;
+use super::fill::FillOptions;
+use super::flip::FlipOptions;
 use super::pane::{Arrangement, Compare};
-use crate::flow::option::{self, Kind, Named, Options, Range, ReadBy, Row, Values, row};
+use super::readings::EnergyOptions;
+use crate::flow::option::{
+    self, Kind, Named, OptionError, Options, Range, ReadBy, Row, Value, Values, row,
+};
 use crate::flow::options::{FlowName, FlowOptions};
 use crate::flow::spec::FLIPS;
 
@@ -35,12 +42,38 @@ impl Options for Arrangement {
     };
 }
 
-/// Reads the flags of a command that runs a flow, by the names of their options.
+/// Reads the flags of a command by the names of their options; any command that has no options of
+/// its own runs a flow.
 ///
 /// # Errors
-/// As [`option::read_strictly`].
-pub fn read_flags(words: &Values) -> Result<Values, Fault> {
-    Ok(option::read_strictly(words)?)
+/// An option that there is not, a value that it cannot have, and what would change nothing.
+pub fn read_flags(command: &str, words: &Values) -> Result<Values, Fault> {
+    Ok(match command {
+        "energy" => option::read::<EnergyOptions>(words)?,
+        "flips" => option::read::<FlipOptions>(words)?,
+        "regularise" => option::read::<RegulariseOptions>(words)?,
+        "fill" => option::read::<FillOptions>(words)?,
+        "bench" => {
+            let values = option::read::<BenchOptions>(words)?;
+            option::options_of::<BenchOptions>(&values)?.check()?;
+            values
+        }
+        _ => flow_flags(words.clone())?,
+    })
+}
+
+fn flow_flags(mut words: Values) -> Result<Values, OptionError> {
+    let text = |text: &str| Value::Text(text.into());
+    // Smoothing takes a set number of steps, and leading a volume keeps it.
+    if words.get("goal") == Some(&text("smooth"))
+        && let Some(steps) = words.get("maxSteps").cloned()
+    {
+        words.entry("smoothSteps".into()).or_insert(steps);
+    }
+    if words.contains_key("reducedVolume") {
+        words.entry("keep".into()).or_insert(text("area,volume"));
+    }
+    option::read_strictly(&words)
 }
 
 /// The refusal of a flag that a command with these flags does not have.

@@ -4,6 +4,7 @@ use super::document::Document;
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::look::{Look, Wanted};
+use super::message::AppError;
 use super::recipe::Edit;
 use super::work::Work;
 use super::{Loaded, Session, as_f32};
@@ -145,23 +146,15 @@ impl Work {
         let from_middle = DVec3::from_array(centre);
         let centre = middle + size * from_middle;
         if !from_middle.is_finite() || from_middle.length() > FARTHEST || size <= 0.0 {
-            return Err(Fault::new(
-                "CentreTooFar",
-                format!("the centre is more than {FARTHEST} times the size of the surface away"),
-                "From so far an inversion looks like doing nothing: choose a centre nearer by.",
-            ));
+            return Err(AppError::CentreTooFar { most: FARTHEST }.into());
         }
         let distance = distance_to_surface(mesh, x, centre) / size;
         if distance.is_nan() || distance < NEAREST {
-            return Err(Fault::new(
-                "CentreTooNear",
-                format!(
-                    "the centre is {:.2} % of the size of the surface away from it, and needs {:.1} %",
-                    100.0 * distance,
-                    100.0 * NEAREST
-                ),
-                "A point of the surface at the centre would go to infinity: move the centre off it.",
-            ));
+            let error = AppError::CentreTooNear {
+                percent: 100.0 * distance,
+                least: 100.0 * NEAREST,
+            };
+            return Err(error.into());
         }
         let map = Inversion::framed(mesh, x, centre);
         let y: Vec<DVec3> = x.iter().map(|&p| map.apply(p)).collect();

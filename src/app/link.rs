@@ -24,7 +24,7 @@ use super::{Session, library};
 use crate::arrays::TypedArray;
 use crate::flow::option::{self, Options, Value, Values};
 use crate::flow::options::{FlowName, FlowOptions};
-use error::{Allowed, LinkError, shortened};
+pub use error::{LinkError, LinkValue};
 use serde::{Deserialize, Serialize};
 use words::Words;
 
@@ -240,18 +240,18 @@ impl Link {
         };
         link.read_source(&words)?;
         link.read_options(&words, &mut reader)?;
-        let step = words.read_as("step", Allowed::Step, whole)?;
+        let step = words.read_as("step", LinkValue::Step, whole)?;
         link.step = step.unwrap_or_default();
         link.read_actions(&words, &mut reader)?;
         link.read_view(&words)?;
         link.read_comparison(&words)?;
         let energy = |text: &str| is_energy(text).then(|| text.to_owned());
-        link.check = words.read_as("check", Allowed::Energy, energy)?;
+        link.check = words.read_as("check", LinkValue::Energy, energy)?;
         let version = |text: &str| {
             let fits = (1..=40).contains(&text.len()) && is_among(text, "_.+-");
             fits.then(|| text.to_owned())
         };
-        link.version = words.read_as("version", Allowed::Version, version)?;
+        link.version = words.read_as("version", LinkValue::Version, version)?;
         Ok(link)
     }
 
@@ -262,10 +262,10 @@ impl Link {
             let fits = (DIGEST..=64).contains(&text.len()) && text.bytes().all(is_digit);
             fits.then(|| text[..DIGEST].to_owned())
         };
-        self.hash = words.read_as("hash", Allowed::Digest, digest)?;
-        let sample = words.read_as("sample", Allowed::Sample, library::sample)?;
+        self.hash = words.read_as("hash", LinkValue::Digest, digest)?;
+        let sample = words.read_as("sample", LinkValue::Sample, library::sample)?;
         let figure = words.get("figure").map(|id| {
-            library::figure(id).ok_or_else(|| LinkError::UnknownFigure { id: shortened(id) })
+            library::figure(id).ok_or_else(|| LinkError::bad("figure", id, LinkValue::Figure))
         });
         let figure = figure.transpose()?;
         self.figure = figure.map(|figure| figure.id.into());
@@ -311,12 +311,14 @@ impl Link {
     }
 
     fn read_actions(&mut self, words: &Words, reader: &mut Reader) -> Result<(), LinkError> {
-        let edits = words.read_as("edits", Allowed::Edits, |text| {
+        let edits = words.read_as("edits", LinkValue::Edits, |text| {
             record::decode_edits(text, reader)
         })?;
         self.edits = edits.transpose()?;
-        let allowed = Allowed::Path { step: self.step };
-        let path = words.read_as("path", allowed, |text| record::decode_path(text, reader))?;
+        let allowed = LinkValue::Path { step: self.step };
+        let path = words.read_as("path", allowed.clone(), |text| {
+            record::decode_path(text, reader)
+        })?;
         self.path = path.transpose()?;
         let total = self.path.as_deref().map(steps_in);
         if total.is_some_and(|total| total != self.step as u64) {
@@ -347,7 +349,13 @@ impl Link {
             }
             names
         };
-        if let Some(colour) = words.read_as("colour", Allowed::Names(COLOURS), colour)? {
+        if let Some(colour) = words.read_as(
+            "colour",
+            LinkValue::OneOf {
+                names: COLOURS.to_vec(),
+            },
+            colour,
+        )? {
             self.colour = colour;
         }
         let camera = |text: &str| {
@@ -357,7 +365,7 @@ impl Link {
                 (2..=MOST_NUMBERS).contains(&all.len()) && all.iter().all(|x| x.is_finite())
             })
         };
-        self.camera = words.read_as("camera", Allowed::Camera, camera)?;
+        self.camera = words.read_as("camera", LinkValue::Camera, camera)?;
         let yes = |word| Ok::<_, LinkError>(words.choice(word, YES_OR_NO)?.map(|n| n == 1));
         self.view = LinkView {
             shading: (words.choice("shading", SHADINGS)?)
@@ -376,14 +384,14 @@ impl Link {
             "" => Vec::new(),
             text => text.split('*').take(MOST_PANES + 1).collect(),
         };
-        let refused = || LinkError::bad("panes", text, Allowed::Panes);
+        let refused = || LinkError::bad("panes", text, LinkValue::Panes);
         let count = panes.len() + 1;
         let pane = |text: &str| {
             let place = LETTERS.iter().position(|letter| *letter == text);
             place.filter(|place| *place < count)
         };
-        let shown = words.read_as("shown", Allowed::Pane, pane)?;
-        let difference = words.read_as(DIFFERENCE, Allowed::Pane, pane)?;
+        let shown = words.read_as("shown", LinkValue::Pane, pane)?;
+        let difference = words.read_as(DIFFERENCE, LinkValue::Pane, pane)?;
         let lockstep = words.choice("lockstep", LOCKSTEPS)?;
         if panes.is_empty() {
             return Ok(());

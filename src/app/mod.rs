@@ -3,6 +3,7 @@
 //! Knows no wasm; `web::session` only converts. A failed request changes nothing: the
 //! mesh, its positions and its history stay as they were.
 
+mod bench;
 mod beside;
 mod command;
 mod comparison;
@@ -25,6 +26,9 @@ mod json;
 pub mod library;
 mod link;
 mod look;
+mod message;
+mod options;
+mod outcome;
 mod pane;
 mod probe;
 mod readings;
@@ -36,32 +40,36 @@ mod work;
 
 pub use crate::flow::Progress;
 pub use crate::remesh::static_pass::{MeshQuality, RegulariseOptions, Regularised};
+pub use bench::{Bench, BenchOptions, BenchReport, MeshFile, TableName};
 pub use beside::Standing;
 pub use command::{Answer, Command};
 pub use comparison::{Comparison, Lockstep, PaneChange};
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
 pub use crossing::SelfIntersections;
-pub use diagnosis::{Change, Diagnosis, DiagnosisKind, Remedy, RemedyId, Text};
+pub use diagnosis::{Change, Diagnosis, Label, Remedy, RemedyId, Symptom};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
 pub use flip::{Costs, FlipOptions, FlipOutcome};
-pub use frame::{ChosenFlow, Frame, Sample};
+pub use frame::{ChosenFlow, Frame, PlotPoint};
 pub use given::{read_flags, unknown_flag};
 pub use history::{BranchInfo, Timeline};
 pub use invert::{InversionReadings, InversionReport, Inverted};
 pub use link::{
-    Check, Lack, LinkCheck, LinkScene, LinkView, PageScene, Scale, Shading, WrittenLink,
+    Check, Lack, LinkCheck, LinkError, LinkScene, LinkValue, LinkView, PageScene, Scale, Shading,
+    WrittenLink,
 };
 pub use look::{
     ALIGNED_DEGREES, Alignment, Drawn, Look, MAX_CIRCLES, MAX_CROSSES, SegmentKind, Wanted,
 };
+pub use message::{AppError, Notice};
+pub use outcome::{Outcome, RunNotice};
 pub use pane::{Arrangement, Compare, Curve, Curves, Pane};
 pub use probe::{Probe, ProbedEdge, edge_angle};
-pub use readings::{EnergyReadings, Info, State};
+pub use readings::{EnergyOptions, EnergyReadings, Info, State};
 pub use recipe::{
-    Action, Edit, EditRecord, Estimate, Origin, Outcome, Provenance, RecipeCard, RecipeMesh,
-    ReplayProgress, ReplayReport, ScriptText,
+    Action, Edit, EditRecord, Estimate, MustBe, Origin, Provenance, RecipeCard, RecipeError,
+    RecipeMesh, ReplayProgress, ReplayReport, ReplayResult, ScriptText,
 };
 pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
 pub use subdivide::{SubdivideOptions, SubdivisionScheme};
@@ -94,6 +102,9 @@ pub struct Loaded {
     pub info: Info,
     /// Three coordinates a vertex, relative to the mesh's frame.
     pub positions: TypedArray<f32>,
+    /// What is added to positions for the file's coordinates; zero unless those lie far from the
+    /// origin.
+    pub shift: [f64; 3],
     /// Three corners a triangle.
     pub triangles: TypedArray<u32>,
     /// Two ends an edge of the file's own faces.
@@ -114,6 +125,7 @@ impl Loaded {
             name: document.name.clone(),
             info: document.info(),
             positions: as_f32(&document.start).into(),
+            shift: document.frame.shift.to_array(),
             triangles: document.triangles.triangle_indices().into(),
             wire_edges: document.polygons.edge_indices(false).into(),
             boundary_edges: document.polygons.edge_indices(true).into(),
@@ -131,6 +143,7 @@ pub struct Session {
     lab: Option<Lab>,
     edits: Edits,
     study: Option<Study>,
+    bench: Option<Bench>,
     view: View,
     progress: Option<Progress>,
     replay: Option<Replay>,

@@ -2,6 +2,7 @@
 //! field names in camel case.
 
 use super::crossing;
+use super::message::Notice;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{self, Boundary, CircleEnergy};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore, WillmoreBounds};
@@ -9,12 +10,12 @@ use crate::energy::{conformal, p_willmore};
 use crate::flow::flips::FlipReading;
 use crate::flow::{Monitored, Multipliers, Status, StepReport};
 use crate::geometry::measure;
-use crate::mesh::{HalfedgeMesh, counted};
+use crate::mesh::HalfedgeMesh;
+use crate::message::Message;
 use crate::operator::{Elements, Mass};
 use glam::DVec3;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::rc::Rc;
 
 /// Diagnosis card of a mesh.
@@ -53,7 +54,7 @@ pub struct Info {
     /// many triangles to be compared in about a second.
     pub self_intersections: Option<usize>,
     /// What was repaired or is worth knowing.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 impl Info {
@@ -62,15 +63,12 @@ impl Info {
         mesh: &Rc<HalfedgeMesh>,
         triangles: &HalfedgeMesh,
         x: &[DVec3],
-        warnings: &[String],
+        warnings: &[Message],
     ) -> Self {
         let self_intersections = crossing::count(triangles, x);
         let mut warnings = warnings.to_vec();
         if let Some(n) = self_intersections.filter(|&n| n > 0) {
-            warnings.push(format!(
-                "The surface passes through itself in {}: the flows go on all the same.",
-                counted(n, "pair of triangles", "pairs of triangles")
-            ));
+            warnings.push(Notice::SelfIntersections { count: n }.into());
         }
         let quads = quadrilateral_integrals(mesh, x, 2.0);
         let volume = measure::volume(mesh, x);
@@ -92,6 +90,17 @@ impl Info {
             warnings,
         }
     }
+}
+
+/// Which energies. Unknown names are refused.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct EnergyOptions {
+    /// Exponents beside the usual ones.
+    pub p: Vec<f64>,
+    /// What holds at the boundary.
+    pub boundary: Boundary,
 }
 
 /// All energies and integrals of a surface.
@@ -189,8 +198,8 @@ pub struct State {
     pub time: f64,
     /// Whether and why the run is over.
     pub status: Status,
-    /// The reason, a sentence.
-    pub message: String,
+    /// The reason.
+    pub message: Option<Message>,
     /// The flow's own energy, as in [`StepReport::energy`].
     pub energy: f64,
     /// See [`StepReport::energy_normalised`].
@@ -223,50 +232,112 @@ pub struct State {
     pub can_step_back: bool,
 }
 
+/// A column of the history: its name, and its cell of a step.
+type Column = (&'static str, fn(&StepReport) -> String);
+
+/// The history as a table, in the order of its columns. A name once given stays.
+const HISTORY: &[Column] = &[
+    ("step", |r| r.step.to_string()),
+    ("time", |r| r.time.to_string()),
+    ("dt", |r| r.dt.to_string()),
+    ("tau", |r| r.tau.to_string()),
+    ("energy", |r| r.energy.to_string()),
+    ("objectiveBefore", |r| r.objective_before.to_string()),
+    ("objective", |r| r.objective.to_string()),
+    ("epsilon", |r| r.epsilon.to_string()),
+    ("gradientNorm", |r| r.gradient_norm.to_string()),
+    ("area", |r| r.area.to_string()),
+    ("volume", |r| or_empty(r.volume)),
+    ("minAngleDegrees", |r| r.min_angle_degrees.to_string()),
+    ("rejected", |r| r.rejected.to_string()),
+    ("iterations", |r| r.iterations.to_string()),
+    ("negativePivots", |r| r.negative_pivots.to_string()),
+    ("skippedAngles", |r| r.skipped_angles.to_string()),
+    ("flippedFaces", |r| r.flipped_faces.to_string()),
+    ("maxDisplacement", |r| r.max_displacement.to_string()),
+    ("milliseconds", |r| thousandths(r.milliseconds)),
+    ("assembleMilliseconds", |r| {
+        thousandths(r.assemble_milliseconds)
+    }),
+    ("factorMilliseconds", |r| thousandths(r.factor_milliseconds)),
+    ("solveMilliseconds", |r| thousandths(r.solve_milliseconds)),
+    ("energyNormalised", |r| r.energy_normalised.to_string()),
+    ("reducedVolume", |r| or_empty(r.reduced_volume)),
+    ("tension", |r| {
+        or_empty(r.multipliers.and_then(|m| m.tension))
+    }),
+    ("pressure", |r| {
+        or_empty(r.multipliers.and_then(|m| m.pressure))
+    }),
+    ("regulariseMilliseconds", |r| {
+        thousandths(r.regularise_milliseconds)
+    }),
+];
+
+fn or_empty(value: Option<f64>) -> String {
+    value.map(|value| value.to_string()).unwrap_or_default()
+}
+
+fn thousandths(value: f64) -> String {
+    format!("{value:.3}")
+}
+
 /// The history as comma-separated values with a header, one row a step.
 pub(super) fn history_csv(reports: &[StepReport]) -> String {
-    let mut text = String::from(
-        "step,time,dt,tau,energy,objectiveBefore,objective,epsilon,gradientNorm,area,volume,\
-         minAngleDegrees,rejected,iterations,negativePivots,skippedAngles,flippedFaces,\
-         maxDisplacement,milliseconds,assembleMilliseconds,factorMilliseconds,\
-         solveMilliseconds,energyNormalised,reducedVolume,tension,pressure,\
-         regulariseMilliseconds\n",
-    );
-    for r in reports {
-        let cell = |value: Option<f64>| value.map(|v| v.to_string()).unwrap_or_default();
-        let Multipliers { tension, pressure } = r.multipliers.unwrap_or_default();
-        // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.3},{:.3},{:.3},{:.3},{},{},{},{},{:.3}",
-            r.step,
-            r.time,
-            r.dt,
-            r.tau,
-            r.energy,
-            r.objective_before,
-            r.objective,
-            r.epsilon,
-            r.gradient_norm,
-            r.area,
-            cell(r.volume),
-            r.min_angle_degrees,
-            r.rejected,
-            r.iterations,
-            r.negative_pivots,
-            r.skipped_angles,
-            r.flipped_faces,
-            r.max_displacement,
-            r.milliseconds,
-            r.assemble_milliseconds,
-            r.factor_milliseconds,
-            r.solve_milliseconds,
-            r.energy_normalised,
-            cell(r.reduced_volume),
-            cell(tension),
-            cell(pressure),
-            r.regularise_milliseconds,
-        );
+    let line = |cells: Vec<String>| cells.join(",") + "\n";
+    let header = line(HISTORY.iter().map(|(name, _)| (*name).into()).collect());
+    let row = |report| line(HISTORY.iter().map(|(_, cell)| cell(report)).collect());
+    header + &reports.iter().map(row).collect::<String>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_column_of_the_history_holds_the_reading_of_its_name() {
+        // No two readings agree, so that none can stand in another's column.
+        let report = StepReport {
+            step: 1,
+            time: 2.5,
+            dt: 3.5,
+            energy: 4.5,
+            energy_normalised: 5.5,
+            objective_before: 6.5,
+            objective: 7.5,
+            gradient_norm: 8.5,
+            area: 9.5,
+            volume: Some(10.5),
+            min_angle_degrees: 11.5,
+            rejected: 12,
+            iterations: 13,
+            milliseconds: 14.5,
+            tau: 15.5,
+            epsilon: 16.5,
+            negative_pivots: 17,
+            skipped_angles: 18,
+            flipped_faces: 19,
+            max_displacement: 20.5,
+            multipliers: Some(Multipliers {
+                tension: Some(21.5),
+                pressure: None,
+            }),
+            reduced_volume: Some(22.5),
+            assemble_milliseconds: 23.5,
+            factor_milliseconds: 24.5,
+            solve_milliseconds: 25.5,
+            regularise_milliseconds: 26.5,
+            ..StepReport::default()
+        };
+        let json = serde_json::to_value(&report).expect("JSON");
+        let csv = history_csv(&[report]);
+        let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+        assert_eq!(lines.len(), 2);
+        assert_eq!((lines[0].len(), lines[1].len()), (27, 27));
+        for (name, cell) in lines[0].iter().zip(&lines[1]) {
+            let reading = json.get(name).unwrap_or(&json["multipliers"][name]);
+            let cell = cell.parse::<f64>().ok();
+            assert_eq!(cell, reading.as_f64(), "{name}");
+        }
     }
-    text
 }

@@ -6,11 +6,10 @@ mod file;
 mod read;
 mod replay;
 
-pub use file::{Outcome, RecipeCard, RecipeMesh, ReplayReport};
+pub use file::{RecipeCard, RecipeMesh, ReplayReport, ReplayResult};
 pub use replay::{Estimate, ReplayProgress, ScriptText};
 
-use error::Expected;
-pub(super) use error::RecipeError;
+pub use error::{MustBe, RecipeError};
 pub(super) use file::{is_near, is_plain};
 pub(super) use read::{Node, Reader};
 pub(super) use replay::{Replay, steps_in};
@@ -20,6 +19,7 @@ use super::fault::Fault;
 use super::fill::{FillOptions, Loops};
 use super::flip::FlipOptions;
 use super::history::Deed;
+use super::message::AppError;
 use super::subdivide::SubdivideOptions;
 use super::work::Work;
 use crate::flow::options::FlowOptions;
@@ -127,12 +127,7 @@ impl Session {
     pub fn provenance(&self) -> Result<Provenance, Fault> {
         let work = self.work()?;
         let Some(edits) = work.origin.clone().filter(|_| !work.is_restored) else {
-            return Err(Fault::new(
-                "NoRecipe",
-                "how this surface came about is not known: its positions were put in place after \
-                 the solver was lost",
-                "Go back to the start with Reset, or load the mesh again.",
-            ));
+            return Err(AppError::NoRecipe.into());
         };
         Ok(Provenance {
             edits,

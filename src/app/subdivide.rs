@@ -2,6 +2,7 @@
 
 use super::document::{Document, triangulated};
 use super::fault::Fault;
+use super::message::AppError;
 use super::recipe::Edit;
 use super::work::Work;
 use super::{Loaded, Session};
@@ -60,9 +61,11 @@ impl Work {
         let document = self.present();
         let n_faces = 4 * document.polygons.n_faces();
         if n_faces > MAX_FACES {
-            let message = format!("the finer mesh would have {n_faces} faces");
-            let hint = format!("No more than {MAX_FACES} are made.");
-            return Err(Fault::new("TooManyFaces", message, hint));
+            let error = AppError::TooManyFaces {
+                faces: n_faces,
+                most: MAX_FACES,
+            };
+            return Err(error.into());
         }
         let soup = document.polygons.to_soup(&document.start);
         let parents = subdivide::parents(&soup)?;

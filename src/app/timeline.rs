@@ -7,6 +7,7 @@ use super::Session;
 use super::engine::Checkpoint;
 use super::fault::Fault;
 use super::history::{Moment, MomentId, Timeline};
+use super::message::AppError;
 use super::readings::State;
 use super::work::Work;
 use std::rc::Rc;
@@ -228,9 +229,7 @@ impl Work {
     fn branch(&mut self, id: u32) -> Result<State, Fault> {
         let way = self.history.way_to(id);
         if way.is_empty() {
-            let hint = "Branches are forgotten, the oldest first, when there are many.";
-            let message = format!("there is no branch {id}");
-            return Err(Fault::new("NoSuchBranch", message, hint));
+            return Err(AppError::NoSuchBranch { branch: id }.into());
         }
         for (fork, id) in way {
             self.seek_moment(fork);

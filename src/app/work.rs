@@ -6,6 +6,7 @@ use super::engine::{Checkpoint, Engine};
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::history::{Act, Deed, History, Moment, MomentId};
+use super::message::AppError;
 use super::pane::Arrangement;
 use super::readings::{Info, State};
 use super::recipe::EditRecord;
@@ -16,6 +17,7 @@ use crate::flow::options::FlowOptions;
 use crate::flow::{FlowError, Progress, Status, StepReport, Verdict, p_willmore};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
+use crate::message::Say;
 use crate::operator::Elements;
 use crate::remesh::Regulariser;
 use crate::remesh::static_pass::{self, RegulariseOptions, Regularised};
@@ -174,12 +176,7 @@ impl Work {
     /// The field of the surface with its vertices at `x`.
     pub(super) fn field_at(&self, name: FieldName, x: &[DVec3]) -> Result<Field, Fault> {
         let Some(flow) = &self.flow else {
-            let hint = "Configure one before asking for a field.";
-            return Err(Fault::new(
-                "NotConfigured",
-                "no flow has been chosen yet",
-                hint,
-            ));
+            return Err(AppError::NotConfigured.into());
         };
         let start = &self.document.start;
         let measured = |name| match name {
@@ -236,9 +233,7 @@ impl Work {
     ) -> Result<Regularised, Fault> {
         let flow = self.flow.as_ref().ok_or_else(Fault::no_mesh)?;
         if flow.flips().is_some() {
-            let message = "edge flips hold the positions, which a regularisation would move";
-            let hint = "Choose another flow, and regularise then.";
-            return Err(Fault::new("WrongFlow", message, hint));
+            return Err(AppError::HeldPositions.into());
         }
         let document = &self.document;
         p_willmore::check_mesh(&document.polygons)?;
@@ -251,8 +246,7 @@ impl Work {
         };
         let mut regulariser = Regulariser::new(elements, &self.x).map_err(FlowError::from)?;
         let mut y = self.x.clone();
-        let outcome = static_pass::regularise(&mut regulariser, mesh, &mut y, settings)
-            .map_err(|error| Fault::new(error.kind(), error.to_string(), error.hint()))?;
+        let outcome = static_pass::regularise(&mut regulariser, mesh, &mut y, settings)?;
         let before = self.copied();
         self.stand_here()?;
         self.x = y;
@@ -263,7 +257,7 @@ impl Work {
             flow.extend_budget();
         }
         self.state.status = Status::Ready;
-        self.state.message.clear();
+        self.state.message = None;
         self.follow(before, Deed::Regularise(*settings), None);
         self.read_state();
         Ok(outcome)
@@ -277,9 +271,11 @@ impl Work {
     ) -> Result<State, Fault> {
         let fits = positions.len() == 3 * self.x.len();
         if !fits || positions.iter().any(|c| !c.is_finite()) {
-            let (found, wanted) = (positions.len(), self.x.len());
-            let message = format!("{found} coordinates do not fit {wanted} vertices");
-            return Err(Fault::new("BadPositions", message, "Load the mesh again."));
+            let error = AppError::BadPositions {
+                coordinates: positions.len(),
+                vertices: self.x.len(),
+            };
+            return Err(error.into());
         }
         self.x = positions.chunks_exact(3).map(DVec3::from_slice).collect();
         self.begin_history();
@@ -310,7 +306,7 @@ impl Work {
             Ok(outcome) => outcome,
             Err(error) => {
                 self.state.status = Status::Failed;
-                self.state.message = error.to_string();
+                self.state.message = Some(error.message());
                 self.failure = Some(error.clone());
                 return Err(error.into());
             }
@@ -340,7 +336,7 @@ impl Work {
         }
         if let Verdict::Stop(status, why) = verdict {
             self.state.status = status;
-            self.state.message = why;
+            self.state.message = Some(why.into());
         }
         self.step_beside();
         Ok(report)

@@ -37,12 +37,11 @@ mod tests {
                 |e: DVec3| (velocity(k, at + step * e) - velocity(k, at - step * e)) / (2.0 * step);
             let gradient = DVec3::AXES.map(column);
             let trace = gradient[0].x + gradient[1].y + gradient[2].z;
-            for i in 0..3 {
-                for j in 0..3 {
-                    let symmetric = 0.5 * (gradient[i][j] + gradient[j][i]);
-                    let expected = if i == j { trace / 3.0 } else { 0.0 };
-                    assert!((symmetric - expected).abs() < 1e-9, "field {k}");
-                }
+            let entries = (0..3).flat_map(|i| (0..3).map(move |j| (i, j)));
+            for (i, j) in entries {
+                let symmetric = 0.5 * (gradient[i][j] + gradient[j][i]);
+                let expected = if i == j { trace / 3.0 } else { 0.0 };
+                assert!((symmetric - expected).abs() < 1e-9, "field {k}");
             }
         }
     }

@@ -1,5 +1,6 @@
 //! What a step costs, told apart, and who is told how far it has come.
 
+use super::Warning;
 use crate::linalg::SolveInfo;
 use std::rc::Rc;
 use web_time::Instant;
@@ -28,7 +29,7 @@ pub struct Cost {
     /// Told the stage's name and the share of the step done.
     pub progress: Option<Progress>,
     /// Worth telling the user.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl Cost {

@@ -3,16 +3,17 @@
 use super::circle::CircleFlow;
 use super::curvature::CurvatureFlow;
 use super::guard::Guard;
+use super::option::Allowed;
 use super::options::{FlowName, FlowOptions};
 use super::p_willmore::PWillmoreFlow;
-use super::report::WarningsGiven;
 use super::rules::Ceiling;
 use super::run::{Run, Start};
 use super::search::{Taken, Trials};
 use super::termination::{Ending, Gain, Window};
+use super::warning::WarningsGiven;
 use super::{
     Cause, Cost, Flow, FlowError, Functional, Move, Occasion, Phase, Progress, Proposal, Refusal,
-    Search, Status, StepReport, Verdict,
+    Search, Status, StepReport, Verdict, Warning,
 };
 use crate::geometry::survey::survey;
 use crate::geometry::{measure, quality};
@@ -74,11 +75,8 @@ impl Driver {
             | FlowName::Willmore
             | FlowName::Mmcv => Box::new(CurvatureFlow::new(&mesh, x, &options)?),
             FlowName::Flips => {
-                return Err(FlowError::option(
-                    "flow",
-                    "flips",
-                    "one that moves vertices",
-                ));
+                let allowed = Allowed::MovingFlow;
+                return Err(FlowError::option("flow", "flips", allowed));
             }
         };
         Ok(Self::of(flow, mesh, x, options))
@@ -211,7 +209,11 @@ impl Driver {
     }
 
     /// Begins a phase; the positions it begins from, if they are not those there are.
-    pub(super) fn begin(&mut self, phase: Phase, warnings: &mut Vec<String>) -> Option<Vec<DVec3>> {
+    pub(super) fn begin(
+        &mut self,
+        phase: Phase,
+        warnings: &mut Vec<Warning>,
+    ) -> Option<Vec<DVec3>> {
         if phase.resets_step_size {
             self.run.step_size = self.flow.step_size();
         }

@@ -1,14 +1,15 @@
 //! The driver's judgement: warnings that hold for every flow, and how a run ends.
 
 use super::driver::Driver;
-use super::report::Warning;
 use super::rules::Ceiling;
-use super::termination::{self, Ending, Stall};
-use super::{Cause, Cost, FlowError, Functional, Occasion, Phase, Status, StepReport, Verdict};
+use super::termination::{self, Ending};
+use super::{
+    Cause, Cost, FlowError, Functional, Occasion, Phase, Reason, Refusal, Status, StepReport,
+    Verdict, Warning,
+};
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
 use crate::geometry::quality::largest_face;
-use crate::mesh::counted;
 use glam::DVec3;
 
 /// Share of the start's area at which a surface that nothing holds has shrunk to a point; and
@@ -32,9 +33,8 @@ const FACE_GROWTH: f64 = 4.0;
 const SLIVER: f64 = 8.0;
 const WORN: f64 = 0.5;
 
-fn stop(status: Status, why: String) -> Verdict {
-    Verdict::Stop(status, why)
-}
+/// Something closes between the vertices.
+const COLLAPSED: Verdict = Verdict::Stop(Status::Collapsed, Reason::BelowBound);
 
 impl Driver {
     /// The budget of steps, or else of time: whoever asks for a number of steps gets them.
@@ -42,22 +42,16 @@ impl Driver {
         let steps = self.run.step - self.run.first_step;
         let rules = self.flow.rules();
         if !rules.ends_at_rest && steps >= self.options.smooth_steps {
-            let why = format!("Smoothed in {steps} steps, as asked");
-            return Some(stop(Status::StepLimit, why));
+            let why = Reason::Smoothed { steps };
+            return Some(Verdict::Stop(Status::StepLimit, why));
         }
         if let Some(most) = self.options.max_steps {
-            let why = format!("Stopped at the step limit of {steps} steps");
-            return (steps >= most).then(|| stop(Status::StepLimit, why));
+            let why = Reason::StepLimit { steps };
+            return (steps >= most).then_some(Verdict::Stop(Status::StepLimit, why));
         }
         let most = self.options.max_seconds.filter(|_| rules.ends_at_rest)?;
-        (self.run.seconds >= most).then(|| {
-            let why = format!(
-                "Stopped after {most} seconds of computing, at step {}; the surface is not at \
-                 rest",
-                self.run.step
-            );
-            stop(Status::StepLimit, why)
-        })
+        let why = Reason::TimeLimit { seconds: most };
+        (self.run.seconds >= most).then_some(Verdict::Stop(Status::StepLimit, why))
     }
 
     /// A phase that puts something better in place of what a run is about to end with.
@@ -77,27 +71,24 @@ impl Driver {
         let Verdict::Stop(Status::Converged, _) = ending else {
             return ending;
         };
-        let why = termination::stalled(self.run.step, Stall::WorseRest, self.flow.remedy());
-        stop(Status::Stalled, why)
+        let advice = self.flow.advice();
+        Verdict::Stop(Status::Stalled, Reason::WorseRest { advice })
     }
 
     /// The end of a run at rest, unless the next step puts something better in place.
-    fn rested(&mut self, x: &[DVec3], why: String, cost: &mut Cost) -> Result<Verdict, FlowError> {
+    fn rested(&mut self, x: &[DVec3], why: Reason, cost: &mut Cost) -> Result<Verdict, FlowError> {
         if self.better(x, Status::Converged, cost)?.is_some() {
             self.run.is_exhausted = true;
             return Ok(Verdict::GoOn);
         }
-        Ok(stop(Status::Converged, why))
+        Ok(Verdict::Stop(Status::Converged, why))
     }
 
     /// A functional that is zero up to roundoff cannot fall.
     pub(super) fn is_zero(&self, value: f64) -> Option<Verdict> {
         let rules = self.flow.rules();
-        (rules.ends_at_rest && value <= rules.zero).then(|| {
-            let steps = self.run.step;
-            let why = format!("Converged after {steps} steps: the energy is zero up to roundoff");
-            stop(Status::Converged, why)
-        })
+        (rules.ends_at_rest && value <= rules.zero)
+            .then_some(Verdict::Stop(Status::Converged, Reason::ZeroEnergy))
     }
 
     /// Whether there is a next step after an accepted one.
@@ -108,7 +99,6 @@ impl Driver {
         report: &mut StepReport,
         cost: &mut Cost,
     ) -> Result<Verdict, FlowError> {
-        let steps = self.run.step;
         if let Some(verdict) = self.is_zero(ending.after.value) {
             return Ok(verdict);
         }
@@ -119,16 +109,14 @@ impl Driver {
         let (face, largest) = largest_face(&self.mesh, x);
         let is_recommended = rules.ceiling != Ceiling::None;
         if is_recommended && largest > HOPELESS_FACE.max(FACE_GROWTH * self.start.largest_face) {
-            let why = format!(
-                "Stalled after {steps} steps: face {face} is {largest:.0} times as large as the \
-                 mean, and the mesh no longer resolves the surface; a finer mesh helps, or keeping \
-                 area and volume under the p-Willmore flow"
-            );
-            return Ok(stop(Status::Stalled, why));
+            let why = Reason::LargeFace {
+                face,
+                times: largest,
+            };
+            return Ok(Verdict::Stop(Status::Stalled, why));
         }
         if ending.rests {
-            let why = format!("Converged after {steps} steps: no vertex moves any more");
-            return self.rested(x, why, cost);
+            return self.rested(x, Reason::Still, cost);
         }
         let occasion = Occasion::Accepted {
             before: ending.before.scale,
@@ -155,7 +143,6 @@ impl Driver {
         report: &mut StepReport,
         cost: &mut Cost,
     ) -> Result<Option<Verdict>, FlowError> {
-        let steps = self.run.step;
         let occasion = Occasion::Idle {
             dt: self.dt(),
             is_guarded: self.run.window.is_guarded(),
@@ -165,11 +152,10 @@ impl Driver {
             return Ok(None);
         }
         if self.flow.stationarity(x, cost)? <= 1.0 {
-            let why = format!("Converged after {steps} steps: the surface is at rest");
-            return Ok(Some(self.rested(x, why, cost)?));
+            return Ok(Some(self.rested(x, Reason::AtRest, cost)?));
         }
         if self.run.window.met_bound() {
-            return Ok(Some(self.collapsed()));
+            return Ok(Some(COLLAPSED));
         }
         if !self.run.step_size.is_given && self.run.window.is_stuck(report.dt) {
             // The next step says so, or puts something better in place.
@@ -186,10 +172,9 @@ impl Driver {
         before: Functional,
         cost: &mut Cost,
     ) -> Result<Verdict, FlowError> {
-        let steps = self.run.step;
         let rules = self.flow.rules();
         if self.run.window.met_bound() || self.is_collapsing(before.value) {
-            return Ok(self.collapsed());
+            return Ok(COLLAPSED);
         }
         let area = measure::area(&self.mesh, x);
         if rules.can_vanish && area < VANISHING * self.start.area {
@@ -203,11 +188,14 @@ impl Driver {
             return Ok(neck);
         }
         if is_at_rest {
-            let why = format!("Converged after {steps} steps: the surface is at rest");
-            return Ok(stop(Status::Converged, why));
+            return Ok(Verdict::Stop(Status::Converged, Reason::AtRest));
         }
-        let why = termination::stalled(steps, Stall::Stuck(self.refusal), self.flow.remedy());
-        Ok(stop(Status::Stalled, why))
+        let advice = self.flow.advice();
+        let why = match self.refusal {
+            Some(Refusal { cause, .. }) => Reason::Refused { cause, advice },
+            None => Reason::Creeping { advice },
+        };
+        Ok(Verdict::Stop(Status::Stalled, why))
     }
 
     /// Whether no step was accepted as it would go below a theorem's bound; or as triangles
@@ -221,26 +209,10 @@ impl Driver {
         })
     }
 
-    fn collapsed(&self) -> Verdict {
-        let steps = self.run.step;
-        let why = format!(
-            "Collapsed after {steps} steps: any further step would have less energy than every \
-             smooth surface of this topology, so something closes between the vertices; the \
-             surface is the last good one, and a finer or better mesh helps"
-        );
-        stop(Status::Collapsed, why)
-    }
-
     fn vanished(&self, x: &[DVec3]) -> Verdict {
-        let centre = x.iter().sum::<DVec3>() / x.len() as f64;
-        let why = format!(
-            "Singular after {} steps, at time {}: the surface shrinks to a point near {}; keeping \
-             the volume prevents that",
-            self.run.step,
-            short(self.run.time),
-            place(centre)
-        );
-        stop(Status::Singular, why)
+        let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();
+        let time = self.run.time;
+        Verdict::Stop(Status::Singular, Reason::Vanishes { time, place })
     }
 
     /// A neck or a tip thinner than the mesh can show, where that is why no step was accepted.
@@ -266,60 +238,45 @@ impl Driver {
         if bend < least || bend < NEW_BEND * then || !self.flow.is_free(vertex as usize) {
             return None;
         }
-        let what = if is_neck {
-            "a neck pinches off"
+        let (time, place) = (self.run.time, x[vertex as usize].to_array());
+        let why = if is_neck {
+            Reason::PinchedNeck {
+                time,
+                vertex,
+                place,
+            }
         } else {
-            "a tip becomes a point"
+            Reason::SharpTip {
+                time,
+                vertex,
+                place,
+            }
         };
-        let why = format!(
-            "Singular after {} steps, at time {}: {what} at vertex {vertex}, near {}; the flow has \
-             no solution beyond it, and keeping the volume or a finer mesh helps",
-            self.run.step,
-            short(self.run.time),
-            place(x[vertex as usize])
-        );
-        Some(stop(Status::Singular, why))
+        Some(Verdict::Stop(Status::Singular, why))
     }
 
     /// What holds for every flow; then what the flow itself has to say.
     pub(super) fn warn(&mut self, x: &[DVec3], report: &mut StepReport) {
+        let warnings = &mut report.warnings;
         if report.flipped_faces > 0 {
-            let count = counted(report.flipped_faces, "face", "faces");
-            report
-                .warnings
-                .push(format!("{count} folded over in this step."));
+            let count = report.flipped_faces;
+            warnings.push(Warning::FoldedFaces { count });
         }
         let given = &mut self.run.given;
-        let (_, largest) = largest_face(&self.mesh, x);
-        if largest > LARGE_FACE.max(FACE_GROWTH * self.start.largest_face)
-            && given.is_first(Warning::LargeFace)
-        {
-            report.warnings.push(format!(
-                "The largest face has grown to {largest:.0} times the mean: one part of the surface \
-                 inflates, and the energy shown is too low. A finer mesh helps."
-            ));
+        let (_, times) = largest_face(&self.mesh, x);
+        if times > LARGE_FACE.max(FACE_GROWTH * self.start.largest_face) {
+            given.give_once(Warning::LargeFace { times }, warnings);
         }
-        let (angle, then) = (report.min_angle_degrees, self.start.angle);
-        if angle < SLIVER && angle < WORN * then && given.is_first(Warning::Slivers) {
-            report.warnings.push(format!(
-                "The mesh degenerates: its smallest angle is {angle:.0}°, {then:.0}° at the start; \
-                 {}.",
-                self.flow.remedy()
-            ));
+        let (degrees, before) = (report.min_angle_degrees, self.start.angle);
+        if degrees < SLIVER && degrees < WORN * before {
+            let advice = self.flow.advice();
+            let slivers = Warning::Slivers {
+                degrees,
+                before,
+                advice,
+            };
+            given.give_once(slivers, warnings);
         }
         self.flow.warn(x, report, given);
     }
-}
-
-/// A number as a sentence shows it.
-fn short(value: f64) -> String {
-    if value != 0.0 && !(1e-3..1e4).contains(&value.abs()) {
-        format!("{value:.3e}")
-    } else {
-        format!("{value:.4}")
-    }
-}
-
-fn place(p: DVec3) -> String {
-    format!("({}, {}, {})", short(p.x), short(p.y), short(p.z))
 }

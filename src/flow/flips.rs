@@ -5,7 +5,7 @@
 //! by flip.
 
 use super::options::FlowOptions;
-use super::{FlowError, Progress, Reading, Status, StepReport, Verdict};
+use super::{FlowError, Progress, Reading, Reason, Status, StepReport, Verdict};
 use crate::geometry::measure;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use crate::remesh::flips::FlipOptimiser;
@@ -180,16 +180,14 @@ impl EdgeFlips {
         }
     }
 
-    fn end(&self) -> String {
-        let what = match self.runs[0].criterion() {
-            Criterion::Area => "the area",
-            Criterion::Willmore => "the Willmore energy",
-            Criterion::Localised => "the localised Willmore energy",
+    fn end(&self) -> Reason {
+        let criterion = match self.runs[0].criterion() {
+            _ if self.runs.len() > 1 => "all",
+            Criterion::Area => "area",
+            Criterion::Willmore => "willmore",
+            Criterion::Localised => "localised",
         };
-        if self.runs.len() > 1 {
-            return "no flip lowers any of the three costs any more".into();
-        }
-        format!("no flip lowers {what} any more")
+        Reason::NoFlips { criterion }
     }
 }
 

@@ -28,11 +28,14 @@ pub mod refusal;
 pub mod report;
 pub mod rules;
 mod run;
+#[cfg(test)]
+mod scripted;
 mod search;
 pub mod spec;
 pub mod step_size;
 pub mod termination;
 pub mod vesicle;
+pub mod warning;
 
 pub use cost::{Cost, Progress};
 pub use driver::Driver;
@@ -43,11 +46,12 @@ pub use refusal::{Cause, Refusal};
 pub use report::{Monitored, Multipliers, Reading, Status, StepReport};
 pub use rules::Rules;
 pub use run::Checkpoint;
-pub use termination::Verdict;
+pub use termination::{Reason, Verdict};
+pub use warning::{Advice, Warning};
 
 use glam::DVec3;
-use report::WarningsGiven;
 use step_size::StepSize;
+use warning::WarningsGiven;
 
 /// The monitored functional at a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -157,9 +161,9 @@ pub trait Flow {
     /// What the numbers cannot tell; each is said once a run.
     fn warn(&self, _x: &[DVec3], _report: &mut StepReport, _given: &mut WarningsGiven) {}
 
-    /// What helps a run that can go no further, in half a sentence.
-    fn remedy(&self) -> &'static str {
-        "a finer mesh helps"
+    /// What helps a run that can go no further.
+    fn advice(&self) -> Advice {
+        Advice::FinerMesh
     }
 
     /// Readings at positions that come from elsewhere.

@@ -9,12 +9,13 @@ pub mod kind;
 mod rows;
 pub mod value;
 
-pub use error::{OptionError, nearest};
+pub use error::{Allowed, OptionError, nearest};
 pub use kind::{Kind, Range};
 pub(crate) use rows::row;
 pub use value::Value;
 
 use super::options::{FlowName, FlowOptions, Goal, Scheme};
+use crate::message::Say;
 use kind::{id_of, ids, named};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -52,6 +53,9 @@ pub struct ReadBy {
 }
 
 impl ReadBy {
+    /// A command of its own, whatever flow runs.
+    pub const COMMAND: Self = Self::flows(&[]);
+
     /// Flows, whatever their scheme and goal.
     pub const fn flows(flows: &'static [FlowName]) -> Self {
         Self {
@@ -83,13 +87,13 @@ impl ReadBy {
             && self.goal.is_none_or(|goal| goal == options.goal)
     }
 
-    fn in_words(&self) -> String {
-        let flows: Vec<&str> = self.flows.iter().map(|flow| flow.id()).collect();
-        let flows = flows.join(", ");
-        match (self.scheme, self.goal) {
-            (Some(scheme), _) => format!("{flows} with scheme {}", id_of(&scheme)),
-            (None, Some(goal)) => format!("{flows} with goal {}", id_of(&goal)),
-            (None, None) => flows,
+    /// The refusal of an option that these do not read.
+    fn unread(&self, name: &'static str) -> OptionError {
+        OptionError::UnreadOption {
+            name,
+            flows: self.flows.iter().map(|flow| flow.id()).collect(),
+            scheme: self.scheme.map_or("any", |scheme| id_of(&scheme)),
+            goal: self.goal.map_or("any", |goal| id_of(&goal)),
         }
     }
 }
@@ -144,11 +148,14 @@ impl<S> Row<S> {
         }
     }
 
-    /// The allowed values, in half a sentence.
-    pub fn allowed(&self) -> String {
+    /// The allowed values.
+    pub fn allowed(&self) -> Allowed {
         let allowed = self.kind.allowed();
         match self.absent {
-            Some(word) => format!("{word}, or {allowed}"),
+            Some(word) => Allowed::WordOr {
+                word,
+                allowed: allowed.message(),
+            },
             None => allowed,
         }
     }
@@ -156,19 +163,15 @@ impl<S> Row<S> {
     /// Refuses what it cannot be.
     ///
     /// # Errors
-    /// [`OptionError::Empty`], [`OptionError::BadValue`].
+    /// [`OptionError::BadOption`].
     pub fn check(&self, value: &Value) -> Result<(), OptionError> {
         if self.kind.holds(value) || *value == Value::Absent && self.absent.is_some() {
             return Ok(());
         }
-        let (name, allowed) = (self.name, self.allowed());
-        Err(match value {
-            Value::Text(text) if text.trim().is_empty() => OptionError::Empty { name, allowed },
-            _ => OptionError::BadValue {
-                name,
-                value: value.to_string(),
-                allowed,
-            },
+        Err(OptionError::BadOption {
+            name: self.name,
+            value: value.to_string(),
+            allowed: self.allowed(),
         })
     }
 }
@@ -185,7 +188,7 @@ pub type Values = BTreeMap<String, Value>;
 /// The row of a name.
 ///
 /// # Errors
-/// [`OptionError::Unknown`].
+/// [`OptionError::UnknownOption`].
 pub fn find<S: Options>(name: &str) -> Result<&'static Row<S>, OptionError> {
     let found = S::ROWS.iter().find(|row| row.name == name);
     found.ok_or_else(|| unknown(name, S::ROWS.iter().map(|row| (row.name, row.flag))))
@@ -198,9 +201,10 @@ pub fn unknown<'a>(
 ) -> OptionError {
     let near = nearest(name, known.clone().flat_map(|(name, flag)| [name, flag]));
     let near = near.and_then(|near| known.clone().find(|(a, b)| *a == near || *b == near));
-    OptionError::Unknown {
+    OptionError::UnknownOption {
         name: name.chars().take(60).collect(),
-        near: near.map(|(name, flag)| (name.into(), flag.into())),
+        near: near.map_or("none", |(name, _)| name).into(),
+        flag: near.map_or("none", |(_, flag)| flag).into(),
     }
 }
 
@@ -214,7 +218,7 @@ pub fn options_of<S: Options>(values: &Values) -> Result<S, OptionError> {
         let row = find::<S>(name)?;
         row.check(value)?;
         if !(row.set)(&mut options, value) {
-            return Err(OptionError::BadValue {
+            return Err(OptionError::BadOption {
                 name: row.name,
                 value: value.to_string(),
                 allowed: row.allowed(),
@@ -242,30 +246,39 @@ pub fn read<S: Options>(words: &Values) -> Result<Values, OptionError> {
 /// Checks every field.
 ///
 /// # Errors
-/// [`OptionError::BadValue`] of the first that cannot be.
+/// [`OptionError::BadOption`] of the first that cannot be.
 pub fn check<S: Options>(options: &S) -> Result<(), OptionError> {
     let mut rows = S::ROWS.iter();
     rows.try_for_each(|row| row.check(&(row.get)(options)))
 }
 
+impl FlowOptions {
+    /// Refuses values that make no sense.
+    ///
+    /// # Errors
+    /// [`OptionError::BadOption`] naming the option.
+    pub fn check(&self) -> Result<(), OptionError> {
+        check(self)
+    }
+}
+
 /// [`read`], and refuses what would change nothing: on a command line that is a mistake.
 ///
 /// # Errors
-/// As [`read`]; [`OptionError::Unread`], [`OptionError::Conflict`].
+/// As [`read`]; [`OptionError::UnreadOption`], [`OptionError::ConflictingOptions`].
 pub fn read_strictly(words: &Values) -> Result<Values, OptionError> {
     let values = read::<FlowOptions>(words)?;
     let options = options_of::<FlowOptions>(&values)?;
     for name in values.keys() {
         let row = find::<FlowOptions>(name)?;
         if !row.read_by.holds(&options) {
-            let (name, of) = (row.name, row.read_by.in_words());
-            return Err(OptionError::Unread { name, of });
+            return Err(row.read_by.unread(row.name));
         }
     }
     let both = |a, b| [a, b].iter().all(|name| values.contains_key(*name));
     let same = [("dt", "tau"), ("maxSteps", "maxSeconds")];
     match same.into_iter().find(|(a, b)| both(*a, *b)) {
-        Some((first, second)) => Err(OptionError::Conflict { first, second }),
+        Some((first, second)) => Err(OptionError::ConflictingOptions { first, second }),
         None => Ok(values),
     }
 }
@@ -320,6 +333,20 @@ impl Field for bool {
     fn of(value: &Value) -> Option<Self> {
         match value {
             Value::Switch(x) => Some(*x),
+            _ => None,
+        }
+    }
+}
+
+/// A name out of a list that is no enum.
+impl Field for String {
+    fn value(&self) -> Value {
+        Value::Text(self.clone())
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Text(text) => Some(text.clone()),
             _ => None,
         }
     }

@@ -1,7 +1,6 @@
 //! What a user may choose about a flow; every field has a default.
 
 use super::constraint::Kept;
-use super::{FlowError, option, spec};
 use crate::energy::circle::Boundary;
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
@@ -209,20 +208,6 @@ impl FlowOptions {
     /// τ = (L/6.7)⁴/N: N steps of it halve the wavelength of L mean edge lengths.
     pub fn tau_for_detail(detail: f64, steps: usize) -> f64 {
         (detail / HALVED_WAVELENGTH).powi(4) / steps.max(1) as f64
-    }
-
-    /// Refuses values that make no sense.
-    ///
-    /// # Errors
-    /// [`FlowError::Option`] naming the option.
-    pub fn check(&self) -> Result<(), FlowError> {
-        Ok(option::check(self)?)
-    }
-
-    /// What happens at the boundary: as chosen, or as usual of the flow.
-    pub fn boundary(&self) -> Boundary {
-        let usual = || spec::of(self.flow).boundary.unwrap_or_default();
-        self.boundary.unwrap_or_else(usual)
     }
 
     /// The first step's τ: given, or from the detail to remove, or the scheme's own.

@@ -1,7 +1,7 @@
 //! A run may have phases, which monitor or integrate differently: a smoothing that is taken
 //! back, a finisher, a ladder of another flow.
 
-use super::{circle, curvature, p_willmore};
+use super::{Warning, circle, curvature, p_willmore};
 use glam::DVec3;
 
 /// When a flow is asked whether another phase is due.
@@ -51,7 +51,7 @@ pub struct Phase {
     /// Whether the functional is another, so that what it was before does not count.
     pub resets_functional: bool,
     /// Worth telling the user.
-    pub event: Option<String>,
+    pub event: Option<Warning>,
 }
 
 /// What a flow must remember beside the positions.

@@ -1,52 +1,34 @@
 //! Why a trial step was refused, and where.
 
-use std::fmt;
+use crate::message::messages;
 
-/// What is wrong with a trial step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cause {
-    /// What the step has to lower would rise, or fall by too little (Armijo).
-    Rise,
-    /// What is monitored would fall, but the reading that people see would jump up.
-    ReadingJump,
-    /// The energy would fall below what a theorem leaves to any smooth surface of this
-    /// topology: a handle would collapse between the vertices.
-    Bound,
-    /// The neighbours of a vertex would no longer determine a quadratic surface.
-    Unfit,
-    /// Faces would fold over.
-    Fold,
-    /// A vertex would move by more than half an edge.
-    TooFar,
-    /// A face would turn by more than 60°.
-    Turn,
-    /// A face would become a sliver.
-    Sliver,
-    /// Area and volume cannot both be what they should be.
-    Constraints,
-    /// The energy there is not a number.
-    NotFinite,
-    /// The paper's implicit step has no solution that Newton's method finds.
-    Newton,
-}
-
-impl fmt::Display for Cause {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Rise => "the energy would rise",
-            Self::ReadingJump => "the energy as printed would jump up",
-            Self::Bound => {
-                "the energy would be below that of every smooth surface of this topology"
-            }
-            Self::Unfit => "curvatures could no longer be fitted",
-            Self::Fold => "faces would fold over",
-            Self::TooFar => "a vertex would move by more than half an edge",
-            Self::Turn => "a face would turn by more than 60°",
-            Self::Sliver => "a face would become a sliver",
-            Self::Constraints => "the constraints cannot be met together",
-            Self::NotFinite => "the energy is not finite",
-            Self::Newton => "Newton’s method does not converge, or a face would turn over",
-        })
+messages! {
+    /// What is wrong with a trial step.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Cause as "cause" {
+        /// What the step has to lower would rise, or fall by too little (Armijo).
+        Rise,
+        /// What is monitored would fall, but the reading that people see would jump up.
+        ReadingJump,
+        /// The energy would fall below what a theorem leaves to any smooth surface of this
+        /// topology: a handle would collapse between the vertices.
+        Bound,
+        /// The neighbours of a vertex would no longer determine a quadratic surface.
+        Unfit,
+        /// Faces would fold over.
+        Fold,
+        /// A vertex would move by more than half an edge.
+        TooFar,
+        /// A face would turn by more than 60°.
+        Turn,
+        /// A face would become a sliver.
+        Sliver,
+        /// Area and volume cannot both be what they should be.
+        Constraints,
+        /// The energy there is not a number.
+        NotFinite,
+        /// The paper's implicit step has no solution that Newton's method finds.
+        Newton,
     }
 }
 

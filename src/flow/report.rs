@@ -1,10 +1,11 @@
 //! What a step tells.
 
 use super::flips::FlipReading;
-use serde::Serialize;
+use super::warning::Warning;
+use serde::{Deserialize, Serialize};
 
 /// Where a run stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, Default)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum Status {
@@ -76,54 +77,6 @@ pub struct Reading {
     pub volume: Option<f64>,
     /// See [`StepReport::reduced_volume`].
     pub reduced_volume: Option<f64>,
-}
-
-/// A warning that is given once a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Warning {
-    /// The energy is near the least of any smooth surface of this topology.
-    NearBound,
-    /// The area has grown several times over.
-    Growth,
-    /// Half of the area is held by few faces.
-    Balloon,
-    /// The reading rises while the monitored functional falls.
-    ReadingRose,
-    /// The mesh is too coarse for the curvature.
-    Coarse,
-    /// The largest face has grown.
-    LargeFace,
-    /// The smallest angle has become small.
-    Slivers,
-    /// Systems are solved iteratively.
-    Iterative,
-    /// Linear systems were not solved well.
-    Inaccurate,
-    /// Too few held vertices about a patch.
-    Margin,
-    /// The discretisation disagrees with another of the same integral.
-    Disagreement,
-    /// The branch of a led vesicle.
-    Branch,
-}
-
-/// Which warnings a run has given.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct WarningsGiven(u32);
-
-impl WarningsGiven {
-    /// Whether the warning has been given.
-    pub fn was_given(self, warning: Warning) -> bool {
-        self.0 & (1 << warning as u32) != 0
-    }
-
-    /// Whether the warning has not been given yet; it counts as given from now on.
-    pub fn is_first(&mut self, warning: Warning) -> bool {
-        let bit = 1 << warning as u32;
-        let is_new = self.0 & bit == 0;
-        self.0 |= bit;
-        is_new
-    }
 }
 
 /// One accepted step. Keys in JSON are the field names in camel case.
@@ -215,7 +168,7 @@ pub struct StepReport {
     /// Time for sliding vertices along the surface.
     pub regularise_milliseconds: f64,
     /// Worth telling the user.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// Lagrange multipliers of a step: ∇∫|H|^p + tension ∇A − pressure ∇V would vanish at rest.

@@ -1,9 +1,9 @@
 //! Where a run stands: what it started from, its budget, and what a step back restores.
 
 use super::Memory;
-use super::report::WarningsGiven;
 use super::step_size::StepSize;
 use super::termination::Window;
+use super::warning::WarningsGiven;
 use glam::DVec3;
 
 /// What a run is compared with.

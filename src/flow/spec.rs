@@ -219,6 +219,12 @@ pub fn of(flow: FlowName) -> &'static FlowRow {
 }
 
 impl FlowOptions {
+    /// What happens at the boundary: as chosen, or as usual of the flow.
+    pub fn boundary(&self) -> Boundary {
+        let usual = || of(self.flow).boundary.unwrap_or_default();
+        self.boundary.unwrap_or_else(usual)
+    }
+
     /// The same under another flow: what means nothing to it goes back to its default.
     #[must_use]
     pub fn with_flow(&self, flow: FlowName) -> Self {

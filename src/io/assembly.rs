@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Format, Place, Read, ReadError};
+use super::{Format, Oddity, Place, Read, ReadError};
 use crate::soup::PolygonSoup;
 
 /// A soup being read.
@@ -39,7 +39,8 @@ impl Assembly {
     pub(super) fn vertex(&mut self, position: DVec3, place: Place) -> Result<(), ReadError> {
         let vertex = self.n_vertices();
         if !position.is_finite() {
-            return Err(ReadError::NonFiniteVertex { vertex, place });
+            let number = vertex + 1;
+            return Err(ReadError::NonFiniteVertex { number, place });
         }
         self.check_limit("vertices", vertex + 1, place)?;
         self.soup.positions.push(position);
@@ -82,13 +83,11 @@ impl Assembly {
                 vertices: self.soup.positions.len(),
             });
         }
-        let warnings = self
-            .dropped
-            .sentence("Faces of fewer than three corners were dropped");
+        let short = |(count, first)| Oddity::ShortFaces { count, first };
         Ok(Read {
             soup: self.soup,
             format,
-            warnings: warnings.into_iter().collect(),
+            warnings: self.dropped.met().map(short).into_iter().collect(),
         })
     }
 }
@@ -106,10 +105,9 @@ impl Tally {
         self.first.get_or_insert(place);
     }
 
-    /// "{what}: 3, the first at line 7."
-    pub(super) fn sentence(&self, what: &str) -> Option<String> {
-        let first = self.first?;
-        Some(format!("{what}: {}, the first at {first}.", self.count))
+    /// How often, and where first; `None` if never.
+    pub(super) fn met(&self) -> Option<(usize, Place)> {
+        Some((self.count, self.first?))
     }
 }
 
@@ -119,7 +117,7 @@ mod tests {
 
     #[test]
     fn more_than_indices_can_count_is_refused() {
-        let place = Place::Line(9);
+        let place = Place::Line { line: 9 };
         let too_large = |what| {
             Err(ReadError::CountTooLarge {
                 place,
@@ -144,16 +142,19 @@ mod tests {
     fn short_faces_are_counted_once() {
         let mut assembly = Assembly::new();
         for line in 1..4 {
-            assembly.vertex(DVec3::ZERO, Place::Line(line)).unwrap();
+            assembly.vertex(DVec3::ZERO, Place::Line { line }).unwrap();
         }
-        assembly.face(&[0, 1], Place::Line(5)).unwrap();
-        assembly.face(&[0, 1, 2], Place::Line(6)).unwrap();
-        assembly.face(&[], Place::Line(7)).unwrap();
+        assembly.face(&[0, 1], Place::Line { line: 5 }).unwrap();
+        assembly.face(&[0, 1, 2], Place::Line { line: 6 }).unwrap();
+        assembly.face(&[], Place::Line { line: 7 }).unwrap();
         let read = assembly.finish(Format::Off).unwrap();
         assert_eq!(read.soup.n_faces(), 1);
         assert_eq!(
             read.warnings,
-            ["Faces of fewer than three corners were dropped: 2, the first at line 5."]
+            [Oddity::ShortFaces {
+                count: 2,
+                first: Place::Line { line: 5 }
+            }]
         );
     }
 }

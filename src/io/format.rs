@@ -87,21 +87,6 @@ impl Format {
     }
 }
 
-impl std::fmt::Display for Format {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Obj => "OBJ",
-            Self::Off => "OFF",
-            Self::PlyAscii => "ASCII PLY",
-            Self::Ply => "PLY",
-            Self::PlyBigEndian => "big-endian PLY",
-            Self::StlAscii => "ASCII STL",
-            Self::Stl => "binary STL",
-            Self::Glb => "GLB",
-        })
-    }
-}
-
 /// The format of a file: by its content, or failing that by its name.
 ///
 /// For PLY the answer is [`Format::Ply`] throughout; the header knows the encoding.

@@ -225,13 +225,7 @@ mod tests {
         let mut soup = quad();
         soup.positions[3].x = 1e39;
         let error = write(&soup, None, "").unwrap_err();
-        assert_eq!(
-            error,
-            WriteError::NonFiniteVertex {
-                vertex: 3,
-                single: true
-            }
-        );
+        assert_eq!(error, WriteError::BeyondSingle { vertex: 3 });
         assert_eq!(
             write(&quad(), Some(&[DVec3::X]), "").unwrap_err(),
             WriteError::NormalCount {

@@ -37,7 +37,7 @@ mod ply;
 mod stl;
 mod text;
 
-pub use error::{Place, ReadError, WriteError};
+pub use error::{Expected, Found, Oddity, Place, ReadError, WriteError};
 pub use format::Format;
 
 use crate::soup::PolygonSoup;
@@ -49,8 +49,8 @@ pub struct Read {
     pub soup: PolygonSoup,
     /// The format found in the bytes, whatever the file is called.
     pub format: Format,
-    /// Oddities that did not stop the reader, one sentence each.
-    pub warnings: Vec<String>,
+    /// Oddities that did not stop the reader.
+    pub warnings: Vec<Oddity>,
 }
 
 /// Reads a mesh file.
@@ -70,20 +70,18 @@ pub fn read(bytes: &[u8], file_name: &str) -> Result<Read, ReadError> {
         Format::Ply | Format::PlyAscii | Format::PlyBigEndian => ply::read(&bytes),
         Format::StlAscii => stl::read_ascii(&bytes),
         Format::Stl => stl::read_binary(&bytes),
-        Format::Glb => Err(ReadError::Unsupported { what: "glTF" }),
+        Format::Glb => Err(ReadError::Unsupported { what: "gltf" }),
     }?;
     if transcoded {
-        read.warnings
-            .push("The text is UTF-16; it was read as such.".to_owned());
+        read.warnings.push(Oddity::Transcoded);
     }
     if let Some(named) = Format::from_extension(file_name)
         && named.extension() != read.format.extension()
     {
-        read.warnings.push(format!(
-            "The name ends in .{}, the contents are {}.",
-            named.extension(),
-            read.format
-        ));
+        read.warnings.push(Oddity::OtherEnding {
+            ending: named.extension(),
+            format: read.format,
+        });
     }
     Ok(read)
 }

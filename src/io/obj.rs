@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use super::assembly::{Assembly, Tally};
 use super::text::{Lines, Words, comment_lines, parse_integer};
-use super::{Format, Read, ReadError};
+use super::{Expected, Format, Oddity, Read, ReadError};
 use crate::soup::PolygonSoup;
 
 /// Reads an OBJ file; a face may name vertices that come after it.
@@ -46,8 +46,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
         }
     }
     let mut read = assembly.finish(Format::Obj)?;
-    read.warnings
-        .extend(skipped.sentence("Lines that are no part of a polygon mesh were skipped"));
+    let other = |(count, first)| Oddity::OtherLines { count, first };
+    read.warnings.extend(skipped.met().map(other));
     Ok(read)
 }
 
@@ -55,8 +55,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
 /// or backwards from the `before` vertices already read.
 fn corner(word: &[u8], line: &Words<'_>, before: usize, vertices: usize) -> Result<u32, ReadError> {
     let written = word.split(|&b| b == b'/').next().unwrap_or(word);
-    let index = parse_integer(written)
-        .ok_or_else(|| line.error(Some(word), "a vertex index such as 7, 7/1 or 7//2"))?;
+    let index =
+        parse_integer(written).ok_or_else(|| line.error(Some(word), Expected::ObjCorner))?;
     let (resolved, available) = if index < 0 {
         (index + before as i64, before)
     } else {
@@ -97,7 +97,7 @@ pub(super) fn write(soup: &PolygonSoup, comment: &str) -> Vec<u8> {
 mod tests {
     use glam::DVec3;
 
-    use super::super::Place;
+    use super::super::{Found, Place};
     use super::*;
 
     fn faces(text: &str) -> Vec<Vec<u32>> {
@@ -135,7 +135,7 @@ mod tests {
             read(text.as_bytes()),
             Err(ReadError::IndexOutOfRange {
                 format: Format::Obj,
-                place: Place::Line(3),
+                place: Place::Line { line: 3 },
                 index: -3,
                 vertices: 2
             })
@@ -176,28 +176,38 @@ mod tests {
         let text = format!("{SQUARE}p 1\nl 1 2\nf 1 2 3\ncurv 0 1 1 2\n");
         assert_eq!(
             read(text.as_bytes()).unwrap().warnings,
-            ["Lines that are no part of a polygon mesh were skipped: 3, the first at line 5."]
+            [Oddity::OtherLines {
+                count: 3,
+                first: Place::Line { line: 5 }
+            }]
         );
     }
 
     #[test]
     fn errors_name_the_line() {
         let syntax = |text: &str| match read(text.as_bytes()) {
-            Err(ReadError::Syntax { place, found, .. }) => (place, found),
+            Err(
+                ReadError::Syntax { place, found, .. }
+                | ReadError::DecimalComma { place, found, .. },
+            ) => (place, found),
             other => panic!("{other:?}"),
         };
+        let word = |word: &str| Found::Word { word: word.into() };
         assert_eq!(
             syntax("v 0 0\nf 1 1 1"),
-            (Place::Line(1), "end of line".to_owned())
+            (Place::Line { line: 1 }, Found::EndOfLine)
         );
-        assert_eq!(syntax("\nv 0 1,5 0"), (Place::Line(2), "`1,5`".to_owned()));
+        assert_eq!(
+            syntax("\nv 0 1,5 0"),
+            (Place::Line { line: 2 }, word("1,5"))
+        );
         assert_eq!(
             syntax("v 0 0 0\nf 1 1 1.5"),
-            (Place::Line(2), "`1.5`".to_owned())
+            (Place::Line { line: 2 }, word("1.5"))
         );
         assert_eq!(
             syntax("v 0 0 0\nf 1 /1 1"),
-            (Place::Line(2), "`/1`".to_owned())
+            (Place::Line { line: 2 }, word("/1"))
         );
         for beyond in [0, 5] {
             let text = format!("{SQUARE}f 1 2 {beyond}\n");
@@ -205,7 +215,7 @@ mod tests {
                 read(text.as_bytes()),
                 Err(ReadError::IndexOutOfRange {
                     format: Format::Obj,
-                    place: Place::Line(5),
+                    place: Place::Line { line: 5 },
                     index: beyond,
                     vertices: 4
                 })
@@ -215,7 +225,7 @@ mod tests {
         assert!(matches!(
             read(text.as_bytes()),
             Err(ReadError::IndexOutOfRange {
-                place: Place::Line(5),
+                place: Place::Line { line: 5 },
                 index: i64::MAX,
                 ..
             })

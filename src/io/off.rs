@@ -8,11 +8,14 @@ use std::fmt::Write as _;
 
 use super::assembly::Assembly;
 use super::text::{Lines, comment_lines};
-use super::{Format, Place, Read, ReadError};
+use super::{Expected, Format, Place, Read, ReadError};
 use crate::soup::PolygonSoup;
 
 /// Letters before `OFF` that leave the position where it is.
 const PREFIXES: [&[u8]; 3] = [b"ST", b"C", b"N"];
+
+/// The word that a file begins with.
+const HEADER: Expected = Expected::Keyword { word: "OFF" };
 
 /// Whether a file that begins with this word is an OFF file.
 pub(super) fn is_header(word: &[u8]) -> bool {
@@ -34,32 +37,30 @@ fn header_prefix(word: &[u8]) -> Option<&[u8]> {
 /// Reads an OFF file.
 pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     // Binary OFF begins with a line of text like any other.
-    let mut header = Lines::new(Format::Off, bytes).next_filled("OFF")?;
+    let mut header = Lines::new(Format::Off, bytes).next_filled(HEADER)?;
     let has_header = header.next().is_some_and(is_header);
     if has_header && header.next() == Some(b"BINARY") {
-        return Err(ReadError::Unsupported { what: "binary OFF" });
+        return Err(ReadError::Unsupported { what: "binary-off" });
     }
 
     let mut lines = Lines::of_text(Format::Off, bytes)?;
-    let mut words = lines.next_filled("OFF")?;
+    let mut words = lines.next_filled(HEADER)?;
     if has_header {
-        let word = words.word("OFF")?;
+        let word = words.word(HEADER)?;
         if header_prefix(word) != Some(b"") {
-            return Err(ReadError::Unsupported {
-                what: "higher-dimensional OFF",
-            });
+            return Err(ReadError::Unsupported { what: "nd-off" });
         }
         if words.clone().next().is_none() {
-            words = lines.next_filled("the number of vertices")?;
+            words = lines.next_filled(Expected::VertexCount)?;
         }
     }
     let expected = if has_header {
-        "the number of vertices"
+        Expected::VertexCount
     } else {
-        "OFF or the number of vertices"
+        Expected::OffOrVertexCount
     };
     let vertices = words.how_many(expected)?;
-    let faces = words.how_many("the number of faces")?;
+    let faces = words.how_many(Expected::FaceCount)?;
     // A vertex takes six bytes at least, as in "0 0 0\n", a face two.
     let left = lines.rest().len() as u64 + 1;
     let vertices = checked_count(vertices, "vertices", left / 6, words.place())?;
@@ -68,16 +69,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     let mut assembly = Assembly::new();
     assembly.reserve(vertices, faces);
     for _ in 0..vertices {
-        let mut words = lines.next_filled("a vertex")?;
+        let mut words = lines.next_filled(Expected::Vertex)?;
         assembly.vertex(words.point()?, words.place())?;
     }
     let mut corners = Vec::new();
     for _ in 0..faces {
-        let mut words = lines.next_filled("a face")?;
+        let mut words = lines.next_filled(Expected::Face)?;
         let place = words.place();
         corners.clear();
-        for _ in 0..words.how_many("the number of corners")? {
-            let index = words.integer("a vertex index")?;
+        for _ in 0..words.how_many(Expected::CornerCount)? {
+            let index = words.integer(Expected::VertexIndex)?;
             match u32::try_from(index) {
                 Ok(vertex) if (vertex as usize) < vertices => corners.push(vertex),
                 _ => {
@@ -139,6 +140,7 @@ pub(super) fn write(soup: &PolygonSoup, comment: &str) -> Vec<u8> {
 mod tests {
     use glam::DVec3;
 
+    use super::super::Found;
     use super::*;
 
     const BODY: &str = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 1 2 255 0 0\n";
@@ -165,9 +167,9 @@ mod tests {
     #[test]
     fn what_is_not_plain_three_dimensional_text_is_refused() {
         for (text, what) in [
-            ("OFF BINARY\n\0\0\0\x04", "binary OFF"),
-            ("4OFF\n1 1 0\n", "higher-dimensional OFF"),
-            ("CnOFF\n4\n1 1 0\n", "higher-dimensional OFF"),
+            ("OFF BINARY\n\0\0\0\x04", "binary-off"),
+            ("4OFF\n1 1 0\n", "nd-off"),
+            ("CnOFF\n4\n1 1 0\n", "nd-off"),
         ] {
             assert_eq!(read(text.as_bytes()), Err(ReadError::Unsupported { what }));
         }
@@ -190,21 +192,22 @@ mod tests {
                     at_most: m,
                     ..
                 }) => {
-                    assert_eq!((place, w), (Place::Line(2), what));
+                    assert_eq!((place, w), (Place::Line { line: 2 }, what));
                     assert!(m <= at_most + 1);
                 }
                 other => panic!("{other:?}"),
             }
         }
         for (text, line, found) in [
-            ("OFF\n-4 2 0\n", 2, "`-4`"),
-            ("OFF 1 1 0\n0 0 0\n-3 0\n", 3, "`-3`"),
+            ("OFF\n-4 2 0\n", 2, "-4"),
+            ("OFF 1 1 0\n0 0 0\n-3 0\n", 3, "-3"),
         ] {
             match read(text.as_bytes()) {
                 Err(ReadError::Syntax {
                     place, found: f, ..
                 }) => {
-                    assert_eq!((place, f.as_str()), (Place::Line(line), found));
+                    let word = found.into();
+                    assert_eq!((place, f), (Place::Line { line }, Found::Word { word }));
                 }
                 other => panic!("{other:?}"),
             }
@@ -218,7 +221,7 @@ mod tests {
             read(text.as_bytes()),
             Err(ReadError::IndexOutOfRange {
                 format: Format::Off,
-                place: Place::Line(9),
+                place: Place::Line { line: 9 },
                 index: 4,
                 vertices: 4
             })
@@ -228,9 +231,9 @@ mod tests {
             read(text.as_bytes()),
             Err(ReadError::Syntax {
                 format: Format::Off,
-                place: Place::Line(8),
-                found: "end of file".to_owned(),
-                expected: "a face"
+                place: Place::Line { line: 8 },
+                found: Found::EndOfFile,
+                expected: Expected::Face
             })
         );
     }

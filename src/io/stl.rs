@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::assembly::Assembly;
 use super::text::{Lines, comment_lines};
-use super::{Format, Place, Read, ReadError, WriteError};
+use super::{Expected, Format, Oddity, Place, Read, ReadError, WriteError};
 use crate::soup::PolygonSoup;
 
 /// Bytes before the first triangle of a binary file: a free text, then the count.
@@ -47,7 +47,7 @@ impl Weld {
                 .vertex(position, place)
                 .map_err(|error| match error {
                     ReadError::NonFiniteVertex { place, .. } => ReadError::NonFiniteVertex {
-                        vertex: self.met,
+                        number: self.met + 1,
                         place,
                     },
                     other => other,
@@ -104,7 +104,9 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
         let mut corners = [0; 3];
         for (k, corner) in corners.iter_mut().enumerate() {
             let start = 12 * (k + 1);
-            let place = Place::Byte(HEADER + TRIANGLE * face + start);
+            let place = Place::Byte {
+                byte: HEADER + TRIANGLE * face + start,
+            };
             let position = DVec3::from_array(std::array::from_fn(|axis| {
                 let at = start + 4 * axis;
                 let bytes = std::array::from_fn(|byte| triangle[at + byte]);
@@ -112,15 +114,17 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
             }));
             *corner = weld.corner(position, place)?;
         }
-        weld.assembly
-            .face(&corners, Place::Byte(HEADER + TRIANGLE * face))?;
+        weld.assembly.face(
+            &corners,
+            Place::Byte {
+                byte: HEADER + TRIANGLE * face,
+            },
+        )?;
     }
     let mut read = weld.assembly.finish(Format::Stl)?;
     let extra = triangles.len() as u64 - needed;
     if extra > 0 {
-        read.warnings.push(format!(
-            "{extra} bytes after the last triangle were left aside."
-        ));
+        read.warnings.push(Oddity::BytesLeft { count: extra });
     }
     Ok(read)
 }
@@ -130,12 +134,12 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
 /// Keywords may be in any case and a facet may lack its normal or have more than three
 /// corners.
 pub(super) fn read_ascii(bytes: &[u8]) -> Result<Read, ReadError> {
-    const KEYWORD: &str = "facet, outer loop, vertex, endloop, endfacet, solid or endsolid";
+    const SOLID: Expected = Expected::Keyword { word: "solid" };
     let mut lines = Lines::of_text(Format::StlAscii, bytes)?;
-    let mut first = lines.next_filled("solid")?;
-    let word = first.word("solid")?;
+    let mut first = lines.next_filled(SOLID)?;
+    let word = first.word(SOLID)?;
     if !word.eq_ignore_ascii_case(b"solid") {
-        return Err(first.error(Some(word), "solid"));
+        return Err(first.error(Some(word), SOLID));
     }
     let mut weld = Weld::new();
     let mut corners = Vec::new();
@@ -154,17 +158,23 @@ pub(super) fn read_ascii(bytes: &[u8]) -> Result<Read, ReadError> {
             }
             (b"facet" | b"endfacet", None) => {}
             (b"solid" | b"endsolid", None) => ended = word.len() > 5,
-            (_, Some(_)) => return Err(words.error(Some(word), "vertex or endloop")),
-            (_, None) => return Err(words.error(Some(word), KEYWORD)),
+            (_, open) => {
+                let word_of = if open.is_some() {
+                    "vertex, endloop"
+                } else {
+                    "facet, outer loop, vertex, endloop, endfacet, solid, endsolid"
+                };
+                let expected = Expected::Keyword { word: word_of };
+                return Err(words.error(Some(word), expected));
+            }
         }
     }
     if open.is_some() {
-        lines.next_filled("endloop")?;
+        lines.next_filled(Expected::Keyword { word: "endloop" })?;
     }
     let mut read = weld.assembly.finish(Format::StlAscii)?;
     if !ended {
-        read.warnings
-            .push("The last solid has no end; the file may be cut short.".to_owned());
+        read.warnings.push(Oddity::NoEnd);
     }
     Ok(read)
 }
@@ -223,6 +233,7 @@ pub(super) fn write_binary(soup: &PolygonSoup, comment: &str) -> Result<Vec<u8>,
 
 #[cfg(test)]
 mod tests {
+    use super::super::Found;
     use super::*;
 
     fn binary(header: &str, triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
@@ -290,10 +301,7 @@ mod tests {
         let long = [&bytes[..], b"..."].concat();
         let read = read_binary(&long).unwrap();
         assert_eq!(read.soup.n_faces(), 2);
-        assert_eq!(
-            read.warnings,
-            ["3 bytes after the last triangle were left aside."]
-        );
+        assert_eq!(read.warnings, [Oddity::BytesLeft { count: 3 }]);
         assert_eq!(
             read_binary(&binary("", &[])),
             Err(ReadError::NoFaces { vertices: 0 })
@@ -307,8 +315,8 @@ mod tests {
         assert_eq!(
             read_binary(&binary("", &broken)),
             Err(ReadError::NonFiniteVertex {
-                vertex: 5,
-                place: Place::Byte(84 + 50 + 36)
+                number: 6,
+                place: Place::Byte { byte: 84 + 50 + 36 }
             })
         );
     }
@@ -330,19 +338,20 @@ mod tests {
 
     #[test]
     fn text_out_of_order_is_refused() {
+        let word = |word: &str| Found::Word { word: word.into() };
         for (text, line, found) in [
-            ("solid\nvertex 0 0 0\n", 2, "`vertex`"),
-            ("solid\nouter loop\nouter loop\n", 3, "`outer`"),
-            ("solid\nouter loop\nvertex 0 0\n", 3, "end of line"),
-            ("solid\nouter loop\nvertex 0 0 0\n", 3, "end of file"),
-            ("solid\nfacet normal 0 0 1\nv 0 0 0\n", 3, "`v`"),
-            ("facet\n", 1, "`facet`"),
+            ("solid\nvertex 0 0 0\n", 2, word("vertex")),
+            ("solid\nouter loop\nouter loop\n", 3, word("outer")),
+            ("solid\nouter loop\nvertex 0 0\n", 3, Found::EndOfLine),
+            ("solid\nouter loop\nvertex 0 0 0\n", 3, Found::EndOfFile),
+            ("solid\nfacet normal 0 0 1\nv 0 0 0\n", 3, word("v")),
+            ("facet\n", 1, word("facet")),
         ] {
             match read_ascii(text.as_bytes()) {
                 Err(ReadError::Syntax {
                     place, found: f, ..
                 }) => {
-                    assert_eq!((place, f.as_str()), (Place::Line(line), found));
+                    assert_eq!((place, f), (Place::Line { line }, found));
                 }
                 other => panic!("{text}: {other:?}"),
             }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 
-use super::{Format, Place, ReadError};
+use super::{Expected, Format, Found, Place, ReadError};
 
 /// The text without its byte order mark, and whether it had to be brought from UTF-16.
 ///
@@ -99,16 +99,15 @@ impl<'a> Lines<'a> {
     ///
     /// # Errors
     /// [`ReadError::Syntax`] with `expected` at the end of the text.
-    pub(super) fn next_filled(&mut self, expected: &'static str) -> Result<Words<'a>, ReadError> {
+    pub(super) fn next_filled(&mut self, expected: Expected) -> Result<Words<'a>, ReadError> {
         let format = self.format;
         match self.find(|words| words.clone().next().is_some()) {
             Some(words) => Ok(words),
-            None => Err(ReadError::Syntax {
-                format,
-                place: Place::Line(self.number.max(1)),
-                found: "end of file".to_owned(),
-                expected,
-            }),
+            None => {
+                let line = self.number.max(1);
+                let (place, found) = (Place::Line { line }, Found::EndOfFile);
+                Err(ReadError::syntax(format, place, found, expected))
+            }
         }
     }
 }
@@ -174,39 +173,36 @@ impl<'a> Words<'a> {
 
     /// Where the line begins.
     pub(super) fn place(&self) -> Place {
-        Place::Line(self.line)
+        Place::Line { line: self.line }
     }
 
     /// The error that `found` (none: the line's end) stands where `expected` should.
-    pub(super) fn error(&self, found: Option<&[u8]>, expected: &'static str) -> ReadError {
-        let found = found.map_or_else(|| "end of line".to_owned(), quote);
-        ReadError::Syntax {
-            format: self.format,
-            place: self.place(),
-            found,
-            expected,
-        }
+    pub(super) fn error(&self, found: Option<&[u8]>, expected: Expected) -> ReadError {
+        let found = found.map_or(Found::EndOfLine, |word| Found::Word {
+            word: shortened(word),
+        });
+        ReadError::syntax(self.format, self.place(), found, expected)
     }
 
     /// The next word, which must be there.
-    pub(super) fn word(&mut self, expected: &'static str) -> Result<&'a [u8], ReadError> {
+    pub(super) fn word(&mut self, expected: Expected) -> Result<&'a [u8], ReadError> {
         self.next().ok_or_else(|| self.error(None, expected))
     }
 
     /// The next word as a number.
-    pub(super) fn float(&mut self, expected: &'static str) -> Result<f64, ReadError> {
+    pub(super) fn float(&mut self, expected: Expected) -> Result<f64, ReadError> {
         let word = self.word(expected)?;
         parse_float(word).ok_or_else(|| self.error(Some(word), expected))
     }
 
     /// The next word as an integer.
-    pub(super) fn integer(&mut self, expected: &'static str) -> Result<i64, ReadError> {
+    pub(super) fn integer(&mut self, expected: Expected) -> Result<i64, ReadError> {
         let word = self.word(expected)?;
         parse_integer(word).ok_or_else(|| self.error(Some(word), expected))
     }
 
     /// The next word as a number of things.
-    pub(super) fn how_many(&mut self, expected: &'static str) -> Result<u64, ReadError> {
+    pub(super) fn how_many(&mut self, expected: Expected) -> Result<u64, ReadError> {
         let word = self.word(expected)?;
         let count = parse_integer(word).and_then(|count| u64::try_from(count).ok());
         count.ok_or_else(|| self.error(Some(word), expected))
@@ -215,9 +211,9 @@ impl<'a> Words<'a> {
     /// The next three words as a position.
     pub(super) fn point(&mut self) -> Result<DVec3, ReadError> {
         Ok(DVec3::new(
-            self.float("the coordinate x")?,
-            self.float("the coordinate y")?,
-            self.float("the coordinate z")?,
+            self.float(Expected::Coordinate { axis: "x" })?,
+            self.float(Expected::Coordinate { axis: "y" })?,
+            self.float(Expected::Coordinate { axis: "z" })?,
         ))
     }
 }
@@ -283,8 +279,8 @@ pub(super) fn parse_integer(word: &[u8]) -> Option<i64> {
     Some(if negative { -value } else { value })
 }
 
-/// A word for a message: in backquotes, at most 40 characters.
-fn quote(word: &[u8]) -> String {
+/// A word for a message: at most 40 characters.
+fn shortened(word: &[u8]) -> String {
     const LONGEST: usize = 40;
     // No character is longer than four bytes.
     let text = String::from_utf8_lossy(&word[..word.len().min(4 * LONGEST)]);
@@ -299,7 +295,7 @@ fn quote(word: &[u8]) -> String {
     if shown.len() < word.len() {
         shown.push('…');
     }
-    format!("`{shown}`")
+    shown
 }
 
 /// A comment's lines, each made safe to stand on one line of a text file.
@@ -404,9 +400,9 @@ mod tests {
     }
 
     #[test]
-    fn quotes_are_short() {
-        assert_eq!(quote(b"1,5"), "`1,5`");
-        assert_eq!(quote(b"\0\xFF"), "`\u{FFFD}\u{FFFD}`");
-        assert_eq!(quote(&[b'x'; 10_000]).chars().count(), 43);
+    fn words_are_shortened() {
+        assert_eq!(shortened(b"1,5"), "1,5");
+        assert_eq!(shortened(b"\0\xFF"), "\u{FFFD}\u{FFFD}");
+        assert_eq!(shortened(&[b'x'; 10_000]).chars().count(), 41);
     }
 }

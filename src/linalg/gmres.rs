@@ -1,30 +1,23 @@
 //! GMRES for systems that are known by their action only.
 
-/// How far an iteration came.
-#[derive(Clone, Copy, Debug)]
-pub struct GmresInfo {
-    /// Products with the matrix.
-    pub iterations: usize,
-    /// ‖b − A x‖ / ‖b‖, of the system preconditioned from the right and so of the system
-    /// itself.
-    pub relative_residual: f64,
-}
+use super::convergence::Convergence;
 
 /// Solves `A x = b` by GMRES without restart, preconditioned from the right: the Krylov
 /// space of A P⁻¹, with modified Gram–Schmidt and Givens rotations (Saad & Schultz 1986).
 ///
 /// `apply` writes A v for a v; `precondition` replaces v by P⁻¹ v. Ends at `tolerance`
 /// relative to ‖b‖ or after `max_iterations`, which bounds the memory: a vector an iteration.
+/// Preconditioning from the right leaves the residual that of the system itself.
 pub fn gmres(
     mut apply: impl FnMut(&[f64], &mut [f64]),
     mut precondition: impl FnMut(&mut [f64]),
     b: &[f64],
     tolerance: f64,
     max_iterations: usize,
-) -> (Vec<f64>, GmresInfo) {
+) -> (Vec<f64>, Convergence) {
     let size = norm(b);
     let mut x = vec![0.0; b.len()];
-    let mut info = GmresInfo {
+    let mut info = Convergence {
         iterations: 0,
         relative_residual: 0.0,
     };

@@ -18,12 +18,14 @@
 //! Several fields are stored end to end. Everything runs on one thread: triangular
 //! solves get slower with two.
 
+mod amortised_cost;
+mod backoff;
+mod convergence;
 pub mod eigen;
 mod entry;
 mod error;
 mod gmres;
 mod ldlt;
-mod ledger;
 mod lu;
 mod ordering;
 mod pattern;
@@ -32,9 +34,10 @@ mod solver;
 mod symbolic;
 mod vertex_cover;
 
+pub use convergence::Convergence;
 pub use entry::Entry;
 pub use error::LinalgError;
-pub use gmres::{GmresInfo, gmres};
+pub use gmres::gmres;
 pub use ldlt::{Inertia, Ldlt};
 pub use lu::{Lu, Unsymmetric};
 pub use pattern::Pattern;

@@ -1,12 +1,13 @@
 //! Solves with the cheapest preconditioner that will do: the diagonal, the factor of an
 //! earlier matrix or a new one.
 
+use super::amortised_cost::{AmortisedCost, FLOPS_PER_ENTRY};
+use super::backoff::Backoff;
 use super::entry::Entry;
 use super::error::LinalgError;
 use super::ldlt::Ldlt;
-use super::ledger::{FLOPS_PER_ENTRY, Ledger, Patience};
 use super::pattern::Pattern;
-use super::pcg::{Limit, System, Workspace, conjugate_gradients, refine};
+use super::pcg::{Limit, LinearSystem, Workspace, conjugate_gradients, refine};
 use super::symbolic::Symbolic;
 use glam::DVec3;
 use std::sync::Arc;
@@ -96,9 +97,9 @@ pub struct Solver<T = DVec3> {
     iterative_from: usize,
     factor_limit: usize,
     factor: Option<Ldlt>,
-    ledger: Ledger,
-    diagonal: Patience,
-    kept: Patience,
+    cost: AmortisedCost,
+    diagonal: Backoff,
+    kept: Backoff,
     workspace: Workspace<T>,
 }
 
@@ -132,10 +133,10 @@ impl<T: Entry> Solver<T> {
             iterative_from: ITERATIVE_FROM,
             factor_limit: FACTOR_LIMIT,
             factor: None,
-            ledger: Ledger::new(&symbolic),
+            cost: AmortisedCost::new(&symbolic),
             symbolic,
-            diagonal: Patience::default(),
-            kept: Patience::default(),
+            diagonal: Backoff::default(),
+            kept: Backoff::default(),
             workspace: Workspace::default(),
         }
     }
@@ -154,6 +155,18 @@ impl<T: Entry> Solver<T> {
     /// the diagonal, and the solution is the best of a thousand iterations.
     pub fn is_too_large_to_factor(&self) -> bool {
         self.symbolic.factor_len().saturating_mul(size_of::<f64>()) > self.factor_limit
+    }
+
+    /// Iterations with the diagonal that cost as much as a factorisation and a solve with it:
+    /// where there is no factor at hand, no attempt goes on for longer.
+    pub fn iteration_limit(&self) -> usize {
+        self.iterations_for(self.cost.factorisation + 1.0)
+    }
+
+    /// Iterations with the diagonal that cost as much as so many with a factor.
+    fn iterations_for(&self, iterations: f64) -> usize {
+        let entries_per_row = self.symbolic.factor_len() as f64 / self.pattern.n() as f64;
+        (iterations * entries_per_row * FLOPS_PER_ENTRY / FLOPS_PER_ROW) as usize
     }
 
     /// Pattern of the matrices.
@@ -199,22 +212,20 @@ impl<T: Entry> Solver<T> {
         let start = Instant::now();
         self.workspace.resize(rhs.len());
         if self.is_too_large_to_factor() {
-            let (system, workspace) = (
-                System {
-                    pattern: &self.pattern,
-                    values,
-                    rhs,
-                },
-                &mut self.workspace,
-            );
+            let system = LinearSystem {
+                pattern: &self.pattern,
+                values,
+                rhs,
+            };
+            let workspace = &mut self.workspace;
             let precondition = by_diagonal(&self.pattern, values);
             let limit = Limit::Whatever(MAX_ITERATIONS);
-            let outcome = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
+            let reached = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
             return Ok(SolveInfo {
                 preconditioner: Preconditioner::Diagonal,
-                iterations: outcome.iterations,
+                iterations: reached.iterations,
                 solve_seconds: start.elapsed().as_secs_f64(),
-                relative_residual: outcome.relative_residual,
+                relative_residual: reached.relative_residual,
                 ..SolveInfo::default()
             });
         }
@@ -229,7 +240,7 @@ impl<T: Entry> Solver<T> {
             None => self.solve_directly(values, rhs, x, tolerance)?,
         };
         // The residual the iteration keeps is only updated, and drifts.
-        let system = System {
+        let system = LinearSystem {
             pattern: &self.pattern,
             values,
             rhs,
@@ -248,41 +259,29 @@ impl<T: Entry> Solver<T> {
         x: &mut [T],
         tolerance: f64,
     ) -> Option<SolveInfo> {
+        let is_kept = self.factor.is_some() && self.cost.is_factor_worth_keeping();
+        let most = if is_kept {
+            self.iterations_for(self.cost.last)
+        } else {
+            self.iteration_limit()
+        };
         let Self {
             pattern,
-            ledger,
+            cost,
             workspace,
             ..
         } = self;
-        let system = System {
+        let system = LinearSystem {
             pattern,
             values,
             rhs,
         };
-        let factor = self.factor.as_mut().filter(|_| ledger.is_worth_keeping());
-
         if self.diagonal.is_due() {
-            let alternative = if factor.is_some() {
-                ledger.last
-            } else {
-                ledger.price + 1.0
-            };
-            let per_row =
-                (self.symbolic.factor_len() as f64 / pattern.n() as f64) * FLOPS_PER_ENTRY;
-            let limit = Limit::WhileHopeful((alternative * per_row / FLOPS_PER_ROW) as usize);
-            let slots = pattern.diagonal_slots();
-            let inverse: Vec<f64> = slots.iter().map(|&s| values[s as usize].recip()).collect();
-            let precondition = |fields: &mut [T]| {
-                for field in fields.chunks_exact_mut(inverse.len()) {
-                    field
-                        .iter_mut()
-                        .zip(&inverse)
-                        .for_each(|(v, d)| *v = *v * *d);
-                }
-            };
-            let outcome = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
-            if self.diagonal.learn(outcome.relative_residual <= tolerance) {
-                let iterations = outcome.iterations;
+            let limit = Limit::WhileHopeful(most);
+            let precondition = by_diagonal(pattern, values);
+            let reached = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
+            if self.diagonal.record(reached.relative_residual <= tolerance) {
+                let iterations = reached.iterations;
                 let preconditioner = Preconditioner::Diagonal;
                 return Some(SolveInfo {
                     preconditioner,
@@ -291,15 +290,16 @@ impl<T: Entry> Solver<T> {
                 });
             }
         }
-        if let Some(factor) = factor
+        if is_kept
+            && let Some(factor) = &mut self.factor
             && self.kept.is_due()
         {
             let precondition = |fields: &mut [T]| factor.solve_in_place(fields);
-            let limit = Limit::WhileHopeful(ledger.price as usize + ledger.fresh_iterations);
-            let outcome = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
-            if self.kept.learn(outcome.relative_residual <= tolerance) {
-                let iterations = outcome.iterations;
-                ledger.book(iterations);
+            let limit = Limit::WhileHopeful(cost.factorisation as usize + cost.first_iterations);
+            let reached = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
+            if self.kept.record(reached.relative_residual <= tolerance) {
+                let iterations = reached.iterations;
+                cost.add(iterations);
                 let preconditioner = Preconditioner::KeptFactor;
                 return Some(SolveInfo {
                     preconditioner,
@@ -320,7 +320,7 @@ impl<T: Entry> Solver<T> {
         tolerance: f64,
     ) -> Result<SolveInfo, LinalgError> {
         let start = Instant::now();
-        self.ledger.forget();
+        self.cost.clear();
         let factor = match &mut self.factor {
             Some(factor) => factor,
             None => self.factor.insert(Ldlt::new(self.symbolic.clone())?),
@@ -329,7 +329,7 @@ impl<T: Entry> Solver<T> {
         factor.reserve_columns(T::COLUMNS * n_fields.max(1))?;
         let inertia = factor.factor(values)?;
         let factor_seconds = start.elapsed().as_secs_f64();
-        let system = System {
+        let system = LinearSystem {
             pattern: &self.pattern,
             values,
             rhs,
@@ -343,7 +343,7 @@ impl<T: Entry> Solver<T> {
             REFINEMENTS,
             &mut self.workspace,
         );
-        self.ledger.open(inertia, iterations);
+        self.cost.restart(inertia, iterations);
         let negative_pivots = inertia.negative;
         Ok(SolveInfo {
             iterations,

@@ -1,6 +1,6 @@
 //! From polygon soup to half-edges: diagnose, repair what is safe, name what is not.
 //!
-//! Safe repairs, each with a warning: consecutive repeated corners collapsed,
+//! Safe repairs, each of them told: consecutive repeated corners collapsed,
 //! degenerate and duplicate faces dropped, unused vertices dropped, faces turned to
 //! agree with their neighbours, vertices where several fans meet split into one
 //! vertex a fan. Edges with three or more faces are refused.
@@ -8,7 +8,7 @@
 use super::orient::orient;
 use super::repair::{clean_faces, drop_flat_components, drop_unused_vertices, split_vertices};
 use super::sides::{Side, paired_sides};
-use super::{Face, Halfedge, HalfedgeMesh, MeshError, Vertex};
+use super::{Face, Halfedge, HalfedgeMesh, MeshError, Repair, Vertex};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 
@@ -21,8 +21,8 @@ pub struct Built {
     pub positions: Vec<DVec3>,
     /// For each vertex its index in the soup.
     pub soup_vertex: Vec<u32>,
-    /// What was repaired or is worth knowing, a sentence each.
-    pub warnings: Vec<String>,
+    /// What was repaired.
+    pub repairs: Vec<Repair>,
 }
 
 /// Builds connectivity from a soup.
@@ -30,29 +30,29 @@ pub struct Built {
 /// # Errors
 /// See [`MeshError`]; the soup is only read.
 pub fn build(soup: &PolygonSoup) -> Result<Built, MeshError> {
-    let mut warnings = Vec::new();
+    let mut repairs = Vec::new();
     check_indices(soup)?;
-    let mut faces = clean_faces(soup, &mut warnings);
+    let mut faces = clean_faces(soup, &mut repairs);
     if faces.n_faces() == 0 {
         return Err(MeshError::NoFaces);
     }
     let sides = paired_sides(&faces)?;
-    orient(&mut faces, &sides, &mut warnings);
+    orient(&mut faces, &sides, &mut repairs);
     // Turning a face renumbers its corners.
     let sides = paired_sides(&faces)?;
-    let origin = split_vertices(&mut faces, &sides, &mut warnings);
-    drop_flat_components(&mut faces, &sides, &mut warnings);
+    let origin = split_vertices(&mut faces, &sides, &mut repairs);
+    drop_flat_components(&mut faces, &sides, &mut repairs);
     if faces.n_faces() == 0 {
         return Err(MeshError::NoFaces);
     }
-    let soup_vertex = drop_unused_vertices(&mut faces, &origin, soup, &mut warnings);
+    let soup_vertex = drop_unused_vertices(&mut faces, &origin, soup, &mut repairs);
     let sides = paired_sides(&faces)?;
     let mesh = connect(&faces, &sides);
     Ok(Built {
         mesh,
         positions: faces.positions,
         soup_vertex,
-        warnings,
+        repairs,
     })
 }
 

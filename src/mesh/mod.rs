@@ -25,7 +25,7 @@ pub mod walk;
 
 pub use build::{Built, build};
 pub use element::{Edge, Face, Halfedge, Vertex};
-pub use error::MeshError;
+pub use error::{MeshError, Repair};
 pub use triangulate::triangulate;
 
 use crate::soup::PolygonSoup;
@@ -199,9 +199,4 @@ impl HalfedgeMesh {
         }
         soup
     }
-}
-
-/// `1 face`, `3 faces`: a count with its noun, for messages.
-pub(crate) fn counted(n: usize, one: &str, many: &str) -> String {
-    format!("{n} {}", if n == 1 { one } else { many })
 }

@@ -1,11 +1,11 @@
 //! Consistent orientation of a soup, outward where it is closed.
 
-use super::counted;
+use super::error::Repair;
 use super::sides::{Side, face_adjacency, interior_edges};
 use crate::soup::PolygonSoup;
 
 /// Turns faces so that neighbours agree, keeping the majority of each component.
-pub(super) fn orient(soup: &mut PolygonSoup, sides: &[Side], warnings: &mut Vec<String>) {
+pub(super) fn orient(soup: &mut PolygonSoup, sides: &[Side], repairs: &mut Vec<Repair>) {
     let n = soup.n_faces();
     let (start, list) = face_adjacency(soup, sides);
     let mut turned: Vec<Option<bool>> = vec![None; n];
@@ -55,15 +55,11 @@ pub(super) fn orient(soup: &mut PolygonSoup, sides: &[Side], warnings: &mut Vec<
         }
     }
     if twisted_components > 0 {
-        warnings.push(format!(
-            "{} without a consistent orientation (like a Möbius strip); flows that need no normal still work.",
-            counted(twisted_components, "component", "components")
-        ));
+        repairs.push(Repair::OneSided {
+            count: twisted_components,
+        });
     } else if n_turned > 0 {
-        warnings.push(format!(
-            "Turned {} to agree with the neighbours.",
-            counted(n_turned, "face", "faces")
-        ));
+        repairs.push(Repair::TurnedFaces { count: n_turned });
     }
     let volume = closed_volume(soup, sides);
     if twisted_components == 0 && volume < 0.0 {
@@ -71,8 +67,7 @@ pub(super) fn orient(soup: &mut PolygonSoup, sides: &[Side], warnings: &mut Vec<
             let range = soup.face_starts[f] as usize..soup.face_starts[f + 1] as usize;
             soup.corners[range].reverse();
         }
-        warnings
-            .push("The surface was inside out (negative volume): all faces were turned.".into());
+        repairs.push(Repair::InsideOut);
     }
 }
 

@@ -1,13 +1,13 @@
 //! Repairs that are safe: what they drop or split changes no surface. Each leaves a
 //! warning.
 
-use super::counted;
+use super::error::Repair;
 use super::sides::{Side, face_adjacency, interior_edges};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 
 /// Drops degenerate and duplicate faces.
-pub(super) fn clean_faces(soup: &PolygonSoup, warnings: &mut Vec<String>) -> PolygonSoup {
+pub(super) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> PolygonSoup {
     let mut clean = PolygonSoup {
         positions: soup.positions.clone(),
         ..PolygonSoup::default()
@@ -37,22 +37,17 @@ pub(super) fn clean_faces(soup: &PolygonSoup, warnings: &mut Vec<String>) -> Pol
         clean.push_face(&corners);
     }
     if degenerate > 0 {
-        warnings.push(format!(
-            "Dropped {}, the first being face {first_degenerate}.",
-            counted(
-                degenerate,
-                "degenerate face (a corner repeated)",
-                "degenerate faces (a corner repeated)"
-            )
-        ));
+        repairs.push(Repair::DegenerateFaces {
+            count: degenerate,
+            face: first_degenerate,
+        });
     }
     let duplicate = duplicate_faces(&clean);
     let n_duplicates = duplicate.iter().filter(|&&d| d).count();
     if n_duplicates > 0 {
-        warnings.push(format!(
-            "Dropped {} on the same vertices as an earlier face.",
-            counted(n_duplicates, "face", "faces")
-        ));
+        repairs.push(Repair::DuplicateFaces {
+            count: n_duplicates,
+        });
         retain_faces(&mut clean, |f| !duplicate[f]);
     }
     clean
@@ -112,7 +107,7 @@ fn find(parent: &mut [u32], mut i: u32) -> u32 {
 pub(super) fn split_vertices(
     soup: &mut PolygonSoup,
     sides: &[Side],
-    warnings: &mut Vec<String>,
+    repairs: &mut Vec<Repair>,
 ) -> Vec<u32> {
     // Corners of one fan are joined across interior edges.
     let mut parent: Vec<u32> = (0..soup.corners.len() as u32).collect();
@@ -158,13 +153,10 @@ pub(super) fn split_vertices(
     if !split.is_empty() {
         split.sort_unstable();
         split.dedup();
-        let names: Vec<String> = split.iter().take(5).map(u32::to_string).collect();
-        warnings.push(format!(
-            "Split {}, where several sheets touch in a point, into one vertex a sheet ({}{}).",
-            counted(split.len(), "non-manifold vertex", "non-manifold vertices"),
-            names.join(", "),
-            if split.len() > 5 { ", …" } else { "" }
-        ));
+        repairs.push(Repair::SplitVertices {
+            count: split.len(),
+            vertices: split,
+        });
     }
     origin
 }
@@ -174,7 +166,7 @@ pub(super) fn split_vertices(
 pub(super) fn drop_flat_components(
     soup: &mut PolygonSoup,
     sides: &[Side],
-    warnings: &mut Vec<String>,
+    repairs: &mut Vec<Repair>,
 ) {
     let (start, list) = face_adjacency(soup, sides);
     let (low, high) = soup
@@ -219,10 +211,7 @@ pub(super) fn drop_flat_components(
     }
     let dropped = flat.iter().filter(|&&f| f == Some(true)).count();
     if dropped > 0 {
-        warnings.push(format!(
-            "Dropped {} in pieces without any area.",
-            counted(dropped, "face", "faces")
-        ));
+        repairs.push(Repair::FlatPieces { count: dropped });
         retain_faces(soup, |f| flat[f] != Some(true));
     }
 }
@@ -232,7 +221,7 @@ pub(super) fn drop_unused_vertices(
     soup: &mut PolygonSoup,
     origin: &[u32],
     input: &PolygonSoup,
-    warnings: &mut Vec<String>,
+    repairs: &mut Vec<Repair>,
 ) -> Vec<u32> {
     let mut name = vec![u32::MAX; soup.positions.len()];
     for &v in &soup.corners {
@@ -249,10 +238,7 @@ pub(super) fn drop_unused_vertices(
         used.iter().filter(|&&u| !u).count()
     };
     if n_unused > 0 {
-        warnings.push(format!(
-            "Dropped {} that no face uses.",
-            counted(n_unused, "vertex", "vertices")
-        ));
+        repairs.push(Repair::UnusedVertices { count: n_unused });
     }
     soup.corners.iter_mut().for_each(|v| *v = name[*v as usize]);
     soup.positions = kept.iter().map(|&v| soup.positions[v]).collect();

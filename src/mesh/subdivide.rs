@@ -9,45 +9,27 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
+use crate::message::messages;
 use crate::soup::PolygonSoup;
 
-/// Why a soup cannot be subdivided.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum SubdivisionError {
-    /// A face that is not a triangle.
-    #[error("face {face} has {degree} corners; subdivision needs triangles")]
-    NotATriangle {
-        /// Index of the face.
-        face: usize,
-        /// Its number of corners.
-        degree: usize,
-    },
-    /// An edge of three or more faces, around which Loop's mask has no meaning.
-    #[error("edge {a}-{b} has more than two faces")]
-    NonManifoldEdge {
-        /// Smaller end of the edge.
-        a: u32,
-        /// Larger end of the edge.
-        b: u32,
-    },
-}
-
-impl SubdivisionError {
-    /// Name of the variant.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::NotATriangle { .. } => "NotATriangle",
-            Self::NonManifoldEdge { .. } => "NonManifoldEdge",
-        }
-    }
-
-    /// What to do about it.
-    pub fn hint(&self) -> String {
-        match self {
-            Self::NotATriangle { .. } => "Triangulate the mesh first.",
-            Self::NonManifoldEdge { .. } => "Split the surface along this edge first.",
-        }
-        .into()
+messages! {
+    /// Why a soup cannot be subdivided.
+    #[derive(Clone, Debug, PartialEq, Eq)]
+    pub enum SubdivisionError as "subdivision" {
+        /// A face that is not a triangle.
+        NotATriangle {
+            /// Index of the face.
+            face: usize,
+            /// Its number of corners.
+            degree: usize,
+        },
+        /// An edge of three or more faces, around which Loop's mask has no meaning.
+        NonManifoldEdge {
+            /// Smaller end of the edge.
+            a: u32,
+            /// Larger end of the edge.
+            b: u32,
+        },
     }
 }
 
@@ -389,6 +371,5 @@ mod tests {
         soup.push_face(&[0, 1, 2, 3]);
         let error = linear(&soup).unwrap_err();
         assert_eq!(error, SubdivisionError::NotATriangle { face: 3, degree: 4 });
-        assert_eq!(error.kind(), "NotATriangle");
     }
 }

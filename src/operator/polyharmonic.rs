@@ -59,7 +59,7 @@ pub fn fill(
     if n_free == 0 {
         return Ok(());
     }
-    let operator = Stencils::new(mesh, x, &near, k.max(1));
+    let operator = IteratedLaplacian::new(mesh, x, &near, k.max(1));
     let (pattern, values) = operator.matrix(n_free);
     let points: Vec<DVec3> = near.members[..n_free]
         .iter()
@@ -158,7 +158,7 @@ impl Neighbourhood {
 }
 
 /// Rows of C and entries of M at the vertices less than k edges from a free one.
-struct Stencils {
+struct IteratedLaplacian {
     k: usize,
     starts: Vec<usize>,
     columns: Vec<u32>,
@@ -169,7 +169,7 @@ struct Stencils {
     n: usize,
 }
 
-impl Stencils {
+impl IteratedLaplacian {
     fn new(mesh: &HalfedgeMesh, x: &[DVec3], near: &Neighbourhood, k: usize) -> Self {
         let within: Vec<usize> = (0..=k)
             .map(|depth| near.depths.partition_point(|d| *d <= depth))

@@ -121,7 +121,7 @@ impl Drawing {
     /// `WrongLength`.
     pub fn set_marked_vertices(&mut self, held: &[u8]) -> Result<(), ViewerError> {
         if !held.is_empty() {
-            expect_length("held vertices", held.len(), self.n_vertices)?;
+            expect_length("held-vertices", held.len(), self.n_vertices)?;
         }
         for drawn in 0..self.flags.len() {
             let is_held = held.get(self.source(drawn)).is_some_and(|&mark| mark != 0);
@@ -135,7 +135,7 @@ impl Drawing {
     /// # Errors
     /// `OutOfRange`.
     pub fn set_marked_triangles(&mut self, marked: &[u32]) -> Result<(), ViewerError> {
-        expect_range("marked triangles", marked, self.triangles.len() / 3)?;
+        expect_range("marked-triangles", marked, self.triangles.len() / 3)?;
         let corners = |&t: &u32| &self.triangles[3 * t as usize..3 * t as usize + 3];
         self.marked.clear();
         self.marked.extend(marked.iter().flat_map(corners));
@@ -252,6 +252,7 @@ pub(super) fn expect_range(
 mod tests {
     use super::super::seams::tests::mobius_strip;
     use super::*;
+    use crate::message::Say;
 
     const SQUARE: [f32; 12] = [0., 0., 0., 1., 0., 0., 1., 1., 0., 0., 1., 0.];
 

@@ -24,7 +24,7 @@ pub struct Segment {
 pub fn segments(ends: &[f32], colours: &[u8]) -> Result<Vec<Segment>, ViewerError> {
     let count = colours.len() / 4;
     for (array, found, expected) in [
-        ("overlay colours", colours.len(), 4 * count),
+        ("overlay-colours", colours.len(), 4 * count),
         ("overlay", ends.len(), 6 * count),
     ] {
         if found != expected {
@@ -60,6 +60,7 @@ pub fn segments(ends: &[f32], colours: &[u8]) -> Result<Vec<Segment>, ViewerErro
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::message::Say;
 
     #[test]
     fn ends_and_colours_belong_together() {

@@ -1,15 +1,12 @@
 //! Figures of the papers, run and judged: the class `FigureRun`, and what `Session` says of one.
 
-use super::fault::fault;
-use super::session::{Session, to_js};
+use super::session::{Session, refusal, to_js};
+use crate::app::AppError;
 use crate::app::library::{self, Figure};
 use wasm_bindgen::prelude::*;
 
 fn figure(id: &str) -> Result<&'static Figure, JsValue> {
-    library::figure(id).ok_or_else(|| {
-        let message = format!("there is no figure `{id}`");
-        fault("UnknownFigure", &message, "See the list of figures.")
-    })
+    library::figure(id).ok_or_else(|| refusal(AppError::UnknownFigure { name: id.into() }))
 }
 
 /// A figure under way, on surfaces of its own.

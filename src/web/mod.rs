@@ -1,10 +1,11 @@
 //! The seam to JavaScript: `#[wasm_bindgen]` around the application and the viewer.
 //!
-//! Conversions only. Every refusal is thrown as a `Fault` of `www/protocol.js`.
+//! Conversions only. Every refusal is thrown as a `Fault`.
 
-#[cfg(all(feature = "solver", target_arch = "wasm32"))]
-mod edit;
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(
+    any(feature = "viewer", feature = "viewer-webgl"),
+    target_arch = "wasm32"
+))]
 mod fault;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]
 pub mod library;
@@ -13,11 +14,7 @@ pub mod option;
 #[cfg(target_arch = "wasm32")]
 mod panic;
 #[cfg(all(feature = "solver", target_arch = "wasm32"))]
-mod see;
-#[cfg(all(feature = "solver", target_arch = "wasm32"))]
 pub mod session;
-#[cfg(all(feature = "solver", target_arch = "wasm32"))]
-mod time;
 #[cfg(all(feature = "solver", test))]
 mod types;
 #[cfg(all(
@@ -25,5 +22,3 @@ mod types;
     target_arch = "wasm32"
 ))]
 pub mod viewer;
-#[cfg(all(feature = "solver", target_arch = "wasm32"))]
-mod why;

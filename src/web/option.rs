@@ -5,15 +5,15 @@ use crate::app;
 use crate::flow::option::{self, Values};
 use wasm_bindgen::prelude::*;
 
-/// Options of a command line by name, as text, with their types.
+/// The options of a command of the command line by name, as text, with their types.
 ///
 /// # Errors
 /// The first option that there is not, that has a value it cannot have, or that would change
 /// nothing.
 #[wasm_bindgen(js_name = readFlags)]
-pub fn read_flags(words: JsValue) -> Result<JsValue, JsValue> {
+pub fn read_flags(command: &str, words: JsValue) -> Result<JsValue, JsValue> {
     let words: Values = from_js(words)?;
-    Ok(to_js(&app::read_flags(&words)?))
+    Ok(to_js(&app::read_flags(command, &words)?))
 }
 
 /// Which of some names was probably meant, if any.

@@ -1,18 +1,12 @@
-//! JavaScript class `Session`, the solver's seam; types in `www/protocol.js`.
+//! JavaScript class `Session`, the solver's seam; its types are in `www/generated/types.d.ts`.
 //!
 //! Typed arrays given out are copies owned by JavaScript, safe to transfer.
 
-use super::fault::{fault, object};
-use crate::app::{Command, Fault, RegulariseOptions, Session as Inner};
-use crate::energy::circle::Boundary;
-use crate::flow::option::{self, Options, Values};
-use crate::flow::options::FlowOptions;
-use crate::io::Format;
+use crate::app::{AppError, Command, Fault, Session as Inner};
 use crate::mesh::shape;
-use js_sys::{Float32Array, Function, Uint8Array, Uint32Array};
+use js_sys::Function;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use std::collections::BTreeMap;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
@@ -20,6 +14,10 @@ impl From<Fault> for JsValue {
     fn from(fault: Fault) -> Self {
         to_js(&fault)
     }
+}
+
+pub(super) fn refusal(error: AppError) -> JsValue {
+    Fault::from(error).into()
 }
 
 /// A plain object; maps become objects, `None` becomes null.
@@ -31,37 +29,14 @@ pub(super) fn to_js<T: Serialize>(value: &T) -> JsValue {
     value.serialize(&serializer).unwrap_or(JsValue::NULL)
 }
 
-pub(super) fn from_js<T: DeserializeOwned + Default>(value: JsValue) -> Result<T, JsValue> {
-    if value.is_undefined() || value.is_null() {
-        return Ok(T::default());
-    }
-    serde_wasm_bindgen::from_value(value).map_err(|error| bad_option(&error))
+pub(super) fn from_js<T: DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
+    serde_wasm_bindgen::from_value(value).map_err(|error| {
+        let reason = error.to_string();
+        refusal(AppError::BadOptions { reason })
+    })
 }
 
-fn bad_option(error: &serde_wasm_bindgen::Error) -> JsValue {
-    fault(
-        "BadOption",
-        &error.to_string(),
-        "See the list of options and their values.",
-    )
-}
-
-/// Options of which each has a row.
-pub(super) fn options_from_js<T: Options>(value: JsValue) -> Result<T, JsValue> {
-    let values: Values = from_js(value)?;
-    Ok(option::options_of(&values).map_err(Fault::from)?)
-}
-
-/// What `energy` may be told: `{ p?: number[], boundary? }`.
-#[derive(Default, serde::Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct EnergyOptions {
-    p: Vec<f64>,
-    boundary: Boundary,
-}
-
-/// One mesh, one flow, its history. Every method that refuses throws a `Fault` and
-/// changes nothing.
+/// One mesh, one flow, its history.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Session(pub(super) Inner);
@@ -85,29 +60,9 @@ impl Session {
         crate::linalg::simd_enabled()
     }
 
-    /// Sample shapes: `[{ name, label, parameters: [{ name, label, default, low, high,
-    /// integer }] }]`.
-    pub fn shapes(&self) -> JsValue {
-        let shapes = js_sys::Array::new();
-        for s in shape::all() {
-            let parameters = js_sys::Array::new();
-            for p in s.parameters {
-                parameters.push(&object(&[
-                    ("name", p.name.into()),
-                    ("label", p.label.into()),
-                    ("default", p.default.into()),
-                    ("low", p.low.into()),
-                    ("high", p.high.into()),
-                    ("integer", p.integer.into()),
-                ]));
-            }
-            shapes.push(&object(&[
-                ("name", s.name.into()),
-                ("label", s.label.into()),
-                ("parameters", parameters.into()),
-            ]));
-        }
-        shapes.into()
+    /// Sample shapes: `Shape[]`.
+    pub fn shapes() -> JsValue {
+        to_js(&shape::all())
     }
 
     /// Runs a few steps on a small sphere, so that the first real step does not meet
@@ -142,8 +97,7 @@ impl Session {
     /// # Errors
     /// What cannot be done, and why; nothing has changed then.
     pub fn perform(&mut self, command: JsValue) -> Result<JsValue, JsValue> {
-        let command: Command =
-            serde_wasm_bindgen::from_value(command).map_err(|error| bad_option(&error))?;
+        let command: Command = from_js(command)?;
         Ok(to_js(&self.0.perform(command)?))
     }
 
@@ -153,203 +107,5 @@ impl Session {
     /// Without a mesh.
     pub fn frame(&mut self) -> Result<JsValue, JsValue> {
         Ok(to_js(&self.0.frame()?))
-    }
-
-    /// Loads a mesh file: `Loaded`.
-    ///
-    /// # Errors
-    /// What is wrong with the file, and where.
-    pub fn load(&mut self, bytes: &[u8], name: &str) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.load(bytes, name)?))
-    }
-
-    /// Loads a sample shape: `Loaded`. `parameters` is an object of numbers.
-    ///
-    /// # Errors
-    /// Unknown names, values out of range.
-    pub fn sample(&mut self, name: &str, parameters: JsValue) -> Result<JsValue, JsValue> {
-        let parameters: BTreeMap<String, f64> = from_js(parameters)?;
-        let values: Vec<(String, f64)> = parameters.into_iter().collect();
-        Ok(to_js(&self.0.sample(name, &values)?))
-    }
-
-    /// Chooses flow and parameters, goes back to the start: `Configured`.
-    ///
-    /// # Errors
-    /// Options that cannot be, meshes the flow cannot take.
-    pub fn configure(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
-        let options: FlowOptions = options_from_js(options)?;
-        Ok(to_js(&self.0.configure(options)?))
-    }
-
-    /// Goes on from the surface as it is with other options: `Configured`. Step, time and
-    /// history go on too; what was stored to come becomes a branch.
-    ///
-    /// # Errors
-    /// As `configure`, and where edge flips or flows beside each other go from the mesh itself.
-    #[wasm_bindgen(js_name = continueWith)]
-    pub fn continue_with(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
-        let options: FlowOptions = options_from_js(options)?;
-        Ok(to_js(&self.0.continue_with(options)?))
-    }
-
-    /// Which of the flows chosen for this mesh stood where the session stands.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    #[wasm_bindgen(js_name = flowNumber)]
-    pub fn flow_number(&self) -> Result<u32, JsValue> {
-        Ok(self.0.flow_number()?)
-    }
-
-    /// `FlowOptions` in force where the session stands; null before `configure`.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    pub fn options(&self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.options()?))
-    }
-
-    /// `Configured` by those; null before `configure`.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    pub fn configured(&self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.configured()?))
-    }
-
-    /// Takes a step: `StepReport`, or null if there was none to take (see `state`).
-    ///
-    /// # Errors
-    /// Numerical failures; positions stay those before the step.
-    pub fn step(&mut self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.step()?))
-    }
-
-    /// Conformal regularisation of the surface as it is now: `Regularised`. `options` is
-    /// `{ mode?, epsilon?, iterations?, features? }`.
-    ///
-    /// # Errors
-    /// Open and one-sided surfaces.
-    pub fn regularise(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
-        let options: RegulariseOptions = from_js(options)?;
-        Ok(to_js(&self.0.regularise(&options)?))
-    }
-
-    /// One step back: `State`.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    pub fn back(&mut self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.back()?))
-    }
-
-    /// Back to the start: `State`.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    pub fn reset(&mut self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.reset()?))
-    }
-
-    /// `State`.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    pub fn state(&self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.state()?))
-    }
-
-    /// Positions for drawing.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    pub fn positions(&self) -> Result<Float32Array, JsValue> {
-        Ok(Float32Array::from(self.0.positions()?.as_slice()))
-    }
-
-    /// Triangles that folded over in the last step.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    #[wasm_bindgen(js_name = flippedTriangles)]
-    pub fn flipped_triangles(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.0.flipped_triangles()?.as_slice()))
-    }
-
-    /// 1 for each vertex that is held, 0 for each that moves; empty before `configure`.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    #[wasm_bindgen(js_name = heldVertices)]
-    pub fn held_vertices(&self) -> Result<Uint8Array, JsValue> {
-        Ok(Uint8Array::from(self.0.held_vertices()?.as_slice()))
-    }
-
-    /// `{ absolute, relative, vertices }`: the jump of H across the boundary of what moves;
-    /// null where nothing is held next to it.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    #[wasm_bindgen(js_name = curvatureJump)]
-    pub fn curvature_jump(&self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.curvature_jump()?))
-    }
-
-    /// `Field`, or null for `none`.
-    ///
-    /// # Errors
-    /// Unknown names.
-    pub fn field(&self, name: &str) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.field(name)?))
-    }
-
-    /// `Info` of the surface as it is now.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    pub fn info(&self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.info()?))
-    }
-
-    /// All energies; `options` is `{ p?: number[], boundary? }`.
-    ///
-    /// # Errors
-    /// Unknown options.
-    pub fn energy(&self, options: JsValue) -> Result<JsValue, JsValue> {
-        let options: EnergyOptions = from_js(options)?;
-        Ok(to_js(&self.0.energy(options.boundary, &options.p)?))
-    }
-
-    /// The surface as a file.
-    ///
-    /// # Errors
-    /// Unknown formats.
-    pub fn export(&self, format: &str) -> Result<Uint8Array, JsValue> {
-        let Some(format) = Format::from_name(format) else {
-            let message = format!("there is no format `{format}`");
-            return Err(fault(
-                "UnknownFormat",
-                &message,
-                "obj, off, ply, ply-ascii, stl, stl-ascii or glb.",
-            ));
-        };
-        Ok(Uint8Array::from(self.0.export(format)?.as_slice()))
-    }
-
-    /// The history as CSV.
-    ///
-    /// # Errors
-    /// Without a mesh.
-    pub fn history(&self) -> Result<String, JsValue> {
-        Ok(self.0.history_csv()?)
-    }
-
-    /// Puts positions from outside in place: `State`.
-    ///
-    /// # Errors
-    /// If they do not fit the mesh.
-    pub fn restore(&mut self, exact: &[f64], step: usize, time: f64) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.restore(exact, step, time)?))
     }
 }

@@ -38,7 +38,7 @@ extern "C" {
 
 impl From<ViewerError> for JsValue {
     fn from(error: ViewerError) -> Self {
-        fault(error.kind(), &error.to_string(), &error.hint())
+        fault(&error)
     }
 }
 
@@ -50,8 +50,7 @@ impl From<ViewerError> for JsValue {
 /// None with levels up to 8.
 #[wasm_bindgen]
 pub fn icosahedron(level: usize) -> Result<JsValue, JsValue> {
-    let soup = linear_levels(platonic::icosahedron(), level)
-        .map_err(|error| fault(error.kind(), &error.to_string(), &error.hint()))?;
+    let soup = linear_levels(platonic::icosahedron(), level).map_err(|error| fault(&error))?;
     let positions: Vec<f32> = soup
         .positions
         .iter()

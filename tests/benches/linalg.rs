@@ -13,26 +13,21 @@ mod clock;
 #[path = "../suite/support/flap_matrix.rs"]
 mod flap_matrix;
 
-use clock::clock;
+#[path = "linalg/elimination.rs"]
+mod elimination;
+#[path = "linalg/iteration.rs"]
+mod iteration;
+#[path = "linalg/stars.rs"]
+mod stars;
+#[path = "linalg/timing.rs"]
+mod timing;
+
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use flap_matrix::FlapMesh;
 use std::hint::black_box;
 use std::sync::Arc;
+use timing::least;
 use umbilic::linalg::{Ldlt, Symbolic};
-
-/// Least time of a run, in milliseconds. The kernel's clock moves in ticks of some
-/// milliseconds, so short runs are taken many together.
-fn least(repetitions: usize, mut run: impl FnMut()) -> f64 {
-    let mut batch = |n: usize| {
-        let start = clock();
-        (0..n).for_each(|_| run());
-        (clock() - start) / n as f64
-    };
-    let runs = (0.1 / batch(1).max(1e-3)).ceil() as usize;
-    1e3 * (0..repetitions)
-        .map(|_| batch(runs))
-        .fold(f64::INFINITY, f64::min)
-}
 
 fn table() {
     println!(
@@ -70,6 +65,10 @@ fn stiffness() -> f64 {
 }
 
 fn benches(criterion: &mut Criterion) {
+    let print = &mut |line: String| println!("{line}");
+    stars::compare(print);
+    iteration::compare(&[61, 100], print);
+    elimination::compare(6, print);
     table();
     let mut group = criterion.benchmark_group("ldlt");
     group.sample_size(10);

@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use umbilic::geometry::measure;
 use umbilic::geometry::quality::{is_folded, triangle_quality};
-use umbilic::mesh::{Face, HalfedgeMesh};
-use umbilic::remesh::fill::{FillError, FillOptions, Filled, boundary_loops, fill};
+use umbilic::mesh::{Face, HalfedgeMesh, Repair};
+use umbilic::remesh::fill::{FillError, FillNotice, FillOptions, Filled, boundary_loops, fill};
 use umbilic::soup::PolygonSoup;
 
 fn try_fill(mesh: &HalfedgeMesh, x: &[DVec3], options: &FillOptions) -> Result<Filled, FillError> {
@@ -25,6 +25,11 @@ fn faces_of(mesh: &HalfedgeMesh) -> impl Iterator<Item = Vec<u32>> + '_ {
         .map(|f| mesh.face_vertices(f).map(|v| v.0).collect())
 }
 
+/// Whether there is nothing to be said of a fill.
+fn is_plain(filled: &Filled) -> bool {
+    filled.notices.is_empty() && filled.repairs.is_empty()
+}
+
 /// Everything that must hold of any fill: a valid mesh, old elements untouched, patches that
 /// list the new ones, one Euler characteristic more a loop that was closed by a patch of its
 /// own, no edge twice, no face without area, none folded over.
@@ -37,7 +42,7 @@ fn assert_sound(before: &Surface, filled: &Filled) {
     let new: Vec<Vec<u32>> = faces_of(mesh).take(old.len()).collect();
     // The documented exception.
     let turned = |f: &Vec<u32>| f.iter().rev().copied().collect();
-    let is_turned = filled.warnings.iter().any(|w| w.contains("inside out"));
+    let is_turned = filled.repairs.contains(&Repair::InsideOut);
     let old: Vec<Vec<u32>> = if is_turned {
         old.iter().map(turned).collect()
     } else {
@@ -115,7 +120,7 @@ fn the_first_fill_of_a_sphere_is_nearly_that_sphere() {
         for (jitter, bound) in [(0.0, regular), (0.25, rough)] {
             let s = open_sphere(4.0, jitter, degrees);
             let filled = fill_all(&s);
-            assert!(filled.warnings.is_empty(), "{:?}", filled.warnings);
+            assert!(is_plain(&filled), "{:?}", filled.notices);
             let error = off_the_sphere(&filled);
             assert!(error < bound, "{degrees}°, jitter {jitter}: {error}");
             let (worst, folded) = quality(&filled);
@@ -167,7 +172,7 @@ fn tubes_are_blended_into_one_surface() {
             folded == 0 && worst > 0.4,
             "{count} tubes: {folded} folded, {worst}"
         );
-        assert_eq!((filled.patches[0].order, filled.warnings.len()), (3, 0));
+        assert_eq!((filled.patches[0].order, is_plain(&filled)), (3, true));
         // Between the tubes, whose rims are at 1.118 from the origin.
         let farthest =
             |of: &dyn Fn(&DVec3) -> f64| new_points(&filled).iter().map(of).fold(0.0, f64::max);
@@ -435,9 +440,14 @@ fn coinciding_neighbours_do_no_harm_and_other_coincidences_are_refused() {
     let filled = fill_all(&both);
     assert_eq!(filled.mesh.n_boundary_loops(), 1);
     assert!(
-        filled.warnings[0].starts_with("Left open: boundary loop"),
+        matches!(
+            filled.notices[0],
+            FillNotice::LeftOpen {
+                reason: FillError::TouchingLoop { .. }
+            }
+        ),
         "{:?}",
-        filled.warnings
+        filled.notices
     );
 }
 
@@ -501,8 +511,9 @@ fn the_order_falls_where_the_surroundings_are_narrow_and_says_so() {
         let filled = try_fill(&s.mesh, &s.x, &options).expect("filled");
         assert_sound(&s, &filled);
         assert_eq!(filled.patches[0].order, order);
-        let says = filled.warnings.iter().any(|w| w.contains("three rings"));
-        assert_eq!(says, order < 3, "{:?}", filled.warnings);
+        let near = |notice: &FillNotice| matches!(notice, FillNotice::LowOrder { cause: "near-boundary", order: o, .. } if *o == order);
+        let says = filled.notices.iter().any(near);
+        assert_eq!(says, order < 3, "{:?}", filled.notices);
     }
 }
 
@@ -510,7 +521,8 @@ fn the_order_falls_where_the_surroundings_are_narrow_and_says_so() {
 fn a_hole_beyond_a_hemisphere_is_called_a_guess() {
     let told = |s: &Surface| {
         let filled = try_fill(&s.mesh, &s.x, &FillOptions::default()).expect("filled");
-        filled.warnings.iter().any(|w| w.contains("hemisphere"))
+        let large = |notice: &FillNotice| matches!(notice, FillNotice::LargeHole { .. });
+        filled.notices.iter().any(large)
     };
     for (degrees, is_large) in [(80.0, false), (90.0, false), (110.0, true), (130.0, true)] {
         for jitter in [0.0, 0.25] {
@@ -542,9 +554,12 @@ fn the_number_of_new_vertices_is_bounded() {
         let new = new_points(&filled).len();
         assert!(new <= most && 500 < free, "{new} of {most}");
         assert!(
-            filled.warnings.iter().any(|w| w.contains("limit")),
+            filled
+                .notices
+                .iter()
+                .any(|notice| matches!(notice, FillNotice::Coarser { most: m, .. } if *m == most)),
             "{:?}",
-            filled.warnings
+            filled.notices
         );
     }
 }
@@ -655,9 +670,12 @@ fn tubes_turned_against_each_other_are_turned_to_agree() {
     assert!(filled.mesh.is_oriented());
     assert_eq!(filled.mesh.components().1, 1);
     assert!(
-        filled.warnings.iter().any(|w| w.contains("Turned")),
+        filled
+            .repairs
+            .iter()
+            .any(|repair| matches!(repair, Repair::TurnedFaces { .. })),
         "{:?}",
-        filled.warnings
+        filled.repairs
     );
 }
 
@@ -787,7 +805,7 @@ fn broken_files_are_filled_or_refused() {
         let s = Surface {
             mesh: std::rc::Rc::new(built.mesh),
             x: built.positions,
-            warnings: built.warnings,
+            repairs: built.repairs,
         };
         match try_fill(&s.mesh, &s.x, &FillOptions::default()) {
             Ok(filled) => {

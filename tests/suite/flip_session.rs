@@ -2,8 +2,8 @@
 //! known ends, edits and their undoing.
 
 use umbilic::app::{Arrangement, Compare, Curve, FlipOptions, Session};
-use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::{Reason, Status};
 use umbilic::io::Format;
 use umbilic::remesh::flips::reduction::Criterion;
 
@@ -109,10 +109,8 @@ fn steps_of_any_length_lead_the_same_way_and_back() {
     let end = export(&whole);
     let state = whole.state().expect("a state");
     assert_eq!((state.step, state.status), (240, Status::Converged));
-    assert_eq!(
-        state.message,
-        "no flip lowers the localised Willmore energy any more"
-    );
+    let criterion = "localised";
+    assert_eq!(state.message, Some(Reason::NoFlips { criterion }.into()));
     let mut single = run(Some(1));
     assert_eq!(single.run(1000).expect("runs"), 240);
     assert_eq!(export(&single), end);

@@ -271,7 +271,7 @@ fn edge_flips_are_sought_forwards_and_backwards() {
     let mesh = session.export(Format::Obj).expect("a file");
     let settings = RegulariseOptions::default();
     let fault = session.regularise(&settings).expect_err("refused");
-    assert_eq!(fault.kind, "WrongFlow");
+    assert_eq!(fault.kind, "HeldPositions");
     session.seek(10).expect("sought");
     // What stands beside follows, though it has joined only now.
     flips_a_step(&mut session, 1, Compare::Criteria);

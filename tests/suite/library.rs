@@ -88,7 +88,7 @@ impl Words {
     /// A finding is said with all of its values and no other.
     fn check(&self, finding: &Finding) {
         let message = &finding.message;
-        let shown: BTreeSet<&str> = (self.of(message.id).split('$').skip(1))
+        let shown: BTreeSet<&str> = (self.of(&message.id).split('$').skip(1))
             .map(|rest| rest.split([' ', ',']).next().unwrap_or_default())
             .collect();
         let known: BTreeSet<&str> = message.values.iter().map(|(name, _)| *name).collect();
@@ -351,7 +351,7 @@ fn module() -> String {
     let mut text = String::from(
         "// @ts-check\n\
          // Samples and figures as src/app/library has them. Written by tests/suite/library.rs.\n\n\
-         /** @import { Figure, Sample } from \"../protocol.js\" */\n",
+         /** @import { Figure, Sample } from \"../library.js\" */\n",
     );
     text += "\n/** @type {readonly Sample[]} */\nexport const samples = [\n";
     text.extend(SAMPLES.iter().map(|sample| line(&sample_row(sample))));

@@ -311,6 +311,27 @@ fn a_dominant_diagonal_needs_no_factor() {
 }
 
 #[test]
+fn the_diagonal_is_used_up_to_the_cost_of_a_factor_and_no_further() {
+    let mesh = FlapMesh::icosphere(16);
+    let rhs = mesh.field(5);
+    let mut x = vec![DVec3::ZERO; mesh.n()];
+    let (mut most, mut limit) = (0, 0);
+    for k in 0..24 {
+        let mut solver = solver(&mesh);
+        let stiffness = 0.1 * 1.4_f64.powi(k);
+        let values = mesh.bending_matrix(solver.pattern(), &mesh.points, stiffness);
+        let info = solver
+            .solve(&values, &rhs, &mut x, 1e-8, Refactor::WhenCheaper)
+            .unwrap();
+        limit = solver.iteration_limit();
+        if info.preconditioner == Preconditioner::Diagonal {
+            most = most.max(info.iterations);
+        }
+    }
+    assert!(most <= limit && 5 * most > 4 * limit, "{most} of {limit}");
+}
+
+#[test]
 fn a_factor_that_takes_too_much_memory_is_done_without() {
     let mesh = FlapMesh::icosphere(12);
     let mut solver = solver(&mesh);

@@ -4,6 +4,7 @@
 
 mod support;
 
+mod bench;
 mod beside_session;
 mod circle_figures;
 mod circle_invariants;
@@ -19,6 +20,7 @@ mod io;
 mod library;
 mod linalg;
 mod mesh;
+mod messages;
 mod modelling;
 mod moebius;
 mod organic_flows;

@@ -8,12 +8,12 @@ use std::rc::Rc;
 use umbilic::energy::circle::Boundary;
 use umbilic::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use umbilic::flow::Status;
-use umbilic::flow::Verdict;
 use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::{Verdict, Warning};
 use umbilic::geometry::measure;
 use umbilic::geometry::quality::is_folded;
 use umbilic::mesh::{Face, HalfedgeMesh};
-use umbilic::remesh::fill::{FillOptions, boundary_loops, fill};
+use umbilic::remesh::fill::{FillNotice, FillOptions, boundary_loops, fill};
 
 const FLOWS: [FlowName; 4] = [
     FlowName::MeanCurvature,
@@ -29,7 +29,7 @@ struct Start {
     /// Number of vertices before the fill.
     n_old: usize,
     faces: Vec<Face>,
-    warnings: Vec<String>,
+    notices: Vec<FillNotice>,
 }
 
 fn start(s: &Surface, loops: Option<Vec<usize>>, connect: bool) -> Start {
@@ -47,7 +47,7 @@ fn start(s: &Surface, loops: Option<Vec<usize>>, connect: bool) -> Start {
         n_old: s.x.len(),
         mesh: Rc::new(filled.mesh),
         x: filled.positions,
-        warnings: filled.warnings,
+        notices: filled.notices,
     }
 }
 
@@ -57,7 +57,7 @@ struct Faired {
     steps: usize,
     jump: CurvatureJump,
     folded: usize,
-    warnings: Vec<String>,
+    warnings: Vec<Warning>,
 }
 
 impl Faired {
@@ -288,7 +288,7 @@ fn close_holes(whole: &Surface, size: f64, flows: &[FlowName]) -> Vec<Faired> {
     let (s, holes) = punch(whole, &centres, radius);
     let begin = start(&s, Some(holes), false);
     println!("{} new vertices", begin.x.len() - begin.n_old);
-    assert!(begin.warnings.is_empty(), "{:?}", begin.warnings);
+    assert!(begin.notices.is_empty(), "{:?}", begin.notices);
     assert_eq!(begin.mesh.n_boundary_loops(), whole.mesh.n_boundary_loops());
     assert_eq!(
         begin.mesh.euler_characteristic(),
@@ -355,7 +355,7 @@ fn a_run_that_is_lost_begins_anew_with_surface_diffusion() {
     let told = end
         .warnings
         .iter()
-        .filter(|w| w.contains("back to the start"));
+        .filter(|w| matches!(w, Warning::BackToStart { .. }));
     assert_eq!(told.count(), 1, "{:?}", end.warnings);
     let asked = begin.fair_after(FlowName::Mmcv, Some(40));
     assert!(asked.jump.relative < alone.jump.relative);
@@ -376,7 +376,7 @@ fn holes_of_a_plane_stay_in_it() {
     let centres = [at(-0.5, -0.4), at(0.5, -0.5), at(0.1, 0.45)];
     let (s, holes) = punch(&surface(&soup), &centres, 0.28);
     let begin = start(&s, Some(holes), false);
-    assert!(begin.warnings.is_empty(), "{:?}", begin.warnings);
+    assert!(begin.notices.is_empty(), "{:?}", begin.notices);
     assert_eq!(begin.mesh.n_boundary_loops(), 1);
     let off = |x: &[DVec3]| largest(x.iter().map(|p| (p.dot(normal) - 3.0).abs()));
     assert!(off(&begin.x) < 1e-12);

@@ -187,7 +187,7 @@ fn energies_and_gradients_scale_as_their_units_do() {
                 let scaled = Surface {
                     mesh: Rc::clone(&s.mesh),
                     x: s.x.iter().map(|q| scale * *q).collect(),
-                    warnings: Vec::new(),
+                    repairs: Vec::new(),
                 };
                 let found = evaluated(&scaled, p, mass);
                 let ratio = found.integrals.energy / at.integrals.energy;

@@ -42,7 +42,9 @@ fn file(name: &str) -> Origin {
 fn finished(session: &mut Session) -> Result<Vec<f64>, String> {
     let mut shares = Vec::new();
     loop {
-        let progress = session.advance().map_err(|fault| fault.message)?;
+        let progress = session
+            .advance()
+            .map_err(|fault| fault.message.to_string())?;
         shares.push(progress.share);
         if progress.is_done {
             return Ok(shares);
@@ -168,12 +170,12 @@ fn edits_regularisations_flips_and_looks_back_are_done_again() {
     let given = || Some((bytes.clone(), "x.obj".to_owned()));
     let refused = prepare(&mut before, &other, given()).expect_err("another file");
     assert!(
-        refused.starts_with("The file given is not the mesh torus.obj"),
+        refused.starts_with("recipe-another-mesh name=torus.obj"),
         "{refused}"
     );
-    let digest = &refused[refused.find("begins with ").expect("digits") + 12..][..12];
+    let digest = &refused[refused.find("found=").expect("digits") + 6..][..12];
     let missing = prepare(&mut before, &other, None).expect_err("no file");
-    assert_eq!(missing, "The recipe needs the mesh torus.obj.");
+    assert_eq!(missing, "recipe-mesh-missing name=torus.obj");
     assert!(before.loaded().is_err(), "nothing was changed");
     // Its digest, known by its first digits, is that of the file.
     let whole = sha256_of(&bytes);
@@ -581,7 +583,7 @@ fn a_flow_that_ends_before_its_last_step_says_so() {
     session.configure(flowing(FlowName::Flips)).expect("flips");
     session.follow(&script).expect("begun");
     let message = finished(&mut session).expect_err("an end");
-    let start = format!("The flow ends at step {last} of {}: ", last + 50);
+    let start = format!("recipe-ends-early step={last} goal={} reason=", last + 50);
     assert!(message.starts_with(&start), "{message}");
     assert_eq!(session.state().expect("a state").step, last);
 }
@@ -609,7 +611,7 @@ fn changes_of_the_flow_are_bounded_by_the_mesh() {
         .expect("begun");
     let message = finished(&mut session).expect_err("too many");
     let said = format!(
-        "The flow changes {} times on a mesh of {vertices}",
+        "recipe-too-many-flows count={} vertices={vertices}",
         most + 1
     );
     assert!(message.starts_with(&said), "{message}");

@@ -48,7 +48,7 @@ fn the_next_flow_moves_the_new_vertices_only() {
     assert!(
         info.warnings
             .iter()
-            .any(|w| w.starts_with("Filled 1 boundary loop"))
+            .any(|w| &*w.id == "notice-filled" && w.number("count") == Some(1.0))
     );
     // Whatever was asked of the flow before.
     let configured = s.configure(FlowOptions::default()).expect("configured");
@@ -137,7 +137,7 @@ fn cancelling_and_failing_leave_everything_as_it_was() {
     }
     for (loops, kind) in [
         (Loops::Some(vec![7]), "LoopOutOfRange"),
-        (Loops::Word("some".into()), "BadOption"),
+        (Loops::Word("some".into()), "UnknownLoops"),
     ] {
         let options = FillOptions {
             loops,

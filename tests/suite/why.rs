@@ -3,8 +3,8 @@
 
 use glam::DVec3;
 use umbilic::app::{
-    Diagnosis, DiagnosisKind as Kind, FlipOptions, Loaded, RegulariseOptions, Remedy, RemedyId,
-    Session, SubdivideOptions, SubdivisionScheme,
+    Diagnosis, FlipOptions, Loaded, RegulariseOptions, Remedy, RemedyId, Session, SubdivideOptions,
+    SubdivisionScheme,
 };
 use umbilic::flow::Status;
 use umbilic::flow::constraint::Kept;
@@ -14,6 +14,10 @@ use umbilic::remesh::Mode;
 struct Case {
     session: Session,
     options: FlowOptions,
+}
+
+fn number(found: &Diagnosis, name: &str) -> f64 {
+    found.message.number(name).expect("a number")
 }
 
 impl Case {
@@ -36,21 +40,13 @@ impl Case {
         self.session.why().expect("a mesh")
     }
 
-    fn diagnosis(&self, kind: Kind) -> Diagnosis {
+    fn diagnosis(&self, kind: &str) -> Diagnosis {
         let state = self.session.state().expect("a mesh");
         let found = self
             .why()
             .unwrap_or_else(|| panic!("nothing said of {state:?}"));
-        let sentence = found.sentence.to_string();
-        assert_eq!(found.kind, kind, "{sentence} {state:?}");
-        // One sentence, with every value in its place.
-        assert!(!sentence.contains(['{', '}']), "{sentence}");
-        assert!(sentence.ends_with('.') && sentence.len() > 40, "{sentence}");
+        assert_eq!(found.kind, kind, "{} {state:?}", found.message);
         assert!(!found.remedies.is_empty() && found.remedies.len() <= 3);
-        for remedy in &found.remedies {
-            let label = remedy.label.to_string();
-            assert!(!label.contains('{') && !label.is_empty(), "{label}");
-        }
         found
     }
 
@@ -191,9 +187,8 @@ fn refused_trials_of_a_step_that_descends_are_told_calmly() {
         case.run(1);
         assert_eq!(case.state().status, Status::Ready);
     }
-    let found = case.diagnosis(Kind::RejectedSteps);
-    assert!(found.sentence.template.starts_with("Nothing is wrong"));
-    assert_eq!(found.sentence.values["step"], case.state().step.to_string());
+    let found = case.diagnosis("RejectedSteps");
+    assert_eq!(number(&found, "step"), case.state().step as f64);
     assert_eq!(found.vertices.len(), 1);
     let before = case.energy();
     case.carry_out(&first(&found, RemedyId::Continue));
@@ -215,7 +210,7 @@ fn a_budget_that_is_used_up_is_no_fault() {
         back.run(5);
         (back.mesh(), after)
     };
-    let found = case.diagnosis(Kind::StepLimit);
+    let found = case.diagnosis("StepLimit");
     // The vertex it names is the one that the last step moved most.
     let moved = |v: u32| before.x[v as usize].distance(after.x[v as usize]);
     let most = (0..after.x.len() as u32).map(moved).fold(0.0, f64::max);
@@ -236,7 +231,7 @@ fn a_step_size_that_was_set_can_be_left_to_the_flow() {
     };
     let mut case = Case::new("ellipsoid", &[("level", 2.0)], options);
     case.run(10);
-    let found = case.diagnosis(Kind::StepLimit);
+    let found = case.diagnosis("StepLimit");
     let automatic = found.remedies[1].clone();
     assert_eq!(automatic.id, RemedyId::AutomaticStep);
     let area = case.state().area;
@@ -255,7 +250,7 @@ fn edges_of_four_points_on_a_circle_stop_the_exact_energy() {
     let mut case = Case::new("torus", &[("around", around), ("tube", tube)], options);
     case.run(5);
     assert_eq!(case.state().status, Status::Stalled);
-    let found = case.diagnosis(Kind::CocircularKink);
+    let found = case.diagnosis("CocircularKink");
     // All diagonals of the planar trapezia between two circles of latitude.
     assert_eq!(found.edges.len(), 2 * (around * tube) as usize);
     let mesh = case.mesh();
@@ -306,7 +301,7 @@ fn steps_too_long_for_the_papers_scheme_raise_the_energy() {
         let start = case.energy();
         case.run(steps);
         assert!(case.energy() > start);
-        let found = case.diagnosis(Kind::RisingEnergy);
+        let found = case.diagnosis("RisingEnergy");
         assert_eq!(found.vertices.len(), 1);
         let other = found.remedies[1].clone();
         assert_eq!(other.id, RemedyId::SmallerStep);
@@ -332,7 +327,7 @@ fn a_neck_pinches_off_where_it_is_thinnest() {
     let mut case = Case::new("dumbbell", &[("level", 3.0)], options);
     case.run(200);
     assert_eq!(case.state().status, Status::Singular);
-    let found = case.diagnosis(Kind::Pinch);
+    let found = case.diagnosis("Pinch");
     // The waist of the dumbbell is about its middle, and so is what is named.
     let mesh = case.mesh();
     let size = mesh.x.iter().map(|p| p.length()).fold(0.0, f64::max);
@@ -356,7 +351,7 @@ fn a_neck_pinches_off_where_it_is_thinnest() {
             "{at}"
         );
     }
-    let width: f64 = found.sentence.values["width"].parse().expect("a number");
+    let width = number(&found, "width");
     assert!(width < 0.1);
     let back = found
         .remedies
@@ -382,7 +377,7 @@ fn a_tube_between_fixed_ends_pinches_off_too() {
     let mut case = Case::new("cylinder", &sides, options);
     case.run(100);
     assert_eq!(case.state().status, Status::Singular);
-    let found = case.diagnosis(Kind::Pinch);
+    let found = case.diagnosis("Pinch");
     let mesh = case.mesh();
     assert!(
         found
@@ -399,7 +394,7 @@ fn a_tube_between_fixed_ends_pinches_off_too() {
 
 #[test]
 fn free_surfaces_shrink_or_grow_with_the_exponent() {
-    for (p, kind) in [(0.0, Kind::Shrinking), (3.0, Kind::Growing)] {
+    for (p, kind) in [(0.0, "Shrinking"), (3.0, "Growing")] {
         let options = FlowOptions {
             p,
             max_steps: Some(40),
@@ -420,7 +415,7 @@ fn free_surfaces_shrink_or_grow_with_the_exponent() {
     };
     let mut case = Case::new("ellipsoid", &[("level", 2.0)], options);
     case.run(8);
-    let found = case.diagnosis(Kind::Shrinking);
+    let found = case.diagnosis("Shrinking");
     case.carry_out(&first(&found, RemedyId::OtherFlow));
     let volume = case.state().volume.expect("closed");
     case.run(40);
@@ -436,11 +431,8 @@ fn faces_that_are_folded_over_are_counted_and_mended() {
         p_willmore(),
     );
     case.run(30);
-    let found = case.diagnosis(Kind::FoldedFaces);
-    assert_eq!(
-        found.sentence.values["count"],
-        found.faces.len().to_string()
-    );
+    let found = case.diagnosis("FoldedFaces");
+    assert_eq!(number(&found, "count"), found.faces.len() as f64);
     let mesh = case.mesh();
     for &face in found.faces.iter() {
         let own = mesh.faces[face as usize];
@@ -469,7 +461,7 @@ fn a_mesh_that_degenerates_is_told_by_its_smallest_angle() {
     let mut case = Case::new("torus-knot", &knot, options);
     case.run(500);
     assert_eq!(case.state().status, Status::Stalled);
-    let found = case.diagnosis(Kind::DegenerateFaces);
+    let found = case.diagnosis("DegenerateFaces");
     let [face] = found.faces[..] else {
         panic!("{:?}", found.faces)
     };
@@ -488,7 +480,7 @@ fn a_surface_does_not_swell_although_size_costs_nothing() {
     case.run(200);
     assert_eq!(case.state().status, Status::Stalled);
     assert!(case.state().area < 4.0 * area);
-    let found = case.diagnosis(Kind::DegenerateFaces);
+    let found = case.diagnosis("DegenerateFaces");
     let angle = case.state().min_angle_degrees;
     assert!((case.mesh().smallest_angle(found.faces[0]) - angle).abs() < 1e-2);
 }
@@ -505,8 +497,8 @@ fn energies_below_the_smooth_minimum_are_those_of_coarse_meshes() {
     case.run(200);
     assert_eq!(case.state().status, Status::Converged);
     assert!(case.energy() < 0.95 * sphere);
-    let found = case.diagnosis(Kind::BelowSmoothMinimum);
-    assert_eq!(found.sentence.values["smooth"], "12.6");
+    let found = case.diagnosis("BelowSmoothMinimum");
+    assert_eq!(number(&found, "smooth"), sphere);
     assert!(
         found
             .remedies
@@ -544,7 +536,7 @@ fn a_rough_start_is_too_much_for_the_sixth_order_only() {
     let mut case = Case::new("ellipsoid", &[("level", 3.0), ("jitter", 0.25)], options);
     case.run(30);
     assert_eq!(case.state().status, Status::Stalled);
-    let found = case.diagnosis(Kind::FoldedFaces);
+    let found = case.diagnosis("FoldedFaces");
     first(&found, RemedyId::Regularise);
 }
 
@@ -559,7 +551,7 @@ fn a_surface_that_no_quadratic_fits_is_told_by_its_vertex() {
         .session
         .step()
         .expect_err("three neighbours are too few");
-    let found = case.diagnosis(Kind::Unfit);
+    let found = case.diagnosis("Unfit");
     assert_eq!(fault.detail["vertices"], [f64::from(found.vertices[0])]);
     case.carry_out(&first(&found, RemedyId::OtherFlow));
     case.run(30);
@@ -578,6 +570,6 @@ fn steps_that_are_all_refused_are_told_by_the_last() {
     let mut case = Case::new("coarse-torus", &[], options);
     case.run(4000);
     assert_eq!(case.state().status, Status::Stalled);
-    let found = case.diagnosis(Kind::RefusedSteps);
+    let found = case.diagnosis("RefusedSteps");
     assert_eq!(found.vertices.len() + found.faces.len(), 1);
 }

@@ -11,6 +11,8 @@ import { openSession } from "../../www/cli/solver.js";
 import { main } from "../../www/cli.js";
 import { options } from "../../www/generated/schema.js";
 import { asText, defaults, isRead, rowOf, toFlow } from "../../www/options.js";
+import { perform } from "../../www/session.js";
+import { sayFault } from "../../www/words.js";
 import { FakeSession } from "./support/fake-session.js";
 import { readScene } from "./support/scene.js";
 
@@ -32,7 +34,7 @@ function refusalOf(call) {
     call();
     return null;
   } catch (error) {
-    return said(/** @type {any} */ (error));
+    return said(sayFault(/** @type {any} */ (error)));
   }
 }
 
@@ -56,7 +58,11 @@ async function refusedLine(parameters, expected) {
     out,
   );
   assert.deepEqual(fake.calls, [], `${parameters}: nothing reaches the session`);
-  assert.throws(() => real.state(), { kind: "NoMesh" }, `${parameters}: nothing is opened`);
+  assert.throws(
+    () => perform(/** @type {any} */ (real), "state"),
+    { kind: "NoMesh" },
+    `${parameters}: nothing is opened`,
+  );
   return said(JSON.parse(out));
 }
 
@@ -85,10 +91,14 @@ const bad = [
 
 test("the same bad values are refused in the same words, four ways", async () => {
   const session = await openSession();
-  session.sample("icosahedron", { level: 2 });
-  session.configure({ flow: "circle", epsilon: 0.2 });
-  session.step();
-  const standing = () => [session.options(), session.state(), session.positions()];
+  perform(session, "sample", { name: "icosahedron", parameters: { level: 2 } });
+  perform(session, "configure", { options: { flow: "circle", epsilon: 0.2 } });
+  perform(session, "step");
+  const standing = () => [
+    session.frame().flow,
+    perform(session, "state"),
+    session.frame().positions,
+  ];
   const untouched = standing();
   const recipe = {
     umbilic: "0.1.0",
@@ -119,9 +129,10 @@ test("the same bad values are refused in the same words, four ways", async () =>
     assert.deepEqual(await refusedLine(["replay", file], 3), line, `recipe: ${about}`);
 
     for (const way of /** @type {const} */ (["configure", "continueWith"])) {
-      const options = /** @type {any} */ ({ [name]: value });
+      /** @type {any} */
+      const fields = { options: { [name]: value } };
       assert.deepEqual(
-        refusalOf(() => session[way](options)),
+        refusalOf(() => perform(session, way, fields)),
         line,
         `${way}: ${about}`,
       );

@@ -42,7 +42,8 @@ function replay(...parameters) {
 
 /** @param {number} steps */
 function take(steps) {
-  for (let n = 0; n < steps; n += 1) assert.ok(session.step(), `step ${n + 1} of ${steps}`);
+  for (let n = 0; n < steps; n += 1)
+    assert.ok(perform(session, "step"), `step ${n + 1} of ${steps}`);
 }
 
 /** The recipe of what `session` is now. @param {Origin} origin */
@@ -57,10 +58,10 @@ function write(name, contents) {
 /** @type {Extract<Origin, { kind: "shape" }>} */
 const sphere = { kind: "shape", shape: "bumpy-sphere", parameters: { level: 3 } };
 
-/** @param {import("../../www/protocol.js").FlowOptions} options */
+/** @param {import("../../www/generated/schema.js").FlowOptions} options */
 function flow(options) {
-  session.sample(sphere.shape, sphere.parameters);
-  session.configure(options);
+  perform(session, "sample", { name: sphere.shape, parameters: sphere.parameters });
+  perform(session, "configure", { options });
 }
 
 test("a plain run is reproduced to the last bit, and the mesh written", async () => {
@@ -73,29 +74,36 @@ test("a plain run is reproduced to the last bit, and the mesh written", async ()
   const { same, exact, expected, got } = JSON.parse(out);
   assert.deepEqual([exit, same, exact], [0, true, true]);
   assert.deepEqual(got, expected);
-  assert.deepEqual(readFileSync(file("end.ply")), Buffer.from(session.export("ply")));
+  assert.deepEqual(
+    readFileSync(file("end.ply")),
+    Buffer.from(perform(session, "export", { format: "ply" })),
+  );
   assert.match(replay(file("plain.json")).out, /^Reproduced after 5 steps, to the last bit\./);
 });
 
 test("edits, regularisations, flips and looks back are done again", async () => {
   const bytes = Buffer.from(obj(wavyTorus(24, 12)));
   writeFileSync(file("torus.obj"), bytes);
-  session.load(bytes, "torus.obj");
-  session.configure({ flow: "p-willmore", regularise: "off" });
+  perform(session, "load", { bytes, name: "torus.obj" });
+  perform(session, "configure", { options: { flow: "p-willmore", regularise: "off" } });
   take(3);
-  session.seek(1);
-  session.regularise({ epsilon: 0.02 });
+  perform(session, "seek", { step: 1 });
+  perform(session, "regularise", { options: { epsilon: 0.02 } });
   take(2);
-  session.adopt();
-  session.configure({ flow: "flips", criterion: "area" });
-  session.arrange({ compare: "criteria", subdivide: 0, flipsPerStep: 3 });
-  for (let n = 0; n < 400 && session.step(); n += 1);
-  session.seek(6);
-  session.adopt();
-  session.arrange({ compare: "none", subdivide: 0, flipsPerStep: 1 });
-  session.configure({ flow: "circle", integrator: "l-bfgs", fixed: [0, 1, 2] });
+  perform(session, "adopt");
+  perform(session, "configure", { options: { flow: "flips", criterion: "area" } });
+  perform(session, "arrange", {
+    arrangement: { compare: "criteria", subdivide: 0, flipsPerStep: 3 },
+  });
+  for (let n = 0; n < 400 && perform(session, "step"); n += 1);
+  perform(session, "seek", { step: 6 });
+  perform(session, "adopt");
+  perform(session, "arrange", { arrangement: { compare: "none", subdivide: 0, flipsPerStep: 1 } });
+  perform(session, "configure", {
+    options: { flow: "circle", integrator: "l-bfgs", fixed: [0, 1, 2] },
+  });
   take(6);
-  session.seek(3);
+  perform(session, "seek", { step: 3 });
   take(2);
   const made = recipe({
     ...{ kind: "file", name: "torus", file: "torus.obj" },
@@ -164,7 +172,7 @@ test("a recipe that cannot be followed is refused, with the line or the key", ()
 test("a long recipe says so before it is followed, and one that ends early where", () => {
   perform(session, "sample", { name: "bumpy-sphere", parameters: { level: 1 } });
   perform(session, "configure", { options: { flow: "flips" } });
-  while (session.step());
+  while (perform(session, "step"));
   const made = recipe({ ...sphere, parameters: { level: 1 } });
   const { exit, log } = replay(write("long.json", { ...made, steps: 20_000 }));
   assert.match(log, /The recipe runs about 20000 steps\./);

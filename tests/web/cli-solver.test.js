@@ -99,7 +99,7 @@ test("info: the keys, and a torus told from a sphere", () => {
   assert.deepEqual(Object.keys(info), [
     ...["vertices", "edges", "faces", "components", "boundaryLoops", "eulerCharacteristic"],
     ...["genus", "closed", "oriented", "area", "volume", "meanEdgeLength", "minAngleDegrees"],
-    ...["selfIntersections", "warnings"],
+    ...["selfIntersections", "warnings", "warningIds"],
   ]);
   assert.equal(info.selfIntersections, 0);
   const { vertices, edges, faces, genus, closed, boundaryLoops } = info;
@@ -208,6 +208,12 @@ test("exit codes: 2 bad usage, 3 refused input, 4 numerical failure", () => {
   const level = umbilic(["shape", "icosphere", "--level", "99", "--out", file("x.off"), "--json"]);
   assert.equal(level.exit, 2);
   assert.equal(JSON.parse(level.out).kind, "OutOfRange");
+
+  const around = ["--around", "7.5", "--out", file("x.off"), "--json"];
+  const torus = umbilic(["shape", "torus", ...around]);
+  assert.deepEqual([torus.exit, JSON.parse(torus.out).kind], [2, "NotAnInteger"]);
+  const word = umbilic(["shape", "torus", ...around.with(1, "few")]);
+  assert.deepEqual([word.exit, JSON.parse(word.out).kind], [2, "OutOfRange"]);
 
   const mesh = file("failing.off");
   json(["shape", "icosahedron", "--level", "2", "--out", mesh]);

@@ -25,12 +25,12 @@ import { objection, presets } from "../../www/ui/comparison-presets.js";
 import { captions, differences } from "../../www/ui/comparison-words.js";
 import { readScene } from "./support/scene.js";
 
-/** @param {Partial<import("../../www/protocol.js").State>} [change] @returns {any} */
+/** @param {Partial<import("../../www/generated/types.js").State>} [change] @returns {any} */
 const reading = (change) => ({
   step: 0,
   time: 0,
   status: "ready",
-  message: "",
+  message: null,
   energy: 8,
   dt: 0.1,
   area: 12,
@@ -57,7 +57,7 @@ function page(changes) {
   return state;
 }
 
-/** @param {number} step @param {Partial<import("../../www/protocol.js").State>} [change] @returns {any} */
+/** @param {number} step @param {Partial<import("../../www/generated/types.js").State>} [change] @returns {any} */
 const frame = (step, change) => ({
   state: reading({ step, time: step / 10, ...change }),
   reports: step > 0 ? [reading({ step, time: step / 10, ...change })] : [],

@@ -1,5 +1,5 @@
 // @ts-check
-// Every sentence that people see has its German: collected from the sources, looked up in
+// Every label of the page has its German: collected from the sources, looked up in
 // www/strings.js. What is missing is printed so that it can be pasted there.
 
 import assert from "node:assert/strict";
@@ -11,7 +11,6 @@ import { parseAst } from "vite";
 import { translateDocument, visitTexts } from "../../www/document-text.js";
 import { chooseLanguage, speak, t, translated } from "../../www/language.js";
 import { choices } from "../../www/options.js";
-import { createFinder, createTranslator } from "../../www/sentences.js";
 import { german } from "../../www/strings.js";
 import { say } from "../../www/words.js";
 import { parseHtml } from "./support/html.js";
@@ -126,180 +125,38 @@ function standing() {
   return found;
 }
 
-/** What the worker says of itself. */
-function working() {
-  /** @type {Set<string>} */
-  const found = new Set();
-  walk(syntax.get(path.join("www", "worker.js")), (node) => {
-    if (node.type !== "Property" || !["message", "hint"].includes(node.key.name)) return;
-    const text = literalOf(node.value);
-    if (text) found.add(text);
-  });
-  return found;
-}
-
-/**
- * Rust files whose strings no user of the page meets: assertions, shapes that only the command
- * line makes with parameters of its own, and what goes into files.
- */
-const unseen = [
-  /^src\/bin\//,
-  /^src\/viewer\/(?!error|drawing)/,
-  /^src\/linalg\/(?!error)/,
-  /^src\/mesh\/(shape|validate|flip\.)/,
-  /^src\/io\/(glb|ply\/write)/,
-  /^src\/flow\/spec/,
-  /\/tests\.rs$/,
-];
-/** What is put together of parts that cannot be told apart in the whole: the wholes. */
-const wholes = {
-  "The patch at {} {}, as {}.": [
-    "The patch at {} meets the surface around it with its tangent planes but not its curvature, as {}.",
-    "The patch at {} meets the surface around it with a kink, as {}.",
-    "The patch at {} stays a membrane, as {}.",
-  ],
-  "meets the surface around it with its tangent planes but not its curvature": [],
-  "meets the surface around it with a kink": [],
-  "stays a membrane": [],
-};
-/** Phrases too short to be found, and sentences that no one reads. */
-const phrases = ["curvature", "loop {}", "loops {}", "round", "prolate", "oblate"];
-const unread = [
-  ...["draw in", "binary STL {}"],
-  ...["no enum", "names only", "a value of an option", "mean edge lengths"],
-  "each is described at the command of its name",
-];
-/** Calls whose strings are for developers. */
-const DEVELOPERS = /(?:expect|assert\w*!|unreachable!|panic!)\s*\([^"]*$/;
-
-/** Strings of a Rust file outside its tests, comments and assertions. @param {string} source */
-function rustStrings(source) {
-  const code = source
-    .split("#[cfg(test)]")[0]
-    .replace(/^\s*\/\/.*$/gm, "")
-    .replace(/\/\/[^"\n]*$/gm, "");
-  /** @type {string[]} */
-  const found = [];
-  for (const { 1: text, index } of code.matchAll(/"((?:[^"\\]|\\.)*)"/gs)) {
-    if (DEVELOPERS.test(code.slice(Math.max(0, index - 200), index))) continue;
-    found.push(text.replace(/\\\n\s*/g, "").replaceAll('\\"', '"'));
-  }
-  return found;
-}
-
-/** Sentences and phrases of the solver, `{}` for each value. */
-function solved() {
-  /** @type {Set<string>} */
-  const found = new Set();
-  for (const file of filesIn("src", ".rs")) {
-    if (unseen.some((pattern) => pattern.test(file))) continue;
-    for (const text of rustStrings(read(file))) {
-      if (text.includes("\\n") || text.includes("{:?}") || /^(Umbilic|#) ?[:{]/.test(text))
-        continue;
-      const sentence = text.replace(/\{[^{}]*\}/g, "{}").trim();
-      // A phrase of words, and not a name, a key or a number.
-      if (sentence.includes(" ") && /\p{Ll}{2}/u.test(sentence.replaceAll("{}", ""))) {
-        found.add(sentence.replaceAll("{}{}", "{}"));
-      }
-    }
-    for (const [, one, many] of read(file).matchAll(
-      /counted\(\s*[^"]*?"([^"]+)",\s*"([^"]+)",?\s*\)/g,
-    )) {
-      found.add(`1 ${one}`).add(`{} ${many}`).delete(one);
-      found.delete(many);
-    }
-  }
-  for (const [part, whole] of Object.entries(wholes)) {
-    assert.ok(found.delete(part), part);
-    for (const sentence of whole) found.add(sentence);
-  }
-  for (const text of unread) assert.ok(found.delete(text), text);
-  for (const text of phrases) found.add(text);
-  return found;
-}
-
-/**
- * As people meet it: with values in place. A value glued to a word is the ending of its plural,
- * or a clause that may be missing.
- * @param {string} sentence
- */
-function instances(sentence) {
-  const filled = (/** @type {string} */ ending) =>
-    sentence.replace(/(?<=\p{L})\{\}/gu, ending).replaceAll("{}", "7");
-  return sentence.includes("{}") ? [...new Set([filled(""), filled("s")])] : [sentence];
-}
-
-const find = createFinder(german);
 const keyed = new Set([...spoken().found, ...tabled(), ...standing()]);
-const matched = new Set([...working(), ...solved()]);
 
 test("every sentence has its German", () => {
   const lacking = [...keyed].filter(
     (text) => /\p{L}{2}/u.test(text) && !Object.hasOwn(german, text),
   );
-  for (const text of matched) {
-    if (!Object.hasOwn(german, text) && !instances(text).every(find)) lacking.push(text);
-  }
   const lines = lacking.map((text) => `  ${JSON.stringify(text)}: "",`);
   assert.deepEqual(lacking, [], `www/strings.js lacks\n${lines.join("\n")}\n`);
 });
 
 test("the German keeps every value and every mark", () => {
   const wrong = [];
+  const all = (/** @type {RegExp} */ pattern, /** @type {string} */ text) =>
+    [...text.matchAll(pattern)].map(([, name]) => name).sort();
   for (const [english, text] of Object.entries(german)) {
-    const names = (/** @type {string} */ of) => [...of.matchAll(/\{(\w+)\}/g)].map(([, n]) => n);
-    const marks = (/** @type {string} */ of) => [...of.matchAll(/<(\w+)>/g)].map(([, n]) => n);
-    const places = (english.match(/\{\}/g) ?? []).length;
-    const wanted = new Set(
-      places > 0 ? Array.from({ length: places }, (_, n) => String(n + 1)) : names(english),
-    );
-    const given = new Set(names(text));
-    const inOrder = (text.match(/\{\}/g) ?? []).length;
-    const same =
-      inOrder > 0
-        ? inOrder === places && given.size === 0
-        : [...wanted].every((name) => given.has(name)) && given.size === wanted.size;
-    if (!same || marks(english).sort().join() !== marks(text).sort().join()) wrong.push(english);
+    const values = [english, text].map((one) => [...new Set(all(/\{(\w+)\}/g, one))].join());
+    const marks = [english, text].map((one) => all(/<(\w+)>/g, one).join());
+    if (values[0] !== values[1] || marks[0] !== marks[1]) wrong.push(english);
     if (text.trim() === "") wrong.push(`${english}: empty`);
   }
   assert.deepEqual(wrong, []);
 });
 
 test("no German is left of a sentence that is gone", () => {
-  const used = new Set(keyed);
-  /** With the phrases that stand in it. @param {string} text */
-  const mark = (text) => {
-    const found = find(text);
-    if (!found || used.has(text)) return;
-    used.add(found.key);
-    for (const value of found.values) mark(value);
-  };
-  for (const text of matched) {
-    if (Object.hasOwn(german, text)) used.add(text);
-    else for (const one of instances(text)) mark(one);
-  }
   assert.deepEqual(
-    Object.keys(german).filter((key) => !used.has(key)),
+    Object.keys(german).filter((key) => !keyed.has(key)),
     [],
   );
 });
 
 test("a sentence is asked for when the language is known, and as a literal", () => {
   assert.deepEqual(spoken().wrong, []);
-});
-
-test("sentences of the solver are recognised with their values, particular ones first", () => {
-  const say = createTranslator({
-    "face {} of {}": "Seite {2}/{1}",
-    "{} of {}": "{} von {}",
-    "Left open: {}.": "Offen: {}.",
-    "line {}": "Zeile {}",
-  });
-  assert.equal(say("face 3 of 12"), "Seite 12/3");
-  assert.equal(say("Left open: line 7."), "Offen: Zeile 7.");
-  assert.equal(say("something else"), "something else");
-  // Not a pattern: what stands between the values is taken as it is.
-  assert.equal(createTranslator({ "a.b {} (c)": "{}" })("aXb 1 (c)"), "aXb 1 (c)");
 });
 
 test("text with marks in it keeps their elements, in the order of its translation", () => {
@@ -342,10 +199,7 @@ test("one and many, in English and in German", async () => {
   assert.deepEqual([0, 1, 2].map(count), ["0 Schritte", "1 Schritt", "2 Schritte"]);
   assert.equal(say("ended", { status: "stalled", steps: 2 }), "Stecken geblieben nach 2 Schritten");
   assert.equal(t("Paused at step {step}", { step: 12 }), "Angehalten bei Schritt 12");
-  assert.equal(
-    translated("the file is cut short: 84 bytes needed at byte 12, 7 there"),
-    "die Datei bricht ab: 84 Bytes werden ab Byte 12 gebraucht, 7 sind da",
-  );
+  assert.equal(translated("Edge flips"), "Kantenflips");
   await speak("en");
   assert.equal(t("Paused at step {step}", { step: 12 }), "Paused at step 12");
 });

@@ -5,6 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openSession } from "../../www/cli/solver.js";
+import { perform } from "../../www/session.js";
 import { button, choice, until, useSite } from "./support/app.js";
 import { accessibilityFaults } from "./support/axe.js";
 import { difference } from "./support/browser.js";
@@ -47,11 +48,13 @@ async function table(page) {
  */
 async function alone(options, steps) {
   const session = await openSession();
-  session.sample("icosahedron", { level: 4 });
-  const { state } = session.configure(options);
+  perform(session, "sample", { name: "icosahedron", parameters: { level: 4 } });
+  const { state } = perform(session, "configure", { options });
   const energies = [state.energy];
-  for (let i = 0; i < steps; i += 1) energies.push(session.step().energy);
-  const positions = session.positions();
+  for (let i = 0; i < steps; i += 1) {
+    energies.push(perform(session, "step")?.energy ?? Number.NaN);
+  }
+  const positions = session.frame().positions;
   session.free();
   return { energies, positions };
 }
@@ -75,7 +78,8 @@ test("two panes step together, and each is what it is by itself", async () => {
   await page.locator("#comparison > summary").click();
   await button(page, "Add a pane").click();
   await untilCaptions(page, /^A: .*step 0.*\nB: .*step 0/);
-  const epsilon = page.getByLabel("Smoothing ε", { exact: true });
+  const form = page.locator(".pane-form").first();
+  const epsilon = form.getByLabel("Angle smoothing ε", { exact: true });
   await epsilon.fill("0.01");
   await epsilon.press("Tab");
   await untilCaptions(page, /^A: ε = 0.1 .*\nB: ε = 0.01 .*step 0/);

@@ -312,6 +312,65 @@ test("a bare iframe answers its own parent, in order, and passes nonsense over",
   await close();
 });
 
+test("a flood of requests is refused by name beyond a hundred, and the others are answered", async () => {
+  const { page, faults, close } = await hostPage(
+    `<iframe id="bare" title="Umbilic" src="${site.url}?msaa=1&embed&controls=none#sample=icosahedron"></iframe>
+    <script>
+      window.said = [];
+      addEventListener("message", ({ data, source }) => {
+        if (source === document.querySelector("#bare").contentWindow) said.push(data);
+      });
+    </script>`,
+  );
+  const answered = (/** @type {string} */ id) =>
+    page.waitForFunction(
+      (wanted) =>
+        /** @type {any} */ (globalThis).said.some(
+          (/** @type {any} */ one) => one.id === wanted || one.event === wanted,
+        ),
+      id,
+    );
+  await answered("ready");
+  await page.evaluate(() => {
+    const frame = /** @type {HTMLIFrameElement} */ (document.querySelector("#bare"));
+    const post = (/** @type {any} */ data) =>
+      frame.contentWindow?.postMessage({ umbilic: 1, ...data }, "*");
+    // Behind one that takes its time.
+    post({ id: 0, type: "load", scene: "sample=bumpy-sphere" });
+    for (let n = 1; n < 250; n += 1) post({ id: n, type: "set", words: { shading: "flat" } });
+    post({ id: "now", type: "state" });
+  });
+  await answered("now");
+  await page.waitForFunction(
+    () =>
+      /** @type {any} */ (globalThis).said.filter((/** @type {any} */ one) => "id" in one)
+        .length === 251,
+  );
+  const replies = await page.evaluate(() =>
+    /** @type {any} */ (globalThis).said.filter(
+      (/** @type {any} */ { id }) => typeof id === "number",
+    ),
+  );
+  const refused = replies.filter((/** @type {any} */ { error }) => error);
+  assert.equal(refused.length, 150);
+  for (const { error } of refused) assert.equal(error.kind, "TooManyRequests");
+  const done = replies
+    .filter((/** @type {any} */ { ok }) => ok)
+    .map((/** @type {any} */ { id }) => id);
+  assert.deepEqual(
+    done,
+    Array.from({ length: 100 }, (_, n) => n),
+  );
+  // Room again.
+  await page.evaluate(() => {
+    const frame = /** @type {HTMLIFrameElement} */ (document.querySelector("#bare"));
+    frame.contentWindow?.postMessage({ umbilic: 1, id: "after", type: "step" }, "*");
+  });
+  await answered("after");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("what nobody sees neither starts nor runs, and goes on when it is seen again", async () => {
   const { page, faults, close } = await hostPage(
     `<umbilic-surface ${quick()} sample="coarse-torus" autoplay max-steps="99999"></umbilic-surface>

@@ -10,14 +10,14 @@ import { formatNumber } from "../../www/ui/number.js";
 import { grown, painted, rim } from "../../www/ui/selection.js";
 import { reasonText, statusText } from "../../www/ui/status.js";
 
-/** @typedef {import("../../www/protocol.js").State} Reading */
+/** @typedef {import("../../www/generated/types.js").State} Reading */
 
 /** @param {Partial<Reading>} [change] @returns {Reading} */
 const reading = (change) => ({
   step: 0,
   time: 0,
   status: "ready",
-  message: "",
+  message: null,
   energy: 8,
   energyNormalised: 4,
   dt: 0.1,
@@ -87,15 +87,23 @@ test("the reason is what the solver says beyond the status line", () => {
     store.update(to.stopped, reading(change));
     return reasonText(store.get());
   };
-  const message = "Stalled after 1 steps: the last because faces would fold over; a finer mesh";
-  assert.match(of({ step: 1, status: "stalled", message }), /^the last because/);
-  const pinch = "Singular after 12 steps, at time 0.04: a neck pinches off";
+  const [cause, advice] = [{ id: "cause-fold" }, { id: "advice-finer-mesh" }];
+  const message = { id: "reason-refused", values: { cause, advice } };
   assert.equal(
-    of({ step: 12, status: "singular", message: pinch }),
-    "at time 0.04: a neck pinches off",
+    of({ step: 1, status: "stalled", message }),
+    "every step tried was refused, the last because faces would fold over; a finer mesh helps",
   );
-  const limit = "Smoothed in 10 steps, as asked";
-  assert.equal(of({ step: 10, status: "stepLimit", message: limit }), `${limit}. Play goes on.`);
+  const place = { time: 0.04, vertex: 7, place: [0.5, 1e-9, 2] };
+  const pinch = { id: "reason-pinched-neck", values: place };
+  assert.match(
+    of({ step: 12, status: "singular", message: pinch }),
+    /^at time 0\.04 a neck pinches off at vertex 7, near \(0\.5, 1e-9, 2\);/,
+  );
+  const limit = { id: "reason-step-limit", values: { steps: 10 } };
+  assert.equal(
+    of({ step: 10, status: "stepLimit", message: limit }),
+    "the limit of 10 steps is reached. Play goes on.",
+  );
   assert.equal(of({ step: 3 }), "");
 });
 

@@ -65,7 +65,7 @@ test("the exponent is switched while paused, and travels in the address", async 
   await page.keyboard.press("Tab");
   await page
     .getByRole("alert")
-    .getByText(/p cannot be 0.5/)
+    .getByText(/`p` cannot be `0.5`/)
     .waitFor();
   assert.equal(await page.getByRole("spinbutton", { name: "Exponent p" }).inputValue(), "0");
   assert.deepEqual(faults, []);

@@ -6,6 +6,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
   button,
+  choice,
+  download,
   energy,
   openMesh,
   playAndPause,
@@ -31,18 +33,23 @@ async function firstError(page) {
 }
 
 /**
- * Gives the first worker, and no later one, a solver that reads outside its memory after so many
- * pictures: a true trap of true wasm.
- * @param {Page} page @param {number} pictures
+ * Gives workers a solver that reads outside its memory at a time of their own, or goes on for ever:
+ * a true trap of true wasm.
+ * @param {Page} page
+ * @param {(n: number) => { at: string, how?: "trap" | "hang" } | null} spoils  when the nth worker is
+ *   lost, in terms of `shown`, pictures, and `asked`, requests; null: never
  */
-async function trapFirstWorker(page, pictures) {
+async function spoilWorkers(page, spoils) {
   let served = 0;
   await page.route(/worker-[^/]*\.js$/, async (route) => {
     served += 1;
-    if (served > 1) return route.continue();
+    const spoil = spoils(served);
+    if (!spoil) return route.continue();
+    const { at, how = "trap" } = spoil;
     const response = await route.fetch();
     const trap = `{
       let shown = 0;
+      let asked = 0;
       const spoil = ({ instance, module }) => {
         const { session_frame, session_perform } = instance.exports;
         const spoiled = {
@@ -50,8 +57,11 @@ async function trapFirstWorker(page, pictures) {
             shown += 1;
             return session_frame(self);
           },
-          session_perform: (self, command) =>
-            session_perform(shown === ${pictures} ? -64 : self, command),
+          session_perform: (self, command) => {
+            asked += 1;
+            while (${how === "hang"} && ${at});
+            return session_perform(${at} ? -64 : self, command);
+          },
         };
         return { module, instance: { exports: { ...instance.exports, ...spoiled } } };
       };
@@ -71,7 +81,7 @@ const stepIn = (said) => Number(/step (\d+)/.exec(said)?.[1]);
 test("a trap in the middle of a run costs nothing but the step it was in", async () => {
   const { page, faults, close } = await site.blank();
   // Those of both meshes at rest, and three of a run.
-  const workers = await trapFirstWorker(page, 5);
+  const workers = await spoilWorkers(page, (n) => (n === 1 ? { at: "shown === 5" } : null));
   await page.goto(`${site.url}?msaa=1`);
   await until(page, "Ready");
   await openMesh(page, "wavy.obj", obj(wavyTorus()));
@@ -135,6 +145,131 @@ test("an exception that nobody caught is survived, colours and options with it",
     faults.filter((fault) => !fault.includes("made by the test")),
     [],
   );
+  await close();
+});
+
+/** What has been said of the solver, in all. @param {Page} page */
+const alerts = async (page) =>
+  (await page.getByRole("alert").locator(".message").allTextContents()).length;
+
+test("a second crash on the way back costs no more than the first", async () => {
+  const { page, faults, close } = await site.blank();
+  const workers = await spoilWorkers(page, (n) =>
+    n > 1 && n < 5 ? { at: `asked === ${n}` } : null,
+  );
+  await page.goto(`${site.url}?msaa=1`);
+  await until(page, "Ready");
+  await openMesh(page, "wavy.obj", obj(wavyTorus(24, 12)));
+  for (const step of [1, 2, 3]) {
+    await button(page, "Step").click();
+    await until(page, `Paused at step ${step}`);
+  }
+  const before = [await surface(page), await energy(page)];
+  const shown = (await download(page, "OBJ")).bytes.toString();
+  await page.workers()[0].evaluate(() => {
+    setTimeout(() => {
+      throw new Error("made by the test");
+    });
+  });
+  const said = await firstError(page);
+  assert.match(said, /made by the test.*goes on from step 3.*stored steps are gone/);
+  assert.equal(workers(), 5, "three were lost on the way back");
+  await until(page, "Paused at step 3");
+  assert.deepEqual([await surface(page), await energy(page)], before);
+  assert.equal(await alerts(page), 1, "said once");
+  // To the last digit.
+  assert.equal((await download(page, "OBJ")).bytes.toString(), shown);
+  // The history has begun anew.
+  assert.equal(await button(page, "Back").getAttribute("aria-disabled"), "true");
+  assert.equal(await page.locator("#scrubber").isVisible(), false);
+  await button(page, "Step").click();
+  await until(page, "Paused at step 4");
+  assert.equal(await page.locator("#scrub").getAttribute("min"), "3");
+  await button(page, "Back").click();
+  await until(page, "Paused at step 3");
+  assert.equal(await button(page, "Back").getAttribute("aria-disabled"), "true");
+  assert.equal((await download(page, "OBJ")).bytes.toString(), shown);
+  // How it came to be is not known; from the start on it is, and of which file.
+  await choice(page, "Save as").selectOption({ label: "Recipe, JSON" });
+  await button(page, "Download").click();
+  await page
+    .getByRole("alert")
+    .getByText(/how this surface came about is not known/i)
+    .waitFor();
+  await button(page, "Reset").click();
+  await until(page, "Ready");
+  const recipe = JSON.parse((await download(page, "Recipe, JSON")).bytes.toString());
+  assert.equal(recipe.mesh.name, "wavy.obj");
+  assert.deepEqual(
+    faults.filter((fault) => !fault.includes("made by the test")),
+    [],
+  );
+  await close();
+});
+
+test("a solver that cannot be had any more leaves the picture and its file, until it can", async () => {
+  const { page, close } = await site.blank();
+  let isBroken = true;
+  await spoilWorkers(page, (n) => (n > 1 && isBroken ? { at: "asked === 2" } : null));
+  await page.goto(`${site.url}?msaa=1`);
+  await until(page, "Ready");
+  await openMesh(page, "wavy.obj", obj(wavyTorus(24, 12)));
+  await button(page, "Step").click();
+  await until(page, "Paused at step 1");
+  const before = await surface(page);
+  const exact = (await download(page, "PLY")).bytes;
+  await page.workers()[0].evaluate(() => {
+    setTimeout(() => {
+      throw new Error("made by the test");
+    });
+  });
+  await page
+    .getByRole("alert")
+    .getByText(/each time the surface was to be restored/)
+    .waitFor();
+  await until(page, "The solver is not running");
+  assert.equal(await surface(page), before);
+  const saved = await download(page, "OBJ");
+  assert.match(saved.name, /^wavy-circle-step0001\.ply$/);
+  // The same numbers as the solver writes, behind another header.
+  const body = (/** @type {Buffer} */ file) => file.subarray(file.indexOf("end_header\n") + 11);
+  assert.ok(body(saved.bytes).equals(body(exact)));
+  isBroken = false;
+  await button(page, "Restart the solver").click();
+  await until(page, "Paused at step 1");
+  await button(page, "Step").click();
+  await until(page, "Paused at step 2");
+  assert.equal(await button(page, "Restart the solver").count(), 0);
+  await close();
+});
+
+test("a solver that falls silent is noticed, and another goes on", async () => {
+  const { page, faults, close } = await site.blank();
+  // Ten seconds are long for a test.
+  await page.addInitScript(() => {
+    const { setTimeout } = globalThis;
+    const hurried = (
+      /** @type {any} */ work,
+      /** @type {number} */ delay,
+      /** @type {any[]} */ ...rest
+    ) => setTimeout(work, delay === 10_000 ? 1500 : delay, ...rest);
+    Object.assign(globalThis, { setTimeout: hurried });
+  });
+  await spoilWorkers(page, (n) => (n === 1 ? { at: "shown === 3", how: "hang" } : null));
+  await page.goto(`${site.url}?msaa=1`);
+  await until(page, "Ready");
+  await button(page, "Play").click();
+  const restart = button(page, "Restart the solver");
+  await restart.waitFor();
+  await page.getByText(/No sign of life from the solver/).waitFor();
+  assert.match((await download(page, "PLY")).name, /\.ply$/);
+  await restart.click();
+  const said = await firstError(page);
+  await until(page, `Paused at step ${stepIn(said)}`);
+  assert.equal(await restart.count(), 0);
+  await button(page, "Step").click();
+  await until(page, `Paused at step ${stepIn(said) + 1}`);
+  assert.deepEqual(faults, []);
   await close();
 });
 

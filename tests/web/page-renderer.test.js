@@ -7,8 +7,17 @@ import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { download, stillPicture, until, untilDrawn, useSite } from "./support/app.js";
-import { difference } from "./support/browser.js";
+import {
+  button,
+  canvas,
+  download,
+  stillPicture,
+  until,
+  untilDrawn,
+  untilPictured,
+  useSite,
+} from "./support/app.js";
+import { difference, measure } from "./support/browser.js";
 import { site as folder, serve } from "./support/server.js";
 
 /** Of the viewer for WebGL2 with its script, compressed, in kB of 1000 bytes. */
@@ -75,6 +84,45 @@ test("an adapter without a device leaves the canvas to WebGL2", async () => {
     (await page.locator("#renderer").textContent()) ?? "",
     /^Drawn with WebGL2: the graphics adapter gives no device/,
   );
+  await close();
+});
+
+test("where WebGPU is lost for good, WebGL2 goes on with the same picture", async () => {
+  const { page, close } = await site.blank();
+  await page.addInitScript(() => {
+    const { prototype } = /** @type {any} */ (globalThis).GPUAdapter;
+    const { requestDevice } = prototype;
+    /** @type {any[]} */
+    const devices = [];
+    Object.assign(globalThis, { devices });
+    prototype.requestDevice = async function (/** @type {unknown[]} */ ...asked) {
+      if (devices.length > 0) throw new Error("made by the test");
+      const device = await requestDevice.apply(this, asked);
+      devices.push(device);
+      return device;
+    };
+  });
+  await page.goto(`${site.url}?msaa=1#sample=bumpy-sphere`);
+  await until(page, "Ready");
+  await canvas(page).focus();
+  for (let i = 0; i < 6; i += 1) await page.keyboard.press("ArrowRight");
+  const before = await stillPicture(page);
+  await page.evaluate(() => /** @type {any} */ (globalThis).devices[0].destroy());
+  await page
+    .getByText(/^Drawn with WebGL2: the graphics device was lost/)
+    .first()
+    .waitFor({ state: "attached" });
+  await untilPictured(page, before, (mean) => mean < MEAN);
+  assert.equal(await page.locator("#absence").isVisible(), false);
+  // It is the new canvas that is seen and saved, and the old one that is turned.
+  await button(page, "Step").click();
+  await until(page, "Paused at step 1");
+  for (let i = 0; i < 6; i += 1) await page.keyboard.press("ArrowRight");
+  await canvas(page).focus();
+  await page.keyboard.press("ArrowRight");
+  await untilPictured(page, before, (mean) => mean > MEAN);
+  const { bytes } = await download(page, "Picture, PNG");
+  assert.ok(measure(bytes).colours > 200, "the picture saved is the one that is drawn");
   await close();
 });
 

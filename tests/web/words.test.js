@@ -6,17 +6,18 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { after, test } from "node:test";
 import { FluentResource } from "@fluent/bundle";
+import { parseAst } from "vite";
 import { languages, speak } from "../../www/language.js";
 import { say } from "../../www/words.js";
 
 after(() => speak("en"));
 
-/** The entries of a language as Fluent reads them. @param {string} language */
-function wordsOf(language) {
+/** The entries of a language as Fluent reads them. @param {string} language @param {string} [only] */
+function wordsOf(language, only) {
   const folder = new URL(`../../www/locales/${language}/`, import.meta.url);
   /** @type {Map<string, { variables: string[], text: string }>} */
   const found = new Map();
-  for (const file of readdirSync(folder)) {
+  for (const file of only ? [only] : readdirSync(folder)) {
     const source = readFileSync(new URL(file, folder), "utf8");
     const { body } = new FluentResource(source);
     // Fluent leaves out what it cannot read, without a word.
@@ -51,6 +52,68 @@ test("every language has words for the same messages, with the same values", () 
   }
 });
 
+/** What the page, the worker and the command line say by its id. */
+function saidHere() {
+  /** @type {Set<string>} */
+  const found = new Set();
+  const www = new URL("../../www/", import.meta.url);
+  const names = readdirSync(www, { recursive: true, encoding: "utf8" });
+  /** @param {any} node */
+  const literal = (node) => (node?.type === "Literal" ? String(node.value) : null);
+  /** @param {any} node */
+  function walk(node) {
+    if (Array.isArray(node)) return node.forEach(walk);
+    if (typeof node?.type !== "string") return;
+    if (node.type === "CallExpression") {
+      const { name } = node.callee;
+      const [first, , third] = node.arguments.map(literal);
+      if (name === "say" && first) found.add(first);
+      if (name === "badRecipe" && first) found.add(first).add(`${first}.hint`);
+      if (name === "check" && third) found.add(`must-be-${third}`);
+    }
+    if (node.type === "ObjectExpression") {
+      const keys = node.properties.map((/** @type {any} */ { key }) => key?.name);
+      const [id] = node.properties.map((/** @type {any} */ { value }) => literal(value));
+      if (id && ["id", "id,values"].includes(keys.join())) found.add(id);
+    }
+    for (const value of Object.values(node)) if (value && typeof value === "object") walk(value);
+  }
+  for (const name of names.filter((one) => /^(?!pkg|tools).*\.js$/.test(one))) {
+    walk(parseAst(readFileSync(new URL(name, www), "utf8")));
+  }
+  return found;
+}
+
+test("what the page says has words, and no words of its own are left over", () => {
+  const [said, words] = [saidHere(), wordsOf("en")];
+  assert.ok(said.size > 30);
+  assert.deepEqual(
+    [...said].filter((id) => !words.has(id)),
+    [],
+  );
+  const own = [...wordsOf("en", "page.ftl").keys()];
+  assert.deepEqual(
+    own.filter((id) => !said.has(id)),
+    [],
+  );
+});
+
+test("every message can be said, with any values of their kind", async () => {
+  const lists = new Set(["faces", "vertices", "loops", "known"]);
+  for (const language of Object.keys(languages)) {
+    await speak(/** @type {"en" | "de"} */ (language));
+    for (const [id, { variables, text }] of wordsOf(language)) {
+      const values = Object.fromEntries(
+        variables.map((name) => {
+          const isList = lists.has(name) && /"name":"(COUNT|LIST)"/.test(text);
+          return [name, isList ? [3, 4] : 2];
+        }),
+      );
+      assert.doesNotMatch(say(id, values), /\{[$A-Z-]|^$|undefined|NaN/, `${language} ${id}`);
+    }
+  }
+});
+
 test("numbers have a decimal point and no grouping in every language", async () => {
   const values = {
     passes: 12345,
@@ -78,6 +141,13 @@ test("a message in a message is said in its place, a list with commas", async ()
   assert.equal(list.slice(0, 20), "Filled 1, b, 1 step ");
   // No marks around values: sentences are copied into files.
   assert.doesNotMatch(list, /[\u2066-\u2069]/);
+});
+
+test("what could not be measured is shown as such, however many digits it would have", async () => {
+  await speak("en");
+  const status = { id: "measured-converged" };
+  const values = { off: 0.01234, jump: null, steps: 3, status };
+  assert.equal(say("measured-tube", values), "off 0.012, jump – in 3 steps, converged");
 });
 
 test("a message without words shows its id, and a value that is missing its name", async () => {

@@ -2,15 +2,16 @@
 // The turns in which flows that are compared step; the first is the page's own. All of a turn
 // step at once, each in a worker of its own, and are shown together when the last is done.
 
-/** @import { Field, Frame } from "../protocol.js" */
+/** @import { Field, Frame } from "../state.js" */
 /** @import { Solver } from "../solver.js" */
 
+import { LOST } from "../channel.js";
 import { lastTurn, MAIN, nextTurn, paneOf, sharedFields } from "../comparison.js";
 import { comparisonTransitions as on } from "../comparison-state.js";
 import { t } from "../language.js";
-import { LOST } from "../solver.js";
 import { isOver } from "../standing.js";
 import { transitions as to } from "../state.js";
+import { say } from "../words.js";
 import { createRivals } from "./rivals.js";
 
 /** A turn shorter than this says nothing of whom it waits for. */
@@ -93,7 +94,9 @@ export function createContest({ store, solver, voice, report }) {
   function put(id, frame) {
     if (id !== MAIN) return store.update(on.rivalFrame, id, frame);
     store.update(to.frame, frame);
-    for (const text of frame.reports.flatMap(({ warnings }) => warnings)) voice.note(text);
+    for (const warning of frame.reports.flatMap(({ warnings }) => warnings)) {
+      voice.note(say(warning), warning.id);
+    }
   }
 
   /** Shows frames, and all panes in colours on one scale. @param {ReadonlyMap<number, Frame>} [frames] */
@@ -187,8 +190,6 @@ export function createContest({ store, solver, voice, report }) {
     const { timeline } = store.get();
     const field = fields.get(id) ?? null;
     held?.set(id, {
-      type: "frame",
-      run: 0,
       state,
       positions,
       field,
@@ -300,7 +301,7 @@ export function createContest({ store, solver, voice, report }) {
       held?.set(MAIN, frame);
       return held !== null;
     },
-    /** @param {import("../protocol.js").FieldName} name @param {Field | null} own */
+    /** @param {import("../state.js").FieldName} name @param {Field | null} own */
     async colour(name, own) {
       fields.set(MAIN, own);
       await rivals.colour(name);

@@ -1,7 +1,9 @@
 // @ts-check
 // What every group of actions is made with. Types only: nothing here runs.
 
-/** @import { Arrangement, FieldName, Frame } from "../protocol.js" */
+/** @import { Arrangement } from "../generated/types.js" */
+/** @import { Frame } from "../state.js" */
+/** @import { FieldName } from "../state.js" */
 /** @import { Options } from "../options.js" */
 
 /**

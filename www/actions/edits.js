@@ -1,7 +1,7 @@
 // @ts-check
 // What makes another mesh of the one at hand, and the way back from it.
 
-/** @import { FillOptions, Loaded } from "../protocol.js" */
+/** @import { FillOptions, Loaded } from "../generated/types.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Core } from "./core.js" */
 
@@ -124,7 +124,7 @@ export function createEdits(core) {
       }),
     /**
      * Fills holes, or connects loops; a flow on the new vertices is ready then.
-     * @param {FillOptions} wanted
+     * @param {Partial<FillOptions>} wanted
      */
     fill: (wanted) =>
       enqueue(async () => {
@@ -142,7 +142,7 @@ export function createEdits(core) {
           ...earlier,
           { source, options: before, history, what },
         ]);
-        for (const warning of outcome.warnings) voice.note(warning);
+        for (const warning of outcome.warnings) voice.note(say(warning), warning.id);
         const flow = byCurvature.includes(before.flow) ? before.flow : "mmcv";
         const free = loaded.free ? [...loaded.free] : null;
         await configure({ ...before, ...toFlow(flow), fixed: null, prefill: false, free });

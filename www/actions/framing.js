@@ -2,7 +2,7 @@
 // Frames of a flow whose options are not told yet. They come before the answer that tells them,
 // and nobody is to take their energy for that of the flow before.
 
-/** @import { Frame } from "../protocol.js" */
+/** @import { Frame } from "../state.js" */
 
 /** @param {(frame: Frame) => unknown} learn  told of each that is handed out */
 export function createFraming(learn) {

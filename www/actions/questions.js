@@ -3,7 +3,7 @@
 
 /** @param {import("../solver.js").Solver} solver */
 export const createQuestions = (solver) => ({
-  /** @param {import("../protocol.js").Figure} figure */
+  /** @param {import("../library.js").Figure} figure */
   judge: ({ id }) => solver.judge(id),
   loops: () => solver.loops(),
   selfIntersections: () => solver.selfIntersections(),

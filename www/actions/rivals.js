@@ -2,15 +2,18 @@
 // The solvers of the flows beside the page's own, a worker each: made, put at the start,
 // replaced when they are lost, and ended with their panes.
 
-/** @import { Field, FieldName, Frame } from "../protocol.js" */
+/** @import { Field, Frame } from "../state.js" */
+/** @import { FieldName } from "../state.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Solver } from "../solver.js" */
 
+import { LOST } from "../channel.js";
 import { optionsOf, paneOf } from "../comparison.js";
 import { comparisonTransitions as on } from "../comparison-state.js";
 import { t } from "../language.js";
-import { createSolver, LOST } from "../solver.js";
+import { createSolver, withSelection } from "../solver.js";
 import { transitions as to } from "../state.js";
+import { say } from "../words.js";
 
 /**
  * @param {object} page
@@ -29,8 +32,6 @@ export function createRivals({ store, solver, voice, report, onFrame }) {
   const busy = new Set();
   /** Whose solver was lost in this run: it would be lost again. @type {Set<number>} */
   const out = new Set();
-  /** @type {Set<number>} */
-  const reviving = new Set();
 
   /** @param {number} id */
   const nameOf = (id) => paneOf(store.get().comparison, id);
@@ -40,10 +41,8 @@ export function createRivals({ store, solver, voice, report, onFrame }) {
     out.add(id);
     store.update(on.rivalLost, id, t("Its solver stopped: {reason}", { reason }));
     const own = rivals.get(id)?.solver;
-    // Lost again on the way back: told there.
-    if (!own || reviving.has(id)) return;
+    if (!own) return;
     const pane = nameOf(id);
-    reviving.add(id);
     try {
       const reading = await own.revive();
       if (!reading) throw new Error("There was no mesh yet.");
@@ -55,9 +54,9 @@ export function createRivals({ store, solver, voice, report, onFrame }) {
         ),
         hint: t("Play or Step takes the pane along again; Remove closes it."),
       });
-    } catch {
-      // Unless its pane was closed meanwhile.
-      if (!rivals.has(id)) return;
+    } catch (error) {
+      // Unless its pane was closed or its solver ended meanwhile.
+      if (!rivals.has(id) || /** @type {any} */ (error)?.kind === LOST) return;
       voice.error({
         message: t("The solver of pane {pane} could not be started again ({reason}).", {
           pane,
@@ -65,8 +64,6 @@ export function createRivals({ store, solver, voice, report, onFrame }) {
         }),
         hint: t("Reset tries once more; the other panes go on without it."),
       });
-    } finally {
-      reviving.delete(id);
     }
   }
 
@@ -77,6 +74,12 @@ export function createRivals({ store, solver, voice, report, onFrame }) {
       onStopped() {},
       onProgress({ stage, fraction }) {
         if (busy.has(id)) store.update(to.progress, { stage, fraction, pane: nameOf(id) });
+      },
+      onSilent(isSilent) {
+        const told = isSilent
+          ? { stage: say("solver-silent"), fraction: 0, pane: nameOf(id) }
+          : null;
+        if (busy.has(id)) store.update(to.progress, told);
       },
       onCrashed: (reason) => revive(id, reason),
       onFrame(frame) {
@@ -92,11 +95,8 @@ export function createRivals({ store, solver, voice, report, onFrame }) {
   /** @param {Partial<Options>} change */
   function wanted(change) {
     const { options, mesh } = store.get();
-    const all = optionsOf(options, change);
-    if (all.free || all.fixed) return all;
-    // A mesh that was edited goes over as a file, which knows no selection.
-    const list = (/** @type {Uint32Array | null | undefined} */ some) => (some ? [...some] : null);
-    return { ...all, free: list(mesh?.free), fixed: list(mesh?.fixed) };
+    // A mesh that was edited goes over as a file.
+    return withSelection(optionsOf(options, change), mesh);
   }
 
   return {

@@ -1,7 +1,7 @@
 // @ts-check
 // Looking closer at the surface, and inverting it in a sphere.
 
-/** @import { Wanted } from "../protocol.js" */
+/** @import { Wanted } from "../generated/types.js" */
 /** @import { Core } from "./core.js" */
 
 import { t } from "../language.js";
@@ -9,7 +9,7 @@ import { transitions as to } from "../state.js";
 
 /**
  * @param {Core} core
- * @param {(edit: { loaded: import("../protocol.js").Loaded, what: string }) => Promise<void>} edited
+ * @param {(edit: { loaded: import("../generated/types.js").Loaded, what: string }) => Promise<void>} edited
  *   what is done with a mesh that an edit has made
  */
 export const createSeeing = ({ store, solver, voice, enqueue, rest }, edited) => ({

@@ -5,7 +5,7 @@
 /** @import { RecipeCard, ScriptText } from "../generated/types.js" */
 /** @import { Scene } from "../link.js" */
 /** @import { Options } from "../options.js" */
-/** @import { Loaded } from "../protocol.js" */
+/** @import { Loaded } from "../generated/types.js" */
 /** @import { Origin, Source } from "../state.js" */
 
 import { sha256 } from "../digest.js";
@@ -23,7 +23,7 @@ import { transitions as to } from "../state.js";
  * @property {Options} options
  * @property {Options} fallback  for a mesh that the options do not suit
  * @property {Partial<Scene>} [scene]
- * @property {import("../protocol.js").Sample["fill"]} [fill]  of what is loaded, before it is shown
+ * @property {import("../library.js").Sample["fill"]} [fill]  of what is loaded, before it is shown
  */
 
 /**

@@ -1,7 +1,7 @@
 // @ts-check
 // Why the flow stands as it does, and what helps.
 
-/** @import { Remedy } from "../protocol.js" */
+/** @import { Remedy } from "../generated/types.js" */
 /** @import { Core } from "./core.js" */
 
 import { t } from "../language.js";
@@ -68,7 +68,7 @@ export function createWhyActions(core, edits, run) {
      * @returns {Promise<{ name: string, bytes: ArrayBuffer }>}
      */
     async presentSurface() {
-      const bytes = await solver.export("ply");
+      const { bytes } = await solver.export("ply");
       return { name: "surface.ply", bytes: bytes.buffer };
     },
   };

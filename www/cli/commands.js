@@ -1,37 +1,62 @@
 // @ts-check
 // The commands there are.
 
+import * as schema from "../generated/schema.js";
+import { perform } from "../session.js";
 import { bench } from "./bench.js";
-import { energy } from "./energy.js";
-import { fill } from "./fill.js";
-import { flips } from "./flips.js";
-import { flow } from "./flow.js";
-import { info } from "./info.js";
-import { regularise } from "./regularise.js";
+import { command, out } from "./command.js";
+import { orExit } from "./failure.js";
+import { fill, flow } from "./flow.js";
 import { replay } from "./replay.js";
 import { shape } from "./shape.js";
+import { inWords } from "./text.js";
 
-/** @typedef {import("./solver.js").Session} Session */
+const info = command({
+  name: "info",
+  summary: "what a mesh is and what is odd about it",
+  run: ({ session }) => ({ result: inWords(perform(session, "info")) }),
+});
 
-/**
- * What a command is given.
- * @typedef {object} Call
- * @property {string[]} parameters  what follows the command's name
- * @property {import("./terminal.js").Terminal} io
- * @property {() => Promise<Session>} open
- */
+const energy = command({
+  name: "energy",
+  summary: "all energies and integrals",
+  rows: schema.energy,
+  run: ({ session, asked }) => ({ result: perform(session, "energy", asked) }),
+});
 
-/**
- * @typedef {object} Command
- * @property {import("./options.js").Syntax} syntax
- * @property {(call: Call) => Promise<number>} run  answers the exit code
- */
+const flips = command({
+  name: "flips",
+  summary: "flips edges as long as that lowers area or Willmore energy",
+  rows: schema.flips,
+  options: {
+    ...out,
+    history: { value: "FILE.csv", written: true, help: "every flip: edge, reduction, area, W" },
+  },
+  run({ session, asked, values }) {
+    const options = { ...asked, history: values.history !== undefined };
+    const { history, ...result } = orExit(3, () => perform(session, "flip", { options }));
+    return { result, files: { history: () => history ?? "" } };
+  },
+});
+
+const regularise = command({
+  name: "regularise",
+  summary: "slides vertices along a closed surface towards a conformal mesh, or refuses",
+  rows: schema.regularise,
+  options: out,
+  run({ session, asked }) {
+    // Without steps: the flow's checks of the mesh are those of the regularisation.
+    orExit(3, () => perform(session, "configure", { options: { flow: "p-willmore" } }));
+    const start = performance.now();
+    const outcome = orExit(4, () => perform(session, "regularise", { options: asked }));
+    return { result: { ...outcome, milliseconds: performance.now() - start } };
+  },
+});
+
+/** @typedef {import("./command.js").Command} Command */
 
 /** @type {Record<string, Command>} */
 export const commands = { info, energy, flow, flips, regularise, fill, replay, shape, bench };
-
-/** Named by the design, in a coming version. @type {string[]} */
-export const laterCommands = [];
 
 /** @returns {string} */
 export function overview() {

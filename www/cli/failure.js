@@ -1,9 +1,12 @@
 // @ts-check
 // How a command ends when it does not end well: one shape, three exit codes.
 
-/** @typedef {import("../protocol.js").Fault} Fault */
+/** @typedef {import("../generated/types.js").Fault} Fault */
+import { sayFault } from "../words.js";
 
-/** Bad usage, refused input or numerical failure, told in words. */
+/** @typedef {import("../generated/types.js").Fault} Refusal */
+
+/** Bad usage, refused input or numerical failure, in words. */
 export class Failure extends Error {
   /**
    * @param {2 | 3 | 4} exit
@@ -38,8 +41,9 @@ export function orExit(exit, call) {
   try {
     return call();
   } catch (error) {
-    if (!isFault(error)) throw error;
-    throw new Failure(exit, error.kind, error.message, error.hint);
+    if (!isRefusal(error)) throw error;
+    const { kind, message, hint } = sayFault(error);
+    throw new Failure(exit, kind, message, hint);
   }
 }
 
@@ -60,8 +64,8 @@ export function failureOf(error) {
 
 /**
  * @param {unknown} error
- * @returns {error is Fault}
+ * @returns {error is Refusal}
  */
-function isFault(error) {
+export function isRefusal(error) {
   return typeof error === "object" && error !== null && "kind" in error && "hint" in error;
 }

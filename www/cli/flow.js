@@ -1,121 +1,41 @@
 // @ts-check
-// `umbilic flow`: runs a flow and reports every step.
+// `umbilic flow` runs a flow and reports every step; `umbilic fill` closes holes or connects
+// boundary loops, and lets a flow fair what is new.
 
 import * as schema from "../generated/schema.js";
 import { byCurvature, rowOf } from "../options.js";
-import { isBreakdown, isOver } from "../standing.js";
+import { perform } from "../session.js";
+import { isOver } from "../standing.js";
 import { say } from "../words.js";
-import { Failure, orExit, usage } from "./failure.js";
-import { checkOutputs, formatOf, readMesh, readSelection, writeOutput } from "./files.js";
-import { flagsOf, parse, typed } from "./options.js";
-import { loadSolver } from "./solver.js";
-import { entries, format, table } from "./text.js";
+import { command, out } from "./command.js";
+import { isRefusal, orExit, usage } from "./failure.js";
+import { readSelection } from "./files.js";
+import { flagsOf, readFlags, typed } from "./options.js";
+import { format, inWords } from "./text.js";
 
-/** @typedef {import("../protocol.js").FlowOptions} FlowOptions */
-/** @typedef {import("../protocol.js").StepReport} StepReport */
-/** @typedef {import("../protocol.js").Fault} Fault */
-/** @typedef {import("../protocol.js").Status} Status */
-/** @typedef {import("../protocol.js").CurvatureJump} CurvatureJump */
-/** @typedef {import("./options.js").Values} Values */
-/** @typedef {import("./solver.js").Session} Session */
+/** @import { Outcome, StepReport } from "../generated/types.js" */
+/** @import { Options, Values } from "./options.js" */
+/** @import { Session } from "./solver.js" */
+/** @import { Terminal } from "./terminal.js" */
 
 /** How long a flow may go on, for every command that runs one. */
 const budget = ["maxSteps", "maxSeconds"].map(rowOf);
 
-/** @type {import("./options.js").Options} */
-export const budgetFlags = {
-  ...flagsOf(budget),
+/** @type {Options} */
+const untilConverged = {
   "until-converged": { help: "until it comes to rest, however long that takes" },
 };
 
 /** Flows that move vertices: flips have a command of their own. */
 const flows = schema.flows.filter(({ order }) => order > 0).map(({ id }) => id);
-const rows = schema.options.filter((row) => row.flows.some((flow) => flows.includes(flow)));
-
-/** @type {import("./options.js").Syntax} */
-const syntax = {
-  summary: "runs a flow on a mesh",
-  operands: ["MESH"],
-  options: {
-    ...flagsOf(rows),
-    flow: { value: flows.join("|"), help: `${say("option-flow-help")} (default circle)` },
-    ...budgetFlags,
-    "self-intersections": {
-      help: "counts where the surface passes through itself, before and after",
-    },
-    out: { value: "FILE", help: "the mesh at the end: .obj, .off, .ply, .stl or .glb" },
-    history: { value: "FILE.csv", help: "the readings of every step, as a table" },
-    report: { value: "FILE.json", help: "the report that --json prints" },
-  },
-};
-
-/** @type {import("./commands.js").Command} */
-export const flow = {
-  syntax,
-  async run({ parameters, io, open }) {
-    const { operands, values } = await parse(parameters, syntax);
-    const options = await flowOptions(values);
-    checkOutputs([values.out, values.history, values.report]);
-    const outFormat = values.out && formatOf(values.out);
-    const { bytes, name } = readMesh(operands[0], io);
-
-    const session = await open();
-    orExit(3, () => session.load(bytes, name));
-    orExit(3, () => session.configure(options));
-    const powers = options.p === undefined ? [] : [options.p];
-    const energyOptions = { p: powers, ...(options.boundary && { boundary: options.boundary }) };
-    const readings = () => ({ ...session.energy(energyOptions), ...crossings(session, values) });
-    const initial = orExit(3, readings);
-    const { status, message, steps, fault } = runSteps(session, (step) => io.log(stepLine(step)));
-    const final = status === "failed" ? orNull(readings) : readings();
-    const { monitored } = session.state();
-    const outcome = { status, message, ...fault, monitored };
-    const report = { ...outcome, steps, initial, final, ...jump(session, options) };
-
-    if (values.out) writeOutput(values.out, session.export(outFormat));
-    if (values.history) writeOutput(values.history, session.history());
-    if (values.report) writeOutput(values.report, `${JSON.stringify(report, null, 1)}\n`);
-    if (values.json) io.write(`${JSON.stringify(report)}\n`);
-    else io.write(summary(report));
-    return isBreakdown(status) ? 4 : 0;
-  },
-};
-
-/**
- * The options that were asked for, read and checked by the solver; the others are left out, so
- * that the defaults stay in one place.
- * @param {Values} values
- * @returns {Promise<FlowOptions>}
- */
-async function flowOptions(values) {
-  /** @type {Record<string, string | number[]>} */
-  const words = { flow: "circle", ...typed(rows, values), ...budgetOf(values) };
-  if (words.flow === "flips") throw usage("Edge flips have a command of their own: umbilic flips.");
-  for (const name of /** @type {const} */ (["free", "fixed"])) {
-    if (name in words && words[name] !== "auto")
-      words[name] = readSelection(String(words[name]), name);
-  }
-  // Smoothing takes a set number of steps, and leading a volume keeps it.
-  if (words.goal === "smooth" && "maxSteps" in words) words.smoothSteps ??= words.maxSteps;
-  if ("reducedVolume" in words) words.keep ??= "area,volume";
-  return readFlags(words);
-}
-
-/**
- * @param {Record<string, unknown>} words  options by name, as text
- * @returns {Promise<FlowOptions>}
- */
-export async function readFlags(words) {
-  const solver = await loadSolver();
-  return orExit(2, () => solver.readFlags(words));
-}
+const rows = schema.options.filter((row) => row.flows.some((id) => flows.includes(id)));
 
 /**
  * The budget of steps or of time, as far as it was asked for.
  * @param {Values} values
  * @returns {Record<string, string>}
  */
-export function budgetOf(values) {
+function budgetOf(values) {
   const words = typed(budget, values);
   if (!values["until-converged"]) return words;
   const [other] = Object.keys(words);
@@ -124,14 +44,89 @@ export function budgetOf(values) {
 }
 
 /**
- * How the curvature jumps across the rim of what moved, under the flows that mind it.
+ * Steps until the run is over.
  * @param {Session} session
- * @param {FlowOptions} options
+ * @param {Terminal} io
+ * @returns {{ steps: StepReport[], outcome: Outcome }}
  */
-function jump(session, options) {
-  if (!byCurvature.includes(options.flow ?? "")) return {};
-  return { curvatureJump: session.curvatureJump() };
+function runSteps(session, io) {
+  /** @type {StepReport[]} */
+  const steps = [];
+  try {
+    while (!isOver(perform(session, "state").status)) {
+      const report = perform(session, "step");
+      if (!report) break;
+      steps.push(report);
+      const { step, energy, dt, gradientNorm: gradient, milliseconds } = report;
+      const readings = { energy, dt, gradient, ms: Math.round(milliseconds) };
+      const parts = Object.entries(readings).map(([name, value]) => `${name} ${format(value)}`);
+      io.log(`step ${String(step).padStart(4)}  ${parts.join("  ")}`);
+    }
+  } catch (error) {
+    // Why a step failed is part of the outcome.
+    if (!isRefusal(error)) throw error;
+  }
+  return { steps, outcome: perform(session, "outcome") };
 }
+
+/** How a run ended, in words. @param {Outcome} outcome */
+const ended = ({ status, message, reason, fault }) => ({
+  status,
+  message: say(message),
+  messageId: reason?.id ?? null,
+  ...(fault && { kind: fault.kind, hint: say(fault.hint) }),
+});
+
+/** @param {Outcome} outcome */
+const exitOf = ({ isBreakdown }) => (isBreakdown ? 4 : 0);
+
+export const flow = command({
+  name: "flow",
+  summary: "runs a flow on a mesh",
+  rows,
+  words: "option",
+  options: {
+    flow: { value: flows.join("|"), help: `${say("option-flow-help")} (default circle)` },
+    ...untilConverged,
+    "self-intersections": {
+      help: "counts where the surface passes through itself, before and after",
+    },
+    ...out,
+    history: { value: "FILE.csv", written: true, help: "the readings of every step, as a table" },
+    report: { value: "FILE.json", written: true, help: "the report that --json prints" },
+  },
+  async ask(values) {
+    /** @type {Record<string, string | number[]>} */
+    const words = { flow: "circle", ...typed(rows, values), ...budgetOf(values) };
+    if (words.flow === "flips")
+      throw usage("Edge flips have a command of their own: umbilic flips.");
+    for (const name of /** @type {const} */ (["free", "fixed"])) {
+      const file = words[name] ?? "auto";
+      if (file !== "auto") words[name] = readSelection(String(file), name);
+    }
+    return readFlags("flow", words);
+  },
+  run({ session, asked, values, io }) {
+    orExit(3, () => perform(session, "configure", { options: asked }));
+    const { p, boundary } = asked;
+    const energies = { ...(p !== undefined && { p: [p] }), ...(boundary && { boundary }) };
+    const readings = () => ({
+      ...perform(session, "energy", energies),
+      ...crossings(session, values),
+    });
+    const initial = readings();
+    const { steps, outcome } = runSteps(session, io);
+    const { monitored, curvatureJump } = outcome;
+    const result = {
+      ...ended(outcome),
+      ...{ monitored, steps: steps.map(inWords), initial, final: readings() },
+      ...(byCurvature.includes(asked.flow) && { curvatureJump }),
+    };
+    const history = () => perform(session, "history");
+    const report = () => `${JSON.stringify(result, null, 1)}\n`;
+    return { result, files: { history, report }, exit: exitOf(outcome) };
+  },
+});
 
 /**
  * Pairs of triangles that pass through each other, where it is asked for; null if there are too
@@ -141,67 +136,52 @@ function jump(session, options) {
  */
 function crossings(session, values) {
   if (!values["self-intersections"]) return {};
-  const found = session.selfIntersections();
+  const found = perform(session, "selfIntersections");
   return { selfIntersections: found && found.pairs.length / 2 };
 }
 
-/**
- * Steps until the session says it is over.
- * @param {Session} session
- * @param {(step: StepReport) => void} onStep
- * @returns {{ status: Status, message: string, steps: StepReport[],
- *             fault?: { kind: string, hint: string } }}
- */
-export function runSteps(session, onStep) {
-  /** @type {StepReport[]} */
-  const steps = [];
-  try {
-    while (!isOver(session.state().status)) {
-      /** @type {StepReport | null} */
-      const step = orExit(4, () => session.step());
-      // There was none to take: the state says why.
-      if (step === null) break;
-      steps.push(step);
-      onStep(step);
+export const fill = command({
+  name: "fill",
+  summary: "closes holes, or connects boundary loops, and fairs the patches",
+  rows: schema.fill,
+  options: {
+    fair: {
+      // Those that can hold what is around a patch.
+      value: ["none", ...rowOf("free").flows].join("|"),
+      help: "a flow that moves the new vertices afterwards (default none)",
+    },
+    ...flagsOf(budget, "option"),
+    ...untilConverged,
+    ...out,
+  },
+  async ask(values) {
+    const { fair = "none" } = values;
+    const limits = budgetOf(values);
+    const words = { flow: fair, boundary: "fixed", ...limits };
+    const limit = [...budget.map(({ flag }) => flag), "until-converged"].find((key) => values[key]);
+    if (fair === "none" && limit) throw usage(`--${limit} needs --fair FLOW.`);
+    return {
+      options: await readFlags("fill", typed(schema.fill, values)),
+      fair: fair === "none" ? null : await readFlags("flow", words),
+    };
+  },
+  run({ session, asked: { options, fair }, io }) {
+    const { firstVertex, ...filled } = orExit(3, () => perform(session, "fill", { options }));
+    const report = (/** @type {object} */ fairing, /** @type {typeof filled.warnings} */ more) => ({
+      ...inWords({ ...filled, warnings: [...filled.warnings, ...more] }),
+      ...fairing,
+      info: inWords(perform(session, "info")),
+    });
+    if (!fair) return { result: report({}, []) };
+    const { flow } = fair;
+    if (filled.verticesAdded === 0) {
+      return { result: report({}, [{ id: "fair-nothing", values: { flow } }]) };
     }
-  } catch (error) {
-    if (!(error instanceof Failure)) throw error;
-    const { kind, message, hint } = error;
-    return { status: "failed", message, steps, fault: { kind, hint } };
-  }
-  const { status, message } = session.state();
-  return { status, message, steps };
-}
-
-/**
- * @template T
- * @param {() => T} call
- * @returns {T | null}
- */
-function orNull(call) {
-  try {
-    return orExit(4, call);
-  } catch (error) {
-    if (!(error instanceof Failure)) throw error;
-    return null;
-  }
-}
-
-/** @param {StepReport} step */
-function stepLine({ step, energy, dt, gradientNorm, milliseconds }) {
-  const readings = { energy, dt, gradient: gradientNorm, ms: Math.round(milliseconds) };
-  const parts = Object.entries(readings).map(([name, value]) => `${name} ${format(value)}`);
-  return `step ${String(step).padStart(4)}  ${parts.join("  ")}`;
-}
-
-/**
- * @param {{ status: string, message: string, steps: StepReport[], initial: any, final: any,
- *           curvatureJump?: CurvatureJump | null }} report
- */
-function summary({ status, message, steps, initial, final, curvatureJump }) {
-  const last = final && new Map(entries(final));
-  const rows = entries(initial).map(([key, value]) => [key, format(value), format(last?.get(key))]);
-  const heading = `${status}, ${steps.length} steps: ${message}\n\n`;
-  if (curvatureJump) rows.push(["curvatureJump", "", format(curvatureJump.relative)]);
-  return heading + table([["", "initial", "final"], ...rows]);
-}
+    // The new vertices are those that move: the solver knows them.
+    orExit(3, () => perform(session, "configure", { options: fair }));
+    const { steps, outcome } = runSteps(session, io);
+    const { curvatureJump, warnings } = outcome;
+    const fairing = { flow, ...ended(outcome), steps: steps.length, curvatureJump };
+    return { result: report({ fair: fairing }, warnings), exit: exitOf(outcome) };
+  },
+});

@@ -3,8 +3,8 @@
 
 import { parseArgs } from "node:util";
 import * as schema from "../generated/schema.js";
-import { say } from "../words.js";
-import { Failure, usage } from "./failure.js";
+import { say, sayFault } from "../words.js";
+import { Failure, orExit, usage } from "./failure.js";
 import { loadSolver } from "./solver.js";
 
 /** @typedef {import("../generated/schema.js").Row} Row */
@@ -12,8 +12,8 @@ import { loadSolver } from "./solver.js";
 /**
  * @typedef {object} Option
  * @property {string} [value]      what follows it, e.g. `FILE`; absent for a switch
- * @property {string[]} [choices]  the only values there are
  * @property {boolean} [many]      may be given more than once
+ * @property {boolean} [written]   a file that the command writes
  * @property {string} help
  */
 
@@ -43,14 +43,7 @@ const common = {
  * @throws {Failure} usage
  */
 export async function parse(parameters, syntax) {
-  const options = { ...syntax.options, ...common };
-  const { values, positionals } = await strictly(parameters, options);
-  for (const [name, { choices }] of Object.entries(options)) {
-    const value = values[name];
-    if (choices && value !== undefined && !choices.includes(String(value))) {
-      throw usage(`--${name} cannot be \`${value}\`.`, `It is one of: ${choices.join(", ")}.`);
-    }
-  }
+  const { values, positionals } = await strictly(parameters, { ...syntax.options, ...common });
   const least = syntax.operands.filter((name) => !name.startsWith("[")).length;
   if (positionals.length < least || positionals.length > syntax.operands.length) {
     const wanted = syntax.operands.join(" ") || "none";
@@ -83,8 +76,7 @@ async function strictly(args, options) {
     if (code !== "ERR_PARSE_ARGS_UNKNOWN_OPTION") throw usage(message);
     const typed = /'--?(?:no-)?([^' ]*)/.exec(message)?.[1] ?? "";
     const { unknownFlag } = await loadSolver();
-    /** @type {import("../protocol.js").Fault} */
-    const fault = unknownFlag(typed, Object.keys(options));
+    const fault = sayFault(unknownFlag(typed, Object.keys(options)));
     throw new Failure(2, fault.kind, fault.message, fault.hint);
   }
 }
@@ -95,9 +87,11 @@ const moving = schema.flows.filter(({ order }) => order > 0).map(({ id }) => id)
 /** @param {Row} row */
 function placeholder({ kind, ids, absent, range }) {
   if (kind === "vertices") return "FILE.json";
+  if (kind === "set" && ids.length > 4) return `${absent ? `${absent}|` : ""}ID,ID`;
   if (kind === "set") return ids.join(",");
-  if (kind !== "number") return [...(absent ? [absent] : []), ...ids].join("|");
-  const value = range?.whole ? "N" : "VALUE";
+  if (kind === "choice") return [...(absent ? [absent] : []), ...ids].join("|");
+  const one = range?.whole ? "N" : "VALUE";
+  const value = kind === "numbers" ? `${one},${one}` : one;
   return absent ? `${absent}|${value}` : value;
 }
 
@@ -121,33 +115,35 @@ function readers({ flows, scheme, goal }) {
  */
 function notes({ default: usual, kind, range, absent, flag }) {
   if (kind === "switch") return usual ? [`default; --no-${flag} for not`] : [];
-  if (kind === "set" || kind === "vertices") return [];
-  const isLimited = range && range.low > -1e4;
-  return [`default ${usual ?? absent}`, ...(isLimited ? [limits(range)] : [])];
+  const isList = ["set", "numbers", "vertices"].includes(kind);
+  const value = isList ? absent : (usual ?? absent);
+  const isLimited = kind === "number" && range && range.low > -1e4;
+  return [...(value === null ? [] : [`default ${value}`]), ...(isLimited ? [limits(range)] : [])];
 }
 
 /**
  * The flags of options that tables know, with their help.
  * @param {readonly Row[]} rows
+ * @param {string} words  what the names of their words begin with
  * @returns {Options}
  */
-export function flagsOf(rows) {
+export function flagsOf(rows, words) {
   return Object.fromEntries(
     rows.map((row) => {
       const [of, more] = [readers(row), notes(row)];
       const help = [
         ...(of.length > 0 ? [`${of.join(", ")}:`] : []),
-        say(`option-${row.name}-help`),
+        say(`${words}-${row.name}-help`),
         ...(more.length > 0 ? [`(${more.join("; ")})`] : []),
       ];
       const value = row.kind === "switch" ? {} : { value: placeholder(row) };
-      return [row.flag, { ...value, help: help.join(" ") }];
+      return [row.flag, { ...value, many: row.kind === "numbers", help: help.join(" ") }];
     }),
   );
 }
 
 /**
- * What was typed for the options of these rows, by their names.
+ * What was typed for the options of these rows, by their names; several numbers with commas.
  * @param {readonly Row[]} rows
  * @param {Values} values
  * @returns {Record<string, string>}
@@ -160,19 +156,15 @@ export const typed = (rows, values) =>
   );
 
 /**
- * A number given as an option.
- * @param {Values} values
- * @param {string} name
- * @param {{ low?: number, integer?: boolean }} [limits]
- * @returns {number | undefined}  undefined when the option is absent
+ * Options of a command by name, as text, read and checked by the solver; what was not given is left
+ * out, so that the defaults stay in one place.
+ * @param {string} command
+ * @param {Record<string, unknown>} words
+ * @returns {Promise<any>}
  */
-export function number(values, name, { low = -Infinity, integer = false } = {}) {
-  const text = values[name];
-  if (text === undefined) return undefined;
-  const value = text.trim() === "" ? Number.NaN : Number(text);
-  if (Number.isFinite(value) && value >= low && (!integer || Number.isInteger(value))) return value;
-  const kind = integer ? "a whole number" : "a number";
-  throw usage(`--${name} is \`${text}\`, not ${kind}${low > -Infinity ? ` from ${low}` : ""}.`);
+export async function readFlags(command, words) {
+  const solver = await loadSolver();
+  return orExit(2, () => solver.readFlags(command, words));
 }
 
 /**
@@ -183,8 +175,7 @@ export function number(values, name, { low = -Infinity, integer = false } = {}) 
  */
 export function help(name, { summary, operands, options }) {
   const lines = Object.entries({ ...options, ...common }).map(([option, o]) => {
-    const value = o.choices ? o.choices.join("|") : o.value;
-    return [`--${option}${value ? ` ${value}` : ""}`, o.help];
+    return [`--${option}${o.value ? ` ${o.value}` : ""}`, o.help];
   });
   const width = Math.min(34, Math.max(...lines.map(([left]) => left.length)));
   const rows = lines.map(([left, right]) =>

@@ -9,7 +9,7 @@ import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
 import { parse } from "./options.js";
 import { table } from "./text.js";
 
-/** @import { Outcome, RecipeMesh, ReplayReport } from "../generated/types.js" */
+/** @import { RecipeMesh, ReplayReport, ReplayResult } from "../generated/types.js" */
 /** @typedef {import("../pkg/solver/solver.js").Session} Session */
 /** @typedef {import("./terminal.js").Terminal} Terminal */
 
@@ -46,7 +46,7 @@ export const replay = {
       advance(session, io);
     });
     const report = perform(session, "compareRecipe", { text });
-    if (values.out) writeOutput(values.out, session.export(outFormat));
+    if (values.out) writeOutput(values.out, perform(session, "export", { format: outFormat }));
     const { same, exact, tolerance, steps, expected, got } = report;
     const how = { same, exact, ...(exact ? {} : { tolerance }) };
     if (values.json) io.write(`${JSON.stringify({ ...how, steps, expected, got })}\n`);
@@ -107,7 +107,7 @@ function summary({ version, steps, same, exact, tolerance, expected, got, differ
     return value === null || value === undefined ? "–" : String(value);
   };
   // Bits of positions can only agree where all bits must.
-  const names = /** @type {(keyof Outcome)[]} */ (Object.keys(expected)).filter(
+  const names = /** @type {(keyof ReplayResult)[]} */ (Object.keys(expected)).filter(
     (name) => exact || name !== "positions",
   );
   const rows = names.map((name) => [

@@ -9,11 +9,7 @@ import { Failure } from "./failure.js";
 const glue = new URL("../pkg/solver/solver.js", import.meta.url);
 const wasm = new URL("../pkg/solver/solver_bg.wasm", import.meta.url);
 
-/** @type {WebAssembly.Memory | null} */
-let memory = null;
-
-/** Bytes of the solver's memory: it never shrinks, so this is the most there was. */
-export const memoryBytes = () => memory?.buffer.byteLength ?? 0;
+let isLoaded = false;
 
 /**
  * What the solver can do without a session.
@@ -26,7 +22,8 @@ export async function loadSolver() {
     throw new Failure(2, "NotBuilt", "The solver has not been built yet.", hint);
   }
   const solver = await import(glue.href);
-  memory ??= solver.initSync({ module: readFileSync(wasm) }).memory;
+  if (!isLoaded) solver.initSync({ module: readFileSync(wasm) });
+  isLoaded = true;
   return solver;
 }
 

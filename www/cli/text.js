@@ -1,6 +1,21 @@
 // @ts-check
 // Results as text for people.
 
+import { say } from "../words.js";
+
+/** @import { Message } from "../generated/types.js" */
+
+/**
+ * Warnings as sentences, their ids beside them.
+ * @template {{ warnings: Message[] }} T
+ * @param {T} told
+ */
+export const inWords = (told) => ({
+  ...told,
+  warnings: told.warnings.map((warning) => say(warning)),
+  warningIds: told.warnings.map(({ id }) => id),
+});
+
 /**
  * Six significant digits; whole numbers in full.
  * @param {unknown} value
@@ -24,6 +39,33 @@ export function table(rows, left = 1) {
   const line = (/** @type {string[]} */ row) =>
     row.map((cell, i) => (i < left ? cell.padEnd(widths[i]) : cell.padStart(widths[i])));
   return rows.map((row) => `${line(row).join("  ").trimEnd()}\n`).join("");
+}
+
+/**
+ * A result in lines: its sentence, what was before beside what is after, and everything else by its
+ * key.
+ * @param {Record<string, any>} result
+ * @returns {string}
+ */
+export function print({ message, warnings = [], ...rest }) {
+  const { before, after, initial, final, ...others } = rest;
+  const sides = before ? { before, after } : initial && { initial, final };
+  const lines = (/** @type {string[][]} */ rows) => (rows.length > 0 ? table(rows) : "");
+  const parts = [
+    message ? `${message}\n` : "",
+    lines(entries(others).map(([key, value]) => [key, format(value)])),
+    sides ? compared(sides) : "",
+    warnings.map((/** @type {string} */ warning) => `warning: ${warning}\n`).join(""),
+  ];
+  return parts.filter((part) => part !== "").join("\n");
+}
+
+/** Two objects of the same keys side by side. @param {Record<string, object>} sides */
+function compared(sides) {
+  const [first, last] = Object.values(sides).map((side) => entries(side));
+  const values = new Map(last);
+  const rows = first.map(([key, value]) => [key, format(value), format(values.get(key))]);
+  return table([["", ...Object.keys(sides)], ...rows]);
 }
 
 /**

@@ -17,8 +17,10 @@ import {
   fault,
   fileOf,
   formatOf,
+  MOST_WAITING,
   PROTOCOL,
   stepOf,
+  tooMany,
   wordsToSet,
 } from "./messages.js";
 import { seek } from "./seek.js";
@@ -180,24 +182,36 @@ export function createEmbedding(page) {
 
   /** @param {Request} request @returns {Promise<{ name: string, bytes: Uint8Array<ArrayBuffer> }>} */
   async function exported(request) {
-    const format = formatOf(request);
-    if (!get().mesh) throw fault("NoMesh", t("There is no mesh yet."), "");
-    const name = fileName(get(), format);
-    const data = format === "png" ? await snapshot() : await controller.export(format);
-    if (data === null) throw fault("NoPicture", t("There is no picture to save."), "");
-    const bytes = new Uint8Array(await new Blob([data]).arrayBuffer());
-    return { name, bytes };
+    const asked = formatOf(request);
+    const shown = get();
+    if (!shown.mesh) throw fault("NoMesh", t("There is no mesh yet."), "");
+    const picture = async () => ({ format: asked, bytes: await snapshot() });
+    const file = await (asked === "png" ? picture() : controller.export(asked));
+    if (file.bytes === null) throw fault("NoPicture", t("There is no picture to save."), "");
+    const bytes = new Uint8Array(await new Blob([file.bytes]).arrayBuffer());
+    return { name: fileName(shown, file.format), bytes };
   }
 
   // In the order in which they were asked.
   let turn = Promise.resolve();
+  let waiting = 0;
   /** @param {Request} request */
   function receive(request) {
-    if (isImmediate.includes(request.type)) answer(request);
-    else {
-      want();
-      turn = turn.then(() => loaded).then(() => answer(request));
-    }
+    if (isImmediate.includes(request.type)) return void answer(request);
+    if (waiting === MOST_WAITING) return refuse(request, tooMany());
+    want();
+    waiting += 1;
+    turn = turn
+      .then(() => loaded)
+      .then(() => answer(request))
+      .finally(() => {
+        waiting -= 1;
+      });
+  }
+
+  /** @param {Request} request @param {any} error */
+  function refuse({ id }, { kind = "Refused", message, hint = "" }) {
+    post({ id, error: { kind, message: String(message), hint } });
   }
 
   /** @param {Request} request */
@@ -223,8 +237,7 @@ export function createEmbedding(page) {
       if (faults.length > 0) throw faults[0];
       post({ id, ok: standing() });
     } catch (error) {
-      const { kind = "Refused", message, hint = "" } = /** @type {any} */ (error);
-      post({ id, error: { kind, message: String(message ?? error), hint } });
+      refuse(request, error);
     }
   }
 

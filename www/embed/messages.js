@@ -14,17 +14,23 @@
 // | `export` | `format`                                 | `{ name, bytes }`, transferred   |
 // | `state`  |                                          | where it stands                  |
 //
+// At most 100 requests wait; those beyond are refused as `TooManyRequests`.
+//
 // Events, unasked: `{ umbilic: 1, event, detail }` with `listening` (requests are answered from
 // now on), `ready` (a scene is there), `frame`, `statechange`, `error`, and `key` (Page Up or Page Down,
 // pressed in the surface).
 
-/** @import { Fault } from "../protocol.js" */
+/** @import { Fault } from "../words.js" */
 
 import { t } from "../language.js";
 import { asText, choices } from "../options.js";
+import { say } from "../words.js";
 
 /** The version of what is said here. */
 export const PROTOCOL = 1;
+
+/** Requests that may wait for their turn: each may hold a mesh. */
+export const MOST_WAITING = 100;
 
 /** @typedef {{ id: string | number, type: string } & Record<string, unknown>} Request */
 
@@ -42,6 +48,14 @@ export function asRequest(data) {
 
 /** @param {string} kind @param {string} message @param {string} hint @returns {Fault} */
 export const fault = (kind, message, hint) => ({ kind, message, hint, detail: {} });
+
+/** @returns {Fault} */
+export const tooMany = () =>
+  fault(
+    "TooManyRequests",
+    say("too-many-requests", { most: MOST_WAITING }),
+    say("too-many-requests.hint"),
+  );
 
 /** @param {unknown} value @returns {Record<string, unknown>} */
 const asObject = (value) =>

@@ -1,7 +1,7 @@
 // @ts-check
 // Samples and figures as src/app/library has them. Written by tests/suite/library.rs.
 
-/** @import { Figure, Sample } from "../protocol.js" */
+/** @import { Figure, Sample } from "../library.js" */
 
 /** @type {readonly Sample[]} */
 export const samples = [
@@ -12,7 +12,7 @@ export const samples = [
   {"id":"pipe","group":"tubes","shape":"pipe","parameters":{},"options":{"boundary":"clamped"}},
   {"id":"six-sided-hole","group":"boundary","shape":"six-sided-hole","parameters":{},"options":{"boundary":"clamped","prefill":true}},
   {"id":"scar","group":"repair","shape":"scar","parameters":{},"options":{}},
-  {"id":"noisy-scan","group":"repair","shape":"scan","parameters":{"resolution":140,"loops":30},"options":{"detail":4,"goal":"smooth"}},
+  {"id":"noisy-scan","group":"repair","shape":"scan","parameters":{"resolution":140,"loops":30},"options":{"goal":"smooth"}},
   {"id":"trefoil","group":"tubes","shape":"trefoil","parameters":{},"options":{}},
   {"id":"vesicle","group":"closed","shape":"ellipsoid","parameters":{"a":1,"b":1,"c":0.65,"level":4},"options":{"flow":"p-willmore","keep":["area","volume"],"reducedVolume":0.6}},
   {"id":"blob","group":"closed","shape":"bumpy-sphere","parameters":{"level":4,"amplitude":0.2,"frequency":3,"seed":2},"options":{"flow":"p-willmore","keep":["area","volume"],"reducedVolume":0.6}},
@@ -42,7 +42,7 @@ export const samples = [
   {"id":"saddle","group":"boundary","shape":"hyperbolic-paraboloid","parameters":{"cells":16},"options":{"boundary":"free"}},
   {"id":"genus-4","group":"closed","shape":"double-torus","parameters":{"genus":4,"level":3},"options":{"flow":"p-willmore"}},
   {"id":"rough-mesh","group":"repair","shape":"ellipsoid","parameters":{"level":4,"jitter":0.2},"options":{"flow":"p-willmore","keep":["volume"]}},
-  {"id":"range-scan","group":"repair","shape":"scan","parameters":{"resolution":285,"loops":88},"options":{"detail":4,"goal":"smooth"}},
+  {"id":"range-scan","group":"repair","shape":"scan","parameters":{"resolution":285,"loops":88},"options":{"goal":"smooth"}},
 ];
 
 /** @type {readonly Figure[]} */
@@ -60,7 +60,7 @@ export const figures = [
   {"id":"circle-12-100","paper":"circle","number":"12","sample":"range-scan","options":{"boundary":"fixed","smoothSteps":100,"tau":0.01},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":100,"quick":false,"fallsShort":false},
   {"id":"p-willmore-1","paper":"p-willmore","number":"1","sample":"bumps-kept","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":true,"fallsShort":false},
   {"id":"p-willmore-2-p0","paper":"p-willmore","number":"2","sample":"letter-c","options":{"p":0},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"mean-curvature","steps":100,"quick":false,"fallsShort":false},
-  {"id":"p-willmore-2-p2","paper":"p-willmore","number":"2","sample":"letter-c","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"mean-curvature","steps":120,"quick":false,"fallsShort":false},
+  {"id":"p-willmore-2-p2","paper":"p-willmore","number":"2","sample":"letter-c","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"mean-curvature","steps":160,"quick":false,"fallsShort":false},
   {"id":"p-willmore-2-p4","paper":"p-willmore","number":"2","sample":"letter-c","options":{"p":4},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"mean-curvature","steps":160,"quick":false,"fallsShort":false},
   {"id":"p-willmore-3-linear","paper":"p-willmore","number":"3","sample":"bad-mesh","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":0,"quick":true,"fallsShort":false},
   {"id":"p-willmore-3-nonlinear","paper":"p-willmore","number":"3","sample":"bad-mesh","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":0,"quick":true,"fallsShort":false},

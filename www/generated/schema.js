@@ -1,13 +1,13 @@
 // @ts-check
 // Flows and options as the solver knows them. Written from src/flow/spec.rs,
-// src/flow/option/rows.rs and src/app/given.rs by `UPDATE_SCHEMA=1 cargo test --test schema`.
+// src/flow/option/rows.rs, src/app/given.rs and src/app/options.rs by `UPDATE_SCHEMA=1 cargo test --test schema`.
 
 /**
  * What an option may be, and what reads it. `absent` is the word for null.
  * @typedef {object} Row
  * @property {string} name
  * @property {string} flag
- * @property {'number' | 'choice' | 'set' | 'switch' | 'vertices'} kind
+ * @property {'number' | 'choice' | 'set' | 'switch' | 'numbers' | 'vertices'} kind
  * @property {{ low: number, high: number, lowOpen: boolean, whole: boolean, also: number | null } | null} range
  * @property {readonly string[]} ids
  * @property {any} default
@@ -130,4 +130,43 @@ export const arrangement = [
   {"absent":null,"default":"none","flag":"compare","flows":["mean-curvature","surface-diffusion","willmore","mmcv","flips"],"goal":null,"group":"display","ids":["none","start","criteria","flows"],"kind":"choice","name":"compare","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
   {"absent":null,"default":0,"flag":"subdivide","flows":["flips"],"goal":null,"group":"display","ids":[],"kind":"number","name":"subdivide","ofOneFlow":false,"range":{"also":null,"high":3,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":""},
   {"absent":"all","default":1,"flag":"flips-per-step","flows":["flips"],"goal":null,"group":"display","ids":[],"kind":"number","name":"flipsPerStep","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"scheme":null,"unit":"flips"},
+];
+
+// Of the commands that are called so.
+
+/** @type {readonly Row[]} */
+export const energy = [
+  {"absent":null,"default":[],"flag":"p","flows":[],"goal":null,"group":"functional","ids":[],"kind":"numbers","name":"p","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":false,"whole":false},"scheme":null,"unit":""},
+  {"absent":null,"default":"clamped","flag":"boundary","flows":[],"goal":null,"group":"surface","ids":["clamped","fixed","free"],"kind":"choice","name":"boundary","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+];
+
+/** @type {readonly Row[]} */
+export const regularise = [
+  {"absent":null,"default":"nonlinear","flag":"mode","flows":[],"goal":null,"group":"method","ids":["linear","nonlinear"],"kind":"choice","name":"mode","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":0.01,"flag":"epsilon","flows":[],"goal":null,"group":"method","ids":[],"kind":"number","name":"epsilon","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":""},
+  {"absent":null,"default":5,"flag":"iterations","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"iterations","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":""},
+  {"absent":null,"default":0.3,"flag":"features","flows":[],"goal":null,"group":"method","ids":[],"kind":"number","name":"features","ofOneFlow":false,"range":{"also":null,"high":1000000,"low":0,"lowOpen":false,"whole":false},"scheme":null,"unit":""},
+];
+
+/** @type {readonly Row[]} */
+export const fill = [
+  {"absent":"all","default":null,"flag":"loops","flows":[],"goal":null,"group":"surface","ids":[],"kind":"numbers","name":"loops","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":""},
+  {"absent":null,"default":false,"flag":"connect","flows":[],"goal":null,"group":"surface","ids":[],"kind":"switch","name":"connect","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"max-vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxVertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":"vertices"},
+];
+
+/** @type {readonly Row[]} */
+export const flips = [
+  {"absent":null,"default":"localised","flag":"criterion","flows":[],"goal":null,"group":"functional","ids":["area","willmore","localised"],"kind":"choice","name":"criterion","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":false,"flag":"guard-folds","flows":[],"goal":null,"group":"functional","ids":[],"kind":"switch","name":"guardFolds","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":"all","default":null,"flag":"max","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"max","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":"flips"},
+];
+
+/** @type {readonly Row[]} */
+export const bench = [
+  {"absent":null,"default":null,"flag":"table","flows":[],"goal":null,"group":"flow","ids":["circle","p-willmore","flips","mmcv","refinement","robustness","figures"],"kind":"choice","name":"table","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":"all","default":null,"flag":"max-vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxVertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"scheme":null,"unit":"vertices"},
+  {"absent":null,"default":3,"flag":"steps","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"steps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"scheme":null,"unit":"steps"},
+  {"absent":"all","default":null,"flag":"figures","flows":[],"goal":null,"group":"surface","ids":["circle-6","circle-6-adaptive","circle-7-fixed","circle-7-free","circle-8","circle-8-long","circle-9","circle-10","circle-11","circle-12-10","circle-12-100","p-willmore-1","p-willmore-2-p0","p-willmore-2-p2","p-willmore-2-p4","p-willmore-3-linear","p-willmore-3-nonlinear","p-willmore-4","p-willmore-5","p-willmore-6","p-willmore-6-blob","p-willmore-7","p-willmore-8","p-willmore-9","p-willmore-9-off","p-willmore-10-p0","p-willmore-10-p2","p-willmore-10-p4","p-willmore-11","p-willmore-12-p0","p-willmore-12-p2","p-willmore-12-p4","flips-6","flips-6-curvature","flips-7","flips-8","flips-8-volume","curvature-5.1-cylinder","curvature-5.1-sphere","curvature-5.4","curvature-5.2-two","curvature-5.2-three","curvature-5.2-six","curvature-5.3","curvature-5.5","curvature-5.6"],"kind":"set","name":"figures","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":false,"flag":"quick","flows":[],"goal":null,"group":"budget","ids":[],"kind":"switch","name":"quick","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
 ];

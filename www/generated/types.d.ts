@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -34,6 +34,56 @@ subdivide: number,
  * Flips a step makes; all that gain anything if absent.
  */
 flipsPerStep: number | null, };
+
+/**
+ * What is measured.
+ */
+export type BenchOptions = { 
+/**
+ * Which table; there must be one.
+ */
+table: TableName | null, 
+/**
+ * Larger meshes are left out.
+ */
+maxVertices: number | null, 
+/**
+ * Steps measured a row, after one that is not.
+ */
+steps: number, 
+/**
+ * Of the table of figures these, by their ids.
+ */
+figures: Array<string> | null, 
+/**
+ * Of the table of figures those that take a few seconds.
+ */
+quick: boolean, 
+/**
+ * Of the table of robustness: meshes to try instead of shapes with noise.
+ */
+meshes: Array<MeshFile>, };
+
+/**
+ * A table as far as it has come.
+ */
+export type BenchReport = { 
+/**
+ * Keys of a row, in order.
+ */
+columns: Array<string>, 
+/**
+ * How many of them are set flush left.
+ */
+left: number, 
+/**
+ * Significant digits of a number that is not whole; none: one after the point.
+ */
+digits: number | null, 
+/**
+ * The next row, a cell a column; none after the last.
+ */
+row: unknown[] | null, };
 
 /**
  * What the energy of an open surface is (Section 3.3 of the paper).
@@ -164,15 +214,7 @@ name: string,
 /**
  * Parameters that are not the usual ones.
  */
-parameters: { [key in string]: number }, } } | { "loaded": Record<symbol, never> } | { "info": Record<symbol, never> } | { "energy": { 
-/**
- * Exponents beside the usual ones.
- */
-p: Array<number>, 
-/**
- * What holds at the boundary.
- */
-boundary: Boundary, } } | { "configure": { 
+parameters: { [key in string]: number }, } } | { "loaded": Record<symbol, never> } | { "info": Record<symbol, never> } | { "energy": EnergyOptions } | { "configure": { 
 /**
  * Those that are not the usual ones.
  */
@@ -248,7 +290,11 @@ pairs: number, } } | { "why": Record<symbol, never> } | { "selfIntersections": R
 /**
  * Of what.
  */
-options: StudyOptions | null, } } | { "curvatureJump": Record<symbol, never> } | { "readRecipe": { 
+options: StudyOptions | null, } } | { "bench": { 
+/**
+ * Of what.
+ */
+options: BenchOptions | null, } } | { "outcome": Record<symbol, never> } | { "curvatureJump": Record<symbol, never> } | { "readRecipe": { 
 /**
  * The recipe.
  */
@@ -465,13 +511,13 @@ runs: Array<Curve>, };
  */
 export type Diagnosis = { 
 /**
- * What it is.
+ * What it is: name of a [`Symptom`].
  */
-kind: DiagnosisKind, 
+kind: string, 
 /**
- * The same in one sentence.
+ * The same, to be said in one sentence.
  */
-sentence: Text, 
+message: Message, 
 /**
  * Vertices at fault.
  */
@@ -490,11 +536,6 @@ edges: Uint32Array,
 remedies: Array<Remedy>, };
 
 /**
- * What is the matter.
- */
-export type DiagnosisKind = "RejectedSteps" | "RefusedSteps" | "CocircularKink" | "RisingEnergy" | "Pinch" | "Inflating" | "Growing" | "Shrinking" | "DegenerateFaces" | "FoldedFaces" | "BelowSmoothMinimum" | "TooRough" | "Unfit" | "StepLimit";
-
-/**
  * Circles or crosses drawn of those there are.
  */
 export type Drawn = { 
@@ -510,6 +551,19 @@ total: number,
  * Left out: circles larger than the surface, umbilics.
  */
 leftOut: number, };
+
+/**
+ * Which energies. Unknown names are refused.
+ */
+export type EnergyOptions = { 
+/**
+ * Exponents beside the usual ones.
+ */
+p: Array<number>, 
+/**
+ * What holds at the boundary.
+ */
+boundary: Boundary, };
 
 /**
  * All energies and integrals of a surface.
@@ -569,7 +623,7 @@ isLong: boolean, };
 /**
  * A refusal or failure: what is wrong and where, and what to do about it.
  *
- * Code switches on `kind`, never on the text.
+ * Code switches on `kind`, never on the message.
  */
 export type Fault = { 
 /**
@@ -579,11 +633,11 @@ kind: string,
 /**
  * What is wrong and where.
  */
-message: string, 
+message: Message, 
 /**
  * What the user can do.
  */
-hint: string, 
+hint: Message, 
 /**
  * The elements at fault: lists of indices by name.
  */
@@ -597,10 +651,6 @@ export type Field = {
  * Which field.
  */
 name: FieldName, 
-/**
- * For people.
- */
-label: string, 
 /**
  * One value a vertex.
  */
@@ -662,9 +712,9 @@ facesAdded: number,
  */
 firstVertex: number, 
 /**
- * What is worth knowing, a sentence each.
+ * What is worth knowing.
  */
-warnings: Array<string>, };
+warnings: Array<Message>, };
 
 /**
  * How connectivity is optimised. Unknown names are refused.
@@ -893,7 +943,7 @@ state: State,
 /**
  * The steps that no frame has told of yet, oldest first.
  */
-reports: Array<Sample>, 
+reports: Array<PlotPoint>, 
 /**
  * Three coordinates a vertex, relative to the mesh's frame, for drawing.
  */
@@ -1005,7 +1055,7 @@ selfIntersections: number | null,
 /**
  * What was repaired or is worth knowing.
  */
-warnings: Array<string>, };
+warnings: Array<Message>, };
 
 /**
  * How time is discretised.
@@ -1256,6 +1306,11 @@ info: Info,
  */
 positions: Float32Array, 
 /**
+ * What is added to positions for the file's coordinates; zero unless those lie far from the
+ * origin.
+ */
+shift: [number, number, number], 
+/**
  * Three corners a triangle.
  */
 triangles: Uint32Array, 
@@ -1334,7 +1389,7 @@ vertices: Array<number>, };
 /**
  * Which loops are filled: a word, or their numbers, counted from 0.
  */
-export type Loops = Array<number> | string;
+export type Loops = Array<number> | string | null;
 
 /**
  * How a surface is refined.
@@ -1345,6 +1400,19 @@ export type Manner = "sampled" | "polyhedron" | "loop";
  * The metric the gradient is taken in.
  */
 export type MassChoice = "auto" | "uniform" | "area";
+
+/**
+ * A mesh that was read.
+ */
+export type MeshFile = { 
+/**
+ * Of the file.
+ */
+name: string, 
+/**
+ * All of it.
+ */
+bytes: Uint8Array, };
 
 /**
  * How good a mesh is.
@@ -1371,6 +1439,19 @@ area: number,
  * Signed volume, of a closed oriented surface.
  */
 volume: number | null, };
+
+/**
+ * Something to be said. In JSON `{ id, values }`.
+ */
+export type Message = { 
+/**
+ * Of the words, which may use each of the values.
+ */
+id: string, 
+/**
+ * By name.
+ */
+values: Record<string, unknown>, };
 
 /**
  * Where the normals are taken that a pass holds.
@@ -1429,34 +1510,41 @@ shape: string,
 parameters: { [key in string]: number }, };
 
 /**
- * What came of a surface: the flow's own readings, and the fingerprint of the positions.
+ * How a run ended, or how far it has come.
  */
 export type Outcome = { 
 /**
- * The flow's own energy.
+ * Whether it is over, and of which kind its end is.
  */
-energy: number, 
+status: Status, 
 /**
- * Total area.
+ * Whether the surface could not be kept good any longer: what is left is the last good one.
  */
-area: number, 
+isBreakdown: boolean, 
 /**
- * Signed volume, of a closed oriented surface.
+ * How it ended, and why.
  */
-volume: number | null, 
+message: Message, 
 /**
- * Smallest corner angle.
+ * The reason alone.
  */
-minAngleDegrees: number, 
+reason: Message | null, 
 /**
- * Flow time.
+ * The failure of its last step.
  */
-time: number, 
+fault: Fault | null, 
 /**
- * SHA-256 of the positions relative to the mesh's frame, as single-precision numbers with
- * the low byte first.
+ * Which functional its steps must not raise.
  */
-positions?: string, };
+monitored: Monitored, 
+/**
+ * The jump of H across the boundary of what moves.
+ */
+curvatureJump: CurvatureJump | null, 
+/**
+ * What its steps warned of, the last of each kind, and whether it came to rest.
+ */
+warnings: Array<Message>, };
 
 /**
  * What the page knows of its scene and the session does not.
@@ -1544,6 +1632,47 @@ change: Partial<FlowOptions>,
  * The step it stands at; none where that is the step of the first.
  */
 step: number | null, };
+
+/**
+ * What a plot has of a step, and what the step warns of.
+ */
+export type PlotPoint = { 
+/**
+ * Number of the step.
+ */
+step: number, 
+/**
+ * Flow time after it.
+ */
+time: number, 
+/**
+ * Raw step size.
+ */
+dt: number, 
+/**
+ * See [`StepReport::energy`].
+ */
+energy: number, 
+/**
+ * See [`StepReport::objective`].
+ */
+objective: number, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * Signed volume of a closed oriented surface.
+ */
+volume: number | null, 
+/**
+ * Smallest corner angle.
+ */
+minAngleDegrees: number, 
+/**
+ * Worth telling the user; none where the step was told of before.
+ */
+warnings: Array<Message>, };
 
 /**
  * What is known of a vertex. Angles are in radians; H, K and the areas have the units of the
@@ -1786,7 +1915,7 @@ id: RemedyId,
 /**
  * What the button says.
  */
-label: Text, 
+label: Message, 
 /**
  * Options that change.
  */
@@ -1846,15 +1975,45 @@ steps: number,
 /**
  * As promised.
  */
-expected: Outcome, 
+expected: ReplayResult, 
 /**
  * As it came.
  */
-got: Outcome, 
+got: ReplayResult, 
 /**
  * Names of the readings that disagree.
  */
 differing: Array<string>, };
+
+/**
+ * What came of a surface: the flow's own readings, and the fingerprint of the positions.
+ */
+export type ReplayResult = { 
+/**
+ * The flow's own energy.
+ */
+energy: number, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * Signed volume, of a closed oriented surface.
+ */
+volume: number | null, 
+/**
+ * Smallest corner angle.
+ */
+minAngleDegrees: number, 
+/**
+ * Flow time.
+ */
+time: number, 
+/**
+ * SHA-256 of the positions relative to the mesh's frame, as single-precision numbers with
+ * the low byte first.
+ */
+positions?: string, };
 
 /**
  * The surface at one resolution.
@@ -1900,35 +2059,6 @@ gauss: number,
  * Vertices that no quadratic surface fits; left out of what is fitted.
  */
 unfit: number, };
-
-/**
- * What a plot has of a step, and what the step warns of.
- */
-export type Sample = { 
-/**
- * Number of the step.
- */
-step: number, 
-/**
- * Flow time after it.
- */
-time: number, 
-/**
- * Raw step size.
- */
-dt: number, 
-/**
- * See [`StepReport::energy`].
- */
-energy: number, 
-/**
- * See [`StepReport::objective`].
- */
-objective: number, 
-/**
- * Worth telling the user; none where the step was told of before.
- */
-warnings: Array<string>, };
 
 /**
  * Of the energy's axis.
@@ -1978,7 +2108,7 @@ status: Status,
 /**
  * Why.
  */
-message: string, 
+message: Message | null, 
 /**
  * The jump of H across the boundary of what moves.
  */
@@ -2001,9 +2131,9 @@ time: number,
  */
 status: Status, 
 /**
- * The reason, a sentence.
+ * The reason.
  */
-message: string, 
+message: Message | null, 
 /**
  * The flow's own energy, as in [`StepReport::energy`].
  */
@@ -2212,7 +2342,7 @@ regulariseMilliseconds: number,
 /**
  * Worth telling the user.
  */
-warnings: Array<string>, };
+warnings: Array<Message>, };
 
 /**
  * What is studied.
@@ -2275,22 +2405,14 @@ scheme: SubdivisionScheme, };
 export type SubdivisionScheme = "linear" | "loop";
 
 /**
+ * Which table.
+ */
+export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "robustness" | "figures";
+
+/**
  * Where the values of a quantity lead.
  */
 export type Tendency = "exact" | "converges" | "elsewhere" | "diverges" | "unknown";
-
-/**
- * A sentence in English with `{name}` where a value stands, and the values.
- */
-export type Text = { 
-/**
- * The sentence.
- */
-template: string, 
-/**
- * What stands in it.
- */
-values: { [key in string]: string }, };
 
 /**
  * The steps that can be shown.

@@ -1,13 +1,12 @@
 // @ts-check
 // The selects Sample, Flow, Boundary and Colour by.
 
-/** @import { FieldName } from "../protocol.js" */
+/** @import { FieldName } from "../state.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
 import { samples } from "../generated/library.js";
-import { translated } from "../language.js";
 import { sampleName } from "../library.js";
 import { choices, choicesOf, isRead, toFlow, usualBoundary } from "../options.js";
 import { say } from "../words.js";

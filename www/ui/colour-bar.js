@@ -1,6 +1,7 @@
 // @ts-check
 // The scale of the colours on the surface.
 
+/** @import { Field } from "../state.js" */
 /** @import { PageState } from "../state.js" */
 
 import { t, translated } from "../language.js";
@@ -8,6 +9,10 @@ import { choices } from "../options.js";
 import { hasContrast } from "../state.js";
 import { byId, setText } from "./element.js";
 import { formatShort } from "./number.js";
+
+/** What a surface is coloured by. @param {Pick<Field, "name" | "label">} field */
+export const colourLabel = ({ name, label }) =>
+  label ?? translated(choices.colour.find(({ id }) => id === name)?.label ?? name);
 
 /**
  * @param {(signed: boolean, count: number) => Uint8Array | null} colours  rgb, as the surface is painted
@@ -44,8 +49,7 @@ export function createColourBar(colours, pictured) {
     if (kind !== painted) painted = field && paint(field.signed) ? kind : "";
     bar.hidden = !field || painted === "";
     if (!field) return;
-    const { label: english } = choices.colour.find(({ id }) => id === field.name) ?? field;
-    const name = translated(english);
+    const name = colourLabel(field);
     const from = formatShort(field.low);
     const to = formatShort(field.high);
     setText(low, from);

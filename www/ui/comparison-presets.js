@@ -1,7 +1,7 @@
 // @ts-check
 // Comparisons worth teaching: what the first pane does, and what the others do otherwise.
 
-/** @import { Loaded } from "../protocol.js" */
+/** @import { Loaded } from "../generated/types.js" */
 /** @import { Options } from "../options.js" */
 
 import { t } from "../language.js";

@@ -9,6 +9,7 @@ import { letter, optionsOf } from "../comparison.js";
 import { t, translated } from "../language.js";
 import { asText, choiceLabel, flowLabel, usualBoundary } from "../options.js";
 import { isOver, standings } from "../standing.js";
+import { say } from "../words.js";
 import { formatNumber } from "./number.js";
 
 /** @param {keyof Options} key @param {Options} options @returns {string} */
@@ -90,8 +91,8 @@ function standing({ reading, phase, reason }) {
   if (phase === "loading") return t("loading…");
   if (phase === "lost") return reason;
   if (!reading || !isOver(reading.status)) return "";
-  return reading.status === "failed"
-    ? t("failed: {reason}", { reason: reading.message })
+  return reading.status === "failed" && reading.message
+    ? t("failed: {reason}", { reason: say(reading.message) })
     : translated(standings[reading.status]);
 }
 

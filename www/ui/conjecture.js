@@ -2,7 +2,7 @@
 // The conjecture on the mesh at hand: a dot an edge, the count of each quadrant, and the
 // counterexamples, on the surface and by their numbers.
 
-/** @import { Conjecture } from "../protocol.js" */
+/** @import { ConjectureReport as Conjecture } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 

@@ -13,7 +13,7 @@ import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { chosen, show } from "./option-form.js";
 
-/** @param {import("../protocol.js").CurvatureJump | null | undefined} jump */
+/** @param {import("../generated/types.js").CurvatureJump | null | undefined} jump */
 export const jumpText = (jump) => (jump ? formatNumber(jump.relative, 3) : "–");
 
 /** @param {Controller} controller */

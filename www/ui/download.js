@@ -40,16 +40,19 @@ export function createDownload(controller, state, snapshot) {
   const button = byId("download", HTMLButtonElement);
   fillSelect(format, choices.format);
 
-  /** @param {string} kind @returns {Promise<Blob>} */
+  /** @param {string} kind @returns {Promise<{ format: string, blob: Blob }>} */
   async function contents(kind) {
-    if (kind === "recipe")
-      return new Blob([await controller.recipe()], { type: "application/json" });
+    if (kind === "recipe") {
+      const blob = new Blob([await controller.recipe()], { type: "application/json" });
+      return { format: kind, blob };
+    }
     if (kind !== "png") {
-      const type = kind === "csv" ? "text/csv" : "application/octet-stream";
-      return new Blob([await controller.export(kind)], { type });
+      const { format, bytes } = await controller.export(kind);
+      const type = format === "csv" ? "text/csv" : "application/octet-stream";
+      return { format, blob: new Blob([bytes], { type }) };
     }
     const picture = await snapshot();
-    if (picture) return picture;
+    if (picture) return { format: kind, blob: picture };
     throw {
       kind: "NoPicture",
       message: t("There is no picture to save."),
@@ -61,8 +64,9 @@ export function createDownload(controller, state, snapshot) {
     if (!state().mesh) return;
     try {
       // Named after the step it shows: a run may go on while it is written.
-      const name = fileName(state(), format.value);
-      save(await contents(format.value), name);
+      const shown = state();
+      const { format: kind, blob } = await contents(format.value);
+      save(blob, fileName(shown, kind));
     } catch (error) {
       controller.report(error);
     }

@@ -1,7 +1,7 @@
 // @ts-check
 // A picture beside that of the surface, under the same camera.
 
-/** @import { Field } from "../protocol.js" */
+/** @import { Field } from "../state.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 /** @import { Drawable } from "../viewer.js" */

@@ -2,7 +2,7 @@
 // Area and Willmore energy against the number of flips, a curve a criterion, as in figures 7
 // and 8 of Brink & Alboul. Fetched when it is needed, with the plotting library.
 
-/** @import { Curves } from "../protocol.js" */
+/** @import { Curves } from "../generated/types.js" */
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";

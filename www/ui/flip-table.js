@@ -1,7 +1,7 @@
 // @ts-check
 // The numbers of both plots of edge flips: at most a hundred rows, the first and last among them.
 
-/** @import { Curves } from "../protocol.js" */
+/** @import { Curves } from "../generated/types.js" */
 
 import { t } from "../language.js";
 import { choiceLabel } from "../options.js";

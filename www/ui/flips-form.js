@@ -2,7 +2,7 @@
 // What is special to edge flips: criterion, length of a step, what stands beside it, and
 // what becomes of the mesh; with a table of where each criterion stands.
 
-/** @import { FlipReading } from "../protocol.js" */
+/** @import { FlipReading } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */

@@ -2,7 +2,7 @@
 // Every figure of the papers, a click away: a dialog of cards, and in the panel what the
 // paper reports, what is expected, and what was just measured here.
 
-/** @import { Figure } from "../protocol.js" */
+/** @import { Figure } from "../library.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 

@@ -1,10 +1,11 @@
 // @ts-check
 // How the values that colour the surface are spread over its vertices.
 
-/** @import { Field } from "../protocol.js" */
+/** @import { Field } from "../state.js" */
 /** @import { PageState } from "../state.js" */
 
-import { t, translated } from "../language.js";
+import { t } from "../language.js";
+import { colourLabel } from "./colour-bar.js";
 import { byId, setText } from "./element.js";
 import { formatNumber, formatShort } from "./number.js";
 
@@ -114,15 +115,12 @@ export function createHistogram(colours) {
       setText(note, t("Choose what to colour by, and its values are counted here."));
       return;
     }
-    setText(
-      note,
-      t("{label}: dashed are the ends of the colours.", { label: translated(field.label) }),
-    );
+    setText(note, t("{label}: dashed are the ends of the colours.", { label: colourLabel(field) }));
     const bars = histogram(field);
     paint(field, bars);
     const { least, most, mean, count, from, to, counts } = bars;
     canvas.ariaLabel = t("Histogram of {label}: {count} vertices from {least} to {most}", {
-      label: translated(field.label),
+      label: colourLabel(field),
       count,
       least: formatShort(least),
       most: formatShort(most),

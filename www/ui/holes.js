@@ -1,7 +1,7 @@
 // @ts-check
 // Boundary loops: chosen from a list or on the surface, filled or connected.
 
-/** @import { BoundaryLoop } from "../protocol.js" */
+/** @import { LoopInfo as BoundaryLoop } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
@@ -141,7 +141,7 @@ export function createHoles(controller, nearestEdge) {
     showChosen();
   });
 
-  /** @param {import("../protocol.js").FillOptions} wanted */
+  /** @param {Partial<import("../generated/types.js").FillOptions>} wanted */
   function fill(wanted) {
     if (!most.reportValidity()) return;
     controller.fill({ ...wanted, maxVertices: most.valueAsNumber });

@@ -2,7 +2,7 @@
 // Random quadrilaterals by the angle between their faces, and how many of them speak against
 // the conjecture: counts that grow as long as one looks.
 
-/** @import { Lab } from "../protocol.js" */
+/** @import { LabReport as Lab } from "../generated/types.js" */
 /** @import { Controller } from "../controller.js" */
 
 import { currentLanguage, t } from "../language.js";

@@ -1,7 +1,7 @@
 // @ts-check
 // Looking closer: a vertex with its circles and its numbers, circumcircles, lines of curvature.
 
-/** @import { Drawn, Look, Probe } from "../protocol.js" */
+/** @import { Drawn, Look, Probe } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 

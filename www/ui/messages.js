@@ -1,7 +1,7 @@
 // @ts-check
 // Warnings and errors, each shown once. Errors stay until they are dismissed.
 
-import { t, translated } from "../language.js";
+import { t } from "../language.js";
 import { byId } from "./element.js";
 
 /** Milliseconds a warning stays. */
@@ -11,7 +11,7 @@ export function createMessages() {
   const errors = byId("errors", HTMLElement);
   const notes = byId("notes", HTMLElement);
   const template = byId("message-template", HTMLTemplateElement);
-  /** Warnings that were shown, numbers left out: a run repeats them with others. @type {Set<string>} */
+  /** Keys of what was noted. @type {Set<string>} */
   const told = new Set();
 
   /** @param {HTMLElement} list @param {string} what @param {string} hint */
@@ -19,8 +19,8 @@ export function createMessages() {
     const copy = /** @type {DocumentFragment} */ (template.content.cloneNode(true));
     const message = /** @type {HTMLElement} */ (copy.querySelector(".message"));
     const lines = message.querySelectorAll("p");
-    lines[0].textContent = translated(what);
-    lines[1].textContent = translated(hint);
+    lines[0].textContent = what;
+    lines[1].textContent = hint;
     lines[1].hidden = hint === "";
     message.querySelector("button")?.addEventListener("click", () => message.remove());
     list.append(message);
@@ -85,7 +85,7 @@ export function createMessages() {
     error(fault) {
       const { message, hint } = fault;
       const shown = [...errors.querySelectorAll(".what")].some(
-        (what) => what.textContent === translated(message),
+        (what) => what.textContent === message,
       );
       if (shown) return;
       const said = add(errors, message, hint);
@@ -100,9 +100,8 @@ export function createMessages() {
       }
       if (row.childElementCount > 0) said.append(row);
     },
-    /** @param {string} text */
-    note(text) {
-      const key = text.replace(/[\d.]+/g, "#");
+    /** @param {string} text @param {string} [key] */
+    note(text, key = text) {
       if (told.has(key)) return;
       told.add(key);
       stay(text);

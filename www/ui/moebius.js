@@ -2,11 +2,11 @@
 // Möbius inversion: its centre is dragged over the picture or typed in, the surface inverted is
 // seen at once, and kept or let go.
 
-/** @import { InversionReport } from "../protocol.js" */
+/** @import { InversionReport } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
-import { t, translated } from "../language.js";
+import { t } from "../language.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 
@@ -166,10 +166,7 @@ export function createMoebius(controller, canvas, pictured) {
   /** @param {any} error */
   function refuse(error) {
     isRefused = true;
-    setText(
-      refusal,
-      `${translated(String(error?.message ?? error))}. ${translated(error?.hint ?? "")}`,
-    );
+    setText(refusal, `${error?.message ?? error}. ${error?.hint ?? ""}`);
     refusal.hidden = false;
     keep.ariaDisabled = "true";
   }

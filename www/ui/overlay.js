@@ -1,7 +1,7 @@
 // @ts-check
 // Colours of what is drawn over the surface.
 
-/** @import { Look } from "../protocol.js" */
+/** @import { Look } from "../generated/types.js" */
 
 /**
  * By the kinds of `Look`: spoke, circle at the vertex, any circle, larger and smaller principal

@@ -2,7 +2,7 @@
 // Pictures beside the surface: edge flips from the same start by other criteria, or the
 // start itself; flows that are compared. One camera for all.
 
-/** @import { Pane } from "../protocol.js" */
+/** @import { Pane } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 /** @import { Shown } from "./extra-pane.js" */
@@ -68,7 +68,7 @@ function picturesOf(state) {
 
 /**
  * @param {Controller} controller
- * @param {Pick<ReturnType<typeof import("./picture.js").createPicture>, "paint" | "snapshot">} picture
+ * @param {Pick<ReturnType<typeof import("./picture.js").createPicture>, "isMoved" | "paint" | "snapshot">} picture
  * @param {1 | 4} samples  of the pictures' smoothing
  */
 export function createPanes(controller, picture, samples) {
@@ -89,7 +89,8 @@ export function createPanes(controller, picture, samples) {
       figure.classList.toggle("in-place", n === shown);
     });
     // What is not seen cannot keep the focus.
-    if (held) figures[shown === "side" ? 0 : shown]?.querySelector("canvas")?.focus();
+    const next = figures[shown === "side" ? 0 : shown]?.querySelector("[role=img]");
+    if (held) /** @type {HTMLElement | null | undefined} */ (next)?.focus();
   }
 
   const montage = createMontage(root, () =>
@@ -99,8 +100,8 @@ export function createPanes(controller, picture, samples) {
   );
 
   return {
-    /** For all that is on the stage, where that is more than the surface. */
-    sheet: () => (extra.length > 0 ? montage.canvas() : null),
+    /** For all that is on the stage, where that is more than the surface's own canvas. */
+    sheet: () => (extra.length > 0 || picture.isMoved() ? montage.canvas() : null),
     compose: montage.paint,
     /** @returns {Promise<Blob | null>} */
     snapshot: () => (extra.length > 0 ? montage.snapshot() : picture.snapshot()),

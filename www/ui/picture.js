@@ -2,11 +2,12 @@
 // The canvas: hands the viewer what changed, and says in words what it shows. Where
 // there is neither WebGPU nor WebGL2 it says so in place of the picture.
 
-/** @import { Fault, Pane } from "../protocol.js" */
+/** @import { Pane } from "../generated/types.js" */
+/** @import { Fault } from "../words.js" */
 /** @import { PageState, View } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
-import { t, translated } from "../language.js";
+import { t } from "../language.js";
 import { sampleName } from "../library.js";
 import { hasContrast, isDark } from "../state.js";
 import { byId, setText } from "./element.js";
@@ -77,7 +78,7 @@ export function createPicture(controller, state, samples) {
   let frame = null;
   /** @type {PageState["preview"]} */
   let preview = null;
-  /** @type {import("../protocol.js").Look | null} */
+  /** @type {import("../generated/types.js").Look | null} */
   let look = null;
   let dark = false;
   /** @type {Uint8Array | null} */
@@ -100,14 +101,21 @@ export function createPicture(controller, state, samples) {
     viewer = null;
     canvas.hidden = true;
     absence.hidden = false;
-    setText(byId("absence-reason", HTMLElement), translated(fault.message));
-    setText(byId("absence-hint", HTMLElement), translated(fault.hint));
+    setText(byId("absence-reason", HTMLElement), fault.message);
+    setText(byId("absence-hint", HTMLElement), fault.hint);
   }
 
   /** @param {Float32Array} now */
   function onCamera(now) {
     camera = now;
     controller.look(now);
+  }
+
+  /** @param {import("../renderer.js").Renderer} renderer */
+  function onRenderer({ name, reason }) {
+    for (const id of ["renderer", "help-renderer"]) {
+      setText(byId(id, HTMLElement), t("Drawn with {name}: {reason}.", { name, reason }));
+    }
   }
 
   /** @param {Readonly<PageState>} s */
@@ -195,17 +203,10 @@ export function createPicture(controller, state, samples) {
       try {
         const { createViewer, icosahedron } = await import("../viewer.js");
         const [opened, shape] = await Promise.all([
-          createViewer(canvas, { samples, onFault: showAbsence, onCamera }),
+          createViewer(canvas, { samples, onFault: showAbsence, onCamera, onRenderer }),
           level === null ? null : icosahedron(level),
         ]);
         viewer = opened;
-        const { name, reason } = viewer.renderer;
-        for (const id of ["renderer", "help-renderer"]) {
-          setText(
-            byId(id, HTMLElement),
-            t("Drawn with {name}: {reason}.", { name, reason: translated(reason) }),
-          );
-        }
         if (shape) viewer.setMesh(shape);
         draw(state());
         await viewer.drawn();
@@ -247,6 +248,8 @@ export function createPicture(controller, state, samples) {
     nearestEdge: (event, ends) => viewer?.nearestEdge(event, ends) ?? null,
     /** @returns {Promise<Blob | null>} */
     snapshot: async () => viewer?.snapshot() ?? null,
+    /** Whether it is drawn on another canvas than at first. */
+    isMoved: () => viewer?.isMoved ?? false,
     /** @type {import("./montage.js").Tile["paint"]} */
     paint: (...place) => viewer?.paint(...place),
     /** @param {boolean} signed @param {number} count @returns {Uint8Array | null} rgb */

@@ -1,7 +1,7 @@
 // @ts-check
 // One quadrilateral: drawn flat, and its numbers.
 
-/** @import { Quadrilateral } from "../protocol.js" */
+/** @import { QuadReport as Quadrilateral } from "../generated/types.js" */
 
 import { t } from "../language.js";
 import { formatNumber } from "./number.js";

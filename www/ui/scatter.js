@@ -2,7 +2,7 @@
 // f_a against f_l, a dot an edge. Both axes are stretched by the cube root: near zero, where
 // signs are decided, most edges lie.
 
-/** @import { Conjecture } from "../protocol.js" */
+/** @import { ConjectureReport as Conjecture } from "../generated/types.js" */
 
 /** How near to a dot a click counts, in CSS pixels. */
 const REACH = 14;

@@ -2,7 +2,7 @@
 // The history under the buttons: a slider over the stored steps, played forwards and
 // backwards, and the branches.
 
-/** @import { Timeline } from "../protocol.js" */
+/** @import { Timeline } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 

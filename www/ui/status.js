@@ -48,10 +48,8 @@ export function statusText({ phase, loadingName, mesh, reading, pausing, version
 export function reasonText(state) {
   if (state.phase !== "paused" || !state.reading) return "";
   const { status, message } = state.reading;
-  const [text, said] = [translated(message), statusText(state)];
-  if (status === "stepLimit") return t("{reason}. Play goes on.", { reason: text });
-  // The solver counts in the plural only.
-  return text.startsWith(said) ? text.slice(said.length).replace(/^\p{L}*[:.,\s]+/u, "") : text;
+  if (!message) return "";
+  return status === "stepLimit" ? say("play-goes-on", { reason: message }) : say(message);
 }
 
 /** @param {Readonly<PageState>} state how much of the way is done, or null where nothing is to be waited for */
@@ -66,6 +64,15 @@ function progressOf({ progress, goal, reading, phase }) {
     ...progress,
     stage: t("Pane {pane}: {stage}", { pane: progress.pane, stage: stage ?? "" }),
   };
+}
+
+/**
+ * What is the matter with the solver, where starting another one helps.
+ * @param {Readonly<PageState>} state
+ */
+function troubleOf({ isSilent, phase, mesh }) {
+  if (isSilent) return say("solver-silent");
+  return phase === "failed" && mesh ? say("solver-gone") : null;
 }
 
 /** @type {Readonly<Record<string, string>>} */
@@ -93,6 +100,7 @@ export function createStatus() {
   const box = byId("progress", HTMLElement);
   const bar = byId("progress-bar", HTMLProgressElement);
   const stage = byId("progress-stage", HTMLElement);
+  const halt = byId("halt", HTMLButtonElement);
 
   return {
     /** @param {Readonly<PageState>} state */
@@ -105,9 +113,12 @@ export function createStatus() {
       setText(reason, why);
       reason.hidden = why === "";
 
-      const waiting = progressOf(state);
-      box.hidden = !waiting && !state.pausing;
-      setText(stage, waiting?.stage ?? "");
+      const trouble = troubleOf(state);
+      const waiting = trouble ? null : progressOf(state);
+      box.hidden = !waiting && !state.pausing && !trouble;
+      bar.hidden = trouble !== null;
+      setText(stage, trouble ?? waiting?.stage ?? "");
+      setText(halt, trouble ? say("restart-solver") : t("Stop now"));
       if (waiting) bar.value = waiting.fraction;
       else bar.removeAttribute("value");
     },

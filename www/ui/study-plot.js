@@ -1,7 +1,7 @@
 // @ts-check
 // Errors against edge length, both logarithmic: a line of slope k is of order k.
 
-/** @import { Study, Trend } from "../protocol.js" */
+/** @import { StudyReport as Study, Trend } from "../generated/types.js" */
 
 import { formatShort } from "./number.js";
 

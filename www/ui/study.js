@@ -2,14 +2,15 @@
 // A refinement study: a table of energies at several resolutions, with orders and a verdict.
 // It has a solver of its own, so that the flow on screen goes on.
 
-/** @import { Study, StudyOptions, Trend } from "../protocol.js" */
+/** @import { StudyReport as Study, StudyOptions, Trend } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 /** @import { Solver } from "../solver.js" */
 
+import { LOST } from "../channel.js";
 import { samples } from "../generated/library.js";
-import { t, translated } from "../language.js";
-import { createSolver, LOST } from "../solver.js";
+import { t } from "../language.js";
+import { createSolver } from "../solver.js";
 import { byId, fillSelect, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { drawOrders } from "./study-plot.js";
@@ -209,6 +210,8 @@ export function createStudy(controller) {
       onFrame: () => {},
       onStopped: () => {},
       onProgress: () => {},
+      // It can be cancelled at any time.
+      onSilent: () => {},
       onCrashed: (reason) => {
         setText(status, t("The study stopped unexpectedly ({reason}).", { reason }));
         end();
@@ -223,15 +226,15 @@ export function createStudy(controller) {
     const p = options.flow === "p-willmore" ? options.p : 2;
     const sample = subject.value === "shape" ? sampleOf(state) : undefined;
     try {
-      /** @type {StudyOptions} */
+      /** @type {Partial<StudyOptions>} */
       let asked = { p };
       if (sample) asked = { shape: sample.shape, parameters: sample.parameters, p };
       else {
         const { name, bytes } = await controller.presentSurface();
         if (solver !== own) return;
-        await own.load(name, bytes);
+        await own.load(name, new Uint8Array(bytes));
       }
-      /** @type {StudyOptions | null} */
+      /** @type {Partial<StudyOptions> | null} */
       let next = asked;
       for (let level = 1; ; level += 1) {
         setText(status, t("Measuring resolution {level}…", { level }));
@@ -244,9 +247,9 @@ export function createStudy(controller) {
       setText(status, t("Done."));
       end();
     } catch (error) {
-      const { kind, message } = /** @type {import("../protocol.js").Fault} */ (error);
+      const { kind, message } = /** @type {import("../words.js").Fault} */ (error);
       if (solver !== own || kind === LOST) return;
-      setText(status, translated(message));
+      setText(status, message);
       end();
     }
   }

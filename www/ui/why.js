@@ -2,19 +2,20 @@
 // Why did this happen? A sentence under the status line once the flow rests, the place on
 // the surface, and what helps as buttons. Refusals get the last two beside their message.
 
-/** @import { Diagnosis, Fault, Remedy } from "../protocol.js" */
+/** @import { Diagnosis, Fault, Remedy } from "../generated/types.js" */
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 
 import { facing, vectorArea } from "../facing.js";
-import { t, translated } from "../language.js";
+import { t } from "../language.js";
+import { say } from "../words.js";
 import { byId, setText } from "./element.js";
 
 /** Milliseconds of rest before it is asked why: steps taken one by one are not held up. */
 const REST = 150;
 
 /** What is said only when asked: nothing is wrong there. */
-const calm = ["RejectedSteps", "StepLimit"];
+const calm = ["RejectedSteps", "StepLimit", "NotAtRest"];
 
 /**
  * @param {Controller} controller
@@ -95,13 +96,11 @@ export function createWhy(controller, messages, { camera, study }) {
     unmark();
     box.hidden = found === null;
     if (!found) return;
-    setText(sentence, translated(found.sentence.template, found.sentence.values));
+    setText(sentence, say(found.message));
     const elements = found.vertices.length + found.faces.length + found.edges.length;
     show.hidden = elements === 0;
     remedies.replaceChildren(
-      ...found.remedies.map((remedy) =>
-        button(translated(remedy.label.template, remedy.label.values), () => carryOut(remedy)),
-      ),
+      ...found.remedies.map((remedy) => button(say(remedy.label), () => carryOut(remedy))),
     );
     disclose(!calm.includes(found.kind));
   }

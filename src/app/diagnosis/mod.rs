@@ -1,4 +1,4 @@
-//! Why did this happen? One sentence, the elements at fault, and what helps.
+//! Why did this happen? One message, the elements at fault, and what helps.
 //!
 //! Told of the state as it is, the last reports and the geometry, when asked. Where nothing
 //! is wrong there is nothing to tell; a run that has converged needs no reason, unless its
@@ -9,61 +9,169 @@ mod elements;
 mod remedy;
 mod stop;
 mod surface;
-mod text;
 
-pub use remedy::{Change, Remedy, RemedyId};
-pub use text::Text;
+pub use remedy::{Change, Label, Remedy, RemedyId};
 
 use super::Session;
 use super::fault::Fault;
 use super::work::Work;
 use crate::arrays::TypedArray;
 use crate::flow::Status;
+use crate::message::{Message, Say, messages};
 use serde::Serialize;
 
-/// What is the matter.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub enum DiagnosisKind {
-    /// Trial steps were refused and a shorter one taken: nothing is wrong.
-    RejectedSteps,
-    /// Every trial step was refused.
-    RefusedSteps,
-    /// No step descends, as circle angles are exactly 0: four points on a circle, where the
-    /// energy has the tip of a cone.
-    CocircularKink,
-    /// Steps too long for a scheme that does not test for descent.
-    RisingEnergy,
-    /// A neck thinner than the mesh can show.
-    Pinch,
-    /// A free surface swells under an energy that does not depend on size.
-    Inflating,
-    /// The energy falls as the whole surface grows, for p > 2.
-    Growing,
-    /// The same as it shrinks, for p < 2.
-    Shrinking,
-    /// An angle near 0.
-    DegenerateFaces,
-    /// Faces that lie against their neighbours.
-    FoldedFaces,
-    /// Less energy than any smooth surface of that topology has.
-    BelowSmoothMinimum,
-    /// Exponent or flow of high order on a rough surface.
-    TooRough,
-    /// No quadratic surface fits about a vertex.
-    Unfit,
-    /// The budget of steps is used up.
-    StepLimit,
+messages! {
+    /// What is the matter.
+    #[derive(Clone, Debug, PartialEq)]
+    pub enum Symptom as "symptom" {
+        /// Trial steps were refused and a shorter one taken: nothing is wrong.
+        RejectedSteps {
+            /// In this step.
+            step: usize,
+            /// So many.
+            count: usize,
+            /// The step size taken, without a unit.
+            tau: f64,
+            /// The vertex that the last of them would have moved most.
+            vertex: u32,
+        },
+        /// Every trial step was refused.
+        RefusedSteps {
+            /// Kind of the last one's [`Cause`](crate::flow::Cause).
+            cause: &'static str,
+            /// The vertex that it would have moved most.
+            vertex: u32,
+            /// The face that it would have turned most.
+            face: Option<u32>,
+        },
+        /// No step descends, as circle angles are exactly 0: four points on a circle, where the
+        /// energy has the tip of a cone.
+        CocircularKink {
+            /// Such edges.
+            count: usize,
+            /// The angle smoothing.
+            epsilon: f64,
+        },
+        /// Steps too long for a scheme that does not test for descent.
+        RisingEnergy {
+            /// The least energy of the last steps.
+            least: f64,
+            /// The energy now.
+            energy: f64,
+            /// The step size, without a unit.
+            tau: f64,
+            /// The vertex that the last step moved most.
+            vertex: u32,
+            /// By so many edge lengths.
+            moved: f64,
+            /// Times that the step was halved for a definite matrix.
+            halved: usize,
+        },
+        /// A neck thinner than the mesh can show.
+        Pinch {
+            /// Where.
+            vertex: u32,
+            /// Radius of the neck.
+            width: f64,
+            /// Edges that have room around it.
+            edges: f64,
+        },
+        /// A free surface swells under an energy that does not depend on size.
+        Inflating {
+            /// To so many times its area.
+            times: f64,
+            /// The face with the smallest angle.
+            face: u32,
+            /// That angle, in degrees.
+            angle: f64,
+        },
+        /// The energy falls as the whole surface grows, for p > 2.
+        Growing {
+            /// The exponent.
+            p: f64,
+            /// To so many times its area.
+            times: f64,
+        },
+        /// The same as it shrinks, for p < 2.
+        Shrinking {
+            /// The exponent.
+            p: f64,
+            /// To its area over this.
+            times: f64,
+        },
+        /// An angle near 0.
+        DegenerateFaces {
+            /// The face.
+            face: u32,
+            /// The angle, in degrees.
+            angle: f64,
+            /// The smallest angle at the start.
+            before: f64,
+        },
+        /// Faces that lie against their neighbours.
+        FoldedFaces {
+            /// How many.
+            count: usize,
+            /// The first.
+            face: u32,
+        },
+        /// Less energy than any smooth surface of that topology has.
+        BelowSmoothMinimum {
+            /// The energy.
+            energy: f64,
+            /// What smooth surfaces have at least.
+            smooth: f64,
+            /// The vertex of the sharpest bend.
+            vertex: u32,
+        },
+        /// A large exponent on a rough surface.
+        LargeExponent {
+            /// The exponent.
+            p: f64,
+            /// The sharpest point.
+            vertex: u32,
+        },
+        /// A flow of high order on a rough surface.
+        TooRough {
+            /// After so many steps.
+            steps: usize,
+            /// Vertices are still to move by so many edge lengths.
+            update: f64,
+            /// The vertex that the last step moved most.
+            vertex: u32,
+        },
+        /// No quadratic surface fits about a vertex.
+        Unfit {
+            /// The vertex.
+            vertex: u32,
+        },
+        /// The budget of steps is used up, and the energy falls.
+        StepLimit {
+            /// Steps taken.
+            steps: usize,
+            /// Fall of the energy in the last one.
+            percent: f64,
+            /// The vertex that it moved most.
+            vertex: u32,
+        },
+        /// The budget of steps is used up, and the energy does not fall.
+        NotAtRest {
+            /// Steps taken.
+            steps: usize,
+            /// The vertex that the last one moved most.
+            vertex: u32,
+        },
+    }
 }
 
 /// What is the matter, where, and what helps.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Diagnosis {
-    /// What it is.
-    pub kind: DiagnosisKind,
-    /// The same in one sentence.
-    pub sentence: Text,
+    /// What it is: name of a [`Symptom`].
+    pub kind: &'static str,
+    /// The same, to be said in one sentence.
+    pub message: Message,
     /// Vertices at fault.
     pub vertices: TypedArray<u32>,
     /// Triangles at fault.
@@ -75,10 +183,10 @@ pub struct Diagnosis {
 }
 
 impl Diagnosis {
-    fn new(kind: DiagnosisKind, sentence: Text) -> Self {
+    fn new(symptom: &Symptom) -> Self {
         Self {
-            kind,
-            sentence,
+            kind: symptom.kind(),
+            message: symptom.message(),
             vertices: TypedArray::default(),
             faces: TypedArray::default(),
             edges: TypedArray::default(),

@@ -1,9 +1,9 @@
 //! What helps: actions of the application by name, with what they change.
 
-use super::text::{Text, number};
 use crate::energy::circle::Boundary;
 use crate::flow::constraint::Kept;
 use crate::flow::options::{FlowName, FlowOptions, Scheme};
+use crate::message::{Message, messages};
 use crate::remesh::Mode;
 use serde::Serialize;
 
@@ -117,6 +117,73 @@ impl Change {
     }
 }
 
+messages! {
+    /// What a button says.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub enum Label as "remedy" {
+        /// To go on as before.
+        MoreSteps,
+        /// To study the surface at several resolutions.
+        RefinementStudy,
+        /// To optimise connectivity.
+        FlipAndGoOn,
+        /// To go back.
+        Back {
+            /// So many steps.
+            steps: usize,
+        },
+        /// To regularise the mesh.
+        RegulariseAndGoOn,
+        /// And to use surface diffusion then.
+        RegulariseAndDiffuse,
+        /// To regularise the mesh again and again.
+        RegulariseEachStep,
+        /// To make the mesh finer.
+        SubdivideAndGoOn,
+        /// To set the step size.
+        SetTau {
+            /// Without a unit.
+            tau: f64,
+        },
+        /// To let the step size adapt.
+        AutomaticStep,
+        /// To leave the paper's scheme.
+        RecommendedScheme,
+        /// To smooth angles more.
+        SetEpsilon {
+            /// In radians.
+            epsilon: f64,
+        },
+        /// To lay the free vertices out first.
+        FirstGuess,
+        /// To keep the volume.
+        KeepVolume,
+        /// To keep the area.
+        KeepArea,
+        /// To keep both.
+        KeepBoth,
+        /// To let go of the area.
+        KeepOnlyVolume,
+        /// To begin with another exponent.
+        SmoothFirst {
+            /// The exponent.
+            p: f64,
+        },
+        /// To use another flow.
+        UseCircle,
+        /// To use another flow.
+        UsePWillmore,
+        /// To use another flow.
+        UseMeanCurvature,
+        /// To use another flow.
+        UseSurfaceDiffusion,
+        /// To use another flow.
+        UseWillmore,
+        /// To use another flow.
+        UseMmcv,
+    }
+}
+
 /// Something that helps.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -125,7 +192,7 @@ pub struct Remedy {
     /// What is done.
     pub id: RemedyId,
     /// What the button says.
-    pub label: Text,
+    pub label: Message,
     /// Options that change.
     pub change: Change,
     /// Whether the run begins anew, the present surface being past help; otherwise that is
@@ -139,17 +206,17 @@ pub struct Remedy {
 const CUT: f64 = 0.25;
 
 impl Remedy {
-    fn new(id: RemedyId, label: Text) -> Self {
+    fn new(id: RemedyId, label: Label) -> Self {
         Self {
             id,
-            label,
+            label: label.into(),
             change: Change::default(),
             from_start: false,
             steps: 0,
         }
     }
 
-    fn changing(id: RemedyId, label: Text, change: Change) -> Self {
+    fn changing(id: RemedyId, label: Label, change: Change) -> Self {
         Self {
             change,
             ..Self::new(id, label)
@@ -162,23 +229,19 @@ impl Remedy {
     }
 
     pub(super) fn go_on() -> Self {
-        Self::new(RemedyId::Continue, Text::plain("More steps"))
+        Self::new(RemedyId::Continue, Label::MoreSteps)
     }
 
     pub(super) fn refine() -> Self {
-        Self::new(RemedyId::Refine, Text::plain("Refinement study"))
+        Self::new(RemedyId::Refine, Label::RefinementStudy)
     }
 
     pub(super) fn flips() -> Self {
-        Self::new(RemedyId::KeepAndFlips, Text::plain("Flip edges and go on"))
+        Self::new(RemedyId::KeepAndFlips, Label::FlipAndGoOn)
     }
 
     pub(super) fn back(steps: usize) -> Self {
-        let label = if steps == 1 {
-            Text::plain("One step back")
-        } else {
-            Text::new("Go {steps} steps back", [("steps", steps.to_string())])
-        };
+        let label = Label::Back { steps };
         Self {
             steps,
             ..Self::new(RemedyId::Back, label)
@@ -186,14 +249,14 @@ impl Remedy {
     }
 
     pub(super) fn regularise() -> Self {
-        let label = Text::plain("Regularise the mesh and go on");
+        let label = Label::RegulariseAndGoOn;
         Self::new(RemedyId::Regularise, label)
     }
 
     /// What a closed surface is faired by: nothing holds it, and flows of sixth order inflate
     /// it besides.
     pub(super) fn regularise_and_diffuse() -> Self {
-        let label = Text::plain("Regularise and use surface diffusion");
+        let label = Label::RegulariseAndDiffuse.into();
         Self {
             id: RemedyId::Regularise,
             label,
@@ -206,18 +269,18 @@ impl Remedy {
             regularise: Some(Mode::Nonlinear),
             ..Change::default()
         };
-        let label = Text::plain("Regularise after each step");
+        let label = Label::RegulariseEachStep;
         Self::changing(RemedyId::RegulariseEachStep, label, change)
     }
 
     pub(super) fn subdivide() -> Self {
-        let label = Text::plain("Subdivide the mesh and go on");
+        let label = Label::SubdivideAndGoOn;
         Self::new(RemedyId::Subdivide, label)
     }
 
     pub(super) fn smaller_step(tau: f64) -> Self {
         let tau = CUT * tau;
-        let label = Text::new("Set τ to {tau}", [("tau", number(tau))]);
+        let label = Label::SetTau { tau };
         let change = Change {
             tau: Some(Some(tau)),
             dt: Some(None),
@@ -232,7 +295,7 @@ impl Remedy {
             dt: Some(None),
             ..Change::default()
         };
-        let label = Text::plain("Choose τ automatically");
+        let label = Label::AutomaticStep;
         Self::changing(RemedyId::AutomaticStep, label, change)
     }
 
@@ -243,7 +306,7 @@ impl Remedy {
             dt: Some(None),
             ..Change::default()
         };
-        let label = Text::plain("Use the recommended scheme");
+        let label = Label::RecommendedScheme;
         Self::changing(RemedyId::RecommendedScheme, label, change)
     }
 
@@ -252,7 +315,7 @@ impl Remedy {
             epsilon: Some(epsilon),
             ..Change::default()
         };
-        let label = Text::new("Set ε to {epsilon}", [("epsilon", number(epsilon))]);
+        let label = Label::SetEpsilon { epsilon };
         Self::changing(RemedyId::LargerEpsilon, label, change)
     }
 
@@ -261,7 +324,7 @@ impl Remedy {
             prefill: Some(true),
             ..Change::default()
         };
-        let label = Text::plain("Begin from a smooth first guess");
+        let label = Label::FirstGuess;
         Self::changing(RemedyId::Prefill, label, change)
     }
 
@@ -270,11 +333,11 @@ impl Remedy {
             keep: Some(kept.to_vec()),
             ..Change::default()
         };
-        let label = Text::plain(match kept {
-            [Kept::Volume] => "Keep the volume",
-            [Kept::Area] => "Keep the area",
-            _ => "Keep area and volume",
-        });
+        let label = match kept {
+            [Kept::Volume] => Label::KeepVolume,
+            [Kept::Area] => Label::KeepArea,
+            _ => Label::KeepBoth,
+        };
         Self::changing(RemedyId::KeepVolume, label, change)
     }
 
@@ -285,7 +348,7 @@ impl Remedy {
             reduced_volume: Some(None),
             ..Change::default()
         };
-        let label = Text::plain("Keep only the volume");
+        let label = Label::KeepOnlyVolume;
         Self::changing(RemedyId::KeepVolume, label, change)
     }
 
@@ -294,20 +357,20 @@ impl Remedy {
             p: Some(p),
             ..Change::default()
         };
-        let label = Text::new("Smooth with p = {p} first", [("p", number(p))]);
+        let label = Label::SmoothFirst { p };
         Self::changing(RemedyId::LowerExponent, label, change)
     }
 
     pub(super) fn other_flow(flow: FlowName) -> Self {
-        let label = Text::plain(match flow {
-            FlowName::Circle => "Use the circle-angle Willmore flow",
-            FlowName::PWillmore => "Use the p-Willmore flow",
-            FlowName::Flips => "Flip edges",
-            FlowName::MeanCurvature => "Use mean-curvature flow",
-            FlowName::SurfaceDiffusion => "Use surface diffusion",
-            FlowName::Willmore => "Use Willmore flow",
-            FlowName::Mmcv => "Use mean-curvature variation",
-        });
+        let label = match flow {
+            FlowName::Circle => Label::UseCircle,
+            FlowName::PWillmore => Label::UsePWillmore,
+            FlowName::Flips => Label::FlipAndGoOn,
+            FlowName::MeanCurvature => Label::UseMeanCurvature,
+            FlowName::SurfaceDiffusion => Label::UseSurfaceDiffusion,
+            FlowName::Willmore => Label::UseWillmore,
+            FlowName::Mmcv => Label::UseMmcv,
+        };
         let change = Change {
             flow: Some(flow),
             tau: Some(None),

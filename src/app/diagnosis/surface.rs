@@ -3,8 +3,7 @@
 
 use super::elements;
 use super::remedy::Remedy;
-use super::text::{Text, number};
-use super::{Diagnosis, DiagnosisKind};
+use super::{Diagnosis, Symptom};
 use crate::app::engine::Engine;
 use crate::app::work::Work;
 use crate::flow::Status;
@@ -46,29 +45,26 @@ impl Work {
             FlowName::MeanCurvature if self.is_all_free() => 0.0,
             _ => return None,
         };
-        let values = |times: f64| [("p", number(p)), ("times", number(times))];
         if p > 2.0 && now > SCALED * start {
-            let sentence = Text::new(
-                "∫|H|^p falls as the surface grows, for every exponent above 2: with p = {p} its \
-                 area is {times} times that at the start, and it never comes to rest.",
-                values(now / start),
-            );
+            let symptom = Symptom::Growing {
+                p,
+                times: now / start,
+            };
             let keep = [self.can_keep(&[Kept::Volume]), self.can_keep(&[Kept::Area])];
-            return Some(Diagnosis::new(DiagnosisKind::Growing, sentence).with(keep));
+            return Some(Diagnosis::new(&symptom).with(keep));
         }
         let shrinks = p < 2.0 && now * SCALED < start && !self.is_narrow(NARROW);
         shrinks.then(|| {
-            let sentence = Text::new(
-                "∫|H|^p falls as the surface shrinks, for every exponent below 2: with p = {p} \
-                 its area is 1/{times} of that at the start, and it vanishes in finite time.",
-                values(start / now),
-            );
+            let symptom = Symptom::Shrinking {
+                p,
+                times: start / now,
+            };
             let remedies = [
                 self.can_keep(&[Kept::Volume]),
                 self.can_keep(&[Kept::Area]),
                 self.keeps_volume_instead(),
             ];
-            Diagnosis::new(DiagnosisKind::Shrinking, sentence).with(remedies)
+            Diagnosis::new(&symptom).with(remedies)
         })
     }
 
@@ -109,25 +105,11 @@ impl Work {
             return None;
         }
         let edges = (RING / found.bend).floor();
-        let values = [
-            ("vertex", found.vertex.to_string()),
+        let symptom = Symptom::Pinch {
+            vertex: found.vertex,
             // A thin neck bends about its axis only: 2|H| = 1/r.
-            ("width", number(1.0 / found.mean_curvature)),
-            ("edges", number(edges)),
-        ];
-        let sentence = if edges < 3.0 {
-            Text::new(
-                "The surface pinches off at vertex {vertex}: the neck there is {width} wide, too \
-                 thin for a ring of edges, and this flow shrinks a neck to nothing in finite time.",
-                values,
-            )
-        } else {
-            Text::new(
-                "The surface pinches off at vertex {vertex}: the neck there is {width} wide, with \
-                 room for {edges} edges around, and this flow shrinks a neck to nothing in finite \
-                 time.",
-                values,
-            )
+            width: 1.0 / found.mean_curvature,
+            edges,
         };
         // An open surface keeps no volume; with its tangents held it does not become a neck.
         let clamped = (!self.document.polygons.is_closed())
@@ -138,7 +120,7 @@ impl Work {
             self.can_go_back(),
             self.can_regularise(),
         ];
-        let diagnosis = Diagnosis::new(DiagnosisKind::Pinch, sentence).at_vertices(found.ring);
+        let diagnosis = Diagnosis::new(&symptom).at_vertices(found.ring);
         Some(diagnosis.with(remedies))
     }
 
@@ -153,17 +135,9 @@ impl Work {
         if !is_scale_free || times < BUBBLE {
             return None;
         }
-        let sentence = Text::new(
-            "The surface has swollen to {times} times its area, as ∫H² does not depend on size, \
-             and its mesh is worn out by that: the smallest angle of face {face} is {angle}°.",
-            [
-                ("times", number(times)),
-                ("face", face.to_string()),
-                ("angle", number(angle)),
-            ],
-        );
+        let symptom = Symptom::Inflating { times, face, angle };
         let keep = self.can_keep(&[Kept::Area, Kept::Volume]);
-        let diagnosis = Diagnosis::new(DiagnosisKind::Inflating, sentence).at_faces([face]);
+        let diagnosis = Diagnosis::new(&symptom).at_faces([face]);
         Some(diagnosis.with([keep, self.can_go_back(), self.can_flip()]))
     }
 
@@ -211,18 +185,13 @@ impl Work {
             return None;
         }
         let bent = sharpest(self.triangles(), &self.x)?;
-        let sentence = Text::new(
-            "The energy is {energy}, and no smooth surface of this topology has less than \
-             {smooth}: the mesh is too coarse to notice what bends between its vertices, most of \
-             all at vertex {vertex}.",
-            [
-                ("energy", number(energy)),
-                ("smooth", number(smooth)),
-                ("vertex", bent.vertex.to_string()),
-            ],
-        );
-        let diagnosis =
-            Diagnosis::new(DiagnosisKind::BelowSmoothMinimum, sentence).at_vertices([bent.vertex]);
+        let vertex = bent.vertex;
+        let symptom = Symptom::BelowSmoothMinimum {
+            energy,
+            smooth,
+            vertex,
+        };
+        let diagnosis = Diagnosis::new(&symptom).at_vertices([vertex]);
         let finer = Some(self.can_subdivide().unwrap_or_else(Remedy::refine));
         Some(diagnosis.with([finer, Some(Remedy::refine()), self.can_go_back()]))
     }
@@ -234,48 +203,30 @@ impl Work {
         // Circle angles do not ask which way a face lies, and unfold what is folded.
         let minds = lately || self.options().flow != FlowName::Circle;
         let &first = faces.first().filter(|_| minds)?;
-        let values = [
-            ("count", faces.len().to_string()),
-            ("face", first.to_string()),
-        ];
-        let sentence = if faces.len() == 1 {
-            Text::new(
-                "Face {face} is folded over, against its neighbours: about it normals and \
-                 curvatures mean nothing, and steps are short or go astray.",
-                values,
-            )
-        } else {
-            Text::new(
-                "{count} faces are folded over, against their neighbours, the first of them face \
-                 {face}: about them normals and curvatures mean nothing, and steps are short or \
-                 go astray.",
-                values,
-            )
+        let symptom = Symptom::FoldedFaces {
+            count: faces.len(),
+            face: first,
         };
         let remedies = [self.can_regularise(), self.can_flip(), self.can_go_back()];
         let shown = faces.into_iter().take(SHOWN);
-        let diagnosis = Diagnosis::new(DiagnosisKind::FoldedFaces, sentence).at_faces(shown);
+        let diagnosis = Diagnosis::new(&symptom).at_faces(shown);
         Some(diagnosis.with(remedies))
     }
 
     pub(super) fn degenerate(&self) -> Option<Diagnosis> {
         let (face, angle) = self.sliver()?;
-        let sentence = Text::new(
-            "The mesh degenerates: the smallest angle of face {face} is {angle}°, and at the start \
-             no angle was below {then}°; steps can be no longer than such a face allows.",
-            [
-                ("face", face.to_string()),
-                ("angle", number(angle)),
-                ("then", number(self.start_angle())),
-            ],
-        );
+        let symptom = Symptom::DegenerateFaces {
+            face,
+            angle,
+            before: self.start_angle(),
+        };
         let remedies = [
             self.can_regularise_each_step(),
             self.can_regularise(),
             self.can_flip(),
             self.can_go_back(),
         ];
-        let diagnosis = Diagnosis::new(DiagnosisKind::DegenerateFaces, sentence).at_faces([face]);
+        let diagnosis = Diagnosis::new(&symptom).at_faces([face]);
         Some(diagnosis.with(remedies))
     }
 }

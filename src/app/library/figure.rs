@@ -5,7 +5,8 @@ use super::sample::{Sample, Shape};
 use crate::app::{Arrangement, FieldName, RegulariseOptions};
 use crate::flow::Status;
 use crate::flow::options::FlowOptions;
-use serde::{Serialize, Serializer};
+use crate::message::{Message, Value};
+use serde::Serialize;
 
 /// A figure that shows a result.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +38,7 @@ pub struct Figure {
     /// Whether it is known not to come out as the paper has it; the words say why.
     pub falls_short: bool,
     /// Whether a run comes out as expected, and what was measured.
-    pub(super) judge: fn(&Run<'_>) -> Finding,
+    pub(in crate::app) judge: fn(&Run<'_>) -> Finding,
 }
 
 /// The four papers, see [the references](crate#references).
@@ -72,83 +73,42 @@ pub struct Finding {
     pub message: Message,
 }
 
-/// A sentence by its name in the locale files, and the values in it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Message {
-    /// Its name.
-    pub id: &'static str,
-    /// By name.
-    #[serde(serialize_with = "as_map")]
-    pub values: Vec<(&'static str, Value)>,
-}
-
-/// A value in a sentence.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Value {
-    /// A number; `None` where it could not be measured.
-    Number(Option<f64>),
-    /// How a run ended, a sentence of its own.
-    Status(Status),
-}
-
-fn as_map<S: Serializer>(values: &[(&'static str, Value)], to: S) -> Result<S::Ok, S::Error> {
-    to.collect_map(values.iter().copied())
-}
-
-impl Serialize for Value {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let id = match self {
-            Self::Number(value) => return value.serialize(serializer),
-            Self::Status(Status::Ready) => "measured-ready",
-            Self::Status(Status::Converged) => "measured-converged",
-            Self::Status(Status::StepLimit) => "measured-step-limit",
-            Self::Status(Status::Stalled) => "measured-stalled",
-            Self::Status(Status::Singular) => "measured-singular",
-            Self::Status(Status::Collapsed) => "measured-collapsed",
-            Self::Status(Status::Failed) => "measured-failed",
-        };
-        let values = Vec::new();
-        Message { id, values }.serialize(serializer)
-    }
-}
-
-impl From<f64> for Value {
-    fn from(value: f64) -> Self {
-        Self::Number(Some(value))
-    }
-}
-
-impl From<Option<f64>> for Value {
-    fn from(value: Option<f64>) -> Self {
-        Self::Number(value)
-    }
-}
-
-impl From<usize> for Value {
-    fn from(value: usize) -> Self {
-        Self::Number(Some(value as f64))
-    }
-}
-
 impl From<Status> for Value {
     fn from(status: Status) -> Self {
-        Self::Status(status)
+        let id = match status {
+            Status::Ready => "measured-ready",
+            Status::Converged => "measured-converged",
+            Status::StepLimit => "measured-step-limit",
+            Status::Stalled => "measured-stalled",
+            Status::Singular => "measured-singular",
+            Status::Collapsed => "measured-collapsed",
+            Status::Failed => "measured-failed",
+        };
+        Self::Message(said(id, &[]))
+    }
+}
+
+fn said(id: &str, values: &[(&'static str, Value)]) -> Message {
+    Message {
+        id: id.into(),
+        values: values.into(),
     }
 }
 
 impl Finding {
-    pub(super) fn new(ok: bool, id: &'static str, values: &[(&'static str, Value)]) -> Self {
-        let values = values.to_vec();
-        Self {
-            ok,
-            message: Message { id, values },
-        }
+    pub(in crate::app) fn new(
+        ok: bool,
+        id: &'static str,
+        values: &[(&'static str, Value)],
+    ) -> Self {
+        let message = said(id, values);
+        Self { ok, message }
     }
 }
 
 impl Figure {
     /// A figure with nothing special about it, for the tables to begin with.
-    pub(super) const PLAIN: Self = Self {
+    pub(in crate::app) const PLAIN: Self = Self {
         id: "",
         paper: Paper::Circle,
         number: "",

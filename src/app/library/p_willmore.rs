@@ -264,7 +264,7 @@ pub(super) static FIGURES: &[Figure] = &[
     },
     Figure {
         id: "p-willmore-6",
-        sample: "measured-vesicle",
+        sample: "vesicle",
         ..VESICLE
     },
     Figure {

@@ -141,7 +141,7 @@ impl Figure {
 }
 
 /// What a judge sees of a run.
-pub(super) struct Run<'a> {
+pub(in crate::app) struct Run<'a> {
     work: &'a Work,
     /// Readings before the first step.
     pub(super) first: &'a State,

@@ -80,7 +80,7 @@ impl Holes {
 
 impl Shape {
     /// Makes it, `over` taking the place of parameters of the same name.
-    pub(super) fn load(
+    pub(in crate::app) fn load(
         &self,
         session: &mut Session,
         over: &[(&str, f64)],

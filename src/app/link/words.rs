@@ -1,6 +1,6 @@
 //! The words of a link: `name=value`, joined by `&`, as `URLSearchParams` reads and writes them.
 
-use super::error::{Allowed, LinkError};
+use super::error::{LinkError, LinkValue};
 use std::collections::BTreeMap;
 
 /// No word of more characters is written: mail and chat programs cut longer links.
@@ -49,7 +49,7 @@ impl Words {
     pub(super) fn read_as<T>(
         &self,
         word: &'static str,
-        allowed: Allowed,
+        allowed: LinkValue,
         read: impl FnOnce(&str) -> Option<T>,
     ) -> Result<Option<T>, LinkError> {
         let Some(value) = self.get(word) else {
@@ -71,7 +71,13 @@ impl Words {
         names: &'static [&'static str],
     ) -> Result<Option<usize>, LinkError> {
         let place = |value: &str| names.iter().position(|name| *name == value);
-        self.read_as(word, Allowed::Names(names), place)
+        self.read_as(
+            word,
+            LinkValue::OneOf {
+                names: names.to_vec(),
+            },
+            place,
+        )
     }
 }
 

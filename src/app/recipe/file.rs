@@ -44,7 +44,7 @@ pub enum RecipeMesh {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
-pub struct Outcome {
+pub struct ReplayResult {
     /// The flow's own energy.
     pub energy: f64,
     /// Total area.
@@ -79,7 +79,7 @@ pub(in crate::app) struct Recipe {
     /// Where it is more than so many steps.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) path: Option<Vec<Action>>,
-    pub(super) result: Outcome,
+    pub(super) result: ReplayResult,
 }
 
 /// What is known of a recipe before it is followed.
@@ -121,9 +121,9 @@ pub struct ReplayReport {
     /// Steps after the last edit.
     pub steps: usize,
     /// As promised.
-    pub expected: Outcome,
+    pub expected: ReplayResult,
     /// As it came.
-    pub got: Outcome,
+    pub got: ReplayResult,
     /// Names of the readings that disagree.
     pub differing: Vec<&'static str>,
 }
@@ -257,7 +257,7 @@ impl Recipe {
     }
 
     /// Compares what came of it.
-    pub(super) fn compare(&self, got: Outcome) -> ReplayReport {
+    pub(super) fn compare(&self, got: ReplayResult) -> ReplayReport {
         let expected = self.result.clone();
         let exact = self.version == env!("CARGO_PKG_VERSION");
         let agree = |a: f64, b: f64| match exact {
@@ -340,7 +340,7 @@ impl Session {
             arrangement: self.work()?.arrangement_that_matters(),
             steps: steps_in(&path) as usize,
             path: (!is_plain(&path)).then_some(path),
-            result: self.outcome()?,
+            result: self.replay_result()?,
         };
         Ok(recipe.write())
     }
@@ -350,13 +350,13 @@ impl Session {
     /// # Errors
     /// As [`read_recipe`](Self::read_recipe); [`Fault::no_mesh`].
     pub fn compare_recipe(&self, text: &str) -> Result<ReplayReport, Fault> {
-        Ok(Recipe::read(text)?.compare(self.outcome()?))
+        Ok(Recipe::read(text)?.compare(self.replay_result()?))
     }
 
-    fn outcome(&self) -> Result<Outcome, Fault> {
+    fn replay_result(&self) -> Result<ReplayResult, Fault> {
         let state = self.state()?;
         let bytes = self.positions()?.into_iter().flat_map(f32::to_le_bytes);
-        Ok(Outcome {
+        Ok(ReplayResult {
             energy: state.energy,
             area: state.area,
             volume: state.volume,

@@ -1,9 +1,9 @@
 //! Reading recipes: every value is checked and refused by its place, and no more is set aside
 //! than the text can ask for.
 
-use super::file::{Outcome, Recipe, RecipeMesh};
+use super::file::{Recipe, RecipeMesh, ReplayResult};
 use super::replay::steps_in;
-use super::{Action, Edit, EditRecord, Expected, RecipeError};
+use super::{Action, Edit, EditRecord, MustBe, RecipeError};
 use crate::app::fill::FillOptions;
 use crate::app::link::region;
 use crate::app::pane::Arrangement;
@@ -38,9 +38,9 @@ impl<'a> Node<'a> {
         Self { value, key }
     }
 
-    fn bad<T>(&self, expected: Expected) -> Result<T, RecipeError> {
+    fn bad<T>(&self, must: MustBe) -> Result<T, RecipeError> {
         let key = self.key.clone();
-        Err(RecipeError::BadValue { key, expected })
+        Err(RecipeError::Malformed { key, must })
     }
 
     fn is_object(&self) -> bool {
@@ -65,16 +65,16 @@ impl<'a> Node<'a> {
         (object.len() == 1 && object.contains_key(name)).then(|| self.member(name))
     }
 
-    fn text(&self, expected: Expected) -> Result<String, RecipeError> {
+    fn text(&self, must: MustBe) -> Result<String, RecipeError> {
         match self.value {
             Json::String(text) => Ok(text.clone()),
-            _ => self.bad(expected),
+            _ => self.bad(must),
         }
     }
 
     fn list(&self) -> Result<Vec<Self>, RecipeError> {
         let Json::Array(values) = self.value else {
-            return self.bad(Expected::List);
+            return self.bad(MustBe::List);
         };
         let node = |(n, value): (usize, &'a Json)| Self {
             value,
@@ -87,30 +87,30 @@ impl<'a> Node<'a> {
         let most = MAX_COUNT;
         match self.value.as_f64() {
             Some(x) if x >= 0.0 && x <= most as f64 && x.fract() == 0.0 => Ok(x as usize),
-            _ => self.bad(Expected::Count { most }),
+            _ => self.bad(MustBe::Count { most }),
         }
     }
 
     fn number(&self) -> Result<f64, RecipeError> {
         match self.value.as_f64() {
             Some(x) if x.is_finite() => Ok(x),
-            _ => self.bad(Expected::Number),
+            _ => self.bad(MustBe::Number),
         }
     }
 
     fn digest(&self) -> Result<String, RecipeError> {
-        let text = self.text(Expected::Digest)?;
+        let text = self.text(MustBe::Digest)?;
         let is_digit = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);
         match text.len() == 64 && text.bytes().all(is_digit) {
             true => Ok(text),
-            false => self.bad(Expected::Digest),
+            false => self.bad(MustBe::Digest),
         }
     }
 
     fn options(&self) -> Result<Values, RecipeError> {
         match (self.is_object(), Values::deserialize(self.value)) {
             (true, Ok(values)) => Ok(values),
-            _ => self.bad(Expected::Options),
+            _ => self.bad(MustBe::Options),
         }
     }
 }
@@ -134,8 +134,14 @@ impl Reader {
     }
 
     fn refused(&self, error: OptionError) -> RecipeError {
-        let version = self.version.clone();
-        RecipeError::Option { error, version }
+        match self.version.clone() {
+            Some(version) => RecipeError::OldOption {
+                error,
+                version,
+                present: env!("CARGO_PKG_VERSION"),
+            },
+            None => error.into(),
+        }
     }
 
     /// So many vertices more are selected.
@@ -191,11 +197,11 @@ impl Reader {
             return Ok(Action::Flow(Box::new(self.flow(&flow)?)));
         }
         let Some(settings) = node.only("regularise").filter(Node::is_object) else {
-            return node.bad(Expected::Action);
+            return node.bad(MustBe::Action);
         };
         match RegulariseOptions::deserialize(settings.value) {
             Ok(options) if options.iterations <= MAX_PASSES => Ok(Action::Regularise(options)),
-            _ => settings.bad(Expected::Regularisation),
+            _ => settings.bad(MustBe::Regularisation),
         }
     }
 
@@ -214,12 +220,12 @@ impl Reader {
 
     fn record(&mut self, node: &Node<'_>) -> Result<EditRecord, RecipeError> {
         if !node.is_object() {
-            return node.bad(Expected::Object);
+            return node.bad(MustBe::Object);
         }
         let flow = node.member("flow");
         // Left out it is a mistake, null where none was chosen.
         if flow.is_null() && node.value.get("flow").is_none() {
-            return flow.bad(Expected::Options);
+            return flow.bad(MustBe::Options);
         }
         let flow = match flow.is_null() {
             true => None,
@@ -239,7 +245,7 @@ impl Reader {
                 path,
                 edit: found,
             }),
-            _ => edit.bad(Expected::Edit),
+            _ => edit.bad(MustBe::Edit),
         }
     }
 }
@@ -247,36 +253,36 @@ impl Reader {
 impl RecipeMesh {
     fn read(node: &Node<'_>) -> Result<Self, RecipeError> {
         if !node.is_object() {
-            return node.bad(Expected::Object);
+            return node.bad(MustBe::Object);
         }
         let member = |name| node.member(name);
         if node.value.get("shape").is_none() {
             return Ok(Self::File {
-                name: member("name").text(Expected::File)?,
+                name: member("name").text(MustBe::File)?,
                 sha256: member("sha256").digest()?,
                 bytes: member("bytes").count()?,
             });
         }
         let numbers = member("parameters");
         let Ok(parameters) = Deserialize::deserialize(numbers.value) else {
-            return numbers.bad(Expected::Numbers);
+            return numbers.bad(MustBe::Numbers);
         };
         let sample = member("sample");
         Ok(Self::Shape {
             sample: match sample.is_null() {
                 true => None,
-                false => Some(sample.text(Expected::Sample)?),
+                false => Some(sample.text(MustBe::Sample)?),
             },
-            shape: member("shape").text(Expected::Shape)?,
+            shape: member("shape").text(MustBe::Shape)?,
             parameters,
         })
     }
 }
 
-impl Outcome {
+impl ReplayResult {
     fn read(node: &Node<'_>) -> Result<Self, RecipeError> {
         if !node.is_object() {
-            return node.bad(Expected::Object);
+            return node.bad(MustBe::Object);
         }
         let number = |name| node.member(name).number();
         let (volume, positions) = (node.member("volume"), node.member("positions"));
@@ -288,7 +294,7 @@ impl Outcome {
                 false => Some(
                     volume
                         .number()
-                        .or_else(|_| volume.bad(Expected::NumberOrNull))?,
+                        .or_else(|_| volume.bad(MustBe::NumberOrNull))?,
                 ),
             },
             min_angle_degrees: number("minAngleDegrees")?,
@@ -316,7 +322,7 @@ impl Recipe {
                 line: error.line().max(1),
             })?;
         let node = Node::new(&json, "");
-        let version = node.member("umbilic").text(Expected::Version)?;
+        let version = node.member("umbilic").text(MustBe::Version)?;
         let mut reader = Reader::new(MAX_SELECTED);
         reader.version = (version != env!("CARGO_PKG_VERSION")).then(|| version.clone());
         let mesh = RecipeMesh::read(&node.member("mesh"))?;
@@ -337,9 +343,9 @@ impl Recipe {
         };
         let total = steps as u64;
         if path.as_deref().is_some_and(|path| steps_in(path) != total) {
-            return node.member("path").bad(Expected::Steps { total });
+            return node.member("path").bad(MustBe::Steps { total });
         }
-        let result = Outcome::read(&node.member("result"))?;
+        let result = ReplayResult::read(&node.member("result"))?;
         Ok(Self {
             version,
             mesh,

@@ -22,6 +22,7 @@ pub use trend::{Tendency, Trend};
 
 use super::Session;
 use super::fault::Fault;
+use super::message::AppError;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{Boundary, CircleEnergy};
 use crate::energy::p_willmore::integrated_power;
@@ -227,13 +228,7 @@ impl Session {
                 }
             });
         }
-        let study = self.study.as_mut().ok_or_else(|| {
-            Fault::new(
-                "NoStudy",
-                "no study has begun",
-                "Say what is to be studied.",
-            )
-        })?;
+        let study = self.study.as_mut().ok_or(AppError::NoStudy)?;
         study.refine()?;
         Ok(study.report())
     }

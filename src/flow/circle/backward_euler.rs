@@ -9,7 +9,7 @@ use crate::energy::circle::Evaluation;
 use crate::energy::circle::angle::Smoothing;
 use crate::flow::options::Scheme;
 use crate::flow::step_size::sufficient_decrease;
-use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search};
+use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search, Warning};
 use crate::linalg::{Pattern, Refactor, Solver};
 use glam::DVec3;
 
@@ -118,8 +118,7 @@ impl CircleFlow {
             return Ok(Proposal::Refused(Refusal::of(Cause::Newton)));
         }
         if !converged {
-            cost.warnings
-                .push("Newton's method did not converge in this step.".into());
+            cost.warnings.push(Warning::NewtonFailed);
         }
         let d: Vec<DVec3> = y.iter().zip(x).map(|(y, x)| *y - *x).collect();
         // Of an implicit step the slope at its start says nothing: it has to descend.

@@ -2,7 +2,7 @@
 
 use super::CircleFlow;
 use crate::flow::options::{Goal, Scheme};
-use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search};
+use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search, Warning};
 use crate::geometry::measure;
 use crate::linalg::Refactor;
 use glam::DVec3;
@@ -83,9 +83,8 @@ impl CircleFlow {
                 .solve(gradient, &mass, dt, Refactor::Always, cost)?;
             if cost.negative_pivots == 0 {
                 if halvings > 0 {
-                    cost.warnings.push(format!(
-                        "I/dt + K was not positive definite: this step was halved {halvings} times."
-                    ));
+                    let times = halvings;
+                    cost.warnings.push(Warning::HalvedStep { times });
                 }
                 return Ok(self.along(&d, x.len(), dt));
             }

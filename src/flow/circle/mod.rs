@@ -19,12 +19,12 @@ mod warning;
 
 use super::bounds::lower_bounds;
 use super::options::{FlowOptions, Goal, Integrator, MassChoice, Scheme};
-use super::report::WarningsGiven;
 use super::rules::{Ceiling, Folds};
 use super::step_size::StepSize;
+use super::warning::WarningsGiven;
 use super::{
-    Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal, Reading,
-    Refusal, Rules, StepReport, boundary, prefill,
+    Advice, Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal,
+    Reading, Refusal, Rules, StepReport, Warning, boundary, prefill,
 };
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{CircleEnergy, Evaluation};
@@ -167,7 +167,7 @@ impl CircleFlow {
     }
 
     /// A phase that begins with the schedule's change.
-    fn began(&mut self, event: Option<String>) -> Phase {
+    fn began(&mut self, event: Option<Warning>) -> Phase {
         self.forget();
         self.quasi_newton = lbfgs::QuasiNewton::default();
         Phase {
@@ -315,8 +315,7 @@ impl Flow for CircleFlow {
                 (phase.resets_step_size, phase.raises_step_size) = (false, true);
                 Some(phase)
             }
-            Stage::Gentler(why) => Some(self.began(Some(why.into()))),
-            Stage::Other(why) => Some(self.began(Some(why.into()))),
+            Stage::Other(event) => Some(self.began(Some(event))),
         })
     }
 
@@ -354,8 +353,8 @@ impl Flow for CircleFlow {
         self.warn_of(x, report, given);
     }
 
-    fn remedy(&self) -> &'static str {
-        "a better mesh helps, as conformal regularisation makes it"
+    fn advice(&self) -> Advice {
+        Advice::BetterMesh
     }
 
     fn reading(&mut self, x: &[DVec3]) -> Reading {

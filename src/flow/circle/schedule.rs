@@ -8,6 +8,7 @@
 
 use crate::energy::circle::CircleEnergy;
 use crate::energy::circle::angle::Smoothing;
+use crate::flow::Warning;
 use crate::flow::options::{FlowOptions, Goal, Integrator, Scheme};
 use glam::DVec3;
 
@@ -61,10 +62,8 @@ pub(super) enum Stage {
     Sharper { restarts: bool },
     /// Close to a sphere: no ε, and longer steps.
     Spherical,
-    /// A larger ε.
-    Gentler(&'static str),
-    /// Another integrator.
-    Other(&'static str),
+    /// A larger ε, or another integrator.
+    Other(Warning),
 }
 
 /// ε of the current step: at first the user's, 0 close to a sphere, falling towards 0 at
@@ -170,14 +169,14 @@ impl Schedule {
             self.level = self.first_level;
             self.weak_steps = 0;
             self.exact = true;
-            return Stage::Other("Near a sphere semi-implicit steps take over again.");
+            return Stage::Other(Warning::NearSphere);
         }
         let exact = self.always_exact
             || self.level == 0.0
             || (self.sharpens && self.trusts_spheres && is_spherical);
         match (std::mem::replace(&mut self.exact, exact), exact) {
             (false, true) => Stage::Spherical,
-            (true, false) => Stage::Gentler("Away from a sphere angles are smoothed again."),
+            (true, false) => Stage::Other(Warning::AwayFromSphere),
             _ => Stage::Same,
         }
     }
@@ -209,7 +208,7 @@ impl Schedule {
             && self.steps >= FIRST_STEPS
             && self.finish(energy, is_spherical)
         {
-            return Stage::Other("Steps gain little: L-BFGS takes over.");
+            return Stage::Other(Warning::LittleGain);
         }
         if self.slow_steps >= PATIENCE && self.sharpen() {
             return Stage::Sharper { restarts: false };
@@ -226,18 +225,18 @@ impl Schedule {
         is_guarded: bool,
     ) -> Stage {
         if self.retreats(tau) {
-            return Stage::Gentler("Exact steps have come to a halt: angles are smoothed again.");
+            return Stage::Other(Warning::ExactHalt);
         }
         if self.sharpen() {
             return Stage::Sharper { restarts: true };
         }
         if self.finish(energy, is_spherical) {
-            return Stage::Other("Steps gain nothing: L-BFGS takes over.");
+            return Stage::Other(Warning::NoGain);
         }
         if self.is_finishing && !self.always_exact && self.sharpens {
             if self.round_energy - energy > REFUTED * energy {
                 self.begin_round(energy);
-                return Stage::Gentler("W still falls: another round of L-BFGS.");
+                return Stage::Other(Warning::AnotherRound);
             }
             self.is_at_rest = !is_guarded;
         }

@@ -2,8 +2,8 @@
 //! is Möbius invariant, so that it does not mind balloons.
 
 use super::CircleFlow;
-use crate::flow::StepReport;
-use crate::flow::report::{Warning, WarningsGiven};
+use crate::flow::warning::WarningsGiven;
+use crate::flow::{StepReport, Warning};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
@@ -36,31 +36,17 @@ impl CircleFlow {
         }
         let before = self.trial.exact;
         let rose = report.energy > (1.0 + ROSE) * before && report.energy > self.nearly_spherical();
-        if rose && given.is_first(Warning::ReadingRose) {
-            report.warnings.push(format!(
-                "W rose from {before:.4} to {:.4} in this step, although the smoothed energy that \
-                 the flow lowers fell: many of its angles were near zero.",
-                report.energy
-            ));
+        let warnings = &mut report.warnings;
+        if rose {
+            let after = report.energy;
+            given.give_once(Warning::ReadingRose { before, after }, warnings);
         }
-        if report.area > BUBBLE * self.start_area && given.is_first(Warning::Growth) {
-            report.warnings.push(
-                "The area has grown several times over: a bubble, round and thus cheap, may be \
-                 forming. From a rough start, smooth a little first."
-                    .into(),
-            );
+        if report.area > BUBBLE * self.start_area {
+            given.give_once(Warning::Growth, warnings);
         }
         let is_closed = self.mesh.is_closed() && self.mesh.is_oriented();
-        if is_closed
-            && balance(&self.mesh, x) < BALLOON * self.start_balance
-            && given.is_first(Warning::Balloon)
-        {
-            report.warnings.push(
-                "Half of the area is held by few large faces: a part of the surface inflates, which \
-                 this energy does not mind. The p-Willmore flow with area and volume kept does not \
-                 let it."
-                    .into(),
-            );
+        if is_closed && balance(&self.mesh, x) < BALLOON * self.start_balance {
+            given.give_once(Warning::Balloon, warnings);
         }
     }
 }

@@ -4,7 +4,7 @@
 use super::law::Law;
 use super::{CurvatureFlow, NEARLY_AT_REST};
 use crate::flow::options::Scheme;
-use crate::flow::{Cost, FlowError, Occasion, Phase};
+use crate::flow::{Cost, FlowError, Occasion, Phase, Warning};
 use glam::DVec3;
 
 /// A first update of the sixth-order flow longer than so many edges comes from a start too
@@ -56,16 +56,11 @@ impl CurvatureFlow {
             Occasion::Before if may_climb && !self.ladder.has_looked => {
                 self.ladder.has_looked = true;
                 let size = self.whole_size(x, cost)?;
-                Ok((size > ROUGH).then(|| {
-                    self.climb(
-                        format!(
-                            "The start is too rough for the sixth-order flow, which would move it \
-                             by {size:.0} edge lengths: up to {RUNGS} steps of surface diffusion go \
-                             before."
-                        ),
-                        None,
-                    )
-                }))
+                let event = Warning::RoughStart {
+                    edges: size,
+                    steps: RUNGS,
+                };
+                Ok((size > ROUGH).then(|| self.climb(event, None)))
             }
             Occasion::Accepted { .. } if self.ladder.is_climbing() => {
                 self.ladder.rungs -= 1;
@@ -87,27 +82,21 @@ impl CurvatureFlow {
                 if size <= NEARLY_AT_REST {
                     return Ok(None);
                 }
-                let why = format!(
-                    "No rest in sight: back to the start, up to {RUNGS} steps of surface diffusion \
-                     go before."
-                );
                 let start = self.start.clone();
                 self.reached = Some(x.to_vec());
-                Ok(Some(self.climb(why, Some(start))))
+                Ok(Some(
+                    self.climb(Warning::BackToStart { steps: RUNGS }, Some(start)),
+                ))
             }
             Occasion::Ending { is_at_rest } if is_own => {
                 Ok(self.better_than(x, *is_at_rest).map(|from| {
                     self.forget();
                     Phase {
-                    from: Some(from),
-                    resets_functional: true,
-                    event: Some(
-                        "A surface on the way varied its curvature less than the last: it is put \
-                         in place."
-                            .into(),
-                    ),
-                    ..Phase::default()
-                }
+                        from: Some(from),
+                        resets_functional: true,
+                        event: Some(Warning::BetterBefore),
+                        ..Phase::default()
+                    }
                 }))
             }
             _ => Ok(None),
@@ -126,7 +115,7 @@ impl CurvatureFlow {
         }
     }
 
-    fn climb(&mut self, event: String, from: Option<Vec<DVec3>>) -> Phase {
+    fn climb(&mut self, event: Warning, from: Option<Vec<DVec3>>) -> Phase {
         self.ladder.rungs = RUNGS;
         self.ladder.has_climbed = true;
         self.known = None;

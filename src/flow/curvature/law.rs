@@ -4,6 +4,7 @@ use super::curvatures::Curvatures;
 use super::velocity::Velocity;
 use super::{curvature_variation, mean_curvature, surface_diffusion, willmore};
 use crate::flow::FlowError;
+use crate::flow::option::Allowed;
 use crate::flow::options::FlowName;
 
 /// Which velocity.
@@ -24,7 +25,7 @@ impl Law {
             FlowName::Willmore => Ok(Self::Willmore),
             FlowName::Mmcv => Ok(Self::CurvatureVariation),
             FlowName::Circle | FlowName::PWillmore | FlowName::Flips => {
-                let allowed = "one by mean curvature or its derivatives";
+                let allowed = Allowed::CurvatureFlow;
                 Err(FlowError::option("flow", flow.id(), allowed))
             }
         }

@@ -39,12 +39,12 @@ mod willmore;
 
 use super::bounds::lower_bounds;
 use super::options::{FlowOptions, Scheme};
-use super::report::WarningsGiven;
 use super::rules::{Ceiling, Folds};
 use super::step_size::StepSize;
+use super::warning::WarningsGiven;
 use super::{
-    Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal, Reading,
-    Refusal, Rules, StepReport, boundary, prefill,
+    Advice, Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal,
+    Reading, Refusal, Rules, StepReport, boundary, prefill,
 };
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
@@ -78,8 +78,10 @@ const TOLERANCE_AT_REST: f64 = 1e-2;
 /// On the ladder the flow's own energy may rise, but not above so many times that at the start:
 /// a tube may pinch off there.
 const LADDER: f64 = 10.0;
-/// A reading that has come to this share of the first is zero.
+/// A reading that has come to this share of the first is zero; and so is one that without a unit
+/// is roundoff, as of a round sphere from the start.
 const ZERO: f64 = 1e-13;
+const ROUNDOFF: f64 = 1e-20;
 /// A surface is at rest if a whole step moves no vertex by more than this share of an edge …
 const AT_REST: f64 = 1e-6;
 /// … or by more than this, where its reading does not change any more either.
@@ -296,7 +298,10 @@ impl Flow for CurvatureFlow {
             roundoff: 0.0,
             zero: match self.watched() {
                 Law::MeanCurvature | Law::SurfaceDiffusion => 0.0,
-                Law::Willmore | Law::CurvatureVariation => ZERO * self.first_energy,
+                Law::Willmore | Law::CurvatureVariation => {
+                    let roundoff = ROUNDOFF / self.law.normalised(1.0, self.region.length);
+                    roundoff.max(ZERO * self.first_energy)
+                }
             },
             can_vanish,
             ends_at_rest: true,
@@ -396,11 +401,11 @@ impl Flow for CurvatureFlow {
         self.warn_of(report, given);
     }
 
-    fn remedy(&self) -> &'static str {
+    fn advice(&self) -> Advice {
         match self.law {
-            Law::MeanCurvature => "the p-Willmore flow with p = 0 keeps its mesh a better one",
-            _ if self.is_whole() => "conformal regularisation or the p-Willmore flow helps",
-            _ => "a smooth pre-fill, a finer mesh or a flow of lower order helps",
+            Law::MeanCurvature => Advice::PWillmoreZero,
+            _ if self.is_whole() => Advice::RegularOrPWillmore,
+            _ => Advice::FirstGuess,
         }
     }
 

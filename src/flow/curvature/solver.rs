@@ -197,6 +197,7 @@ mod tests {
         };
         let points = vec![DVec3::ZERO; 4];
         let rhs = [1.0; 4];
+        assert_eq!(residual(&system, &[0.25; 4], &rhs), [0.75, 0.75, 1.0, 0.75]);
         let mut quality = Quality::default();
         let refused = Solver::Iterative(points.clone()).solve(&system, &rhs, &mut quality);
         assert!(

@@ -1,87 +1,136 @@
 //! Why an option is refused, and which one was probably meant.
 
-use thiserror::Error;
+use crate::message::{Message, messages};
 
-/// An option that there is not, or a value that it cannot have.
-#[derive(Clone, Debug, Error, PartialEq, Eq)]
-pub enum OptionError {
-    /// Nothing is called so.
-    #[error("there is no option `{name}`")]
-    Unknown {
-        /// As given.
-        name: String,
-        /// Name and flag of the option that is called almost so.
-        near: Option<(String, String)>,
-    },
-    /// Not in its range, or of another kind.
-    #[error("`{name}` cannot be `{value}`")]
-    BadValue {
-        /// The option.
-        name: &'static str,
-        /// What was given.
-        value: String,
-        /// What it may be, in half a sentence.
-        allowed: String,
-    },
-    /// Nothing was given.
-    #[error("`{name}` has no value")]
-    Empty {
-        /// The option.
-        name: &'static str,
-        /// What it may be.
-        allowed: String,
-    },
-    /// What runs does not read it.
-    #[error("`{name}` changes nothing here: it is for {of}")]
-    Unread {
-        /// The option.
-        name: &'static str,
-        /// What reads it.
-        of: String,
-    },
-    /// Two that say the same thing differently.
-    #[error("`{first}` and `{second}` cannot both be given")]
-    Conflict {
-        /// One.
-        first: &'static str,
-        /// The other.
-        second: &'static str,
-    },
+messages! {
+    /// An option that there is not, or a value that it cannot have.
+    #[derive(Clone, Debug, PartialEq)]
+    pub enum OptionError as "option-error" {
+        /// Nothing is called so.
+        UnknownOption {
+            /// As given.
+            name: String,
+            /// The option that is called almost so, or `none`, …
+            near: String,
+            /// … and its flag.
+            flag: String,
+        },
+        /// Not in its range, or of another kind.
+        BadOption {
+            /// The option.
+            name: &'static str,
+            /// What was given.
+            value: String,
+            /// What it may be.
+            allowed: Allowed,
+        },
+        /// What runs does not read it.
+        UnreadOption {
+            /// The option.
+            name: &'static str,
+            /// The flows that read it …
+            flows: Vec<&'static str>,
+            /// … with this scheme, or `any`, …
+            scheme: &'static str,
+            /// … and with this goal, or `any`.
+            goal: &'static str,
+        },
+        /// One that there must be.
+        MissingOption {
+            /// The option.
+            name: &'static str,
+            /// What it may be.
+            allowed: Allowed,
+        },
+        /// One that is read together with a value of another only.
+        LoneOption {
+            /// The option.
+            name: &'static str,
+            /// The other.
+            other: &'static str,
+            /// What that would have to be.
+            value: &'static str,
+        },
+        /// Two that say the same thing differently.
+        ConflictingOptions {
+            /// One.
+            first: &'static str,
+            /// The other.
+            second: &'static str,
+        },
+    }
 }
 
-impl OptionError {
-    /// The variant's name. A value out of range and a missing one are the same mistake.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::Unknown { .. } => "UnknownOption",
-            Self::BadValue { .. } | Self::Empty { .. } => "BadOption",
-            Self::Unread { .. } => "UnreadOption",
-            Self::Conflict { .. } => "ConflictingOptions",
-        }
-    }
-
-    /// What the user can do.
-    pub fn hint(&self) -> String {
-        match self {
-            Self::Unknown {
-                near: Some((name, flag)),
-                ..
-            } if name == flag => format!("Did you mean `{name}`?"),
-            Self::Unknown {
-                near: Some((name, flag)),
-                ..
-            } => format!("Did you mean `{name}` (--{flag})?"),
-            Self::Unknown { near: None, .. } => {
-                "--help lists the options; a link that is copied from the page shows how they are \
-                 written."
-                    .into()
-            }
-            Self::BadValue { allowed, .. } | Self::Empty { allowed, .. } => {
-                format!("It may be {allowed}.")
-            }
-            Self::Unread { .. } => "Leave it out, or choose what reads it.".into(),
-            Self::Conflict { .. } => "Each says the same thing in its own way.".into(),
-        }
+messages! {
+    /// What the value of an option may be.
+    #[derive(Clone, Debug, PartialEq)]
+    pub enum Allowed as "allowed" {
+        /// A number between these, both included.
+        Range {
+            /// The least.
+            low: f64,
+            /// The largest.
+            high: f64,
+        },
+        /// The same, or 0.
+        ZeroOrRange {
+            /// The least.
+            low: f64,
+            /// The largest.
+            high: f64,
+        },
+        /// Above the one and at most the other.
+        Above {
+            /// What it is above.
+            low: f64,
+            /// The largest.
+            high: f64,
+        },
+        /// A whole number between these, both included.
+        WholeRange {
+            /// The least.
+            low: f64,
+            /// The largest.
+            high: f64,
+        },
+        /// One of some names.
+        OneOf {
+            /// The names.
+            names: Vec<&'static str>,
+        },
+        /// Any of some names, or none of them.
+        AnyOf {
+            /// The names.
+            names: Vec<&'static str>,
+        },
+        /// Yes or no.
+        Switch,
+        /// Any number of these, with commas.
+        SeveralOf {
+            /// What each may be.
+            allowed: Message,
+        },
+        /// Vertex numbers.
+        Vertices,
+        /// A word, or something else.
+        WordOr {
+            /// The word.
+            word: &'static str,
+            /// What else.
+            allowed: Message,
+        },
+        /// One of the flows that move vertices.
+        MovingFlow,
+        /// One of the flows by mean curvature or its derivatives.
+        CurvatureFlow,
+        /// Given only where both area and volume are kept.
+        WithAreaAndVolume,
+        /// Only 2 with spontaneous curvature, tension or pressure.
+        HelfrichTwo,
+        /// 0 on quadrilaterals.
+        ZeroOnQuadrilaterals,
+        /// 0 in the paper's scheme.
+        ZeroInPaper,
     }
 }
 

@@ -1,10 +1,11 @@
 //! What an option may be: its range or its names, read from text and checked.
 
+use super::error::Allowed;
 use super::value::Value;
+use crate::message::Say;
 use serde::Serialize;
 use serde::de::value::Error;
 use serde::de::{self, DeserializeOwned, Deserializer, IntoDeserializer, Visitor};
-use std::fmt;
 
 /// Numbers between two ends, each belonging to them or not.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -73,17 +74,14 @@ impl Range {
     }
 }
 
-impl fmt::Display for Range {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [low, high] = [self.low, self.high].map(Value::Number);
-        let numbers = match (self.whole, self.low_open) {
-            (true, _) => format!("a whole number from {low} to {high}"),
-            (false, false) => format!("a number from {low} to {high}"),
-            (false, true) => format!("a number above {low}, at most {high}"),
-        };
-        match self.also {
-            Some(also) => write!(f, "{also}, or {numbers}"),
-            None => f.write_str(&numbers),
+impl From<Range> for Allowed {
+    fn from(range: Range) -> Self {
+        let Range { low, high, .. } = range;
+        match (range.also, range.whole, range.low_open) {
+            (Some(_), ..) => Self::ZeroOrRange { low, high },
+            (None, true, _) => Self::WholeRange { low, high },
+            (None, false, true) => Self::Above { low, high },
+            (None, false, false) => Self::Range { low, high },
         }
     }
 }
@@ -99,6 +97,8 @@ pub enum Kind {
     Set(fn() -> &'static [&'static str]),
     /// Yes or no.
     Switch,
+    /// Any number of numbers.
+    Numbers(Range),
     /// Vertex numbers, counted from 0.
     Vertices,
 }
@@ -126,7 +126,9 @@ impl Kind {
             Self::Set(_) if text == "none" => Some(Value::List(Vec::new())),
             Self::Set(_) => list(|name| Some(Value::Text(name.into()))),
             Self::Switch => text.parse().ok().map(Value::Switch),
-            Self::Vertices => list(|number| number.parse().ok().map(Value::Number)),
+            Self::Numbers(_) | Self::Vertices => {
+                list(|number| number.parse().ok().map(Value::Number))
+            }
         };
         value.unwrap_or_else(|| Value::Text(text.into()))
     }
@@ -141,6 +143,10 @@ impl Kind {
                 ids().contains(&id.as_str()) && !values[..n].contains(value)
             }),
             (Self::Switch, Value::Switch(_)) => true,
+            (Self::Numbers(range), Value::List(values)) => values.iter().all(|value| match value {
+                Value::Number(x) => range.holds(*x),
+                _ => false,
+            }),
             (Self::Vertices, Value::List(values)) => values.iter().all(|value| match value {
                 Value::Number(x) => *x >= 0.0 && *x <= f64::from(u32::MAX) && x.fract() == 0.0,
                 _ => false,
@@ -149,14 +155,21 @@ impl Kind {
         }
     }
 
-    /// The allowed values, in half a sentence.
-    pub fn allowed(&self) -> String {
+    /// The allowed values.
+    pub fn allowed(&self) -> Allowed {
         match self {
-            Self::Number(range) => range.to_string(),
-            Self::Choice(ids) => format!("one of {}", ids().join(", ")),
-            Self::Set(ids) => format!("none, or any of {}", ids().join(", ")),
-            Self::Switch => "true or false".into(),
-            Self::Vertices => "a list of vertex numbers from 0".into(),
+            Self::Number(range) => (*range).into(),
+            Self::Choice(ids) => Allowed::OneOf {
+                names: ids().to_vec(),
+            },
+            Self::Set(ids) => Allowed::AnyOf {
+                names: ids().to_vec(),
+            },
+            Self::Switch => Allowed::Switch,
+            Self::Numbers(range) => Allowed::SeveralOf {
+                allowed: Allowed::from(*range).message(),
+            },
+            Self::Vertices => Allowed::Vertices,
         }
     }
 }

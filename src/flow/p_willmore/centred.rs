@@ -325,6 +325,26 @@ mod tests {
             for (r, g) in residual.values.iter().zip(&at.gradient) {
                 assert!((r.re - *g).length() < 1e-11 * size, "p = {p}");
             }
+            // Inertia is the mass at x̄ times (x′ − x)/τ, and all that τ has a part in.
+            let pushed: Vec<DVec3> = x.iter().map(|x| 1.1 * *x).collect();
+            let half_way: Vec<DVec3> = x.iter().map(|x| 1.05 * *x).collect();
+            let mut there = Evaluation::default();
+            functional.measure(&half_way, &mut there);
+            let slower = CentredStep {
+                tau: 1e-2,
+                weighted: step.weighted.clone(),
+                ..step
+            };
+            let [fast, slow] = [&step, &slower].map(|step| {
+                let mut residual = Residual::default();
+                step.residual(&pushed, None, [false; 2], &[], &mut residual);
+                residual.values
+            });
+            for (i, (fast, slow)) in fast.iter().zip(&slow).enumerate() {
+                let inertia = there.mass[i] * (pushed[i] - x[i]) * (1e3 - 1e2);
+                let off = (fast.re - slow.re - inertia).length();
+                assert!(off < 1e-9 * inertia.length(), "p = {p}: {off}");
+            }
             let wave = |i: usize| DVec3::new((i as f64).sin(), (2.3 * i as f64).cos(), 0.4);
             let d: Vec<DVec3> = (0..x.len()).map(wave).collect();
             let y: Vec<DVec3> = x.iter().zip(&d).map(|(x, d)| *x + 0.01 * *d).collect();

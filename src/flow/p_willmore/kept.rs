@@ -3,6 +3,7 @@
 use crate::energy::p_willmore::{Evaluation, Integrals};
 use crate::flow::FlowError;
 use crate::flow::constraint::{self, Constraint};
+use crate::flow::option::Allowed;
 use crate::flow::options::FlowOptions;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -42,7 +43,7 @@ impl Kept {
             None => volume,
             Some(reduced) => {
                 if !(keeps_area && keeps_volume) {
-                    let allowed = "given only where both area and volume are kept";
+                    let allowed = Allowed::WithAreaAndVolume;
                     return Err(FlowError::option("reducedVolume", reduced, allowed));
                 }
                 Some(reduced * ball_volume(start.area) * start.volume.signum())

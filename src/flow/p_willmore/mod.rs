@@ -21,13 +21,14 @@ mod system;
 mod warning;
 
 use super::bounds::lower_bounds;
+use super::option::Allowed;
 use super::options::{FlowOptions, Scheme};
-use super::report::WarningsGiven;
 use super::rules::{Ceiling, Folds};
 use super::step_size::StepSize;
+use super::warning::WarningsGiven;
 use super::{
-    Cost, Flow, FlowError, Functional, Monitored, Move, Multipliers, Occasion, Phase, Proposal,
-    Reading, Refusal, Rules, StepReport, vesicle,
+    Advice, Cost, Flow, FlowError, Functional, Monitored, Move, Multipliers, Occasion, Phase,
+    Proposal, Reading, Refusal, Rules, StepReport, vesicle,
 };
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
 use crate::geometry::measure;
@@ -369,15 +370,15 @@ impl Flow for PWillmoreFlow {
         self.warn_of(x, report, given);
     }
 
-    fn remedy(&self) -> &'static str {
+    fn advice(&self) -> Advice {
         if self.mode() == Mode::Off {
-            "conformal regularisation or a finer mesh helps"
+            Advice::RegularOrFiner
         } else if self.options.p < 2.0 {
-            "where it thins out the surface becomes singular; keeping the volume prevents that"
+            Advice::KeepVolume
         } else if self.options.p > 2.0 {
-            "smooth with p = 2 first, or use a finer mesh"
+            Advice::SmoothFirst
         } else {
-            "a finer mesh helps"
+            Advice::FinerMesh
         }
     }
 
@@ -436,12 +437,11 @@ fn helfrich(options: &FlowOptions, scale: f64, triangles: bool) -> Result<Helfri
         pressure: options.pressure / scale.powi(3),
     };
     if helfrich != Helfrich::default() && options.p != 2.0 {
-        let allowed = "only 2 with spontaneous curvature, tension or pressure";
-        return Err(FlowError::option("p", options.p, allowed));
+        return Err(FlowError::option("p", options.p, Allowed::HelfrichTwo));
     }
     if helfrich.spontaneous != 0.0 && !triangles {
         let (name, value) = ("spontaneousCurvature", options.spontaneous_curvature);
-        let allowed = "0 on quadrilaterals; triangulate the mesh for others";
+        let allowed = Allowed::ZeroOnQuadrilaterals;
         return Err(FlowError::option(name, value, allowed));
     }
     Ok(helfrich)
@@ -461,10 +461,7 @@ fn check_paper(options: &FlowOptions, vertices: usize) -> Result<(), FlowError> 
         ("pressure", options.pressure),
     ];
     match terms.into_iter().find(|(_, value)| *value != 0.0) {
-        Some((name, value)) => {
-            let allowed = "only 0 in the paper's scheme";
-            Err(FlowError::option(name, value, allowed))
-        }
+        Some((name, value)) => Err(FlowError::option(name, value, Allowed::ZeroInPaper)),
         None => Ok(()),
     }
 }

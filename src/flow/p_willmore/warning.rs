@@ -2,8 +2,8 @@
 
 use super::PWillmoreFlow;
 use super::kept::Kept;
-use crate::flow::report::{Warning, WarningsGiven};
-use crate::flow::{StepReport, vesicle};
+use crate::flow::warning::WarningsGiven;
+use crate::flow::{StepReport, Warning, vesicle};
 use crate::remesh::Regulariser;
 use glam::DVec3;
 
@@ -25,53 +25,37 @@ impl PWillmoreFlow {
                 .regulariser
                 .as_ref()
                 .is_some_and(Regulariser::is_iterative);
-        if is_iterative && given.is_first(Warning::Iterative) {
-            report.warnings.push(
-                "The mesh is too large to factor its matrices in memory: they are solved \
-                 iteratively, and steps take longer."
-                    .into(),
-            );
+        let warnings = &mut report.warnings;
+        if is_iterative {
+            given.give_once(Warning::IterativeMesh, warnings);
         }
         let bending = self.shown(self.evaluation.integrals.energy);
         let is_near = |least: f64| bending < NEAR_MINIMUM * least;
-        if self.smooth_minimum.is_some_and(is_near) && given.is_first(Warning::NearBound) {
-            report.warnings.push(
-                "∫H² is below that of every smooth surface with these handles: the mesh no \
-                 longer resolves the surface."
-                    .into(),
-            );
+        if self.smooth_minimum.is_some_and(is_near) {
+            given.give_once(Warning::NearBound, warnings);
         }
         let is_time = self.options.p == 2.0 && report.step.is_multiple_of(LOOK_EVERY);
-        if is_time && !given.was_given(Warning::Disagreement) {
+        if is_time && !given.was_given(&Warning::Disagreement { percent: 0.0 }) {
             let percent = 100.0 * self.functional.disagreement(x);
-            if percent > DISAGREEING && given.is_first(Warning::Disagreement) {
-                report.warnings.push(format!(
-                    "Two readings of ∫H², with a lumped and with a consistent mass, part by \
-                     {percent:.0} %: the mesh does not resolve its curvature well."
-                ));
+            if percent > DISAGREEING {
+                given.give_once(Warning::Disagreement { percent }, warnings);
             }
         }
         let curvatures = self.evaluation.curvature.iter().zip(&self.evaluation.mass);
-        let (at, sharpest) = curvatures
+        let (vertex, sharpest) = curvatures
             .map(|(y, m)| y.length() * m.sqrt())
             .enumerate()
             .fold(
                 (0, 0.0),
                 |best, (i, y)| if y > best.1 { (i, y) } else { best },
             );
-        if sharpest > UNDER_RESOLVED && given.is_first(Warning::Coarse) {
-            let what = if sharpest > SINGULAR {
-                "the surface is about to become singular, as a neck that pinches off"
-            } else {
-                "edges are too long for the curvature"
-            };
-            report
-                .warnings
-                .push(format!("At vertex {at} {what}: use a finer mesh."));
+        if sharpest > SINGULAR {
+            given.give_once(Warning::NearlySingular { vertex }, warnings);
+        } else if sharpest > UNDER_RESOLVED {
+            given.give_once(Warning::Coarse { vertex }, warnings);
         }
-        if Kept::leads(&self.options) && self.kept.has_arrived() && given.is_first(Warning::Branch)
-        {
-            report.warnings.push(vesicle::branch(&self.mesh, x));
+        if Kept::leads(&self.options) && self.kept.has_arrived() {
+            given.give_once(vesicle::branch(&self.mesh, x), warnings);
         }
     }
 }

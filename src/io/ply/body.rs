@@ -1,7 +1,7 @@
 //! The body of a PLY file, text or binary, behind one interface.
 
 use super::super::text::{Lines, Words};
-use super::super::{Format, Place, ReadError};
+use super::super::{Expected, Format, Place, ReadError};
 use super::header::{Element, Header, Scalar};
 
 /// Values of an element's records, in the header's order.
@@ -14,13 +14,13 @@ pub(super) trait Body {
     fn check_count(&self, element: &Element) -> Result<usize, ReadError>;
 
     /// Goes to the next record.
-    fn begin(&mut self, expected: &'static str) -> Result<(), ReadError>;
+    fn begin(&mut self, expected: Expected) -> Result<(), ReadError>;
 
     /// Where the record, or the value to be read, begins.
     fn place(&self) -> Place;
 
     /// The next value; every type but `double` fits an `f64` exactly, and so does that.
-    fn value(&mut self, scalar: Scalar, expected: &'static str) -> Result<f64, ReadError>;
+    fn value(&mut self, scalar: Scalar, expected: Expected) -> Result<f64, ReadError>;
 
     /// Makes sure that a list of such length could follow.
     fn check_list(&self, scalar: Scalar, length: u64) -> Result<(), ReadError>;
@@ -62,7 +62,7 @@ impl Body for Text<'_> {
         checked(element, at_most)
     }
 
-    fn begin(&mut self, expected: &'static str) -> Result<(), ReadError> {
+    fn begin(&mut self, expected: Expected) -> Result<(), ReadError> {
         self.record = self.lines.next_filled(expected)?;
         Ok(())
     }
@@ -71,7 +71,7 @@ impl Body for Text<'_> {
         self.record.place()
     }
 
-    fn value(&mut self, scalar: Scalar, expected: &'static str) -> Result<f64, ReadError> {
+    fn value(&mut self, scalar: Scalar, expected: Expected) -> Result<f64, ReadError> {
         if scalar.is_integer() {
             self.record.integer(expected).map(|value| value as f64)
         } else {
@@ -86,7 +86,7 @@ impl Body for Text<'_> {
 
     fn skip(&mut self, _: Scalar, count: u64) -> Result<(), ReadError> {
         for _ in 0..count {
-            self.record.word("a number")?;
+            self.record.word(Expected::Number)?;
         }
         Ok(())
     }
@@ -164,15 +164,15 @@ impl<const BIG: bool> Body for Binary<'_, BIG> {
         checked(element, u64::MAX)
     }
 
-    fn begin(&mut self, _: &'static str) -> Result<(), ReadError> {
+    fn begin(&mut self, _: Expected) -> Result<(), ReadError> {
         Ok(())
     }
 
     fn place(&self) -> Place {
-        Place::Byte(self.at)
+        Place::Byte { byte: self.at }
     }
 
-    fn value(&mut self, scalar: Scalar, _: &'static str) -> Result<f64, ReadError> {
+    fn value(&mut self, scalar: Scalar, _: Expected) -> Result<f64, ReadError> {
         Ok(match scalar {
             Scalar::I8 => i8::from_le_bytes(self.take()?).into(),
             Scalar::U8 => u8::from_le_bytes(self.take()?).into(),

@@ -1,7 +1,11 @@
 //! The header of a PLY file: which elements follow, how many, made of what.
 
 use super::super::text::{Lines, Words};
-use super::super::{Format, Place, ReadError};
+use super::super::{Expected, Format, Place, ReadError};
+
+/// The words that a header begins and ends with.
+const PLY: Expected = Expected::Keyword { word: "ply" };
+const END: Expected = Expected::Keyword { word: "end_header" };
 
 /// The numeric types of PLY.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,14 +79,14 @@ impl Property {
             words.next();
             let (length, word) = read_type(words)?;
             if !length.is_integer() {
-                return Err(words.error(Some(word), "an integer type for the length of a list"));
+                return Err(words.error(Some(word), Expected::IntegerType));
             }
             Some(length)
         } else {
             None
         };
         let (scalar, _) = read_type(words)?;
-        let role = match (kind, words.word("the property's name")?) {
+        let role = match (kind, words.word(Expected::PropertyName)?) {
             (Kind::Vertex, b"x") if !is_list => Role::Coordinate(0),
             (Kind::Vertex, b"y") if !is_list => Role::Coordinate(1),
             (Kind::Vertex, b"z") if !is_list => Role::Coordinate(2),
@@ -100,7 +104,7 @@ impl Property {
 }
 
 fn read_type<'a>(words: &mut Words<'a>) -> Result<(Scalar, &'a [u8]), ReadError> {
-    const EXPECTED: &str = "a type such as float or uchar";
+    const EXPECTED: Expected = Expected::NumberType;
     let word = words.word(EXPECTED)?;
     let scalar = Scalar::from_name(word).ok_or_else(|| words.error(Some(word), EXPECTED))?;
     Ok((scalar, word))
@@ -137,12 +141,12 @@ pub(super) struct Element {
 
 impl Element {
     fn from_words(words: &mut Words<'_>) -> Result<Self, ReadError> {
-        let kind = match words.word("the element's name")? {
+        let kind = match words.word(Expected::ElementName)? {
             b"vertex" => Kind::Vertex,
             b"face" => Kind::Face,
             _ => Kind::Other,
         };
-        let count = words.how_many("the number of elements")?;
+        let count = words.how_many(Expected::ElementCount)?;
         Ok(Self {
             kind,
             count,
@@ -193,23 +197,23 @@ impl Header {
             _ => b'\n',
         };
         let mut lines = Lines::new(Format::Ply, bytes).starting_at(line_end, 0);
-        let mut words = lines.next_filled("ply")?;
-        match words.word("ply")? {
+        let mut words = lines.next_filled(PLY)?;
+        match words.word(PLY)? {
             b"ply" => {}
-            word => return Err(words.error(Some(word), "ply")),
+            word => return Err(words.error(Some(word), PLY)),
         }
         let format = read_format(&mut lines)?;
         let mut elements: Vec<Element> = Vec::new();
         loop {
-            let mut words = lines.next_filled("end_header")?;
-            match words.word("end_header")? {
+            let mut words = lines.next_filled(END)?;
+            match words.word(END)? {
                 b"comment" | b"obj_info" => {}
                 b"element" => {
                     let element = Element::from_words(&mut words)?;
                     let kind = element.kind;
                     if kind != Kind::Other && elements.iter().any(|e| e.kind == kind) {
                         let found = Some(b"element".as_slice());
-                        return Err(words.error(found, "vertices and faces in one element each"));
+                        return Err(words.error(found, Expected::OneElementEach));
                     }
                     elements.push(element);
                 }
@@ -219,13 +223,21 @@ impl Header {
                             .properties
                             .push(Property::from_words(element.kind, &mut words)?);
                     }
-                    None => return Err(words.error(Some(b"property"), "element")),
+                    None => {
+                        let expected = Expected::Keyword { word: "element" };
+                        return Err(words.error(Some(b"property"), expected));
+                    }
                 },
                 b"end_header" => {
                     check_complete(&elements, &words)?;
                     break;
                 }
-                word => return Err(words.error(Some(word), "element, property or end_header")),
+                word => {
+                    let expected = Expected::Keyword {
+                        word: "element, property, end_header",
+                    };
+                    return Err(words.error(Some(word), expected));
+                }
             }
         }
         let vertices = elements
@@ -244,7 +256,9 @@ impl Header {
 }
 
 fn read_format(lines: &mut Lines<'_>) -> Result<Format, ReadError> {
-    const EXPECTED: &str = "format ascii, binary_little_endian or binary_big_endian";
+    const EXPECTED: Expected = Expected::Keyword {
+        word: "format ascii, format binary_little_endian, format binary_big_endian",
+    };
     loop {
         let mut words = lines.next_filled(EXPECTED)?;
         match words.word(EXPECTED)? {
@@ -267,9 +281,11 @@ fn check_complete(elements: &[Element], end: &Words<'_>) -> Result<(), ReadError
     let missing = match elements.iter().find(|element| !element.is_complete()) {
         Some(Element {
             kind: Kind::Face, ..
-        }) => "one list `vertex_indices` of integers in element face",
-        Some(_) => "one property each `x`, `y` and `z` in element vertex",
-        None if elements.iter().all(|e| e.kind != Kind::Vertex) => "element vertex",
+        }) => Expected::FaceProperty,
+        Some(_) => Expected::VertexProperties,
+        None if elements.iter().all(|e| e.kind != Kind::Vertex) => Expected::Keyword {
+            word: "element vertex",
+        },
         None => return Ok(()),
     };
     Err(end.error(Some(b"end_header"), missing))

@@ -15,7 +15,7 @@ use self::body::{Binary, Body, Text};
 use self::header::{Element, Header, Kind, Property, Role};
 pub(super) use self::write::write;
 use super::assembly::Assembly;
-use super::{Format, Read, ReadError};
+use super::{Expected, Format, Found, Read, ReadError};
 
 /// Reads a PLY file of any encoding.
 pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
@@ -47,7 +47,7 @@ fn read_body(header: &Header, mut body: impl Body) -> Result<Read, ReadError> {
             }
             Kind::Other => {
                 for _ in 0..count {
-                    body.begin("a line of another element")?;
+                    body.begin(Expected::OtherElement)?;
                     for property in &element.properties {
                         step_over(property, &mut body)?;
                     }
@@ -63,13 +63,15 @@ fn read_vertex(
     body: &mut impl Body,
     assembly: &mut Assembly,
 ) -> Result<(), ReadError> {
-    body.begin("a vertex")?;
+    body.begin(Expected::Vertex)?;
     let place = body.place();
     let mut position = DVec3::ZERO;
     for property in &element.properties {
         match property.role {
             Role::Coordinate(axis) => {
-                position[axis] = body.value(property.scalar, "a coordinate")?
+                let axis_name = ["x", "y", "z"][axis];
+                let expected = Expected::Coordinate { axis: axis_name };
+                position[axis] = body.value(property.scalar, expected)?
             }
             _ => step_over(property, body)?,
         }
@@ -84,7 +86,7 @@ fn read_face(
     corners: &mut Vec<u32>,
     assembly: &mut Assembly,
 ) -> Result<(), ReadError> {
-    body.begin("a face")?;
+    body.begin(Expected::Face)?;
     let place = body.place();
     corners.clear();
     for property in &element.properties {
@@ -93,7 +95,7 @@ fn read_face(
             continue;
         }
         for _ in 0..value_count(property, body)? {
-            let index = body.value(property.scalar, "a vertex index")? as i64;
+            let index = body.value(property.scalar, Expected::VertexIndex)? as i64;
             match u32::try_from(index) {
                 Ok(vertex) if u64::from(vertex) < header.vertices => corners.push(vertex),
                 _ => {
@@ -117,20 +119,16 @@ fn step_over(property: &Property, body: &mut impl Body) -> Result<(), ReadError>
 
 /// How many values a property has in this record: one, or the length of its list.
 fn value_count(property: &Property, body: &mut impl Body) -> Result<u64, ReadError> {
-    const EXPECTED: &str = "the length of a list";
+    const EXPECTED: Expected = Expected::ListLength;
     let Some(scalar) = property.length else {
         return Ok(1);
     };
     let place = body.place();
     let length = body.value(scalar, EXPECTED)?;
     if length < 0.0 {
-        let found = format!("`{length}`");
-        return Err(ReadError::Syntax {
-            format: body.format(),
-            place,
-            found,
-            expected: EXPECTED,
-        });
+        let word = length.to_string();
+        let found = Found::Word { word };
+        return Err(ReadError::syntax(body.format(), place, found, EXPECTED));
     }
     let length = length as u64;
     body.check_list(property.scalar, length)?;
@@ -234,21 +232,33 @@ mod tests {
             Err(ReadError::Syntax { expected, .. }) => expected,
             other => panic!("{other:?}"),
         };
-        assert_eq!(expected(FACE), "element vertex");
-        assert!(expected(&VERTEX.replace("float z", "list uchar float z")).contains("`z`"));
-        assert!(expected(&format!("{VERTEX}property float x\n")).contains("`x`"));
-        assert!(expected(&format!("{VERTEX}element face 1\n")).contains("vertex_indices"));
-        assert!(
-            expected(&format!("{VERTEX}{}", FACE.replace("int ", "float ")))
-                .contains("vertex_indices")
-        );
-        assert!(
-            expected(&format!("{VERTEX}{}", FACE.replace("uchar", "float"))).contains("integer")
-        );
-        assert!(expected(&VERTEX.replace("float x", "quad x")).contains("type"));
-        assert!(expected(&format!("{VERTEX}{VERTEX}")).contains("each"));
-        assert!(expected("property float x\n").contains("element"));
-        assert_eq!(expected("element vertex -3\n"), "the number of elements");
+        let element = |word| Expected::Keyword { word };
+        for (elements, missing) in [
+            (FACE.to_owned(), element("element vertex")),
+            (
+                VERTEX.replace("float z", "list uchar float z"),
+                Expected::VertexProperties,
+            ),
+            (
+                format!("{VERTEX}property float x\n"),
+                Expected::VertexProperties,
+            ),
+            (format!("{VERTEX}element face 1\n"), Expected::FaceProperty),
+            (
+                format!("{VERTEX}{}", FACE.replace("int ", "float ")),
+                Expected::FaceProperty,
+            ),
+            (
+                format!("{VERTEX}{}", FACE.replace("uchar", "float")),
+                Expected::IntegerType,
+            ),
+            (VERTEX.replace("float x", "quad x"), Expected::NumberType),
+            (format!("{VERTEX}{VERTEX}"), Expected::OneElementEach),
+            ("property float x\n".to_owned(), element("element")),
+            ("element vertex -3\n".to_owned(), Expected::ElementCount),
+        ] {
+            assert_eq!(expected(&elements), missing, "{elements}");
+        }
         assert_eq!(
             ascii(VERTEX, "0 0 0\n1 0 0\n0 1 0\n"),
             Err(ReadError::NoFaces { vertices: 3 })
@@ -272,11 +282,12 @@ mod tests {
             .iter()
             .filter(|b| **b == b'\n')
             .count();
+        let word = |word: &str| Found::Word { word: word.into() };
         for (face, found) in [
-            ("-1 0 0", "`-1`"),
-            ("3 0 1", "end of line"),
-            ("3 0 1 x", "`x`"),
-            ("   ", "end of file"),
+            ("-1 0 0", word("-1")),
+            ("3 0 1", Found::EndOfLine),
+            ("3 0 1 x", word("x")),
+            ("   ", Found::EndOfFile),
         ] {
             let body = format!("0 0 0\n1 0 0\n\n0 1 0\n{face}");
             match ascii(&elements, &body) {
@@ -284,7 +295,7 @@ mod tests {
                     place, found: f, ..
                 }) => {
                     let line = 5;
-                    assert_eq!((place, f.as_str()), (Place::Line(lines + line), found));
+                    assert_eq!((place, f), (Place::Line { line: lines + line }, found));
                 }
                 other => panic!("{other:?}"),
             }
@@ -296,7 +307,7 @@ mod tests {
             binary(&[3, 0, 0, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0]),
             Err(ReadError::IndexOutOfRange {
                 format: Format::Ply,
-                place: Place::Byte(face),
+                place: Place::Byte { byte: face },
                 index: 3,
                 vertices: 3
             })
@@ -326,7 +337,7 @@ mod tests {
         assert!(matches!(
             ascii(&elements, "0 0 0\n"),
             Err(ReadError::CountTooLarge {
-                place: Place::Line(4),
+                place: Place::Line { line: 4 },
                 what: "vertices",
                 ..
             })

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use super::{Sample, grid, platonic, sphere};
+use super::{Conflict, Sample, grid, platonic, sphere};
 use crate::mesh::subdivide::{SubdivisionError, linear_levels};
 use crate::soup::PolygonSoup;
 
@@ -15,12 +15,12 @@ const RELAXATION: f64 = 1.8;
 /// A cylinder of radius 1 with four round patches replaced by the membranes their rims
 /// span: figure 5.1 (a, b). The patches are free; restored, all points have distance 1
 /// from the axis.
-pub fn cylinder_with_gaps(around: usize, along: usize, radius: f64) -> Result<Sample, String> {
+pub fn cylinder_with_gaps(around: usize, along: usize, radius: f64) -> Result<Sample, Conflict> {
     let edge = TAU / around as f64;
     let height = edge * along as f64;
     // Two held rings and one more between a patch and the ends.
     if radius + 3.5 * edge > 0.5 * height {
-        return Err(format!("patches of radius {radius} do not fit the length"));
+        return Err(Conflict::PatchesTooLong { radius });
     }
     let place = |k: usize| {
         let (i, j) = (k / (along + 1), k % (along + 1));

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use glam::{DQuat, DVec3};
 
-use super::sphere;
+use super::{Conflict, sphere};
 use crate::soup::PolygonSoup;
 
 /// Held rings between two holes, which continuous curvature takes.
@@ -17,20 +17,18 @@ const BETWEEN: f64 = 4.0;
 /// Every loop is simple, also where the mesh is coarse.
 ///
 /// # Errors
-/// A sentence if the holes do not fit, or if the mesh is too coarse for them.
+/// If the holes do not fit, or if the mesh is too coarse for them.
 pub fn sphere_with_holes(
     level: usize,
     holes: usize,
     radius: f64,
     jitter: f64,
     seed: u64,
-) -> Result<PolygonSoup, String> {
+) -> Result<PolygonSoup, Conflict> {
     let centres = spiral(holes);
     let edge = 1.1 / (1 << level) as f64;
     if radius < 1.5 * edge {
-        return Err(format!(
-            "level {level} is too coarse for holes of radius {radius}"
-        ));
+        return Err(Conflict::TooCoarse { level, radius });
     }
     let pairs = (0..holes).flat_map(|i| (0..i).map(move |j| (i, j)));
     let apart = pairs.map(|(i, j)| centres[i].angle_between(centres[j]));
@@ -38,11 +36,14 @@ pub fn sphere_with_holes(
     let room = apart.fold(2.0 * PI, f64::min) - BETWEEN * edge;
     if 2.0 * radius > room {
         let most = (0.5 * room).max(0.0);
-        return Err(format!(
-            "{holes} holes of radius {radius} do not fit; at this level it must be below {most:.3}"
-        ));
+        let count = holes;
+        return Err(Conflict::HolesOverlap {
+            count,
+            radius,
+            most,
+        });
     }
-    let soup = sphere::ellipsoid(DVec3::ONE, level, jitter, seed).map_err(|e| e.to_string())?;
+    let soup = sphere::ellipsoid(DVec3::ONE, level, jitter, seed)?;
     let is_inside = |p: &DVec3| centres.iter().any(|c| c.dot(*p) > radius.cos());
     let is_gone = soup.positions.iter().map(is_inside).collect();
     Ok(without(&soup, is_gone))

@@ -30,6 +30,8 @@ pub mod tubes;
 
 use serde::Serialize;
 
+use crate::mesh::subdivide::SubdivisionError;
+use crate::message::messages;
 use crate::soup::PolygonSoup;
 
 /// A number that a shape can be asked for.
@@ -60,7 +62,7 @@ pub struct Shape {
     pub parameters: &'static [Parameter],
     /// From one value a parameter, each within its limits.
     #[serde(skip)]
-    build: fn(&[f64]) -> Result<Sample, String>,
+    build: fn(&[f64]) -> Result<Sample, Conflict>,
 }
 
 /// A shape that was made, and which of its vertices a flow should hold.
@@ -86,87 +88,135 @@ impl From<PolygonSoup> for Sample {
     }
 }
 
-/// Why a shape cannot be made.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ShapeError {
-    /// No shape has this name.
-    #[error("there is no shape `{name}`")]
-    UnknownShape {
-        /// The name asked for.
-        name: String,
-        /// All names there are.
-        known: Vec<&'static str>,
-    },
-    /// The shape has no parameter of this name.
-    #[error("shape `{shape}` has no parameter `{name}`")]
-    UnknownParameter {
-        /// The shape.
-        shape: &'static str,
-        /// The name asked for.
-        name: String,
-        /// All parameters of the shape.
-        known: Vec<&'static str>,
-    },
-    /// A value outside the parameter's limits, or not a number.
-    #[error("`{parameter}` of shape `{shape}` is {value}, outside {low} to {high}")]
-    OutOfRange {
-        /// The shape.
-        shape: &'static str,
-        /// The parameter.
-        parameter: &'static str,
-        /// The value asked for.
-        value: f64,
-        /// Smallest value accepted.
-        low: f64,
-        /// Largest value accepted.
-        high: f64,
-    },
-    /// A fraction for a parameter that counts.
-    #[error("`{parameter}` of shape `{shape}` is {value}, not a whole number")]
-    NotAnInteger {
-        /// The shape.
-        shape: &'static str,
-        /// The parameter.
-        parameter: &'static str,
-        /// The value asked for.
-        value: f64,
-    },
-    /// Values that are each within limits but do not go together.
-    #[error("shape `{shape}` cannot be made: {reason}")]
-    Incompatible {
-        /// The shape.
-        shape: &'static str,
-        /// Which values disagree, and how.
-        reason: String,
-    },
+messages! {
+    /// Why a shape cannot be made.
+    #[derive(Clone, Debug, PartialEq)]
+    pub enum ShapeError as "shape" {
+        /// No shape has this name.
+        UnknownShape {
+            /// The name asked for.
+            name: String,
+            /// All names there are.
+            known: Vec<&'static str>,
+        },
+        /// The shape has no parameter of this name.
+        UnknownParameter {
+            /// The shape.
+            shape: &'static str,
+            /// The name asked for.
+            name: String,
+            /// All parameters of the shape.
+            known: Vec<&'static str>,
+        },
+        /// A value outside the parameter's limits, or not a number.
+        OutOfRange {
+            /// The shape.
+            shape: &'static str,
+            /// The parameter.
+            parameter: &'static str,
+            /// The value asked for.
+            value: f64,
+            /// Smallest value accepted.
+            low: f64,
+            /// Largest value accepted.
+            high: f64,
+        },
+        /// A fraction for a parameter that counts.
+        NotAnInteger {
+            /// The shape.
+            shape: &'static str,
+            /// The parameter.
+            parameter: &'static str,
+            /// The value asked for.
+            value: f64,
+            /// The nearest that would do.
+            nearest: f64,
+        },
+        /// Values that are each within limits but do not go together.
+        Incompatible {
+            /// The shape.
+            shape: &'static str,
+            /// Which values disagree, and how.
+            reason: Conflict,
+        },
+    }
 }
 
-impl ShapeError {
-    /// Name of the variant.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::UnknownShape { .. } => "UnknownShape",
-            Self::UnknownParameter { .. } => "UnknownParameter",
-            Self::OutOfRange { .. } => "OutOfRange",
-            Self::NotAnInteger { .. } => "NotAnInteger",
-            Self::Incompatible { .. } => "Incompatible",
-        }
+messages! {
+    /// Values of a shape's parameters that do not go together.
+    #[derive(Clone, Debug, PartialEq)]
+    pub enum Conflict as "conflict" {
+        /// The tube of a torus is not thinner than its ring.
+        ThickTube {
+            /// Radius of the tube.
+            minor: f64,
+            /// Radius of the ring.
+            major: f64,
+        },
+        /// A sheared lattice does not meet itself.
+        Shear {
+            /// Shear × rows, no whole number.
+            turn: f64,
+        },
+        /// The numbers of a torus knot are not coprime.
+        CommonDivisor {
+            /// The first.
+            p: f64,
+            /// The second.
+            q: f64,
+        },
+        /// An odd number that has to be even.
+        Odd {
+            /// The parameter.
+            parameter: &'static str,
+            /// The number.
+            value: usize,
+        },
+        /// Triangles too large for the holes.
+        TooCoarse {
+            /// Of the triangles.
+            level: usize,
+            /// Of the holes.
+            radius: f64,
+        },
+        /// Holes that overlap.
+        HolesOverlap {
+            /// How many.
+            count: usize,
+            /// Of each.
+            radius: f64,
+            /// What fits.
+            most: f64,
+        },
+        /// Tubes that meet.
+        TubesMeet {
+            /// How many.
+            count: usize,
+            /// Of each.
+            radius: f64,
+            /// What fits.
+            most: f64,
+        },
+        /// Patches longer than the cylinder they lie on.
+        PatchesTooLong {
+            /// Of the patches.
+            radius: f64,
+        },
+        /// A picture without room for its holes.
+        NoRoom {
+            /// Rows of the picture.
+            resolution: usize,
+            /// Holes.
+            count: usize,
+        },
+        /// The mesh cannot be refined.
+        Subdivision(reason: SubdivisionError),
     }
+}
 
-    /// What to do about it.
-    pub fn hint(&self) -> String {
-        match self {
-            Self::UnknownShape { known, .. } => format!("The shapes are {}.", known.join(", ")),
-            Self::UnknownParameter { shape, known, .. } if known.is_empty() => {
-                format!("`{shape}` takes no parameters.")
-            }
-            Self::UnknownParameter { shape, known, .. } => {
-                format!("`{shape}` takes {}.", known.join(", "))
-            }
-            Self::OutOfRange { low, high, .. } => format!("Use a value from {low} to {high}."),
-            Self::NotAnInteger { value, .. } => format!("Use {}.", value.round()),
-            Self::Incompatible { .. } => "Change one of the values named.".into(),
-        }
+impl Conflict {
+    fn odd(parameter: &'static str, value: usize) -> Self {
+        Self::Odd { parameter, value }
     }
 }
 
@@ -230,6 +280,7 @@ impl Parameter {
                 shape,
                 parameter,
                 value,
+                nearest: value.round(),
             })
         } else {
             Ok(value)
@@ -240,6 +291,7 @@ impl Parameter {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::message::Say;
 
     fn refuse(name: &str, values: &[(&str, f64)]) -> ShapeError {
         let values: Vec<_> = values
@@ -252,11 +304,15 @@ mod tests {
     #[test]
     fn refusals_name_what_is_wrong_and_what_would_be_right() {
         let error = refuse("cube", &[]);
-        assert_eq!(error.kind(), "UnknownShape");
-        assert!(error.hint().contains("icosphere"));
+        assert!(matches!(
+            error,
+            ShapeError::UnknownShape { name, known } if name == "cube" && known.contains(&"icosphere")
+        ));
         let error = refuse("torus", &[("radius", 2.0)]);
-        assert_eq!(error.kind(), "UnknownParameter");
-        assert!(error.hint().contains("major"), "{}", error.hint());
+        assert!(matches!(
+            error,
+            ShapeError::UnknownParameter { known, .. } if known.contains(&"major")
+        ));
         for value in [-1.0, 1e6, f64::NAN, f64::INFINITY] {
             assert_eq!(
                 refuse("icosphere", &[("level", value)]).kind(),
@@ -268,8 +324,12 @@ mod tests {
             "NotAnInteger"
         );
         let error = refuse("torus", &[("major", 1.0), ("minor", 1.5)]);
-        assert_eq!(error.kind(), "Incompatible");
-        assert!(error.to_string().contains("minor"), "{error}");
+        let reason = Conflict::ThickTube {
+            minor: 1.5,
+            major: 1.0,
+        };
+        let shape = "torus";
+        assert_eq!(error, ShapeError::Incompatible { shape, reason });
     }
 
     #[test]

@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use super::parameter::{HEIGHT, LOOPS, RESOLUTION, RINGS, SEED, count, level, real};
-use super::{Sample, Shape};
+use super::{Conflict, Sample, Shape};
 use super::{
     blocks, gap, hole, holed, knot, one_sided, patch, platonic, rough, scan, scar, sphere, torus,
     tubes,
 };
-use crate::mesh::subdivide::linear_levels;
+use crate::mesh::subdivide::{SubdivisionError, linear_levels};
 use crate::soup::PolygonSoup;
 
 pub(super) static SHAPES: &[Shape] = &[
@@ -95,7 +95,8 @@ pub(super) static SHAPES: &[Shape] = &[
         ],
         build: |v| {
             if v[1] >= v[0] {
-                return Err(format!("minor = {} is not below major = {}", v[1], v[0]));
+                let [minor, major] = [v[1], v[0]];
+                return Err(Conflict::ThickTube { minor, major });
             }
             Ok(torus::torus(v[0], v[1], n(v[2]), n(v[3])).into())
         },
@@ -157,7 +158,7 @@ pub(super) static SHAPES: &[Shape] = &[
         build: |v| {
             let turn = v[1] * v[2];
             if (turn - turn.round()).abs() > 1e-9 * v[1] {
-                return Err(format!("shear x rows = {turn} is not a whole number"));
+                return Err(Conflict::Shear { turn });
             }
             Ok(torus::lattice_torus(n(v[0]), n(v[1]), v[2]).into())
         },
@@ -202,10 +203,7 @@ pub(super) static SHAPES: &[Shape] = &[
         ],
         build: |v| {
             if greatest_common_divisor(n(v[0]), n(v[1])) != 1 {
-                return Err(format!(
-                    "p = {} and q = {} have a common divisor",
-                    v[0], v[1]
-                ));
+                return Err(Conflict::CommonDivisor { p: v[0], q: v[1] });
             }
             Ok(knot::torus_knot(n(v[0]), n(v[1]), v[2], n(v[3]), n(v[4])).into())
         },
@@ -219,10 +217,7 @@ pub(super) static SHAPES: &[Shape] = &[
         ],
         build: |v| {
             if n(v[1]) % 2 == 1 {
-                return Err(format!(
-                    "around = {} is odd and cannot meet itself reversed",
-                    v[1]
-                ));
+                return Err(Conflict::odd("around", n(v[1])));
             }
             Ok(one_sided::klein_bottle(n(v[0]), n(v[1])).into())
         },
@@ -257,7 +252,7 @@ pub(super) static SHAPES: &[Shape] = &[
             real("depth", "Depth in edge lengths", 2.7, 0.0, 6.0),
             SEED,
         ],
-        build: |v| scar::scar(n(v[0]), v[1], v[2] as u64).map_err(|error| error.to_string()),
+        build: |v| scar::scar(n(v[0]), v[1], v[2] as u64).map_err(Conflict::from),
     },
     Shape {
         name: "scan",
@@ -333,7 +328,7 @@ pub(super) static SHAPES: &[Shape] = &[
             level(5, 7),
             real("radius", "Radius of an opening", 0.43, 0.1, 0.52),
         ],
-        build: |v| gap::sphere_with_openings(n(v[0]), v[1]).map_err(|error| error.to_string()),
+        build: |v| gap::sphere_with_openings(n(v[0]), v[1]).map_err(Conflict::from),
     },
     Shape {
         name: "holed-sphere",
@@ -351,7 +346,7 @@ pub(super) static SHAPES: &[Shape] = &[
         name: "dodecahedron",
         label: "Dodecahedron",
         parameters: &[level(3, 6)],
-        build: |v| gap::dodecahedron(n(v[0])).map_err(|error| error.to_string()),
+        build: |v| gap::dodecahedron(n(v[0])).map_err(Conflict::from),
     },
     Shape {
         name: "four-bumps",
@@ -365,8 +360,8 @@ fn n(value: f64) -> usize {
     value as usize
 }
 
-fn sample<E: ToString>(soup: Result<PolygonSoup, E>) -> Result<Sample, String> {
-    soup.map(Sample::from).map_err(|error| error.to_string())
+fn sample(soup: Result<PolygonSoup, SubdivisionError>) -> Result<Sample, Conflict> {
+    Ok(soup?.into())
 }
 
 fn greatest_common_divisor(a: usize, b: usize) -> usize {

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::face::height;
 use super::torus::on_torus;
-use super::{grid, sphere};
+use super::{Conflict, grid, sphere};
 use crate::mesh::noise::SplitMix64;
 use crate::mesh::subdivide::SubdivisionError;
 use crate::soup::PolygonSoup;
@@ -26,15 +26,15 @@ pub fn counterexample() -> PolygonSoup {
 /// up to `jitter` steps. Each cell is cut along either diagonal, the shorter or the longer.
 ///
 /// # Errors
-/// A sentence if `tube` is odd.
+/// If `tube` is odd.
 pub fn sampled_torus(
     around: usize,
     tube: usize,
     jitter: f64,
     seed: u64,
-) -> Result<PolygonSoup, String> {
+) -> Result<PolygonSoup, Conflict> {
     if !tube.is_multiple_of(2) {
-        return Err(format!("tube = {tube} is odd"));
+        return Err(Conflict::odd("tube", tube));
     }
     let mut random = SplitMix64::new(seed);
     let positions = (0..around * tube).map(|k| {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::face::{FRAME, height};
-use super::grid;
+use super::{Conflict, grid};
 use crate::mesh::noise::SplitMix64;
 use crate::soup::PolygonSoup;
 
@@ -17,8 +17,13 @@ use crate::soup::PolygonSoup;
 /// The default resolution gives 38 000 vertices.
 ///
 /// # Errors
-/// A sentence if the resolution is too low for that many holes.
-pub fn scan(resolution: usize, noise: f64, loops: usize, seed: u64) -> Result<PolygonSoup, String> {
+/// If the resolution is too low for that many holes.
+pub fn scan(
+    resolution: usize,
+    noise: f64,
+    loops: usize,
+    seed: u64,
+) -> Result<PolygonSoup, Conflict> {
     let mut random = SplitMix64::new(seed);
     let mut picture = Picture::new(resolution);
     picture.punch(loops - 1, &mut random)?;
@@ -73,7 +78,7 @@ impl Picture {
     }
 
     /// Opens `count` rectangular holes, apart from each other and from the outline.
-    fn punch(&mut self, count: usize, random: &mut SplitMix64) -> Result<(), String> {
+    fn punch(&mut self, count: usize, random: &mut SplitMix64) -> Result<(), Conflict> {
         let largest = (self.rows / 90).max(1);
         let mut missing = count;
         for _ in 0..400 * (count + 1) {
@@ -93,10 +98,8 @@ impl Picture {
                 missing -= 1;
             }
         }
-        Err(format!(
-            "resolution {} has no room for {count} holes",
-            self.rows
-        ))
+        let resolution = self.rows;
+        Err(Conflict::NoRoom { resolution, count })
     }
 
     /// The slope of a cell, between a floor that leaves some holes to level ground and 1.

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::grid;
+use super::{Conflict, grid};
 use crate::soup::PolygonSoup;
 
 /// `count` tubes, 2 to 6, along rays from the origin: opposite, at thirds of a circle, to the
@@ -21,7 +21,7 @@ pub fn tubes(
     length: f64,
     around: usize,
     along: usize,
-) -> Result<PolygonSoup, String> {
+) -> Result<PolygonSoup, Conflict> {
     let axes = directions(count);
     // The rims touch where the radius is the tangent of half the angle between the axes.
     let apart = |a: &DVec3, b: &DVec3| (0.5 * a.angle_between(*b)).tan();
@@ -31,9 +31,11 @@ pub fn tubes(
         .fold(f64::INFINITY, f64::min);
     if radius >= 0.95 * most {
         let most = 0.95 * most;
-        return Err(format!(
-            "{count} tubes of radius {radius} meet; it must be below {most:.3}"
-        ));
+        return Err(Conflict::TubesMeet {
+            count,
+            radius,
+            most,
+        });
     }
     let mut soup = PolygonSoup::default();
     for axis in axes {

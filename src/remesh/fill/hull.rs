@@ -109,7 +109,7 @@ fn tetrahedron(x: &[DVec3]) -> Option<[u32; 4]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::build;
+    use crate::mesh::{Repair, build};
     use crate::soup::PolygonSoup;
 
     #[test]
@@ -137,7 +137,7 @@ mod tests {
             assert_eq!(faces.len(), 2 * used.len() - 4);
             let built = build(&PolygonSoup::from_faces(points.clone(), &faces)).expect("a surface");
             assert!(built.mesh.is_closed() && built.mesh.genus() == Some(0));
-            assert!(!built.warnings.iter().any(|w| w.contains("inside out")));
+            assert!(!built.repairs.contains(&Repair::InsideOut));
             let found = crate::geometry::measure::volume(&built.mesh, &built.positions);
             if let (Some(found), Some(volume)) = (found, volume) {
                 assert!((found - volume).abs() < 1e-5, "{found}");

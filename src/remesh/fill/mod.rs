@@ -13,18 +13,18 @@
 
 mod blend;
 mod boundary;
-mod doubts;
 mod error;
 mod fair;
 mod hull;
 mod minimal_area;
+mod notice;
 mod patch;
 mod refine;
 
 pub use boundary::{BoundaryLoop, boundary_loops};
-pub use error::FillError;
+pub use error::{FillError, FillNotice};
 
-use crate::mesh::{Built, HalfedgeMesh, build, triangulate};
+use crate::mesh::{Built, HalfedgeMesh, Repair, build, triangulate};
 use crate::soup::PolygonSoup;
 use boundary::{Rim, check_simple};
 use fair::{Lowered, ORDER, fair};
@@ -81,8 +81,10 @@ pub struct Filled {
     pub positions: Vec<DVec3>,
     /// The patches in the order of their loops.
     pub patches: Vec<FilledPatch>,
-    /// What is worth knowing, a sentence each.
-    pub warnings: Vec<String>,
+    /// What is worth knowing.
+    pub notices: Vec<FillNotice>,
+    /// What was repaired in the filled mesh.
+    pub repairs: Vec<Repair>,
 }
 
 /// Rounds of remeshing of the membrane or hull, and of the curved patch it becomes.
@@ -121,12 +123,12 @@ pub fn fill(
     options: &FillOptions,
     progress: FillProgress<'_>,
 ) -> Result<Filled, FillError> {
-    let mut warnings = Vec::new();
+    let mut notices = Vec::new();
     let all = boundary_loops(mesh, x);
     if !mesh.is_oriented() {
         return Err(FillError::NotOrientable);
     }
-    let chosen = choose(&all, x, options, &mut warnings)?;
+    let chosen = choose(&all, x, options, &mut notices)?;
     let groups: Vec<Vec<usize>> = if options.connect {
         vec![chosen]
     } else {
@@ -142,7 +144,7 @@ pub fn fill(
             options,
         )?);
     }
-    limit_sizes(&mut jobs, options.max_vertices, &mut warnings);
+    limit_sizes(&mut jobs, options.max_vertices, &mut notices);
 
     let first = if options.connect {
         Smoothing::Tangential
@@ -157,8 +159,8 @@ pub fn fill(
         remesh(&mut jobs, ROUNDS[1], Smoothing::Tangential, progress)?;
         draw_in(&mut jobs, &triangles, PASSES, progress)?;
     }
-    warnings.extend(jobs.iter().flat_map(doubts::of));
-    finish(old, jobs, warnings)
+    notices.extend(jobs.iter().flat_map(notice::of));
+    finish(old, jobs, notices)
 }
 
 fn tell(progress: FillProgress<'_>, stage: &str, share: f64) -> Result<(), FillError> {
@@ -173,7 +175,7 @@ fn choose(
     all: &[BoundaryLoop],
     x: &[DVec3],
     options: &FillOptions,
-    warnings: &mut Vec<String>,
+    notices: &mut Vec<FillNotice>,
 ) -> Result<Vec<usize>, FillError> {
     if all.is_empty() {
         return Err(FillError::NoLoops);
@@ -195,8 +197,8 @@ fn choose(
             Ok(()) => simple.push(index),
             Err(error) if options.loops.is_some() => return Err(error),
             Err(error) => {
-                warnings.push(format!("Left open: {error}."));
-                touching.get_or_insert(error);
+                touching.get_or_insert_with(|| error.clone());
+                notices.push(FillNotice::LeftOpen { reason: error });
             }
         }
     }
@@ -248,13 +250,13 @@ fn begin(
         most: usize::MAX,
         order: ORDER,
         lowered: None,
-        total_curvature: (!options.connect).then(|| doubts::total_curvature(&angles)),
+        total_curvature: (!options.connect).then(|| notice::total_curvature(&angles)),
         rim,
     })
 }
 
 /// Shares out the number of new vertices, and coarsens where it would be exceeded.
-fn limit_sizes(jobs: &mut [Job], most: usize, warnings: &mut Vec<String>) {
+fn limit_sizes(jobs: &mut [Job], most: usize, notices: &mut Vec<FillNotice>) {
     let hexagon = 0.5 * 3f64.sqrt();
     let wanted = |job: &Job| {
         let vertices = BULGE * job.patch.area() / (hexagon * job.length.powi(2));
@@ -275,11 +277,11 @@ fn limit_sizes(jobs: &mut [Job], most: usize, warnings: &mut Vec<String>) {
         job.patch.sizes[n_rim..].fill(job.length);
     }
     if coarser > 1.0 {
-        warnings.push(format!(
-            "The loops' edge lengths ask for about {total:.0} new vertices, more than the limit of \
-             {most}: the patches' edges are {:.1} times as long.",
-            coarser.sqrt()
-        ));
+        notices.push(FillNotice::Coarser {
+            vertices: total.round(),
+            most,
+            times: coarser.sqrt(),
+        });
     }
 }
 
@@ -352,20 +354,15 @@ fn draw_in(
     Ok(())
 }
 
-fn finish(
-    old: PolygonSoup,
-    jobs: Vec<Job>,
-    mut warnings: Vec<String>,
-) -> Result<Filled, FillError> {
+fn finish(old: PolygonSoup, jobs: Vec<Job>, notices: Vec<FillNotice>) -> Result<Filled, FillError> {
     let (soup, ranges) = assemble(&old, &jobs);
     let Built {
         mesh,
         positions,
-        warnings: repairs,
+        repairs,
         ..
     } = build(&soup)?;
     debug_assert!(mesh.n_faces() == soup.n_faces() && positions.len() == soup.positions.len());
-    warnings.extend(repairs);
     let report = |(job, [vertices, faces]): (Job, [Range<u32>; 2])| FilledPatch {
         loops: job.rim.loops,
         vertices,
@@ -376,6 +373,7 @@ fn finish(
         mesh,
         positions,
         patches: jobs.into_iter().zip(ranges).map(report).collect(),
-        warnings,
+        notices,
+        repairs,
     })
 }

@@ -8,7 +8,7 @@ use wgpu::CurrentSurfaceTexture;
 
 use super::signal::Signal;
 use crate::viewer::drawing::ROW;
-use crate::viewer::error::ViewerError;
+use crate::viewer::error::{API, ViewerError};
 
 /// Format of the depth buffer.
 pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
@@ -46,7 +46,7 @@ impl Gpu {
         let surface = || {
             instance
                 .create_surface(wgpu::SurfaceTarget::Canvas(canvas.clone()))
-                .map_err(|error| ViewerError::NoCanvas(error.to_string()))
+                .map_err(|error| no_canvas(error.to_string()))
         };
         let early = IS_WEBGL.then(surface).transpose()?;
         let adapter = instance
@@ -56,7 +56,7 @@ impl Gpu {
                 ..Default::default()
             })
             .await
-            .map_err(|_| ViewerError::NoAdapter)?;
+            .map_err(|_| ViewerError::NoAdapter { api: API })?;
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
                 // Nothing WebGL2 lacks, but meshes as large as the device takes.
@@ -65,7 +65,9 @@ impl Gpu {
                 ..Default::default()
             })
             .await
-            .map_err(|error| ViewerError::NoDevice(error.to_string()))?;
+            .map_err(|error| ViewerError::NoDevice {
+                reason: error.to_string(),
+            })?;
         let canvas = early.map_or_else(surface, Ok)?;
 
         // Never an sRGB format: shaders encode, so that every backend shows the same bytes.
@@ -73,7 +75,7 @@ impl Gpu {
         let format = formats.into_iter().find(|format| !format.is_srgb());
         let mut config = canvas
             .get_default_config(&adapter, width, height)
-            .ok_or_else(|| ViewerError::NoCanvas("no configuration".to_owned()))?;
+            .ok_or_else(|| no_canvas("no configuration".to_owned()))?;
         config.format = format.unwrap_or(config.format);
         config.alpha_mode = wgpu::CompositeAlphaMode::Opaque;
 
@@ -191,6 +193,10 @@ impl Drop for Gpu {
     fn drop(&mut self) {
         self.device.destroy();
     }
+}
+
+fn no_canvas(reason: String) -> ViewerError {
+    ViewerError::NoCanvas { api: API, reason }
 }
 
 /// Notes the loss of the device, and logs the first error no one else handles: a fault in

@@ -90,7 +90,9 @@ impl Readback {
 
     /// The picture, once it is here.
     pub(super) async fn finish(self) -> Result<Picture, ViewerError> {
-        let failure = || ViewerError::GpuLost(self.lost.get().unwrap_or_default());
+        let failure = || ViewerError::GpuLost {
+            reason: self.lost.get().unwrap_or_default(),
+        };
         #[cfg(feature = "viewer-webgl")]
         {
             let is_over = || self.mapped.get().is_some() || self.lost.get().is_some();

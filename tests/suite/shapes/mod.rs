@@ -10,6 +10,7 @@ use energy::{Angles, free_boundary};
 use measure::{edge_lengths, mean_edge_length, smallest_angle, volume};
 use topology::Topology;
 use umbilic::mesh::shape::{Parameter, Sample, Shape, all, make};
+use umbilic::message::Say;
 use umbilic::soup::PolygonSoup;
 
 fn shape(name: &str, values: &[(&str, f64)]) -> Sample {

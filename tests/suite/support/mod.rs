@@ -14,7 +14,7 @@ use std::path::PathBuf;
 use std::rc::Rc;
 use umbilic::flow::options::FlowOptions;
 use umbilic::flow::{Driver, FlowError};
-use umbilic::mesh::{Built, HalfedgeMesh, build, shape};
+use umbilic::mesh::{Built, HalfedgeMesh, Repair, build, shape};
 use umbilic::remesh::fill::boundary_loops;
 use umbilic::soup::PolygonSoup;
 
@@ -22,21 +22,21 @@ use umbilic::soup::PolygonSoup;
 pub struct Surface {
     pub mesh: Rc<HalfedgeMesh>,
     pub x: Vec<DVec3>,
-    pub warnings: Vec<String>,
+    pub repairs: Vec<Repair>,
 }
 
 pub fn surface(soup: &PolygonSoup) -> Surface {
     let Built {
         mesh,
         positions,
-        warnings,
+        repairs,
         ..
     } = build(soup).expect("a surface");
     mesh.validate().expect("valid connectivity");
     Surface {
         mesh: Rc::new(mesh),
         x: positions,
-        warnings,
+        repairs,
     }
 }
 

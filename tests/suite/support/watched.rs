@@ -4,7 +4,7 @@ use super::{Surface, surface};
 use glam::DVec3;
 use std::rc::Rc;
 use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::flow::{Driver, Monitored, Status, StepReport, Verdict};
+use umbilic::flow::{Driver, Monitored, Reason, Status, StepReport, Verdict};
 use umbilic::mesh::triangulate;
 
 /// By how much a reading may lie above the least so far: fitted ones are not quite what the
@@ -23,7 +23,8 @@ pub struct Run {
     pub x: Vec<DVec3>,
     pub reports: Vec<StepReport>,
     pub status: Status,
-    pub message: String,
+    /// Why it ended, unless it failed.
+    pub reason: Option<Reason>,
 }
 
 impl Run {
@@ -57,7 +58,7 @@ pub fn watch(s: &Surface, options: FlowOptions, what: &str) -> Run {
                     x,
                     reports,
                     status: Status::Failed,
-                    message: error.to_string(),
+                    reason: None,
                 };
             }
         };
@@ -103,12 +104,12 @@ pub fn watch(s: &Surface, options: FlowOptions, what: &str) -> Run {
             least = least.min(report.objective);
             reports.push(report);
         }
-        if let Verdict::Stop(status, message) = verdict {
+        if let Verdict::Stop(status, reason) = verdict {
             return Run {
                 x,
                 reports,
                 status,
-                message,
+                reason: Some(reason),
             };
         }
     }

@@ -14,7 +14,10 @@ const energies = {
   gradientNorm: 0.25,
 };
 
-const info = { vertices: 3, faces: 1, area: 4, volume: null, warnings: ["one odd thing"] };
+const info = {
+  ...{ vertices: 3, faces: 1, area: 4, volume: null },
+  warnings: [{ id: "repair-turned-faces", values: { count: 1 } }],
+};
 
 export class FakeSession {
   /**
@@ -35,17 +38,29 @@ export class FakeSession {
     this.refuse = refuse;
     this.step_ = 0;
     this.over = false;
+    /** @type {ReturnType<typeof refusal> | null} */
+    this.fault = null;
     /** @type {[string, ...unknown[]][]} */
     this.calls = [];
   }
 
   /**
-   * @param {Uint8Array} bytes
-   * @param {string} name
+   * As the solver's: one command by its name, with its fields.
+   * @param {Record<string, any>} command
    */
-  load(bytes, name) {
+  perform(command) {
+    const [[name, fields]] = Object.entries(command);
+    const method = /** @type {any} */ (this)[name];
+    return { [name]: method.call(this, fields) };
+  }
+
+  /** @param {{ bytes: Uint8Array, name: string }} file */
+  load({ bytes, name }) {
     this.calls.push(["load", Buffer.from(bytes).toString(), name]);
-    if (this.refuse) throw fault("NonManifoldEdge", "Edge 3–4 has 3 faces.", "Delete one.");
+    if (this.refuse) {
+      const values = { a: 3, b: 4, faces: [0, 1, 2], others: 0 };
+      throw refusal("NonManifoldEdge", "mesh-non-manifold-edge", values);
+    }
     return { name, info };
   }
 
@@ -54,20 +69,33 @@ export class FakeSession {
     return { pairs: Uint32Array.of(0, 1, 0, 2), triangles: Uint32Array.of(0, 1, 2) };
   }
 
-  /** @param {{ maxSteps?: number }} options */
-  configure(options) {
+  /** @param {{ options: { maxSteps?: number } }} fields */
+  configure({ options }) {
     this.limit = options.maxSteps ?? Infinity;
     this.calls.push(["configure", options]);
   }
 
   state() {
     const isSpent = this.step_ >= this.limit;
-    const status = this.over ? this.ending : isSpent ? "stepLimit" : "running";
-    return { status, message: `At step ${this.step_}`, monitored: "smoothedCircle" };
+    const status = this.over ? this.ending : isSpent ? "stepLimit" : "ready";
+    const message = { id: "reason-at-rest", values: {} };
+    return { status, message, step: this.step_, monitored: "smoothedCircle" };
   }
 
-  curvatureJump() {
-    return null;
+  outcome() {
+    const { status, message: reason, step: steps, monitored } = this.state();
+    const ended = { id: "ended", values: { status, steps } };
+    const why = this.fault?.message ?? reason;
+    return {
+      status,
+      isBreakdown: ["singular", "collapsed", "failed"].includes(status),
+      message: { id: "run-over", values: { ended, reason: why } },
+      reason: why,
+      fault: this.fault,
+      monitored,
+      curvatureJump: null,
+      warnings: status === "stalled" ? [{ id: "run-not-at-rest", values: { reason } }] : [],
+    };
   }
 
   step() {
@@ -75,7 +103,11 @@ export class FakeSession {
       this.over = true;
       return null;
     }
-    if (this.step_ + 1 >= this.failAt) throw fault("NotFinite", "Vertex 2 is not finite.", "Less.");
+    if (this.step_ + 1 >= this.failAt) {
+      const fault = refusal("NonFiniteEnergy", "flow-non-finite-energy", { step: this.step_ + 1 });
+      [this.over, this.ending, this.fault] = [true, "failed", fault];
+      throw fault;
+    }
     this.step_ += 1;
     const cost = { gradientNorm: 1, milliseconds: 2, flippedFaces: 0, warnings: [] };
     return { step: this.step_, energy: 12 - this.step_, dt: 0.1, ...cost };
@@ -96,8 +128,8 @@ export class FakeSession {
     return info;
   }
 
-  /** @param {string} format */
-  export(format) {
+  /** @param {{ format: string }} fields */
+  export({ format }) {
     return Buffer.from(`${format} of step ${this.step_}`);
   }
 
@@ -105,21 +137,8 @@ export class FakeSession {
     return "step,energy\n";
   }
 
-  shapes() {
-    const whole = { label: "Around", default: 8, low: 3, high: 100, integer: true };
-    const real = { label: "Large radius", default: 2, low: 0, high: 10, integer: false };
-    const parameters = [
-      { name: "around", ...whole },
-      { name: "major", ...real },
-    ];
-    return [{ name: "torus", label: "Torus", parameters }];
-  }
-
-  /**
-   * @param {string} name
-   * @param {unknown} parameters
-   */
-  sample(name, parameters) {
+  /** @param {{ name: string, parameters: unknown }} fields */
+  sample({ name, parameters }) {
     this.calls.push(["sample", name, parameters]);
     return { name, info, fixed: new Uint32Array([0, 2]), free: null };
   }
@@ -127,9 +146,9 @@ export class FakeSession {
 
 /**
  * @param {string} kind
- * @param {string} message
- * @param {string} hint
+ * @param {string} id
+ * @param {Record<string, unknown>} values
  */
-function fault(kind, message, hint) {
-  return { kind, message, hint, detail: {} };
+function refusal(kind, id, values) {
+  return { kind, message: { id, values }, hint: { id: `${id}.hint`, values }, detail: {} };
 }

@@ -10,7 +10,7 @@ const reader = await openSession();
 /**
  * The scene of a link.
  * @param {{ search: string, hash: string }} address
- * @throws {import("../../../www/protocol.js").Fault} of a word that cannot be
+ * @throws {import("../../../www/generated/types.js").Fault} of an option that cannot be
  */
 export const readScene = (address) => sceneOf(perform(reader, "readLink", linkIn(address)));
 

@@ -1,112 +1,130 @@
-# Flüsse und ihre Optionen, wie Formulare, Menüs und `umbilic flow --help` sie nennen.
+# Flüsse: src/flow.
 
-flow-circle = Willmore durch Kreiswinkel
-flow-p-willmore = p-Willmore
-flow-mean-curvature = Mittlere Krümmung
-flow-surface-diffusion = Oberflächendiffusion
-flow-willmore = Willmore durch angepasste Operatoren
-flow-mmcv = Minimale Krümmungsvariation, sechster Ordnung
-flow-flips = Kantenflips
+## Warum ein Fluss nicht beginnen oder weitergehen kann
 
-option-flow = Fluss
-option-flow-help = welcher Fluss
+flow-not-triangular = Facette { $face } hat { $corners } Ecken; dieser Fluss arbeitet auf Dreiecken
+    .hint = Triangulieren Sie das Netz zuerst.
+flow-zero-length-edge = die Kante zwischen den Ecken { $a } und { $b } hat keine Länge{ $others ->
+    [0] {""}
+    [one] ; eine weitere Kante ist ebenso
+   *[other] ; { $others } weitere Kanten sind ebenso
+}
+    .hint = Verschmelzen Sie die beiden Ecken in einem Netzeditor (nach Abstand), und laden Sie neu.
+flow-nothing-free = keine Ecke kann sich bewegen
+    .hint = Bei eingespanntem Rand werden auch die Ecken festgehalten, die eine Kante von ihm entfernt sind: Wählen Sie festen oder freien Rand, ein feineres Netz oder eine größere Auswahl.
+flow-selection-out-of-range = die Auswahl nennt Ecke { $vertex }, es gibt aber nur { $vertices } Ecken
+    .hint = Ecken werden ab 0 gezählt, in der Reihenfolge der Datei.
+flow-option = { $error }
+flow-not-closed = die Fläche hat { $loops ->
+    [one] { $loops } Randkurve
+   *[other] { $loops } Randkurven
+}; dieser Fluss ist für geschlossene Flächen
+    .hint = Schließen Sie die Löcher in einem Netzeditor und öffnen Sie es neu, oder wählen Sie den Willmore-Fluss der Kreiswinkel, der Ränder zulässt.
+flow-not-oriented = die Fläche ist einseitig; dieser Fluss ist für orientierbare Flächen
+    .hint = Wählen Sie den Willmore-Fluss der Kreiswinkel, der keine Orientierung braucht.
+flow-mixed-faces = das Netz mischt Facetten verschiedener Eckenzahl
+    .hint = Triangulieren Sie das Netz zuerst.
+flow-too-large = das Netz hat { $vertices } Ecken; das Schema der Arbeit nimmt { $limit }
+    .hint = Wählen Sie das empfohlene Schema, das gegen denselben Fluss strebt, oder ein gröberes Netz.
+flow-unfit = bei Ecke { $vertex } lässt sich die Fläche nicht anpassen
+    .hint = Sie hat zu wenige Nachbarn, einige fallen zusammen, oder Facetten um sie sind zusammengefallen oder umgeklappt: Reparieren Sie das Netz dort, oder halten Sie die Ecken darum fest.
+flow-inaccurate = das lineare Gleichungssystem wurde nur auf ein Residuum von { NUMBER($residual, digits: 2) } gelöst
+    .hint = Wählen Sie eine kleinere Schrittweite, ein gröberes Netz oder einen Fluss niedrigerer Ordnung.
+flow-non-finite-energy = die Energie ist bei Schritt { $step } keine endliche Zahl
+    .hint = Gehen Sie einen Schritt zurück, wählen Sie eine kleinere Schrittweite oder das empfohlene Schema, und suchen Sie nach einem umgeklappten oder zusammengefallenen Dreieck.
+flow-linear = das lineare Gleichungssystem ließ sich nicht lösen: { $reason }
 
-option-scheme = Schema
-    .auto = Empfohlen
-    .paper = Wie in der Arbeit
-option-scheme-help = auto wählt die Schrittweite; paper behält das Verfahren der Arbeit und ein festes --dt
+## Warnungen eines Schritts
 
-option-boundary = Rand
-    .clamped = Eingespannt (Tangente)
-    .fixed = Fest (nur die Lage)
-    .free = Frei
-option-boundary-help = was am Rand eines offenen Netzes gilt; auto ist das Übliche des Flusses
+warning-near-bound = ∫H² liegt unter dem jeder glatten Fläche mit diesen Henkeln: Das Netz löst die Fläche nicht mehr auf.
+warning-growth = Der Flächeninhalt ist auf ein Mehrfaches gewachsen: Vielleicht bildet sich eine Blase, rund und deshalb billig. Glätten Sie einen rauen Anfang zuerst ein wenig.
+warning-balloon = Die Hälfte des Flächeninhalts liegt in wenigen großen Facetten: Ein Teil der Fläche bläht sich auf, was diese Energie nicht stört. Der p-Willmore-Fluss, der Flächeninhalt und Volumen beibehält, lässt das nicht zu.
+warning-reading-rose = W stieg in diesem Schritt von { NUMBER($before, digits: 5) } auf { NUMBER($after, digits: 5) }, obwohl die geglättete Energie fiel, die der Fluss senkt: Viele Winkel waren nahe null.
+warning-coarse = Bei Ecke { $vertex } sind die Kanten zu lang für die Krümmung: Nehmen Sie ein feineres Netz.
+warning-nearly-singular = Bei Ecke { $vertex } wird die Fläche gleich singulär, wie ein Hals, der sich abschnürt: Nehmen Sie ein feineres Netz.
+warning-large-face = Die größte Facette ist auf das { $times }-Fache des Mittels gewachsen: Ein Teil der Fläche bläht sich auf, und die gezeigte Energie ist zu klein. Ein feineres Netz hilft.
+warning-slivers = Das Netz entartet: Sein kleinster Winkel ist { NUMBER($degrees, digits: 2) }°, am Anfang { NUMBER($before, digits: 2) }°; { $advice }.
+warning-folded-faces = In diesem Schritt umgeklappt: { $count ->
+    [one] { $count } Facette
+   *[other] { $count } Facetten
+}.
+warning-far-moves = Das empfohlene Schema begrenzt, wie weit sich Ecken bewegen.
+warning-iterative-mesh = Das Netz ist zu groß, um seine Matrizen im Speicher zu zerlegen: Sie werden iterativ gelöst, und Schritte dauern länger.
+warning-iterative-patch = Der Flicken ist zu groß, um seine Matrix im Speicher zu zerlegen: Sie wird iterativ gelöst, und Schritte dauern länger.
+warning-inaccurate = Das lineare Gleichungssystem wurde nur auf ein Residuum von { NUMBER($residual, digits: 2) } gelöst.
+warning-margin = { $rings ->
+    [2] Weniger als zwei Ringe festgehaltener Ecken liegen zwischen dem Rand des freien Flickens und dem des Netzes: Dort wird die Fläche von einer Seite angepasst, und nur die Lage ist vorgegeben, nicht die Krümmung.
+   *[other] Weniger als ein Ring festgehaltener Ecken liegt zwischen dem Rand des freien Flickens und dem des Netzes: Dort wird die Fläche von einer Seite angepasst, und nur die Lage ist vorgegeben, nicht die Tangentialebene.
+}
+warning-disagreement = Zwei Werte von ∫H², mit konzentrierter und mit konsistenter Masse, weichen um { NUMBER($percent, digits: 2) } % voneinander ab: Das Netz löst seine Krümmung nicht gut auf.
+warning-branch = Das Volumen ist, wo es hin sollte. Die Form ist { $shape ->
+    [round] rund
+    [prolate] gestreckt
+    [oblate] abgeplattet
+   *[triaxial] dreiachsig
+}: Ihre Hauptlängen sind 1 : { $middle } : { $shortest }. Andere Formen in Ruhe mit diesem Flächeninhalt und Volumen haben vielleicht weniger Energie; durch eine Störung am Anfang verlässt eine symmetrische Form einen instabilen Zweig.
+warning-halved-step = I/dt + K war nicht positiv definit: Dieser Schritt wurde { $times }-mal halbiert.
+warning-newton-failed = Das Newton-Verfahren ist in diesem Schritt nicht konvergiert.
+warning-near-sphere = Nahe einer Sphäre übernehmen wieder semi-implizite Schritte.
+warning-away-from-sphere = Fern von einer Sphäre werden die Winkel wieder geglättet.
+warning-little-gain = Schritte bringen wenig: L-BFGS übernimmt.
+warning-no-gain = Schritte bringen nichts: L-BFGS übernimmt.
+warning-exact-halt = Genaue Schritte kommen nicht weiter: Die Winkel werden wieder geglättet.
+warning-another-round = W fällt noch: eine weitere Runde L-BFGS.
+warning-rough-start = Der Anfang ist zu rau für den Fluss sechster Ordnung, der ihn um { NUMBER($edges, digits: 2) } Kantenlängen bewegen würde: Bis zu { $steps } Schritte der Oberflächendiffusion gehen voraus.
+warning-back-to-start = Keine Ruhe in Sicht: zurück zum Anfang, bis zu { $steps } Schritte der Oberflächendiffusion gehen voraus.
+warning-better-before = Eine Fläche unterwegs hatte eine kleinere Variation der Krümmung als die letzte: Sie wird eingesetzt.
 
-option-free = Freie Ecken
-option-free-help = nur diese Ecken bewegen sich
-option-fixed = Festgehaltene Ecken
-option-fixed-help = diese Ecken bewegen sich nicht
-option-prefill = Glatter erster Ansatz
-option-prefill-help = legt die freien Ecken vor dem ersten Schritt glatt aus
+## Was hilft, in einem halben Satz
 
-option-p = Exponent p
-option-p-help = der Exponent von ∫|H|^p dA
-option-keep = Beibehalten
-    .area = Flächeninhalt
-    .volume = Volumen
-option-keep-help = was beibehalten wird
-option-reducedVolume = Reduziertes Volumen
-option-reducedVolume-help = führt das Volumen auf diesen Anteil an dem der Kugel gleichen Flächeninhalts; Flächeninhalt und Volumen werden beibehalten
-option-spontaneousCurvature = Spontane H₀ · L
-option-spontaneousCurvature-help = mit p = 2, H₀ in ∫(H − H₀)² dA, mal L = √(A/4π)
-option-tension = Spannung σ · L²
-option-tension-help = mit p = 2, σ in ∫|Y|² dA + σA, mal L²
-option-pressure = Druck P · L³
-option-pressure-help = mit p = 2, P in ∫|Y|² dA − PV, mal L³
+advice-finer-mesh = ein feineres Netz hilft
+advice-better-mesh = ein besseres Netz hilft, wie konforme Regularisierung es macht
+advice-regular-or-finer = konforme Regularisierung oder ein feineres Netz hilft
+advice-keep-volume = wo sie dünn wird, wird die Fläche singulär; das Volumen beizubehalten verhindert das
+advice-smooth-first = glätten Sie zuerst mit p = 2, oder nehmen Sie ein feineres Netz
+advice-p-willmore-zero = der p-Willmore-Fluss mit p = 0 behält ein besseres Netz
+advice-regular-or-p-willmore = konforme Regularisierung oder der p-Willmore-Fluss hilft
+advice-first-guess = ein glatter erster Ansatz, ein feineres Netz oder ein Fluss niedrigerer Ordnung hilft
 
-option-epsilon = Winkelglättung ε
-option-epsilon-help = Glättung der Winkel
-option-sharpen = Am Ende schärfen (ε → 0)
-option-sharpen-help = lässt epsilon am Ende gegen 0 gehen
+## Warum ein versuchter Schritt abgelehnt wurde: nach „weil“
 
-option-criterion = Kriterium
-    .area = Flächeninhalt
-    .willmore = Willmore-Energie
-    .localised = Lokalisierte Willmore-Energie
-option-criterion-help = was klein werden soll
-option-guardFolds = Kein Flip darf eine Facette umklappen
-option-guardFolds-help = kein Flip klappt eine Facette um; das verbietet auch das Zurückklappen
+cause-rise = die Energie steigen würde
+cause-reading-jump = die Energie, wie sie gedruckt ist, hochspringen würde
+cause-bound = die Energie unter der jeder glatten Fläche dieser Topologie läge
+cause-unfit = sich Krümmungen nicht mehr anpassen ließen
+cause-fold = Facetten umklappen würden
+cause-too-far = eine Ecke sich um mehr als eine halbe Kante bewegen würde
+cause-turn = eine Facette sich um mehr als 60° drehen würde
+cause-sliver = eine Facette zum Splitter würde
+cause-constraints = sich die Nebenbedingungen nicht zugleich erfüllen lassen
+cause-not-finite = die Energie nicht endlich ist
+cause-newton = das Newton-Verfahren nicht konvergiert oder eine Facette umklappen würde
 
-option-goal = Ziel
-    .relax = Zu einem Minimum hin entspannen
-    .smooth = Um ein festes Maß glätten
-option-goal-help = relax geht zu einem Minimum; smooth entfernt ein festes Maß an Einzelheiten
-option-detail = Einzelheiten unter L glätten
-option-detail-help = entfernt Einzelheiten unter so vielen mittleren Kantenlängen
-option-smoothSteps = Verteilt auf (Schritte)
-option-smoothSteps-help = in so vielen Schritten
+## Warum ein Lauf zu Ende ist, nach seinem Status
 
-option-tau = Zeitschritt τ
-    .absent = automatisch
-option-tau-help = Schrittweite ohne Einheit: durch h² (circle), durch L^k eines Flusses der Ordnung k, L die Größe dessen, was sich bewegt (die anderen)
-option-dt = Zeitschritt dt
-option-dt-help = Schrittweite in der Einheit des Netzes: Länge², bei p-willmore Länge^(p+2), bei einem Fluss der Ordnung k Länge^k
-option-tauGrowth = Wachstum von τ
-option-tauGrowth-help = Faktor der Schrittweite nach jedem Schritt
-option-tauMax = Größtes τ
-option-tauMax-help = größte Schrittweite ohne Einheit
-
-option-integrator = Integrator
-    .semi-implicit = Semi-implizit
-    .forward-euler = Explizites Euler-Verfahren
-    .backward-euler = Implizites Euler-Verfahren (Newton)
-    .l-bfgs = L-BFGS
-option-integrator-help = wie ein Schritt gemacht wird
-option-mass = Masse
-    .auto = Automatisch
-    .uniform = Gleichmäßig
-    .area = Inhalt je Ecke
-option-mass-help = Gewicht einer Ecke
-option-regularise = Regularisieren
-    .off = Nie
-    .linear = Nach jedem Schritt, linear
-    .nonlinear = Nach jedem Schritt
-option-regularise-help = konforme Regularisierung nach jedem Schritt
-option-regulariseEpsilon = Regularisierung ε
-option-regulariseEpsilon-help = 0.001 ist der Fläche treu, 0.1 greift stark ein
-option-perturbation = Anfang stören um
-option-perturbation-help = verschiebt den Anfang entlang seiner Normalen um bis zu so viele mittlere Kantenlängen
-option-rungs = Zuvor Schritte der Oberflächendiffusion
-option-rungs-help = zuvor so viele Schritte der Oberflächendiffusion; auto sind so viele, wie ein rauer Anfang braucht
-
-option-maxSteps = Schrittgrenze
-    .absent = keine
-option-maxSteps-help = höchstens so viele Schritte, wie lange sie auch dauern
-option-maxSeconds = Halt nach (Sekunden)
-    .absent = nie
-option-maxSeconds-help = höchstens so viele Sekunden Rechenzeit, wo keine Zahl von Schritten gesetzt ist
-
-# Neben dem, was gewählt werden kann.
-option-nothing = Nichts
-option-no = Nein
-option-yes = Ja
+reason-at-rest = die Fläche ist in Ruhe
+reason-still = keine Ecke bewegt sich mehr
+reason-zero-energy = die Energie ist bis auf Rundung null
+reason-smoothed = wie verlangt in { $steps ->
+    [one] { $steps } Schritt
+   *[other] { $steps } Schritten
+} geglättet
+reason-step-limit = die Grenze von { $steps ->
+    [one] { $steps } Schritt
+   *[other] { $steps } Schritten
+} ist erreicht
+reason-time-limit = die { $seconds } Sekunden Rechenzeit sind verbraucht, und die Fläche ist nicht in Ruhe
+reason-large-face = Facette { $face } ist { $times }-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf; ein feineres Netz hilft, oder Flächeninhalt und Volumen unter dem p-Willmore-Fluss beizubehalten
+reason-refused = jeder versuchte Schritt wurde abgelehnt, der letzte, weil { $cause }; { $advice }
+reason-creeping = nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; { $advice }
+reason-worse-rest = der Fluss kommt mit mehr Energie zur Ruhe, als er unterwegs hatte; { $advice }
+reason-below-bound = jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft
+reason-vanishes = zur Zeit { NUMBER($time, digits: 4) } schrumpft die Fläche auf einen Punkt bei ({ $place }); das Volumen beizubehalten verhindert das
+reason-pinched-neck = zur Zeit { NUMBER($time, digits: 4) } schnürt sich bei Ecke { $vertex }, nahe ({ $place }), ein Hals ab; darüber hinaus hat der Fluss keine Lösung, und es hilft, das Volumen beizubehalten, oder ein feineres Netz
+reason-sharp-tip = zur Zeit { NUMBER($time, digits: 4) } wird bei Ecke { $vertex }, nahe ({ $place }), eine Spitze zum Punkt; darüber hinaus hat der Fluss keine Lösung, und es hilft, das Volumen beizubehalten, oder ein feineres Netz
+reason-no-flips = kein Flip senkt noch { $criterion ->
+    [area] den Flächeninhalt
+    [willmore] die Willmore-Energie
+    [localised] die lokalisierte Willmore-Energie
+   *[all] eines der drei Kriterien
+}

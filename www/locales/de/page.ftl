@@ -50,3 +50,37 @@ filled = { $count ->
     [one] { $vertices } neuen Ecke
    *[other] { $vertices } neuen Ecken
 } gefüllt. „Start“ lässt den Fluss sie glätten; „Rückgängig“ nimmt die Füllung zurück.
+
+## Wie ein Lauf endete
+
+play-goes-on = { $reason }. „Start“ macht weiter.
+
+## Füllen
+
+fair-nothing = Es gibt keine neue Ecke und nichts, was { $flow } bewegen könnte.
+
+## Der Worker und Folgen von Netzen
+
+worker-internal = Im Löser ist ein Fehler aufgetreten: { $reason }
+    .hint = Bitte melden Sie das, wenn möglich mit dem Netz.
+worker-cancelled = Es wurde aufgegeben.
+    .hint = Öffnen Sie es noch einmal, um von vorn zu beginnen.
+sequence-too-large = { $meshes } Netze wären { NUMBER($gigabytes, digits: 2) } GB, mehr als 1 GB.
+    .hint = Nehmen Sie weniger Schritte oder ein kleineres Format.
+
+## A solver that was lost, or is silent
+
+solver-silent = Der Löser gibt seit einiger Zeit kein Lebenszeichen; vielleicht arbeitet er an etwas Großem.
+solver-gone = Was zu sehen ist, lässt sich noch sichern.
+restart-solver = Löser neu starten
+solver-lost-again = Der Löser brach jedes Mal ab, wenn die Fläche wiederhergestellt werden sollte.
+    .hint = „Herunterladen“ sichert, was zu sehen ist. „Löser neu starten“ versucht es noch einmal; fehlt Speicher, so schließen Sie zuerst andere Tabs.
+lost-with-solver = { $what ->
+    [steps] Seine gespeicherten Schritte sind verloren; der Verlauf beginnt neu.
+    [edits] Frühere Änderungen lassen sich nicht mehr rückgängig machen.
+   *[both] Seine gespeicherten Schritte sind verloren, der Verlauf beginnt neu, und frühere Änderungen lassen sich nicht mehr rückgängig machen.
+}
+saved-own-copy = Der Löser ist jetzt nicht zu fragen: Das Netz wurde als PLY gesichert, in Dreiecken, aus dem, was die Seite selbst hat.
+no-mesh-yet = Es gibt noch kein Netz.
+too-many-requests = Mehr als { $most } Anfragen warten auf eine Antwort.
+    .hint = Warten Sie die Antworten ab, bevor Sie weitere stellen.

@@ -1,112 +1,133 @@
-# Flows and their options, as forms, menus and `umbilic flow --help` call them.
+# Flows: src/flow.
 
-flow-circle = Willmore by circle angles
-flow-p-willmore = p-Willmore
-flow-mean-curvature = Mean curvature
-flow-surface-diffusion = Surface diffusion
-flow-willmore = Willmore by fitted operators
-flow-mmcv = Minimal curvature variation, sixth order
-flow-flips = Edge flips
+## Why a flow cannot start or go on
 
-option-flow = Flow
-option-flow-help = which flow
+flow-not-triangular = face { $face } has { $corners } corners; this flow works on triangles
+    .hint = Triangulate the mesh first.
+flow-zero-length-edge = the edge between vertices { $a } and { $b } has no length{ $others ->
+    [0] {""}
+    [one] ; one other edge is like it
+   *[other] ; { $others } other edges are like it
+}
+    .hint = Merge the two vertices in a mesh editor (merge by distance), then load again.
+flow-nothing-free = no vertex is free to move
+    .hint = With a clamped boundary the vertices within one edge of it are held too: choose a fixed or free boundary, a finer mesh, or a larger selection.
+flow-selection-out-of-range = the selection names vertex { $vertex }, but there are only { $vertices } vertices
+    .hint = Vertex indices count from 0 in the order of the file.
+flow-option = { $error }
+flow-not-closed = the surface has { $loops ->
+    [one] { $loops } boundary loop
+   *[other] { $loops } boundary loops
+}; this flow is for closed surfaces
+    .hint = Close its holes in a mesh editor and open it again, or choose the circle-angle Willmore flow, which takes boundaries.
+flow-not-oriented = the surface is one-sided; this flow is for orientable surfaces
+    .hint = Choose the circle-angle Willmore flow, which needs no orientation.
+flow-mixed-faces = the mesh mixes faces of different degree
+    .hint = Triangulate the mesh first.
+flow-too-large = the mesh has { $vertices } vertices; the paper's scheme takes { $limit }
+    .hint = Choose the recommended scheme, which tends to the same flow, or a coarser mesh.
+flow-unfit = the surface cannot be fitted at vertex { $vertex }
+    .hint = It has too few neighbours, some of them coincide, or faces around it have collapsed or are folded: repair the mesh there, or hold the vertices around it.
+flow-inaccurate = the linear system was solved to a residual of { NUMBER($residual, digits: 2) } only
+    .hint = Choose a smaller step size, a coarser mesh or a flow of lower order.
+flow-non-finite-energy = the energy is not a finite number at step { $step }
+    .hint = Go back a step, choose a smaller step size or the recommended scheme, and look for a folded or collapsed triangle.
+flow-linear = the linear system could not be solved: { $reason }
 
-option-scheme = Scheme
-    .auto = Recommended
-    .paper = As in the paper
-option-scheme-help = auto chooses the step size; paper keeps the paper's integrator and a constant --dt
+## Warnings of a step
 
-option-boundary = Boundary
-    .clamped = Clamped (with tangent)
-    .fixed = Fixed (position only)
-    .free = Free
-option-boundary-help = what holds at the boundary of an open mesh; auto is as usual of the flow
+warning-near-bound = ∫H² is below that of every smooth surface with these handles: the mesh no longer resolves the surface.
+warning-growth = The area has grown several times over: a bubble, round and thus cheap, may be forming. From a rough start, smooth a little first.
+warning-balloon = Half of the area is held by few large faces: a part of the surface inflates, which this energy does not mind. The p-Willmore flow with area and volume kept does not let it.
+warning-reading-rose = W rose from { NUMBER($before, digits: 5) } to { NUMBER($after, digits: 5) } in this step, although the smoothed energy that the flow lowers fell: many of its angles were near zero.
+warning-coarse = At vertex { $vertex } edges are too long for the curvature: use a finer mesh.
+warning-nearly-singular = At vertex { $vertex } the surface is about to become singular, as a neck that pinches off: use a finer mesh.
+warning-large-face = The largest face has grown to { $times } times the mean: one part of the surface inflates, and the energy shown is too low. A finer mesh helps.
+warning-slivers = The mesh degenerates: its smallest angle is { NUMBER($degrees, digits: 2) }°, { NUMBER($before, digits: 2) }° at the start; { $advice }.
+warning-folded-faces = { $count ->
+    [one] { $count } face
+   *[other] { $count } faces
+} folded over in this step.
+warning-far-moves = The recommended scheme limits how far vertices move.
+warning-iterative-mesh = The mesh is too large to factor its matrices in memory: they are solved iteratively, and steps take longer.
+warning-iterative-patch = The patch is too large to factor its matrix in memory: it is solved iteratively, and steps take longer.
+warning-inaccurate = The linear system was solved to a residual of { NUMBER($residual, digits: 2) } only.
+warning-margin = { $rings ->
+    [2] Fewer than two rings of held vertices lie between the free patch's boundary and the mesh's: there the surface is fitted from one side, and only positions are given, not the curvature.
+   *[other] Fewer than one ring of held vertices lies between the free patch's boundary and the mesh's: there the surface is fitted from one side, and only positions are given, not the tangent plane.
+}
+warning-disagreement = Two readings of ∫H², with a lumped and with a consistent mass, part by { NUMBER($percent, digits: 2) } %: the mesh does not resolve its curvature well.
+warning-branch = The volume is where it was to go. The shape is { $shape ->
+    [round] round
+    [prolate] prolate
+    [oblate] oblate
+   *[triaxial] of three different axes
+}: its principal lengths are 1 : { $middle } : { $shortest }. Others at rest with this area and volume may have less energy; a perturbation of the start lets a symmetric shape leave an unstable branch.
+warning-halved-step = I/dt + K was not positive definite: this step was halved { $times ->
+    [one] once
+   *[other] { $times } times
+}.
+warning-newton-failed = Newton's method did not converge in this step.
+warning-near-sphere = Near a sphere semi-implicit steps take over again.
+warning-away-from-sphere = Away from a sphere angles are smoothed again.
+warning-little-gain = Steps gain little: L-BFGS takes over.
+warning-no-gain = Steps gain nothing: L-BFGS takes over.
+warning-exact-halt = Exact steps have come to a halt: angles are smoothed again.
+warning-another-round = W still falls: another round of L-BFGS.
+warning-rough-start = The start is too rough for the sixth-order flow, which would move it by { NUMBER($edges, digits: 2) } edge lengths: up to { $steps } steps of surface diffusion go before.
+warning-back-to-start = No rest in sight: back to the start, up to { $steps } steps of surface diffusion go before.
+warning-better-before = A surface on the way varied its curvature less than the last: it is put in place.
 
-option-free = Free vertices
-option-free-help = only these vertices move
-option-fixed = Held vertices
-option-fixed-help = these vertices do not move
-option-prefill = Smooth first guess
-option-prefill-help = lays the free vertices out smoothly before the first step
+## What helps, in half a sentence
 
-option-p = Exponent p
-option-p-help = the exponent of ∫|H|^p dA
-option-keep = Keep
-    .area = Area
-    .volume = Volume
-option-keep-help = what is kept
-option-reducedVolume = Reduced volume
-option-reducedVolume-help = leads the volume to this share of that of the ball of the same area; area and volume are kept
-option-spontaneousCurvature = Spontaneous H₀ · L
-option-spontaneousCurvature-help = with p = 2, H₀ in ∫(H − H₀)² dA, times L = √(A/4π)
-option-tension = Tension σ · L²
-option-tension-help = with p = 2, σ in ∫|Y|² dA + σA, times L²
-option-pressure = Pressure P · L³
-option-pressure-help = with p = 2, P in ∫|Y|² dA − PV, times L³
+advice-finer-mesh = a finer mesh helps
+advice-better-mesh = a better mesh helps, as conformal regularisation makes it
+advice-regular-or-finer = conformal regularisation or a finer mesh helps
+advice-keep-volume = where it thins out the surface becomes singular; keeping the volume prevents that
+advice-smooth-first = smooth with p = 2 first, or use a finer mesh
+advice-p-willmore-zero = the p-Willmore flow with p = 0 keeps its mesh a better one
+advice-regular-or-p-willmore = conformal regularisation or the p-Willmore flow helps
+advice-first-guess = a smooth first guess, a finer mesh or a flow of lower order helps
 
-option-epsilon = Angle smoothing ε
-option-epsilon-help = smoothing of the angles
-option-sharpen = Sharpen at the end (ε → 0)
-option-sharpen-help = lets epsilon go to 0 at the end
+## Why a trial step was refused
 
-option-criterion = Criterion
-    .area = Area
-    .willmore = Willmore energy
-    .localised = Localised Willmore energy
-option-criterion-help = what is to become small
-option-guardFolds = No flip may turn a face over
-option-guardFolds-help = no flip turns a face over; that also forbids unfolding
+cause-rise = the energy would rise
+cause-reading-jump = the energy as printed would jump up
+cause-bound = the energy would be below that of every smooth surface of this topology
+cause-unfit = curvatures could no longer be fitted
+cause-fold = faces would fold over
+cause-too-far = a vertex would move by more than half an edge
+cause-turn = a face would turn by more than 60°
+cause-sliver = a face would become a sliver
+cause-constraints = the constraints cannot be met together
+cause-not-finite = the energy is not finite
+cause-newton = Newton’s method does not converge, or a face would turn over
 
-option-goal = Goal
-    .relax = Relax towards a minimum
-    .smooth = Smooth by a set amount
-option-goal-help = relax goes to a minimum; smooth removes a set amount of detail
-option-detail = Smooth away detail below L
-option-detail-help = removes detail below so many mean edge lengths
-option-smoothSteps = Spread over (steps)
-option-smoothSteps-help = in so many steps
+## Why a run is over, after its status
 
-option-tau = Time step τ
-    .absent = automatic
-option-tau-help = step size without a unit: over h² (circle), over L^k of a flow of order k, L the size of what moves (the others)
-option-dt = Time step dt
-option-dt-help = step size in the unit of the mesh: length², for p-willmore length^(p+2), for a flow of order k length^k
-option-tauGrowth = Growth of τ
-option-tauGrowth-help = factor on the step size after each step
-option-tauMax = Largest τ
-option-tauMax-help = largest step size without a unit
-
-option-integrator = Integrator
-    .semi-implicit = Semi-implicit
-    .forward-euler = Forward Euler
-    .backward-euler = Backward Euler (Newton)
-    .l-bfgs = L-BFGS
-option-integrator-help = how a step is taken
-option-mass = Mass
-    .auto = Automatic
-    .uniform = Uniform
-    .area = Vertex area
-option-mass-help = weight of a vertex
-option-regularise = Regularise
-    .off = Never
-    .linear = After each step, linear
-    .nonlinear = After each step
-option-regularise-help = conformal regularisation after each step
-option-regulariseEpsilon = Regularisation ε
-option-regulariseEpsilon-help = 0.001 is faithful to the surface, 0.1 aggressive
-option-perturbation = Perturb the start by
-option-perturbation-help = pushes the start along its normals by up to so many mean edge lengths
-option-rungs = Steps of surface diffusion first
-option-rungs-help = so many steps of surface diffusion first; auto is as many as a rough start needs
-
-option-maxSteps = Step limit
-    .absent = none
-option-maxSteps-help = at most so many steps, however long they take
-option-maxSeconds = Stop after (seconds)
-    .absent = never
-option-maxSeconds-help = at most so many seconds of computing, where no number of steps is set
-
-# Beside what may be chosen.
-option-nothing = Nothing
-option-no = No
-option-yes = Yes
+reason-at-rest = the surface is at rest
+reason-still = no vertex moves any more
+reason-zero-energy = the energy is zero up to roundoff
+reason-smoothed = { $steps ->
+    [one] { $steps } step of smoothing is
+   *[other] { $steps } steps of smoothing are
+} done, as asked
+reason-step-limit = the limit of { $steps ->
+    [one] { $steps } step
+   *[other] { $steps } steps
+} is reached
+reason-time-limit = the { $seconds } seconds of computing are used up, and the surface is not at rest
+reason-large-face = face { $face } is { $times } times as large as the mean, and the mesh no longer resolves the surface; a finer mesh helps, or keeping area and volume under the p-Willmore flow
+reason-refused = every step tried was refused, the last because { $cause }; { $advice }
+reason-creeping = only ever smaller steps lower the energy, which is not at rest; { $advice }
+reason-worse-rest = the flow comes to rest with more energy than on the way; { $advice }
+reason-below-bound = any further step would have less energy than every smooth surface of this topology, so something closes between the vertices; the surface is the last good one, and a finer or better mesh helps
+reason-vanishes = at time { NUMBER($time, digits: 4) } the surface shrinks to a point near ({ $place }); keeping the volume prevents that
+reason-pinched-neck = at time { NUMBER($time, digits: 4) } a neck pinches off at vertex { $vertex }, near ({ $place }); the flow has no solution beyond it, and keeping the volume or a finer mesh helps
+reason-sharp-tip = at time { NUMBER($time, digits: 4) } a tip becomes a point at vertex { $vertex }, near ({ $place }); the flow has no solution beyond it, and keeping the volume or a finer mesh helps
+reason-no-flips = no flip lowers { $criterion ->
+    [area] the area
+    [willmore] the Willmore energy
+    [localised] the localised Willmore energy
+   *[all] any of the three costs
+} any more

@@ -50,3 +50,37 @@ filled = Filled { $count ->
     [one] { $vertices } new vertex
    *[other] { $vertices } new vertices
 }. Play lets the flow fair them; Undo takes the fill back.
+
+## How a run ended
+
+play-goes-on = { $reason }. Play goes on.
+
+## A fill
+
+fair-nothing = There is no new vertex, and nothing for { $flow } to move.
+
+## The worker, and sequences of meshes
+
+worker-internal = The solver met an error of its own: { $reason }
+    .hint = Please report this, with the mesh if you can.
+worker-cancelled = It was given up.
+    .hint = Open it again to begin anew.
+sequence-too-large = { $meshes } meshes would be { NUMBER($gigabytes, digits: 2) } GB, more than 1 GB.
+    .hint = Take fewer of the steps, or a smaller format.
+
+## A solver that was lost, or is silent
+
+solver-silent = No sign of life from the solver for some time; it may be at work on something large.
+solver-gone = What is shown can still be saved.
+restart-solver = Restart the solver
+solver-lost-again = The solver stopped each time the surface was to be restored.
+    .hint = Download saves what is shown. “Restart the solver” tries again; if memory is short, close other tabs first.
+lost-with-solver = { $what ->
+    [steps] Its stored steps are gone; the history starts anew.
+    [edits] Edits made before can no longer be undone.
+   *[both] Its stored steps are gone, the history starts anew, and edits made before can no longer be undone.
+}
+saved-own-copy = The solver cannot be asked now: the mesh was saved as PLY, as triangles, from what the page itself has.
+no-mesh-yet = There is no mesh yet.
+too-many-requests = More than { $most } requests wait to be answered.
+    .hint = Wait for the answers before asking for more.

@@ -1,0 +1,115 @@
+//! The rows of the options that edits, readings and tables of measurements have.
+
+use super::RegulariseOptions;
+use super::bench::{BenchOptions, TableName};
+use super::fill::{FillOptions, Loops};
+use super::flip::FlipOptions;
+use super::library;
+use super::readings::EnergyOptions;
+use crate::energy::circle::Boundary;
+use crate::flow::option::kind::ids;
+use crate::flow::option::{Field, Kind, Named, Options, Range, ReadBy, Row, Value, row};
+use crate::remesh::Mode;
+use crate::remesh::flips::reduction::Criterion;
+use std::sync::OnceLock;
+
+/// Beyond it |H|^p is no number on any mesh.
+const MAX_EXPONENT: f64 = 1e3;
+
+impl Options for EnergyOptions {
+    #[rustfmt::skip]
+    const ROWS: &'static [Row<Self>] = &[
+        row!(p, "p", "p",
+            Kind::Numbers(Range::closed(0.0, MAX_EXPONENT)), "", Functional, ReadBy::COMMAND),
+        row!(boundary, "boundary", "boundary",
+            Kind::choice::<Boundary>(), "", Surface, ReadBy::COMMAND),
+    ];
+}
+
+/// What slides vertices.
+fn sliding() -> &'static [&'static str] {
+    static MODES: OnceLock<Vec<&str>> = OnceLock::new();
+    MODES.get_or_init(|| {
+        let off = Mode::Off.value();
+        let modes = ids::<Mode>().iter().copied();
+        modes
+            .filter(|id| off != Value::Text((*id).into()))
+            .collect()
+    })
+}
+
+impl Options for RegulariseOptions {
+    #[rustfmt::skip]
+    const ROWS: &'static [Row<Self>] = &[
+        row!(mode, "mode", "mode", Kind::Choice(sliding), "", Method, ReadBy::COMMAND),
+        row!(epsilon, "epsilon", "epsilon",
+            Kind::Number(Range::positive(1e3)), "", Method, ReadBy::COMMAND),
+        row!(iterations, "iterations", "iterations",
+            Kind::Number(Range::count(0.0)), "", Budget, ReadBy::COMMAND),
+        row!(features, "features", "features",
+            Kind::Number(Range::closed(0.0, 1e6)), "", Method, ReadBy::COMMAND),
+    ];
+}
+
+impl Field for Loops {
+    fn value(&self) -> Value {
+        match self {
+            Self::All => Value::Absent,
+            Self::Some(loops) => loops.value(),
+            Self::Word(word) => word.value(),
+        }
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Absent => Some(Self::All),
+            value => Vec::of(value).map(Self::Some),
+        }
+    }
+}
+
+impl Options for FillOptions {
+    #[rustfmt::skip]
+    const ROWS: &'static [Row<Self>] = &[
+        row!(loops, "loops", "loops",
+            Kind::Numbers(Range::count(0.0)), "", Surface, ReadBy::COMMAND).or("all"),
+        row!(connect, "connect", "connect", Kind::Switch, "", Surface, ReadBy::COMMAND),
+        row!(max_vertices, "maxVertices", "max-vertices",
+            Kind::Number(Range::count(0.0)), "vertices", Budget, ReadBy::COMMAND).or("auto"),
+    ];
+}
+
+impl Options for FlipOptions {
+    // Whether the flips are listed is no choice of a user's: it depends on who asks.
+    #[rustfmt::skip]
+    const ROWS: &'static [Row<Self>] = &[
+        row!(criterion, "criterion", "criterion",
+            Kind::choice::<Criterion>(), "", Functional, ReadBy::COMMAND),
+        row!(guard_folds, "guardFolds", "guard-folds",
+            Kind::Switch, "", Functional, ReadBy::COMMAND),
+        row!(max, "max", "max",
+            Kind::Number(Range::count(0.0)), "flips", Budget, ReadBy::COMMAND).or("all"),
+    ];
+}
+
+impl Named for TableName {}
+
+fn figure_ids() -> &'static [&'static str] {
+    static IDS: OnceLock<Vec<&str>> = OnceLock::new();
+    IDS.get_or_init(|| library::figures().map(|figure| figure.id).collect())
+}
+
+impl Options for BenchOptions {
+    // The meshes are no option that a text could hold.
+    #[rustfmt::skip]
+    const ROWS: &'static [Row<Self>] = &[
+        row!(table, "table", "table", Kind::choice::<TableName>(), "", Flow, ReadBy::COMMAND),
+        row!(max_vertices, "maxVertices", "max-vertices",
+            Kind::Number(Range::count(1.0)), "vertices", Budget, ReadBy::COMMAND).or("all"),
+        row!(steps, "steps", "steps",
+            Kind::Number(Range::count(1.0)), "steps", Budget, ReadBy::COMMAND),
+        row!(figures, "figures", "figures",
+            Kind::Set(figure_ids), "", Surface, ReadBy::COMMAND).or("all"),
+        row!(quick, "quick", "quick", Kind::Switch, "", Budget, ReadBy::COMMAND),
+    ];
+}

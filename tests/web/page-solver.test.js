@@ -1,0 +1,292 @@
+// @ts-check
+// The page's side of a worker that crashes or falls silent, without a browser: the worker is made
+// of numbers written down.
+
+import assert from "node:assert/strict";
+import { beforeEach, test } from "node:test";
+import { LOST } from "../../www/channel.js";
+import { loadSolver } from "../../www/cli/solver.js";
+import { createController } from "../../www/controller.js";
+import { plyOf } from "../../www/ply.js";
+import { perform } from "../../www/session.js";
+import { createSolver } from "../../www/solver.js";
+import { createStore } from "../../www/state.js";
+import { statusText } from "../../www/ui/status.js";
+import { say } from "../../www/words.js";
+import { FakeWorker } from "./support/fake-worker.js";
+import { obj, wavyTorus } from "./support/meshes.js";
+
+beforeEach(() => FakeWorker.begin());
+
+/** What a listener was told, and a solver that tells it. @param {number} [patience] */
+function listened(patience) {
+  /** @type {any[][]} */
+  const said = [];
+  /** @param {string} name */
+  const note =
+    (name) =>
+    (/** @type {any[]} */ ...values) =>
+      said.push([name, ...values]);
+  const listener = /** @type {any} */ ({});
+  for (const name of ["onReady", "onFrame", "onStopped", "onProgress", "onCrashed", "onSilent"]) {
+    listener[name] = note(name);
+  }
+  const solver = createSolver(listener, { patience, pause: 0 });
+  const heard = (/** @type {string} */ name) => said.filter(([one]) => one === name);
+  return { solver, heard };
+}
+
+/** A mesh from a file, and some steps of a flow on it. @param {import("../../www/solver.js").Solver} solver @param {number} steps */
+async function run(solver, steps) {
+  await solver.load("own.obj", Uint8Array.of(1, 2, 3));
+  await solver.configure({ flow: "circle" });
+  for (let n = 0; n < steps; n += 1) await solver.step();
+}
+
+/** Positions of a binary PLY with `double` coordinates. @param {Uint8Array} bytes */
+function positionsOf(bytes) {
+  const end = new TextDecoder("latin1").decode(bytes).indexOf("end_header\n") + 11;
+  const head = new TextDecoder().decode(bytes.subarray(0, end));
+  assert.match(head, /binary_little_endian[\s\S]*property double x/);
+  const count = Number(/element vertex (\d+)/.exec(head)?.[1]);
+  const view = new DataView(bytes.buffer, bytes.byteOffset + end);
+  const positions = Array.from({ length: 3 * count }, (_, n) => view.getFloat64(8 * n, true));
+  const faces = [1, 5, 9].map((at) => view.getInt32(24 * count + at, true));
+  return { positions, faces };
+}
+
+test("a scene outlives crashes in a row, those on the way back too, in double precision", async () => {
+  const { solver, heard } = listened();
+  await run(solver, 4);
+  const before = FakeWorker.last.exact;
+  // Wherever on the way.
+  const order = ["load", "configure", "restore", "load", "restore"];
+  FakeWorker.crashesAt = ({ name }, worker) => name === order[FakeWorker.all.indexOf(worker) - 1];
+  FakeWorker.last.crash("the first");
+  const state = await solver.revive();
+  assert.equal(state?.step, 4);
+  assert.equal(FakeWorker.all.length, order.length + 2);
+  assert.deepEqual(heard("onCrashed"), [["onCrashed", "the first"]], "one crash is told");
+  assert.deepEqual([...FakeWorker.last.exact], [...before]);
+  assert.notEqual(Math.fround(before[0]), before[0], "a number that single precision lacks");
+  assert.equal((await solver.step())?.step, 5);
+});
+
+test("a solver that never comes back is given up, and a later request brings the scene first", async () => {
+  const { solver } = listened();
+  await run(solver, 2);
+  const before = [...FakeWorker.last.exact];
+  FakeWorker.crashesAt = ({ name }) => name === "configure";
+  FakeWorker.last.crash("for good");
+  await assert.rejects(solver.revive(), { kind: "SolverLostAgain" });
+  const tried = FakeWorker.all.length;
+  // What is shown can be had without one.
+  const { format, bytes } = await solver.export("obj");
+  assert.equal(format, "ply");
+  assert.deepEqual(positionsOf(bytes), { positions: before, faces: [0, 1, 2] });
+  assert.equal(FakeWorker.all.length, tried, "and asks for none");
+
+  FakeWorker.crashesAt = () => false;
+  assert.equal((await solver.step())?.step, 3);
+  const names = FakeWorker.last.asked.map(({ name }) => name);
+  assert.deepEqual(names, ["load", "configure", "restore", "step"]);
+  assert.deepEqual(await solver.export("obj"), { format: "obj", bytes: Uint8Array.of(3) });
+});
+
+test("the page's own copy is to the bit what the solver writes, far from the origin too", async () => {
+  const { Session } = await loadSolver();
+  for (const far of [0, 1e6]) {
+    const session = new Session();
+    const text = obj(wavyTorus(12, 8)).replace(/^v (\S+)/gm, (_, x) => `v ${Number(x) + far}`);
+    const bytes = new TextEncoder().encode(text);
+    const { shift, triangles } = perform(session, "load", { bytes, name: "far.obj" });
+    perform(session, "configure", { options: {} });
+    perform(session, "step");
+    const { exact } = session.frame();
+    const own = plyOf(exact, shift, triangles);
+    const body = (/** @type {Uint8Array} */ file) =>
+      Buffer.from(file.subarray(Buffer.from(file).indexOf("end_header\n") + 11));
+    assert.ok(body(own).equals(body(perform(session, "export", { format: "ply" }))), `at ${far}`);
+    assert.equal(shift[0] !== 0, far !== 0);
+    session.free();
+  }
+});
+
+test("an export that a crash meets is of the page's own copy", async () => {
+  const { solver } = listened();
+  await run(solver, 1);
+  FakeWorker.crashesAt = ({ name }) => name === "export";
+  const { format, bytes } = await solver.export("stl");
+  assert.equal(format, "ply");
+  assert.equal(positionsOf(bytes).positions[0], 1 / 3);
+});
+
+test("a mesh that is refused or crashes the solver leaves the scene of before", async () => {
+  const { solver } = listened();
+  await run(solver, 2);
+  FakeWorker.crashesAt = ({ fields }) => fields.name === "deadly.obj";
+  await assert.rejects(solver.load("deadly.obj", Uint8Array.of(1)), { kind: LOST });
+  await assert.rejects(solver.load("broken.obj", Uint8Array.of(1)), { kind: "BadMesh" });
+  assert.equal((await solver.step())?.step, 3);
+  assert.equal(FakeWorker.last.mesh, "own.obj");
+});
+
+test("a surface at the start comes back as the start, an edited one as a file", async () => {
+  const { solver } = listened();
+  await run(solver, 0);
+  FakeWorker.last.crash("at the start");
+  assert.equal((await solver.revive())?.step, 0);
+  assert.equal(FakeWorker.last.asked.at(-1)?.name, "reset");
+  await solver.step();
+  await solver.adopt();
+  await solver.configure({ flow: "circle" });
+  FakeWorker.last.crash("after an edit");
+  await solver.revive();
+  const { fields } = FakeWorker.last.asked[0];
+  assert.equal(fields.name, "own.ply");
+});
+
+test("an owed answer that stays away is noticed, and a sign of life takes that back", async (context) => {
+  const { solver, heard } = listened(10_000);
+  await run(solver, 1);
+  context.mock.timers.enable({ apis: ["setTimeout"] });
+  context.mock.timers.tick(60_000);
+  assert.deepEqual(heard("onSilent"), [], "nothing is owed at rest");
+
+  FakeWorker.ignores = ({ name }) => name === "step";
+  const owed = solver.step();
+  owed.catch(() => {});
+  await new Promise(setImmediate);
+  context.mock.timers.tick(9000);
+  FakeWorker.last.say({ type: "progress", run: 0, stage: "factor", fraction: 0.5 });
+  context.mock.timers.tick(9000);
+  assert.deepEqual(heard("onSilent"), []);
+  context.mock.timers.tick(1000);
+  assert.deepEqual(heard("onSilent"), [["onSilent", true]]);
+  // It is not waited for.
+  assert.equal((await solver.export("ply")).format, "ply");
+  assert.equal(
+    FakeWorker.last.asked.some(({ name }) => name === "export"),
+    false,
+  );
+  FakeWorker.last.say({ type: "alive" });
+  assert.deepEqual(heard("onSilent").at(-1), ["onSilent", false]);
+  context.mock.timers.tick(10_000);
+  assert.deepEqual(heard("onSilent").at(-1), ["onSilent", true]);
+  solver.dismiss();
+  await assert.rejects(owed, { kind: LOST });
+  assert.deepEqual(heard("onSilent").at(-1), ["onSilent", false]);
+});
+
+test("a run owes frames, but not to a window that draws none", async (context) => {
+  const { solver, heard } = listened(10_000);
+  await run(solver, 1);
+  await new Promise(setImmediate);
+  context.mock.timers.enable({ apis: ["setTimeout"] });
+  await solver.run(null);
+  /** @type {(() => void)[]} */
+  const drawing = [];
+  Object.assign(globalThis, {
+    requestAnimationFrame: (/** @type {any} */ draw) => drawing.push(draw),
+  });
+  FakeWorker.last.frame();
+  assert.equal(drawing.length, 1);
+  context.mock.timers.tick(30_000);
+  assert.deepEqual(heard("onSilent"), []);
+  drawing[0]();
+  context.mock.timers.tick(10_000);
+  assert.deepEqual(heard("onSilent"), [["onSilent", true]]);
+  FakeWorker.last.say({ type: "stopped", run: FakeWorker.last.run, state: {}, fault: null });
+  context.mock.timers.tick(60_000);
+  assert.deepEqual(heard("onSilent").at(-1), ["onSilent", false], "the run is over");
+});
+
+/** The page without its document. */
+function page() {
+  const store = createStore();
+  /** @type {any[]} */
+  const errors = [];
+  const voice = {
+    error: (/** @type {any} */ fault) => errors.push(fault),
+    ...{ note() {}, answer() {}, clear() {}, ask: async () => true },
+  };
+  const controller = createController(store, voice, { pause: 0 });
+  const file = /** @type {any} */ (new File(["v 0 0 0"], "own.obj"));
+  return { store, controller, errors, open: () => controller.open(file) };
+}
+
+test("two crashes within a second cost the stored steps, and the page says so once", async () => {
+  const { store, controller, errors, open } = page();
+  await open();
+  for (let n = 0; n < 3; n += 1) await controller.step();
+  assert.equal(statusText(store.get()), "Paused at step 3");
+  assert.equal(store.get().timeline?.stored, 4);
+  /** @type {(number | undefined)[]} */
+  const seen = [];
+  FakeWorker.crashesAt = ({ name }, worker) =>
+    name === "restore" && FakeWorker.all.indexOf(worker) === 1;
+  /** @type {string[]} */
+  const statuses = [];
+  /** @type {Set<number | undefined>} */
+  const offered = new Set();
+  store.subscribe((state) => {
+    if (statuses.at(-1) !== statusText(state)) statuses.push(statusText(state));
+    if (state.phase !== "loading") return;
+    seen.push(state.frame?.positions[0]);
+    offered.add(state.timeline?.start);
+  });
+  FakeWorker.last.crash("made by the test");
+  await controller.goOn(null);
+  await controller.step().catch(() => {});
+  const state = store.get();
+  assert.equal(FakeWorker.all.length, 3);
+  assert.deepEqual(statuses, [
+    "Paused at step 3",
+    "Restoring the surface…",
+    "Paused at step 3",
+    "Paused at step 4",
+  ]);
+  assert.deepEqual([...new Set(seen)], [1], "the last frame stays until it is there again");
+  assert.deepEqual([...offered], [undefined, 3], "steps that are gone are not offered");
+  assert.equal(errors.length, 1);
+  assert.match(errors[0].message, /made by the test.*step 3/);
+  assert.ok(errors[0].hint.startsWith(say("lost-with-solver", { what: "steps" })));
+  // Back offers what is there.
+  assert.equal(state.timeline?.start, 3);
+  await controller.back();
+  assert.equal(store.get().reading?.canStepBack, false);
+  assert.equal(store.get().reading?.step, 3);
+  // Which file it was is known, and why there is no recipe.
+  const { origin } = store.get();
+  assert.ok(origin && "file" in origin && origin.file === "own.obj");
+  await assert.rejects(controller.recipe(), { kind: "NoRecipe", message: say("app-no-recipe") });
+});
+
+test("a solver that is given up leaves the picture, its file and a way to start another", async () => {
+  const { store, controller, errors, open } = page();
+  await open();
+  await controller.step();
+  const shown = store.get().frame;
+  FakeWorker.crashesAt = ({ name }) => name === "restore";
+  FakeWorker.last.crash("for good");
+  // Behind it in the queue.
+  await controller.back();
+  assert.equal(store.get().phase, "failed");
+  assert.equal(store.get().frame, shown);
+  assert.equal(errors.at(-1).message, say("solver-lost-again"));
+  assert.equal((await controller.export("obj")).format, "ply");
+  FakeWorker.crashesAt = () => false;
+  controller.halt();
+  await controller.step();
+  assert.equal(statusText(store.get()), "Paused at step 2");
+});
+
+test("“Restoring” is said of a lost solver and not of a mesh on its way", async () => {
+  const { store, open } = page();
+  /** @type {Set<string>} */
+  const statuses = new Set();
+  store.subscribe((state) => statuses.add(statusText(state)));
+  await open();
+  assert.ok(statuses.has("Loading own.obj…"), [...statuses].join());
+  assert.ok(!statuses.has("Restoring the surface…"), [...statuses].join());
+});

@@ -1,0 +1,158 @@
+// @ts-check
+// The page's line to a worker: a promise for every request, events for the rest. It knows
+// whether there is a worker and whether that gives signs of life, and nothing of what is asked.
+
+/** @import { Fault } from "./words.js" */
+
+import { t } from "./language.js";
+import { sayFault } from "./words.js";
+
+/** Milliseconds after which a worker that owes an answer and says nothing is called silent. */
+const PATIENCE = 10_000;
+
+/** What every request is answered with that a lost worker can no longer answer. */
+export const LOST = "SolverLost";
+
+/**
+ * @typedef {object} Hearer
+ * @property {(message: any) => void} onEvent   what the worker says unasked
+ * @property {(reason: string) => void} onLost  it has crashed; `dismiss` it
+ * @property {(isSilent: boolean) => void} onSilent
+ */
+
+/** @returns {Worker} @throws {Fault} */
+function begun() {
+  try {
+    return new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+  } catch (error) {
+    throw {
+      kind: "NoWorker",
+      message: t("The solver may not be started here: {reason}", {
+        reason: /** @type {Error} */ (error).message,
+      }),
+      hint: t(
+        "If this page is in a frame with `sandbox`, that needs `allow-same-origin` beside `allow-scripts`.",
+      ),
+      detail: {},
+    };
+  }
+}
+
+/** @param {Hearer} hearer @param {number} [patience] */
+export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE) {
+  /** @type {Worker | null} */
+  let worker = null;
+  /** Whether it has been loaded: until then it is the network that takes its time. */
+  let isReady = false;
+  /** Number of the run that goes on. @type {number | null} */
+  let running = null;
+  let isSilent = false;
+  /** Whether it waits for a frame to be drawn, which a hidden window does not do. */
+  let isUndrawn = false;
+  let lastId = 0;
+  /** @type {Map<number, { resolve: (ok: any) => void, reject: (fault: Fault) => void }>} */
+  const waiting = new Map();
+  /** @type {ReturnType<typeof setTimeout> | null} */
+  let watch = null;
+
+  /** @param {boolean} now */
+  function setSilent(now) {
+    if (now === isSilent) return;
+    isSilent = now;
+    onSilent(now);
+  }
+
+  /** Waits for a sign of life, where one is owed. */
+  function expect() {
+    if (watch !== null || isSilent || !isReady || (waiting.size === 0 && running === null)) return;
+    watch = setTimeout(() => {
+      watch = null;
+      if (isUndrawn) expect();
+      else setSilent(true);
+    }, patience);
+  }
+
+  /** There was one. */
+  function heard() {
+    if (watch !== null) clearTimeout(watch);
+    watch = null;
+    setSilent(false);
+  }
+
+  /** @param {any} message  a reply or an event */
+  function receive(message) {
+    heard();
+    if ("id" in message) {
+      const request = waiting.get(message.id);
+      waiting.delete(message.id);
+      if (message.error) request?.reject(sayFault(message.error));
+      else request?.resolve(message.ok);
+    } else if (message.type === "crashed") onLost(message.message);
+    else {
+      if (message.type === "ready") isReady = true;
+      if (message.type === "stopped" && message.run === running) running = null;
+      onEvent(message);
+    }
+    expect();
+  }
+
+  /** @throws {Fault} where the page may start none */
+  function begin() {
+    if (worker) return worker;
+    const started = begun();
+    started.onmessage = ({ data }) => started === worker && receive(data);
+    started.onerror = (event) => {
+      if (started === worker) onLost(event.message || t("it could not be loaded"));
+    };
+    worker = started;
+    return started;
+  }
+
+  return {
+    begin,
+    isSilent: () => isSilent,
+
+    /** Ends the worker; whoever waits for it learns so. The next request starts another. */
+    dismiss() {
+      worker?.terminate();
+      worker = null;
+      isReady = false;
+      running = null;
+      isUndrawn = false;
+      heard();
+      /** @type {Fault} */
+      const fault = { kind: LOST, message: "The solver was stopped.", hint: "", detail: {} };
+      for (const { reject } of waiting.values()) reject(fault);
+      waiting.clear();
+    },
+
+    /**
+     * @param {Omit<import("./worker.js").Request, "id">} request
+     * @returns {Promise<any>}
+     */
+    async ask(request) {
+      const asked = begin();
+      lastId += 1;
+      const id = lastId;
+      const { name, run } = request;
+      // A request with a number ends the run at hand, as a pause does.
+      if (run !== undefined || name === "pause") running = name === "run" ? (run ?? null) : null;
+      return new Promise((resolve, reject) => {
+        waiting.set(id, { resolve, reject });
+        asked.postMessage({ id, ...request });
+        expect();
+      });
+    },
+
+    /** Only when the page has had its turn to draw may the next frame come. @param {number} run */
+    acknowledge(run) {
+      const shown = worker;
+      isUndrawn = true;
+      requestAnimationFrame(() => {
+        if (shown !== worker) return;
+        isUndrawn = false;
+        worker?.postMessage({ ack: run });
+      });
+    },
+  };
+}

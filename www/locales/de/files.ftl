@@ -1,0 +1,111 @@
+# Netzdateien: src/io/error.rs.
+
+## Stellen und Formate
+
+place-line = Zeile { $line }
+place-byte = Byte { $byte }
+format-obj = OBJ
+format-off = OFF
+format-ply = PLY
+format-ply-ascii = PLY (ASCII)
+format-ply-big = PLY (big-endian)
+format-stl = binäres STL
+format-stl-ascii = STL (ASCII)
+format-glb = GLB
+
+## Was in einer Datei steht, und was stehen sollte
+
+found-end-of-line = das Ende der Zeile
+found-end-of-file = das Ende der Datei
+found-word = `{ $word }`
+expected-keyword = `{ $word }`
+expected-coordinate = die Koordinate { $axis }
+expected-vertex = eine Ecke
+expected-face = eine Facette
+expected-vertex-index = ein Eckenindex
+expected-obj-corner = ein Eckenindex wie 7, 7/1 oder 7//2
+expected-vertex-count = die Zahl der Ecken
+expected-off-or-vertex-count = OFF oder die Zahl der Ecken
+expected-face-count = die Zahl der Facetten
+expected-corner-count = die Zahl der Ecken der Facette
+expected-number = eine Zahl
+expected-property-name = der Name der Eigenschaft
+expected-element-name = der Name des Elements
+expected-element-count = die Zahl der Elemente
+expected-other-element = eine Zeile eines anderen Elements
+expected-list-length = die Länge einer Liste
+expected-integer-type = ein ganzzahliger Typ für die Länge einer Liste
+expected-number-type = ein Typ wie float oder uchar
+expected-one-element-each = Ecken und Facetten in je einem Element
+expected-vertex-properties = je eine Eigenschaft `x`, `y` und `z` im Element vertex
+expected-face-property = eine Liste `vertex_indices` ganzer Zahlen im Element face
+
+## Dateien, die abgelehnt werden
+
+read-empty = die Datei ist leer
+    .hint = Prüfen Sie, ob der Export oder das Herunterladen zu Ende kam.
+read-unknown-format = `{ $name }` ist nicht als OBJ, OFF, PLY oder STL zu erkennen
+    .hint = Öffnen Sie eine OBJ-, OFF-, PLY- oder STL-Datei.
+read-unsupported = Dateien der Art { $what ->
+    [gltf] glTF
+    [binary-off] binäres OFF
+   *[nd-off] höherdimensionales OFF
+} lassen sich nicht lesen
+    .hint = Exportieren Sie die Fläche als OBJ, PLY oder STL.
+read-not-text = { $format }: Byte { $offset } ist kein Text
+    .hint = Die Datei ist binär oder UTF-16-Text; sichern Sie sie als UTF-8, oder geben Sie ihr die richtige Endung.
+read-syntax = { $format }, { $place }: { $found } gefunden, erwartet wurde { $expected }
+    .hint = Sehen Sie an dieser Stelle der Datei nach, oder exportieren Sie sie neu.
+read-decimal-comma = { $format }, { $place }: { $found } gefunden, erwartet wurde { $expected }
+    .hint = Exportieren Sie mit Dezimalpunkt statt Dezimalkomma.
+read-index-out-of-range = { $format }, { $place }: Eine Facette nennt Ecke { $index }, die Datei hat { $vertices }
+    .hint = { $format ->
+        [OBJ] OBJ zählt Ecken ab 1 oder ab -1 rückwärts. Exportieren Sie die Datei neu.
+       *[other] Dieses Format zählt Ecken ab 0. Exportieren Sie die Datei neu.
+    }
+read-non-finite-vertex = { $place }: Ecke Nummer { $number } (ab 1 gezählt) ist nicht endlich
+    .hint = Entfernen Sie die Ecke oder geben Sie ihr eine Lage, und exportieren Sie neu.
+read-truncated = die Datei bricht ab: { $needed } Bytes werden ab Byte { $offset } gebraucht, { $available } sind da
+    .hint = Das Herunterladen oder Kopieren endete wohl zu früh; holen Sie die Datei noch einmal.
+read-count-too-large = { $place } kündigt { $count } { $what ->
+    [vertices] Ecken
+    [faces] Facetten
+    [corners] Ecken von Facetten
+   *[elements] Elemente
+} an, höchstens { $at_most } sind möglich
+    .hint = Die Anzahl ist falsch, oder die Datei bricht ab.
+read-no-faces = die Datei hat { $vertices ->
+    [one] { $vertices } Ecke
+   *[other] { $vertices } Ecken
+} und keine Facetten
+    .hint = { $vertices ->
+        [0] Prüfen Sie, ob die Datei ist, was ihr Name sagt.
+       *[other] Punktwolken und Kurven haben keine Fläche; öffnen Sie ein Netz.
+    }
+
+## Besonderheiten gelesener Dateien
+
+oddity-transcoded = Der Text ist UTF-16; so wurde er gelesen.
+oddity-other-ending = Der Name endet auf .{ $ending }, der Inhalt ist { $format }.
+oddity-short-faces = Facetten mit weniger als drei Ecken wurden weggelassen: { $count }, zuerst bei { $first }.
+oddity-other-lines = Zeilen, die nicht zu einem Polygonnetz gehören, wurden übergangen: { $count }, zuerst bei { $first }.
+oddity-bytes-left = { $count ->
+    [one] { $count } Byte nach dem letzten Dreieck blieb
+   *[other] { $count } Bytes nach dem letzten Dreieck blieben
+} unbeachtet.
+oddity-no-end = Der letzte Körper hat kein Ende; vielleicht bricht die Datei ab.
+
+## Netze, die sich nicht schreiben lassen
+
+write-no-faces = es gibt keine Facetten zu schreiben
+    .hint = Laden Sie zuerst ein Netz.
+write-index-out-of-range = Facette { $face } nennt Ecke { $index } von { $vertices }
+    .hint = Das ist ein Fehler des Programms; bitte melden Sie ihn.
+write-non-finite-vertex = Ecke { $vertex } lässt sich nicht als Zahl schreiben
+    .hint = Gehen Sie zurück zu einem Zustand mit endlichen Lagen.
+write-beyond-single = Ecke { $vertex } lässt sich nicht als 32-Bit-Gleitkommazahl schreiben
+    .hint = Verkleinern Sie das Netz, oder nehmen Sie OBJ, OFF oder PLY: Sie behalten doppelte Genauigkeit.
+write-normal-count = { $normals } Normalen für { $vertices } Ecken angegeben
+    .hint = Das ist ein Fehler des Programms; bitte melden Sie ihn.
+write-too-large = das Netz ist zu groß für { $format }
+    .hint = Nehmen Sie OBJ, OFF oder PLY.

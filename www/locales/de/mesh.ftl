@@ -1,0 +1,153 @@
+# Netze, Formen, lineare Gleichungssysteme, Füllen und Regularisieren: src/mesh, src/linalg, src/remesh.
+
+## Was keine Fläche ist
+
+mesh-vertex-out-of-range = Facette { $face } benutzt Ecke { $vertex }, es gibt aber nur { $vertices } Ecken
+    .hint = Die Datei ist beschädigt oder abgeschnitten: Exportieren Sie sie neu aus dem Programm, aus dem sie stammt.
+mesh-non-finite-vertex = Ecke { $vertex } hat eine Koordinate, die keine endliche Zahl ist
+    .hint = Entfernen Sie die Ecke in einem Netzeditor, oder geben Sie ihr eine Lage.
+mesh-non-manifold-edge = die Kante zwischen den Ecken { $a } und { $b } hat { COUNT($faces) } Facetten ({ LIST($faces, most: 6) }){ $others ->
+    [0] {""}
+    [one] ; eine weitere Kante ist ebenso
+   *[other] ; { $others } weitere Kanten sind ebenso
+}
+    .hint = Eine Fläche hat an einer Kante höchstens zwei Facetten. Wählen Sie in einem Netzeditor die nicht-mannigfaltigen Kanten aus und löschen Sie die inneren Facetten, oder trennen Sie die Fläche dort.
+mesh-no-faces = es gibt keine Facette mit drei verschiedenen Ecken und einem Flächeninhalt
+    .hint = Prüfen Sie, ob die Datei eine Fläche enthält und nicht nur Punkte oder Linien.
+mesh-too-large = { $count } Ecken von Facetten sind mehr, als 32-Bit-Indizes benennen können
+    .hint = Vereinfachen Sie das Netz zuerst; etwa eine Million Facetten sind praktikabel.
+
+## Was repariert wurde
+
+repair-degenerate-faces = Weggelassen: { $count ->
+    [one] { $count } entartete Facette (mit wiederholter Ecke)
+   *[other] { $count } entartete Facetten (mit wiederholter Ecke)
+}, zuerst Facette { $face }.
+repair-duplicate-faces = Weggelassen: { $count ->
+    [one] { $count } Facette
+   *[other] { $count } Facetten
+} auf denselben Ecken wie eine frühere Facette.
+repair-split-vertices = Aufgeteilt: { $count ->
+    [one] { $count } nicht-mannigfaltige Ecke
+   *[other] { $count } nicht-mannigfaltige Ecken
+}, wo sich mehrere Blätter in einem Punkt berühren, in eine Ecke je Blatt ({ LIST($vertices, most: 5) }).
+repair-flat-pieces = Weggelassen: { $count ->
+    [one] { $count } Facette
+   *[other] { $count } Facetten
+} in Stücken ohne Flächeninhalt.
+repair-unused-vertices = Weggelassen, da von keiner Facette benutzt: { $count ->
+    [one] { $count } Ecke
+   *[other] { $count } Ecken
+}.
+repair-one-sided = { $count ->
+    [one] { $count } Komponente
+   *[other] { $count } Komponenten
+} ohne einheitliche Orientierung (wie ein Möbiusband); Flüsse, die keine Normale brauchen, gehen trotzdem.
+repair-turned-faces = Den Nachbarn entsprechend umgedreht: { $count ->
+    [one] { $count } Facette
+   *[other] { $count } Facetten
+}.
+repair-inside-out = Die Fläche war umgestülpt (negatives Volumen): Alle Facetten wurden umgedreht.
+
+## Unterteilung
+
+subdivision-not-a-triangle = Facette { $face } hat { $degree } Ecken; Unterteilung braucht Dreiecke
+    .hint = Triangulieren Sie das Netz zuerst.
+subdivision-non-manifold-edge = Kante { $a }-{ $b } hat mehr als zwei Facetten
+    .hint = Trennen Sie die Fläche zuerst längs dieser Kante.
+
+## Formen der Beispiele
+
+shape-unknown-shape = es gibt keine Form `{ $name }`
+    .hint = Die Formen sind { $known }.
+shape-unknown-parameter = die Form `{ $shape }` hat keinen Parameter `{ $name }`
+    .hint = { COUNT($known) ->
+        [0] `{ $shape }` nimmt keine Parameter.
+       *[other] `{ $shape }` nimmt { $known }.
+    }
+shape-out-of-range = `{ $parameter }` der Form `{ $shape }` ist { NUMBER($value, digits: 17) }, nicht zwischen { NUMBER($low, digits: 17) } und { NUMBER($high, digits: 17) }
+    .hint = Nehmen Sie einen Wert von { NUMBER($low, digits: 17) } bis { NUMBER($high, digits: 17) }.
+shape-not-an-integer = `{ $parameter }` der Form `{ $shape }` ist { NUMBER($value, digits: 17) }, keine ganze Zahl
+    .hint = Nehmen Sie { $nearest }.
+shape-incompatible = die Form `{ $shape }` lässt sich nicht machen: { $reason }
+    .hint = Ändern Sie einen der genannten Werte.
+conflict-thick-tube = minor = { NUMBER($minor, digits: 17) } ist nicht kleiner als major = { NUMBER($major, digits: 17) }
+conflict-shear = shear × rows = { NUMBER($turn, digits: 17) } ist keine ganze Zahl
+conflict-common-divisor = p = { $p } und q = { $q } haben einen gemeinsamen Teiler
+conflict-odd = { $parameter } = { $value } ist ungerade
+conflict-too-coarse = level { $level } ist zu grob für Löcher vom Radius { NUMBER($radius, digits: 17) }
+conflict-holes-overlap = { $count } Löcher vom Radius { NUMBER($radius, digits: 17) } haben keinen Platz; bei diesem level muss er unter { $most } sein
+conflict-tubes-meet = { $count } Rohre vom Radius { NUMBER($radius, digits: 17) } stoßen zusammen; er muss unter { $most } sein
+conflict-patches-too-long = Flicken vom Radius { NUMBER($radius, digits: 17) } passen nicht auf die Länge
+conflict-no-room = bei resolution { $resolution } ist kein Platz für { $count } Löcher
+conflict-subdivision = { $reason }
+
+## Lineare Gleichungssysteme
+
+linear-zero-pivot = die Matrix ist singulär: Das Pivotelement von Zeile { $row } ist null
+    .hint = Nehmen Sie einen kleineren Schritt.
+linear-non-finite-entry = die Matrix hat in Spalte { $column } einen nicht endlichen Eintrag
+    .hint = Vielleicht ist ein Dreieck zusammengefallen: Nehmen Sie einen kleineren Schritt oder reparieren Sie das Netz.
+linear-non-finite-right-hand-side = die rechte Seite ist bei Ecke { $row } nicht endlich
+    .hint = Vielleicht ist ein Dreieck zusammengefallen: Nehmen Sie einen kleineren Schritt oder reparieren Sie das Netz.
+linear-out-of-memory = die Zerlegung einer Matrix mit { $n } Zeilen passt nicht in den Speicher
+    .hint = Nehmen Sie ein gröberes Netz.
+linear-index-overflow = die Zerlegung einer Matrix mit { $n } Zeilen hat mehr Einträge, als sich zählen lassen
+    .hint = Nehmen Sie ein gröberes Netz.
+
+## Füllen
+
+fill-no-loops = das Netz hat keine Randkurve
+    .hint = Es gibt nichts zu füllen.
+fill-loop-out-of-range = es gibt keine Randkurve { $index }; das Netz hat { $loops }, ab 0 gezählt
+    .hint = Nehmen Sie alle Randkurven oder eine von denen, die es gibt.
+fill-touching-loop = Randkurve { $index } berührt sich selbst: Die Ecken { $a } und { $b } liegen am selben Ort
+    .hint = Verschmelzen Sie solche Ecken in einem Netzeditor (nach Abstand), oder löschen Sie die Facetten um sie.
+fill-not-orientable = die Fläche hat keine einheitliche Orientierung
+    .hint = Eine einseitige Fläche lässt sich nicht füllen.
+fill-too-few-loops = { $loops ->
+    [one] { $loops } Randkurve lässt
+   *[other] { $loops } Randkurven lassen
+} sich nicht verbinden
+    .hint = Nennen Sie zwei oder mehr Randkurven, oder füllen Sie sie einzeln.
+fill-hidden-loop = Randkurve { $index } liegt bei Ecke { $vertex } nicht auf der konvexen Hülle der zu verbindenden Randkurven
+    .hint = Rücken Sie die Teile auseinander, oder lassen Sie diese Randkurve weg; runde Randkurven, die einander gegenüberliegen, lassen sich verbinden.
+fill-loops-too-close = die Ecken { $a } und { $b } zweier Randkurven sind schon durch eine Kante verbunden
+    .hint = Füllen Sie die Randkurven einzeln.
+fill-cancelled = das Füllen wurde abgebrochen
+    .hint = Beginnen Sie neu, wann Sie möchten.
+fill-mesh = das gefüllte Netz ist keine Fläche: { $reason }
+fill-linear = das lineare Gleichungssystem ließ sich nicht lösen: { $reason }
+fill-notice-left-open = Offen gelassen: { $reason }.
+fill-notice-large-hole = Das Loch an { COUNT($loops) ->
+    [one] Randkurve { $loops }
+   *[other] den Randkurven { $loops }
+} ist größer als eine Halbkugel: Es glatt zu schließen kostet { NUMBER($hemispheres, digits: 2) }-mal so viel Krümmung, und seine Form ist geraten.
+fill-notice-low-order = Der Flicken an { COUNT($loops) ->
+    [one] Randkurve { $loops }
+   *[other] den Randkurven { $loops }
+} { $order ->
+    [2] trifft die Fläche um ihn mit ihren Tangentialebenen, aber nicht mit ihrer Krümmung
+    [1] trifft die Fläche um ihn mit einem Knick
+   *[other] bleibt eine Membran
+}: { $cause ->
+    [near-boundary] Um ihn liegen weniger als drei Ringe der Fläche
+    [size] Er hat { $vertices } neue Ecken
+    [folds] Ein glatterer würde umklappen
+   *[rough] Die Fläche um ihn ist zu rau, um fortgesetzt zu werden
+}.
+fill-notice-coarser = Die Kantenlängen der Randkurven verlangen etwa { $vertices } neue Ecken, mehr als die Grenze von { $most }: Die Kanten der Flicken sind { NUMBER($times, digits: 2) }-mal so lang.
+
+## Regularisieren
+
+regularise-only-creases = alle { $vertices } Ecken liegen auf Kanten der Form, die eine Regularisierung erhält
+    .hint = Verfeinern Sie zuerst das Netz: Neue Ecken im Innern seiner Facetten können gleiten.
+regularise-distance-bound = jeder Durchgang würde die Fläche um mehr als { $percent } % ihrer Größe verschieben
+    .hint = Verfeinern Sie zuerst das Netz: Neue Ecken im Innern seiner Facetten können gleiten.
+regularise-volume-bound = jeder Durchgang würde das Volumen um mehr als { $percent } % ändern
+    .hint = Verfeinern Sie zuerst das Netz: Neue Ecken im Innern seiner Facetten können gleiten.
+regularise-box-bound = jeder Durchgang würde den Hüllquader um mehr als { $percent } % ändern
+    .hint = Verfeinern Sie zuerst das Netz: Neue Ecken im Innern seiner Facetten können gleiten.
+regularise-angle-bound = jeder Durchgang würde den kleinsten Winkel verkleinern, und unter { $degrees }°
+    .hint = Verfeinern Sie zuerst das Netz: Neue Ecken im Innern seiner Facetten können gleiten.
+regularise-linear = das lineare Gleichungssystem ließ sich nicht lösen: { $reason }

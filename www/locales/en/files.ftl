@@ -1,0 +1,111 @@
+# Mesh files: src/io/error.rs.
+
+## Places and formats
+
+place-line = line { $line }
+place-byte = byte { $byte }
+format-obj = OBJ
+format-off = OFF
+format-ply = PLY
+format-ply-ascii = ASCII PLY
+format-ply-big = big-endian PLY
+format-stl = binary STL
+format-stl-ascii = ASCII STL
+format-glb = GLB
+
+## What stands in a file, and what should
+
+found-end-of-line = end of line
+found-end-of-file = end of file
+found-word = `{ $word }`
+expected-keyword = `{ $word }`
+expected-coordinate = the coordinate { $axis }
+expected-vertex = a vertex
+expected-face = a face
+expected-vertex-index = a vertex index
+expected-obj-corner = a vertex index such as 7, 7/1 or 7//2
+expected-vertex-count = the number of vertices
+expected-off-or-vertex-count = OFF or the number of vertices
+expected-face-count = the number of faces
+expected-corner-count = the number of corners
+expected-number = a number
+expected-property-name = the property's name
+expected-element-name = the element's name
+expected-element-count = the number of elements
+expected-other-element = a line of another element
+expected-list-length = the length of a list
+expected-integer-type = an integer type for the length of a list
+expected-number-type = a type such as float or uchar
+expected-one-element-each = vertices and faces in one element each
+expected-vertex-properties = one property each `x`, `y` and `z` in element vertex
+expected-face-property = one list `vertex_indices` of integers in element face
+
+## Files that are refused
+
+read-empty = the file is empty
+    .hint = Check that the export or download finished.
+read-unknown-format = `{ $name }` is not recognised as OBJ, OFF, PLY or STL
+    .hint = Open an OBJ, OFF, PLY or STL file.
+read-unsupported = { $what ->
+    [gltf] glTF
+    [binary-off] binary OFF
+   *[nd-off] higher-dimensional OFF
+} files cannot be read
+    .hint = Export the surface as OBJ, PLY or STL.
+read-not-text = { $format }: byte { $offset } is not text
+    .hint = The file is binary or UTF-16 text; save it as UTF-8 or give it the right ending.
+read-syntax = { $format }, { $place }: found { $found }, expected { $expected }
+    .hint = Look at that place in the file, or export it again.
+read-decimal-comma = { $format }, { $place }: found { $found }, expected { $expected }
+    .hint = Export with a decimal point instead of a decimal comma.
+read-index-out-of-range = { $format }, { $place }: a face names vertex { $index }, the file has { $vertices }
+    .hint = { $format ->
+        [OBJ] OBJ counts vertices from 1, or from -1 backwards. Export the file again.
+       *[other] This format counts vertices from 0. Export the file again.
+    }
+read-non-finite-vertex = { $place }: vertex number { $number } (counted from 1) is not finite
+    .hint = Remove the vertex or give it a position, then export again.
+read-truncated = the file is cut short: { $needed } bytes needed at byte { $offset }, { $available } there
+    .hint = The download or copy may have stopped early; fetch it again.
+read-count-too-large = { $place } announces { $count } { $what ->
+    [vertices] vertices
+    [faces] faces
+    [corners] corners
+   *[elements] elements
+}, at most { $at_most } are possible
+    .hint = The count is wrong or the file is cut short.
+read-no-faces = the file has { $vertices ->
+    [one] { $vertices } vertex
+   *[other] { $vertices } vertices
+} and no faces
+    .hint = { $vertices ->
+        [0] Check that the file is what its name says.
+       *[other] Point clouds and curves have no surface; open a mesh.
+    }
+
+## Oddities of files that are read
+
+oddity-transcoded = The text is UTF-16; it was read as such.
+oddity-other-ending = The name ends in .{ $ending }, the contents are { $format }.
+oddity-short-faces = Faces of fewer than three corners were dropped: { $count }, the first at { $first }.
+oddity-other-lines = Lines that are no part of a polygon mesh were skipped: { $count }, the first at { $first }.
+oddity-bytes-left = { $count ->
+    [one] { $count } byte after the last triangle was
+   *[other] { $count } bytes after the last triangle were
+} left aside.
+oddity-no-end = The last solid has no end; the file may be cut short.
+
+## Meshes that cannot be written
+
+write-no-faces = there are no faces to write
+    .hint = Load a mesh first.
+write-index-out-of-range = face { $face } names vertex { $index } of { $vertices }
+    .hint = This is a fault of the program; please report it.
+write-non-finite-vertex = vertex { $vertex } cannot be written as a number
+    .hint = Step back to a state with finite positions.
+write-beyond-single = vertex { $vertex } cannot be written as a 32-bit float
+    .hint = Scale the mesh down, or use OBJ, OFF or PLY: they keep double precision.
+write-normal-count = { $normals } normals given for { $vertices } vertices
+    .hint = This is a fault of the program; please report it.
+write-too-large = the mesh is too large for { $format }
+    .hint = Use OBJ, OFF or PLY.
