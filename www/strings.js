@@ -706,10 +706,6 @@ export const german = {
     "Dieses Rezept gehört zum Netz „{name}“. Öffnen Sie nun diese Datei; das Rezept folgt.",
   "This is not the mesh “{name}” of the recipe: its contents differ.":
     "Das ist nicht das Netz „{name}“ des Rezepts: Sein Inhalt ist ein anderer.",
-  "A recipe of this surface cannot be made: where its mesh came from is not known any more.":
-    "Von dieser Fläche lässt sich kein Rezept machen: Woher ihr Netz kam, ist nicht mehr bekannt.",
-  "Open the mesh or choose the sample again; what is done from then on is recorded.":
-    "Öffnen Sie das Netz oder wählen Sie das Beispiel noch einmal; was von da an geschieht, lässt sich festhalten.",
   "Record a film or all steps": "Film oder alle Schritte aufnehmen",
   "A film is what the picture shows while it is recorded: a flow that runs, the history that plays, a turn of the surface. Of several pictures it has all.":
     "Ein Film ist, was das Bild während der Aufnahme zeigt: einen Fluss, der läuft, den Verlauf, der abgespielt wird, eine Drehung der Fläche. Von mehreren Bildern ist es das erste.",
