@@ -181,6 +181,12 @@ impl<T: Into<Self>> From<Vec<T>> for Value {
     }
 }
 
+impl<T: Into<Self>> From<Box<T>> for Value {
+    fn from(value: Box<T>) -> Self {
+        (*value).into()
+    }
+}
+
 impl<T: Into<Self>> From<Option<T>> for Value {
     fn from(value: Option<T>) -> Self {
         value.map_or(Self::None, Into::into)

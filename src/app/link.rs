@@ -264,9 +264,9 @@ impl Link {
         };
         self.hash = words.read_as("hash", LinkValue::Digest, digest)?;
         let sample = words.read_as("sample", LinkValue::Sample, library::sample)?;
-        let figure = words.get("figure").map(|id| {
-            library::figure(id).ok_or_else(|| LinkError::bad("figure", id, LinkValue::Figure))
-        });
+        let figure = words
+            .get("figure")
+            .map(|id| library::figure(id).ok_or_else(|| LinkError::no_figure(id)));
         let figure = figure.transpose()?;
         self.figure = figure.map(|figure| figure.id.into());
         self.sample = sample.map(|sample| sample.id.into());

@@ -29,11 +29,12 @@ type Words = BTreeMap<String, BTreeSet<String>>;
 const FILES: [&str; 6] = ["app", "files", "flow", "mesh", "recipe", "refusal"];
 
 /// Errors that another one within says more of, with a hint of its own.
-const PASSED_ON: [&str; 8] = [
+const PASSED_ON: [&str; 9] = [
     "fill-linear",
     "fill-mesh",
     "flow-linear",
     "flow-option",
+    "link-figure",
     "link-option",
     "link-recipe",
     "recipe-option",

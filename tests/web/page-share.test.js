@@ -231,7 +231,7 @@ test("a figure can be asked for by its name alone; one there is not, is said", a
   await page.evaluate(() => {
     location.hash = "#figure=circle-99";
   });
-  await page.getByRole("alert").getByText("There is no figure “circle-99”.").waitFor();
+  await page.getByRole("alert").getByText("there is no figure `circle-99`").waitFor();
   assert.deepEqual(faults, []);
   await close();
 });

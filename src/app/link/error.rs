@@ -1,6 +1,7 @@
 //! Why a link is refused.
 
 use crate::app::fault::Fault;
+use crate::app::message::AppError;
 use crate::app::recipe::RecipeError;
 use crate::flow::option::OptionError;
 use crate::message::messages;
@@ -33,6 +34,8 @@ messages! {
             /// What it may be.
             allowed: LinkValue,
         },
+        /// A figure that there is not.
+        Figure(error: AppError),
         /// An option of a flow or of an arrangement.
         Option(error: OptionError),
         /// What was done to the surface.
@@ -46,8 +49,6 @@ messages! {
     pub enum LinkValue as "link-value" {
         /// The id of a sample.
         Sample,
-        /// The id of a figure.
-        Figure,
         /// The digits that a digest begins with.
         Digest,
         /// A step.
@@ -82,15 +83,26 @@ impl LinkError {
     pub(super) fn bad(word: &'static str, value: &str, allowed: LinkValue) -> Self {
         Self::BadWord {
             word,
-            value: value.chars().take(LONGEST_VALUE).collect(),
+            value: shortened(value),
             allowed,
         }
     }
+
+    /// The refusal of a figure.
+    pub(super) fn no_figure(id: &str) -> Self {
+        let name = shortened(id);
+        AppError::UnknownFigure { name }.into()
+    }
+}
+
+fn shortened(text: &str) -> String {
+    text.chars().take(LONGEST_VALUE).collect()
 }
 
 impl From<LinkError> for Fault {
     fn from(error: LinkError) -> Self {
         match error {
+            LinkError::Figure(error) => error.into(),
             LinkError::Option(error) => error.into(),
             LinkError::Recipe(error) => error.into(),
             LinkError::BadWord { .. } => Self {

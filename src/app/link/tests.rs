@@ -60,7 +60,11 @@ fn a_word_that_cannot_be_is_refused() {
             "BadValue",
             "link-bad-word word=sample value=gone ",
         ),
-        ("figure=gone", "BadValue", "word=figure value=gone"),
+        (
+            "figure=gone",
+            "UnknownFigure",
+            "app-unknown-figure name=gone",
+        ),
         ("mesh=a&hash=xyz", "BadValue", "link-bad-word word=hash "),
         ("check=NaN", "BadValue", "link-bad-word word=check "),
         ("check=1e999", "BadValue", "link-bad-word word=check "),

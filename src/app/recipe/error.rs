@@ -32,7 +32,7 @@ messages! {
         /// The same, in a recipe that another version wrote.
         OldOption {
             /// What is wrong with it.
-            error: OptionError,
+            error: Box<OptionError>,
             /// The version that wrote the recipe.
             version: String,
             /// This version.

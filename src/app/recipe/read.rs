@@ -136,7 +136,7 @@ impl Reader {
     fn refused(&self, error: OptionError) -> RecipeError {
         match self.version.clone() {
             Some(version) => RecipeError::OldOption {
-                error,
+                error: Box::new(error),
                 version,
                 present: env!("CARGO_PKG_VERSION"),
             },

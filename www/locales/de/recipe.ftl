@@ -51,11 +51,11 @@ link-twice = Der Link hat „{ $word }“ mehr als einmal.
     .hint = Kopieren Sie einen Link von der Seite, um zu sehen, wie seine Wörter geschrieben werden.
 link-bad-word = „{ $word }“ kann nicht „{ $value }“ sein.
     .hint = Erlaubt ist: { $allowed }.
+link-figure = { $error }
 link-option = { $error }
 link-recipe = { $reason }
 
 link-value-sample = die Kennung eines Beispiels
-link-value-figure = die Kennung einer Abbildung; die Schaltfläche „Abbildungen“ zeigt, welche es gibt
 link-value-digest = die ersten 16 Ziffern eines SHA-256, oder mehr davon
 link-value-step = eine ganze Zahl mit höchstens sieben Ziffern
 link-value-camera = die Zahlen einer Kamera, mit Kommas dazwischen

@@ -51,11 +51,11 @@ link-twice = The link has “{ $word }” more than once.
     .hint = Copy a link from the page to see how its words are written.
 link-bad-word = “{ $word }” cannot be “{ $value }”.
     .hint = It may be { $allowed }.
+link-figure = { $error }
 link-option = { $error }
 link-recipe = { $reason }
 
 link-value-sample = the id of a sample
-link-value-figure = the id of a figure; the button Figures shows those there are
 link-value-digest = the first 16 digits of a SHA-256, or more of them
 link-value-step = a whole number of at most seven digits
 link-value-camera = the numbers of a camera, with commas between them
