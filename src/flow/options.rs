@@ -94,7 +94,7 @@ pub struct FlowOptions {
     pub scheme: Scheme,
     /// Time discretisation.
     pub integrator: Integrator,
-    /// What happens at the boundary; by default as usual of the flow ([`spec`]).
+    /// What happens at the boundary; by default as usual of the flow ([`spec`](crate::flow::spec)).
     pub boundary: Option<Boundary>,
     /// Relax or smooth.
     pub goal: Goal,
