@@ -83,7 +83,7 @@ pub enum MassChoice {
     Area,
 }
 
-/// Options of a flow; what each may be, and which flows read it, is in [`option`].
+/// Options of a flow; what each may be, and which flows read it, is in [`option`](super::option).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
