@@ -2,7 +2,7 @@
 //!
 //! Whoever gives options, a command line, a link, a recipe or a page, has them read and checked
 //! here, and so a bad value is refused with the same words everywhere. The rows of a flow are in
-//! [`rows`]; others give theirs by [`Options`].
+//! `option/rows.rs`; others give theirs by [`Options`].
 
 pub mod error;
 pub mod kind;

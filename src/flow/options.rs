@@ -83,7 +83,7 @@ pub enum MassChoice {
     Area,
 }
 
-/// Options of a flow; what each may be, and which flows read it, is in [`option`].
+/// Options of a flow; what each may be, and which flows read it, is in [`option`](super::option).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
@@ -94,7 +94,7 @@ pub struct FlowOptions {
     pub scheme: Scheme,
     /// Time discretisation.
     pub integrator: Integrator,
-    /// What happens at the boundary; by default as usual of the flow ([`spec`]).
+    /// What happens at the boundary; by default as usual of the flow ([`spec`](crate::flow::spec)).
     pub boundary: Option<Boundary>,
     /// Relax or smooth.
     pub goal: Goal,

@@ -1,6 +1,6 @@
-//! Steps without a part along the conformal maps of space, see
-//! [`conformal_fields`](crate::flow::conformal_fields): least far out on the orbit of a mesh
-//! under them, ∫H² would go on falling, growing the mesh. What is left still descends.
+//! Steps without a part along the conformal maps of space (`flow/conformal_fields.rs`): least far
+//! out on the orbit of a mesh under them, ∫H² would go on falling, growing the mesh. What is left
+//! still descends.
 
 use crate::energy::p_willmore::Evaluation;
 use crate::flow::conformal_fields::{self, COUNT};
