@@ -797,7 +797,7 @@ reduction: number | null, };
 export type FlowName = "circle" | "p-willmore" | "mean-curvature" | "surface-diffusion" | "willmore" | "mmcv" | "flips";
 
 /**
- * Options of a flow; what each may be, and which flows read it, is in [`option`].
+ * Options of a flow; what each may be, and which flows read it, is in [`option`](super::option).
  */
 export type FlowOptions = { 
 /**
@@ -813,7 +813,7 @@ scheme: Scheme,
  */
 integrator: Integrator, 
 /**
- * What happens at the boundary; by default as usual of the flow ([`spec`]).
+ * What happens at the boundary; by default as usual of the flow ([`spec`](crate::flow::spec)).
  */
 boundary: Boundary | null, 
 /**
