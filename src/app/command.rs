@@ -2,23 +2,24 @@
 //! beside [`Frame`](super::Frame).
 
 use super::bench::{BenchOptions, BenchReport};
+use super::comparison::Comparison;
 use super::conjecture::{ConjectureReport, LabReport, QuadReport};
 use super::crossing::SelfIntersections;
 use super::diagnosis::Diagnosis;
+use super::edit::fill::{FillOutcome, LoopInfo};
+use super::edit::flip::FlipOutcome;
+use super::edit::invert::{InversionReport, Inverted};
+use super::edit::options::{FillOptions, FlipOptions, SubdivideOptions};
 use super::fault::Fault;
 use super::field::{Field, FieldName};
-use super::fill::{FillOptions, FillOutcome, LoopInfo};
-use super::flip::{FlipOptions, FlipOutcome};
 use super::history::Timeline;
-use super::invert::{InversionReport, Inverted};
 use super::link::{LinkCheck, LinkScene, PageScene, WrittenLink};
 use super::look::{Look, Wanted};
 use super::outcome::Outcome;
 use super::readings::{EnergyOptions, EnergyReadings, Info, State};
 use super::recipe::{Origin, RecipeCard, ReplayProgress, ReplayReport, ScriptText};
+use super::runner::Configured;
 use super::study::{StudyOptions, StudyReport};
-use super::subdivide::SubdivideOptions;
-use super::work::Configured;
 use super::{Loaded, RegulariseOptions, Regularised, Session};
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
@@ -92,6 +93,11 @@ pub enum Command {
     },
     /// The steps that can be shown.
     Timeline {},
+    /// The surface under other options beside it.
+    Compare {
+        /// Which; without panes none.
+        comparison: Comparison,
+    },
     /// Puts positions from outside in place, as after a crash.
     Restore {
         /// Three coordinates a vertex.
@@ -139,7 +145,7 @@ pub enum Command {
     /// How edge flips, or flows side by side, are shown.
     Arrange {
         /// All of it.
-        #[cfg_attr(test, ts(as = "super::pane::Arrangement"))]
+        #[cfg_attr(test, ts(as = "super::arrangement::Arrangement"))]
         arrangement: Values,
     },
     /// What frames are coloured by from now on.
@@ -273,6 +279,7 @@ pub enum Answer {
     Seek(State),
     Branch(State),
     Timeline(Timeline),
+    Compare(State),
     Restore(State),
     Regularise(Regularised),
     Flip(FlipOutcome),
@@ -372,6 +379,7 @@ impl Session {
                 Answer::Branch(state)
             }
             C::Timeline {} => Answer::Timeline(self.timeline()?),
+            C::Compare { comparison } => Answer::Compare(self.compare(comparison)?),
             C::Restore { exact, step, time } => Answer::Restore(self.restore(&exact, step, time)?),
             C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),
             C::Flip { options } => Answer::Flip(self.flip(&options)?),
@@ -439,13 +447,16 @@ impl Session {
 
     /// Whoever chose the flow knows it: no frame need tell.
     fn tell_flow(&mut self) {
-        self.view.flow = self.work.as_ref().map(|work| Rc::clone(&work.course));
+        self.view.flow = self
+            .runner
+            .as_ref()
+            .map(|runner| Rc::clone(&runner.segment));
     }
 
     /// Whoever watches frames may not know the steps after this one any more.
     fn tell_steps_after(&mut self, step: usize) {
-        if let Some(work) = &self.work {
-            self.view.repeat_after(step, work);
+        if let Some(runner) = &self.runner {
+            self.view.repeat_after(step, runner);
         }
     }
 

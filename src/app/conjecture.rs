@@ -3,7 +3,7 @@
 use super::Session;
 use super::fault::Fault;
 use super::message::AppError;
-use super::work::Work;
+use super::runner::Runner;
 use crate::arrays::TypedArray;
 use crate::mesh::{Edge, HalfedgeMesh};
 use crate::remesh::flips::conjecture::{Quadrants, survey};
@@ -100,8 +100,8 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn conjecture(&self) -> Result<ConjectureReport, Fault> {
-        let work = self.work()?;
-        Ok(report(work.triangles(), &work.x))
+        let runner = self.runner()?;
+        Ok(report(runner.triangles(), &runner.x))
     }
 
     /// The numbers of the quadrilateral i, j, k, l, in the coordinates of the file.
@@ -109,7 +109,7 @@ impl Session {
     /// # Errors
     /// If there is no such vertex.
     pub fn quadrilateral(&self, corners: [u32; 4]) -> Result<QuadReport, Fault> {
-        self.work()?.quadrilateral(corners)
+        self.runner()?.quadrilateral(corners)
     }
 
     /// Draws more random quadrilaterals, so many tetrahedra and as many flattened ones, and
@@ -141,7 +141,7 @@ impl Session {
     }
 }
 
-impl Work {
+impl Runner {
     fn quadrilateral(&self, corners: [u32; 4]) -> Result<QuadReport, Fault> {
         let points: Option<Vec<DVec3>> = corners
             .iter()

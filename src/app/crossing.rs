@@ -39,8 +39,8 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn self_intersections(&self) -> Result<Option<SelfIntersections>, Fault> {
-        let work = self.work()?;
-        let found = self_intersection::pairs_within(work.triangles(), &work.x, PATIENT);
+        let runner = self.runner()?;
+        let found = self_intersection::pairs_within(runner.triangles(), &runner.x, PATIENT);
         Ok(found.map(|pairs| SelfIntersections {
             triangles: self_intersection::triangles(&pairs)
                 .into_iter()

@@ -1,63 +1,23 @@
 //! What the page shows at once: everything that a picture and the readings beside it need, in
 //! one answer.
 
-use super::course::Course;
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::history::Timeline;
 use super::look::{Look, Wanted};
-use super::pane::{Curves, Pane};
+use super::pane::{Curves, Pane, pictures};
+use super::plot_point::PlotPoint;
 use super::readings::State;
-use super::work::{Configured, Work};
+use super::runner::{Configured, Runner};
+use super::segment::Segment;
 use super::{Session, as_f32};
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
+use crate::flow::StepReport;
 use crate::flow::options::FlowOptions;
-use crate::flow::{StepReport, Warning};
 use serde::Serialize;
 use std::mem::take;
 use std::rc::Rc;
-
-/// What a plot has of a step, and what the step warns of.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub struct PlotPoint {
-    /// Number of the step.
-    pub step: usize,
-    /// Flow time after it.
-    pub time: f64,
-    /// Raw step size.
-    pub dt: f64,
-    /// See [`StepReport::energy`].
-    pub energy: f64,
-    /// See [`StepReport::objective`].
-    pub objective: f64,
-    /// Total area.
-    pub area: f64,
-    /// Signed volume of a closed oriented surface.
-    pub volume: Option<f64>,
-    /// Smallest corner angle.
-    pub min_angle_degrees: f64,
-    /// Worth telling the user; none where the step was told of before.
-    pub warnings: Vec<Warning>,
-}
-
-impl PlotPoint {
-    fn of(report: &StepReport, warnings: &[Warning]) -> Self {
-        Self {
-            step: report.step,
-            time: report.time,
-            dt: report.dt,
-            energy: report.energy,
-            objective: report.objective,
-            area: report.area,
-            volume: report.volume,
-            min_angle_degrees: report.min_angle_degrees,
-            warnings: warnings.to_vec(),
-        }
-    }
-}
 
 /// The flow that stands where the session does.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -108,7 +68,7 @@ pub(super) struct View {
     pub(super) field: Option<FieldName>,
     pub(super) look: Option<Wanted>,
     /// The flow whose options were told.
-    pub(super) flow: Option<Rc<Course>>,
+    pub(super) flow: Option<Rc<Segment>>,
     reports: Vec<PlotPoint>,
 }
 
@@ -124,8 +84,8 @@ impl View {
     }
 
     /// Tells of the steps after `step` up to the one that is shown again.
-    pub(super) fn repeat_after(&mut self, step: usize, work: &Work) {
-        let reports = work.history.reports();
+    pub(super) fn repeat_after(&mut self, step: usize, runner: &Runner) {
+        let reports = runner.history.reports();
         let first = reports.partition_point(|report| report.step <= step);
         let samples = reports[first..]
             .iter()
@@ -141,36 +101,43 @@ impl Session {
     /// [`Fault::no_mesh`].
     pub fn frame(&mut self) -> Result<Frame, Fault> {
         let view = &mut self.view;
-        let work = self.work.as_ref().ok_or_else(Fault::no_mesh)?;
-        let panes = work.panes(view.field);
+        let runner = self.runner.as_ref().ok_or_else(Fault::no_mesh)?;
+        let mut panes = pictures(runner, &self.panes, view.field);
+        let reports = self.panes.take_reports();
+        for (number, reports) in (1..).zip(reports) {
+            // The steps of the first are in the frame itself.
+            if let Some(pane) = panes.iter_mut().find(|pane| pane.number == number) {
+                pane.reports = reports;
+            }
+        }
         let field = view.field.filter(|_| panes.is_empty());
-        let is_flips = work.state.flips.is_some();
+        let is_flips = runner.state.flips.is_some();
         let is_told = view
             .flow
             .as_ref()
-            .is_some_and(|flow| Rc::ptr_eq(flow, &work.course));
-        let flow = work
+            .is_some_and(|flow| Rc::ptr_eq(flow, &runner.segment));
+        let flow = runner
             .configured()
             .filter(|_| !is_told)
             .map(|configured| ChosenFlow {
-                options: work.as_given(work.options()),
+                options: runner.as_given(runner.options()),
                 configured,
             });
         if flow.is_some() {
-            view.flow = Some(Rc::clone(&work.course));
+            view.flow = Some(Rc::clone(&runner.segment));
         }
         Ok(Frame {
-            state: work.state.clone(),
+            state: runner.state.clone(),
             reports: take(&mut view.reports),
-            positions: as_f32(&work.x).into(),
-            exact: work.x.iter().flat_map(|p| p.to_array()).collect(),
-            field: field.map(|name| work.field(name)).transpose()?,
-            flipped_triangles: work.folded().to_vec().into(),
+            positions: as_f32(&runner.x).into(),
+            exact: runner.x.iter().flat_map(|p| p.to_array()).collect(),
+            field: field.map(|name| runner.field(name)).transpose()?,
+            flipped_triangles: runner.folded().to_vec().into(),
             panes,
-            curves: is_flips.then(|| work.curves()),
-            jump: work.curvature_jump().filter(|_| !is_flips),
-            look: view.look.map(|wanted| work.look(wanted, &work.x)),
-            timeline: work.history.timeline(work.state.step),
+            curves: is_flips.then(|| runner.curves()),
+            jump: runner.curvature_jump().filter(|_| !is_flips),
+            look: view.look.map(|wanted| runner.look(wanted, &runner.x)),
+            timeline: runner.history.timeline(runner.state.step),
             flow,
         })
     }

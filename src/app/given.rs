@@ -2,11 +2,10 @@
 //! before anything is changed.
 
 use super::RegulariseOptions;
+use super::arrangement::{Arrangement, Compare};
 use super::bench::BenchOptions;
+use super::edit::options::{FillOptions, FlipOptions};
 use super::fault::Fault;
-use super::fill::FillOptions;
-use super::flip::FlipOptions;
-use super::pane::{Arrangement, Compare};
 use super::readings::EnergyOptions;
 use crate::flow::option::{
     self, Kind, Named, OptionError, Options, Range, ReadBy, Row, Value, Values, row,

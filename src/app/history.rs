@@ -1,9 +1,9 @@
-//! The moments of a run: the path to the present one, what comes after it, and the branches
+//! The snapshots of a run: the path to the present one, what comes after it, and the branches
 //! that leave it. Bounded in number and in memory.
 
-use super::course::Course;
 use super::engine::Checkpoint;
 use super::readings::State;
+use super::segment::Segment;
 use crate::flow::StepReport;
 use crate::flow::options::FlowOptions;
 use crate::remesh::static_pass::RegulariseOptions;
@@ -17,20 +17,20 @@ const MAX_BYTES: usize = 192 << 20;
 /// Branches at most.
 const MAX_BRANCHES: usize = 8;
 
-/// Name of a moment. Moments that are equal to the last bit and have the same past share it.
-pub(super) type MomentId = u64;
+/// Name of a snapshot. Snapshots that are equal to the last bit and have the same past share it.
+pub(super) type SnapshotId = u64;
 
-/// How a moment came about from the one before it.
+/// How a snapshot came about from the one before it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Act {
-    pub(super) deed: Deed,
+pub(super) struct Transition {
+    pub(super) event: Event,
     /// Whether the flow was made anew for it and knew nothing of earlier steps.
-    pub(super) anew: bool,
+    pub(super) restarted: bool,
 }
 
-/// What leads from a moment to the next.
+/// What leads from a snapshot to the next.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Deed {
+pub(super) enum Event {
     Step,
     Regularise(RegulariseOptions),
     /// From here on a flow of these options.
@@ -38,25 +38,25 @@ pub(super) enum Deed {
 }
 
 /// All of a run that changes from step to step.
-pub(super) struct Moment {
-    pub(super) id: MomentId,
+pub(super) struct Snapshot {
+    pub(super) id: SnapshotId,
     /// Positions, where the flow moves any.
     pub(super) x: Option<Vec<DVec3>>,
     /// The flow that stood there, and how far it was.
-    pub(super) course: Rc<Course>,
+    pub(super) segment: Rc<Segment>,
     pub(super) checkpoint: Checkpoint,
     pub(super) state: State,
     /// Faces that folded over in the step that led here.
     pub(super) flipped: Vec<u32>,
-    /// Kept by the path while the moment is on it.
-    came: Option<(Act, Option<StepReport>)>,
+    /// Kept by the path while the snapshot is on it.
+    came: Option<(Transition, Option<StepReport>)>,
 }
 
-impl Moment {
+impl Snapshot {
     pub(super) fn new(
-        id: MomentId,
+        id: SnapshotId,
         x: Option<Vec<DVec3>>,
-        course: Rc<Course>,
+        segment: Rc<Segment>,
         checkpoint: Checkpoint,
         state: State,
         flipped: Vec<u32>,
@@ -64,7 +64,7 @@ impl Moment {
         Self {
             id,
             x,
-            course,
+            segment,
             checkpoint,
             state,
             flipped,
@@ -78,29 +78,29 @@ impl Moment {
     }
 }
 
-/// Another way on from a moment.
+/// Another way on from a snapshot.
 struct Branch {
     id: u32,
-    /// The moment it leaves.
-    fork: MomentId,
+    /// The snapshot it leaves.
+    fork: SnapshotId,
     from: usize,
     /// The next one last.
-    moments: Vec<Moment>,
+    snapshots: Vec<Snapshot>,
 }
 
 impl Branch {
-    /// Its last moment.
-    fn tip(&self) -> Option<&Moment> {
-        self.moments.first()
+    /// Its last snapshot.
+    fn tip(&self) -> Option<&Snapshot> {
+        self.snapshots.first()
     }
 
-    /// The moment that follows another.
-    fn after(&self, id: MomentId) -> Option<&Moment> {
+    /// The snapshot that follows another.
+    fn after(&self, id: SnapshotId) -> Option<&Snapshot> {
         if self.fork == id {
-            return self.moments.last();
+            return self.snapshots.last();
         }
-        let place = self.moments.iter().position(|m| m.id == id)?;
-        self.moments.get(place.checked_sub(1)?)
+        let place = self.snapshots.iter().position(|m| m.id == id)?;
+        self.snapshots.get(place.checked_sub(1)?)
     }
 }
 
@@ -134,25 +134,25 @@ pub struct Timeline {
     pub previous: Option<usize>,
     /// The stored step after it; the same where the mesh was regularised next.
     pub next: Option<usize>,
-    /// Moments of the present path that are stored.
+    /// Snapshots of the present path that are stored.
     pub stored: usize,
     /// Other ways on, oldest first.
     pub branches: Vec<BranchInfo>,
 }
 
-/// Every moment but the present one, which the session holds.
+/// Every snapshot but the present one, which the session holds.
 pub(super) struct History {
     /// From the start.
-    past: VecDeque<Moment>,
+    past: VecDeque<Snapshot>,
     /// The next one last.
-    future: Vec<Moment>,
+    future: Vec<Snapshot>,
     branches: VecDeque<Branch>,
-    /// How the present moment and each before it came about, forgotten ones too.
-    acts: Vec<Act>,
+    /// How the present snapshot and each before it came about, forgotten ones too.
+    transitions: Vec<Transition>,
     reports: Vec<StepReport>,
-    /// The present moment.
-    here: MomentId,
-    last_id: MomentId,
+    /// The present snapshot.
+    here: SnapshotId,
+    last_id: SnapshotId,
     last_branch: u32,
     has_forgotten: bool,
     bytes: usize,
@@ -165,7 +165,7 @@ impl Default for History {
             past: VecDeque::new(),
             future: Vec::new(),
             branches: VecDeque::new(),
-            acts: Vec::new(),
+            transitions: Vec::new(),
             reports: Vec::new(),
             here: 0,
             last_id: 0,
@@ -178,25 +178,25 @@ impl Default for History {
 }
 
 impl History {
-    pub(super) fn here(&self) -> MomentId {
+    pub(super) fn here(&self) -> SnapshotId {
         self.here
     }
 
-    pub(super) fn acts(&self) -> &[Act] {
-        &self.acts
+    pub(super) fn transitions(&self) -> &[Transition] {
+        &self.transitions
     }
 
-    /// The first moment of the path to the present one; `None` where that is the first.
-    pub(super) fn first(&self) -> Option<&Moment> {
+    /// The first snapshot of the path to the present one; `None` where that is the first.
+    pub(super) fn first(&self) -> Option<&Snapshot> {
         self.past.front()
     }
 
-    /// The moment before the present one.
-    pub(super) fn last(&self) -> Option<&Moment> {
+    /// The snapshot before the present one.
+    pub(super) fn last(&self) -> Option<&Snapshot> {
         self.past.back()
     }
 
-    /// Of the steps to the present moment, oldest first.
+    /// Of the steps to the present snapshot, oldest first.
     pub(super) fn reports(&self) -> &[StepReport] {
         &self.reports
     }
@@ -205,27 +205,27 @@ impl History {
         !self.past.is_empty()
     }
 
-    /// Whether any moment but the present one is stored.
-    pub(super) fn has_moments(&self) -> bool {
+    /// Whether any snapshot but the present one is stored.
+    pub(super) fn has_snapshots(&self) -> bool {
         self.can_go_back() || !self.future.is_empty()
     }
 
-    /// Whether a change of the flow led to the present moment, and nothing came of it.
+    /// Whether a change of the flow led to the present snapshot, and nothing came of it.
     pub(super) fn ends_with_new_flow(&self) -> bool {
-        let last = self.acts.last().map(|act| &act.deed);
-        matches!(last, Some(Deed::Flow(_))) && self.future.is_empty() && self.can_go_back()
+        let last = self.transitions.last().map(|transition| &transition.event);
+        matches!(last, Some(Event::Flow(_))) && self.future.is_empty() && self.can_go_back()
     }
 
     /// Forgets what is stored to come.
     pub(super) fn drop_future(&mut self) {
-        for moment in self.future.drain(..) {
-            self.bytes -= moment.bytes();
+        for snapshot in self.future.drain(..) {
+            self.bytes -= snapshot.bytes();
         }
     }
 
     /// The step after the present one that is stored.
     pub(super) fn next_step(&self) -> Option<usize> {
-        self.future.last().map(|moment| moment.state.step)
+        self.future.last().map(|snapshot| snapshot.state.step)
     }
 
     pub(super) fn timeline(&self, at: usize) -> Timeline {
@@ -254,14 +254,14 @@ impl History {
         }
     }
 
-    /// The present moment has become a past one, and what `act` made of it the present.
+    /// The present snapshot has become a past one, and what `transition` made of it the present.
     ///
     /// What was stored to come after it becomes a branch, unless it is the same to the last
     /// bit; a branch that the path has come to the end of is no more.
     pub(super) fn follow(
         &mut self,
-        before: Moment,
-        act: Act,
+        before: Snapshot,
+        transition: Transition,
         report: Option<StepReport>,
         x: Option<&[DVec3]>,
         now: &State,
@@ -269,8 +269,8 @@ impl History {
         let (fork, from) = (before.id, before.state.step);
         self.bytes += before.bytes();
         self.past.push_back(before);
-        let deed = act.deed.clone();
-        self.acts.push(act);
+        let event = transition.event.clone();
+        self.transitions.push(transition);
         self.reports.extend(report);
         if x.is_some() {
             let future = std::mem::take(&mut self.future);
@@ -283,14 +283,16 @@ impl History {
         }
         self.last_id += 1;
         self.here = self.last_id;
-        self.recognise(fork, &deed, x, now);
+        self.recognise(fork, &event, x, now);
         self.forget();
     }
 
-    /// Gives the present moment the name of one that is the same.
-    fn recognise(&mut self, fork: MomentId, deed: &Deed, x: Option<&[DVec3]>, now: &State) {
-        let is_same = |m: &Moment| {
-            m.came.as_ref().is_some_and(|(act, _)| act.deed == *deed)
+    /// Gives the present snapshot the name of one that is the same.
+    fn recognise(&mut self, fork: SnapshotId, event: &Event, x: Option<&[DVec3]>, now: &State) {
+        let is_same = |m: &Snapshot| {
+            m.came
+                .as_ref()
+                .is_some_and(|(transition, _)| transition.event == *event)
                 && (m.state.step, m.state.time) == (now.step, now.time)
                 && m.x.as_deref() == x
         };
@@ -305,9 +307,9 @@ impl History {
         }
     }
 
-    /// Keeps what comes after a moment as a branch.
-    fn keep(&mut self, fork: MomentId, from: usize, moments: Vec<Moment>) {
-        if moments.is_empty() {
+    /// Keeps what comes after a snapshot as a branch.
+    fn keep(&mut self, fork: SnapshotId, from: usize, snapshots: Vec<Snapshot>) {
+        if snapshots.is_empty() {
             return;
         }
         self.last_branch += 1;
@@ -315,7 +317,7 @@ impl History {
             id: self.last_branch,
             fork,
             from,
-            moments,
+            snapshots,
         });
         if self.branches.len() > MAX_BRANCHES {
             self.drop_branch(0);
@@ -326,14 +328,14 @@ impl History {
     fn drop_branch(&mut self, place: usize) {
         let mut lost = vec![place];
         while let Some(place) = lost.pop() {
-            for moment in self
+            for snapshot in self
                 .branches
                 .remove(place)
-                .map(|b| b.moments)
+                .map(|b| b.snapshots)
                 .into_iter()
                 .flatten()
             {
-                self.bytes -= moment.bytes();
+                self.bytes -= snapshot.bytes();
             }
             lost.extend(
                 self.branches
@@ -350,9 +352,9 @@ impl History {
             if !self.branches.is_empty() {
                 self.drop_branch(0);
             } else if self.past.len() > 2
-                && let Some(moment) = self.past.remove(1)
+                && let Some(snapshot) = self.past.remove(1)
             {
-                self.bytes -= moment.bytes();
+                self.bytes -= snapshot.bytes();
                 self.has_forgotten = true;
             } else {
                 break;
@@ -360,28 +362,31 @@ impl History {
         }
     }
 
-    /// The moment before `live`, which becomes one to come.
-    pub(super) fn back(&mut self, mut live: Moment) -> Moment {
+    /// The snapshot before `live`, which becomes one to come.
+    pub(super) fn back(&mut self, mut live: Snapshot) -> Snapshot {
         let Some(previous) = self.past.pop_back() else {
             return live;
         };
-        live.came = self.acts.pop().map(|act| match act.deed {
-            Deed::Step => (act, self.reports.pop()),
-            Deed::Regularise(_) | Deed::Flow(_) => (act, None),
-        });
+        live.came = self
+            .transitions
+            .pop()
+            .map(|transition| match transition.event {
+                Event::Step => (transition, self.reports.pop()),
+                Event::Regularise(_) | Event::Flow(_) => (transition, None),
+            });
         self.bytes = self.bytes + live.bytes() - previous.bytes();
         self.future.push(live);
         self.here = previous.id;
         previous
     }
 
-    /// The moment after `live`, which becomes a past one.
-    pub(super) fn forth(&mut self, live: Moment) -> Moment {
+    /// The snapshot after `live`, which becomes a past one.
+    pub(super) fn forth(&mut self, live: Snapshot) -> Snapshot {
         let Some(mut next) = self.future.pop() else {
             return live;
         };
-        if let Some((act, report)) = next.came.take() {
-            self.acts.push(act);
+        if let Some((transition, report)) = next.came.take() {
+            self.transitions.push(transition);
             self.reports.extend(report);
         }
         self.bytes = self.bytes + live.bytes() - next.bytes();
@@ -390,20 +395,20 @@ impl History {
         next
     }
 
-    fn is_on_path(&self, id: MomentId) -> bool {
+    fn is_on_path(&self, id: SnapshotId) -> bool {
         let stored = self.past.iter().chain(&self.future);
         self.here == id || stored.into_iter().any(|m| m.id == id)
     }
 
-    /// The branch that a moment is on.
-    fn holder(&self, id: MomentId) -> Option<&Branch> {
-        let holds = |b: &&Branch| b.moments.iter().any(|m| m.id == id);
+    /// The branch that a snapshot is on.
+    fn holder(&self, id: SnapshotId) -> Option<&Branch> {
+        let holds = |b: &&Branch| b.snapshots.iter().any(|m| m.id == id);
         self.branches.iter().find(holds)
     }
 
-    /// The moments at which to turn, each into a branch, to come to the end of a branch;
+    /// The snapshots at which to turn, each into a branch, to come to the end of a branch;
     /// empty if there is none of that number.
-    pub(super) fn way_to(&self, id: u32) -> Vec<(MomentId, u32)> {
+    pub(super) fn way_to(&self, id: u32) -> Vec<(SnapshotId, u32)> {
         let mut way = Vec::new();
         let mut branch = self.branches.iter().find(|b| b.id == id);
         while let Some(b) = branch {
@@ -418,12 +423,12 @@ impl History {
         way
     }
 
-    /// Whether a moment of the path comes after the present one.
-    pub(super) fn is_ahead(&self, id: MomentId) -> bool {
+    /// Whether a snapshot of the path comes after the present one.
+    pub(super) fn is_ahead(&self, id: SnapshotId) -> bool {
         self.future.iter().any(|m| m.id == id)
     }
 
-    /// At the moment a branch leaves: what was to come and the branch change places.
+    /// At the snapshot a branch leaves: what was to come and the branch event places.
     pub(super) fn turn(&mut self, id: u32, at: usize) {
         let Some(place) = self.branches.iter().position(|b| b.id == id) else {
             return;
@@ -431,10 +436,10 @@ impl History {
         let Some(branch) = self.branches.remove(place) else {
             return;
         };
-        let before = std::mem::replace(&mut self.future, branch.moments);
+        let before = std::mem::replace(&mut self.future, branch.snapshots);
         // What the branch has too need not be kept.
         if before.first().is_some_and(|tip| self.is_on_path(tip.id)) {
-            self.bytes -= before.iter().map(Moment::bytes).sum::<usize>();
+            self.bytes -= before.iter().map(Snapshot::bytes).sum::<usize>();
         } else {
             self.keep(self.here, at, before);
         }
@@ -445,13 +450,13 @@ impl History {
 mod tests {
     use super::*;
 
-    fn moment(history: &History, step: usize, size: usize) -> Moment {
+    fn snapshot(history: &History, step: usize, size: usize) -> Snapshot {
         let state = State {
             step,
             ..State::default()
         };
         let x = vec![DVec3::splat(step as f64); size];
-        Moment::new(
+        Snapshot::new(
             history.here(),
             Some(x),
             Rc::default(),
@@ -461,25 +466,25 @@ mod tests {
         )
     }
 
-    /// A step to `value`, from a moment of so many points.
+    /// A step to `value`, from a snapshot of so many points.
     fn step(history: &mut History, from: usize, size: usize, value: f64) {
-        let before = moment(history, from, size);
+        let before = snapshot(history, from, size);
         let now = State {
             step: from + 1,
             ..State::default()
         };
-        let act = Act {
-            deed: Deed::Step,
-            anew: false,
+        let transition = Transition {
+            event: Event::Step,
+            restarted: false,
         };
         let x = vec![DVec3::splat(value); size];
-        history.follow(before, act, None, Some(&x), &now);
+        history.follow(before, transition, None, Some(&x), &now);
     }
 
     fn counted(history: &History) -> usize {
-        let branched = history.branches.iter().flat_map(|b| &b.moments);
+        let branched = history.branches.iter().flat_map(|b| &b.snapshots);
         let stored = history.past.iter().chain(&history.future).chain(branched);
-        stored.map(Moment::bytes).sum()
+        stored.map(Snapshot::bytes).sum()
     }
 
     fn steps_of(history: &History) -> Vec<usize> {
@@ -489,7 +494,7 @@ mod tests {
     #[test]
     fn early_steps_are_forgotten_and_the_start_is_not() {
         let mut history = History {
-            limit: 10 * (size_of::<Moment>() + 100 * size_of::<DVec3>()),
+            limit: 10 * (size_of::<Snapshot>() + 100 * size_of::<DVec3>()),
             ..History::default()
         };
         for n in 0..50 {
@@ -501,17 +506,17 @@ mod tests {
         assert_eq!((timeline.start, timeline.first), (0, 41));
         assert_eq!((timeline.at, timeline.last), (50, 50));
         // How it came about is known all the same.
-        assert_eq!(history.acts().len(), 50);
+        assert_eq!(history.transitions().len(), 50);
         // A step back always stays, however large.
         step(&mut history, 50, 5000, 51.0);
         step(&mut history, 51, 5000, 52.0);
         assert_eq!(steps_of(&history), [0, 51]);
     }
 
-    /// Goes back by some moments.
+    /// Goes back by some snapshots.
     fn go_back(history: &mut History, from: usize, count: usize) {
         for n in 0..count {
-            let live = moment(history, from - n, 4);
+            let live = snapshot(history, from - n, 4);
             history.back(live);
         }
     }

@@ -15,11 +15,12 @@ mod write;
 pub use check::{Check, LinkCheck};
 pub use write::{Lack, PageScene, WrittenLink};
 
+use super::arrangement::Arrangement;
 use super::comparison::{self, Comparison, Lockstep, MOST_PANES, PaneChange};
 use super::fault::Fault;
 use super::field::FieldName;
-use super::pane::Arrangement;
-use super::recipe::{Action, EditRecord, Estimate, Reader, steps_in};
+use super::provenance::{Action, EditRecord};
+use super::recipe::{Estimate, Reader, steps_in};
 use super::{Session, library};
 use crate::arrays::TypedArray;
 use crate::flow::option::{self, Options, Value, Values};

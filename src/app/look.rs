@@ -2,7 +2,7 @@
 
 use super::fault::Fault;
 use super::probe::Probe;
-use super::work::Work;
+use super::runner::Runner;
 use super::{Session, as_f32};
 use crate::arrays::TypedArray;
 use crate::geometry::circumcircle::Circle;
@@ -103,12 +103,12 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn look(&self, wanted: Wanted) -> Result<Look, Fault> {
-        let work = self.work()?;
-        Ok(work.look(wanted, &work.x))
+        let runner = self.runner()?;
+        Ok(runner.look(wanted, &runner.x))
     }
 }
 
-impl Work {
+impl Runner {
     /// The same with the vertices at `x`.
     pub(super) fn look(&self, wanted: Wanted, x: &[DVec3]) -> Look {
         let mut look = Look::default();

@@ -3,12 +3,11 @@
 //! Knows no wasm; `web::session` only converts. A failed request changes nothing: the
 //! mesh, its positions and its history stay as they were.
 
+mod arrangement;
 mod bench;
-mod beside;
 mod command;
 mod comparison;
 mod conjecture;
-mod course;
 mod crossing;
 mod diagnosis;
 mod document;
@@ -16,12 +15,9 @@ mod edit;
 mod engine;
 mod fault;
 mod field;
-mod fill;
-mod flip;
 mod frame;
 mod given;
 mod history;
-mod invert;
 mod json;
 pub mod library;
 mod link;
@@ -30,31 +26,34 @@ mod message;
 mod options;
 mod outcome;
 mod pane;
+mod panes;
+mod plot_point;
 mod probe;
+mod provenance;
 mod readings;
 mod recipe;
+mod runner;
+mod segment;
 mod study;
-mod subdivide;
-mod timeline;
-mod work;
 
 pub use crate::flow::Progress;
 pub use crate::remesh::static_pass::{MeshQuality, RegulariseOptions, Regularised};
+pub use arrangement::{Arrangement, Compare};
 pub use bench::{Bench, BenchOptions, BenchReport, MeshFile, TableName};
-pub use beside::Standing;
 pub use command::{Answer, Command};
 pub use comparison::{Comparison, Lockstep, PaneChange};
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
 pub use crossing::SelfIntersections;
 pub use diagnosis::{Change, Diagnosis, Label, Remedy, RemedyId, Symptom};
+pub use edit::fill::{FillOutcome, LoopInfo};
+pub use edit::flip::{Costs, FlipOutcome};
+pub use edit::invert::{InversionReadings, InversionReport, Inverted};
+pub use edit::options::{FillOptions, FlipOptions, Loops, SubdivideOptions, SubdivisionScheme};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
-pub use fill::{FillOptions, FillOutcome, LoopInfo, Loops};
-pub use flip::{Costs, FlipOptions, FlipOutcome};
-pub use frame::{ChosenFlow, Frame, PlotPoint};
+pub use frame::{ChosenFlow, Frame};
 pub use given::{read_flags, unknown_flag};
 pub use history::{BranchInfo, Timeline};
-pub use invert::{InversionReadings, InversionReport, Inverted};
 pub use link::{
     Check, Lack, LinkCheck, LinkError, LinkScene, LinkValue, LinkView, PageScene, Scale, Shading,
     WrittenLink,
@@ -64,16 +63,17 @@ pub use look::{
 };
 pub use message::{AppError, Notice};
 pub use outcome::{Outcome, RunNotice};
-pub use pane::{Arrangement, Compare, Curve, Curves, Pane};
+pub use pane::{Curve, Curves, Pane};
+pub use plot_point::PlotPoint;
 pub use probe::{Probe, ProbedEdge, edge_angle};
+pub use provenance::{Action, Edit, EditRecord, Provenance};
 pub use readings::{EnergyOptions, EnergyReadings, Info, State};
 pub use recipe::{
-    Action, Edit, EditRecord, Estimate, MustBe, Origin, Provenance, RecipeCard, RecipeError,
-    RecipeMesh, ReplayProgress, ReplayReport, ReplayResult, ScriptText,
+    Estimate, MustBe, Origin, RecipeCard, RecipeError, RecipeMesh, ReplayProgress, ReplayReport,
+    ReplayResult, ScriptText,
 };
+pub use runner::Configured;
 pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
-pub use subdivide::{SubdivideOptions, SubdivisionScheme};
-pub use work::Configured;
 
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
@@ -87,9 +87,10 @@ use document::Document;
 use edit::Edits;
 use frame::View;
 use glam::DVec3;
+use panes::Panes;
 use recipe::Replay;
+use runner::Runner;
 use serde::Serialize;
-use work::Work;
 
 /// What is known after a mesh was loaded, and everything a viewer needs to draw it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -139,9 +140,10 @@ impl Loaded {
 /// One mesh, one flow, its history.
 #[derive(Default)]
 pub struct Session {
-    work: Option<Work>,
+    runner: Option<Runner>,
     lab: Option<Lab>,
     edits: Edits,
+    panes: Panes,
     study: Option<Study>,
     bench: Option<Bench>,
     view: View,
@@ -158,20 +160,20 @@ impl Session {
     /// Sets or clears the callback for progress within long steps.
     pub fn set_progress(&mut self, progress: Option<Progress>) {
         self.progress = progress;
-        if let Some(work) = &mut self.work {
-            work.progress.clone_from(&self.progress);
-            if let Some(flow) = &mut work.flow {
+        if let Some(runner) = &mut self.runner {
+            runner.progress.clone_from(&self.progress);
+            if let Some(flow) = &mut runner.engine {
                 flow.set_progress(self.progress.clone());
             }
         }
     }
 
-    fn work(&self) -> Result<&Work, Fault> {
-        self.work.as_ref().ok_or_else(Fault::no_mesh)
+    fn runner(&self) -> Result<&Runner, Fault> {
+        self.runner.as_ref().ok_or_else(Fault::no_mesh)
     }
 
-    fn work_mut(&mut self) -> Result<&mut Work, Fault> {
-        self.work.as_mut().ok_or_else(Fault::no_mesh)
+    fn runner_mut(&mut self) -> Result<&mut Runner, Fault> {
+        self.runner.as_mut().ok_or_else(Fault::no_mesh)
     }
 
     /// Loads a mesh file; the format is found from its content.
@@ -194,11 +196,12 @@ impl Session {
 
     fn open(&mut self, document: Document) -> Result<Loaded, Fault> {
         let x = document.start.clone();
-        let arrangement = self.work.as_ref().map(|work| work.arrangement);
-        let mut work = Work::new(document, x);
-        work.arrangement = arrangement.unwrap_or_default();
-        self.work = Some(work);
+        let arrangement = self.runner.as_ref().map(|runner| runner.arrangement);
+        let mut runner = Runner::new(document, x);
+        runner.arrangement = arrangement.unwrap_or_default();
+        self.runner = Some(runner);
         self.edits.clear();
+        self.panes.clear();
         self.loaded()
     }
 
@@ -207,7 +210,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn loaded(&self) -> Result<Loaded, Fault> {
-        Ok(Loaded::of(&self.work()?.present()))
+        Ok(Loaded::of(&self.runner()?.present()))
     }
 
     /// Chooses flow and parameters and goes back to the start.
@@ -218,14 +221,36 @@ impl Session {
     /// See [`crate::flow::FlowError`]; the flow configured before stays.
     pub fn configure(&mut self, options: FlowOptions) -> Result<Configured, Fault> {
         let progress = self.progress.clone();
-        self.work_mut()?.configure(options, progress)
+        let configured = self.runner_mut()?.configure(options, progress)?;
+        self.settle_panes();
+        Ok(configured)
     }
 
-    fn ensure_configured(&mut self) -> Result<&mut Work, Fault> {
-        if self.work()?.flow.is_none() {
+    /// Takes what stands beside the surface to where that is now.
+    fn settle_panes(&mut self) {
+        if let Some(runner) = &self.runner {
+            self.panes.settle(runner);
+        }
+    }
+
+    /// Shows the surface under other options beside it, each told by its differences; an empty
+    /// comparison ends that. The others are brought to where the first stands, and kept level.
+    ///
+    /// # Errors
+    /// `FixedStart` beside edge flips; options that a flow refuses. Nothing has changed then.
+    pub fn compare(&mut self, comparison: Comparison) -> Result<State, Fault> {
+        self.ensure_configured()?;
+        let runner = self.runner.as_ref().ok_or_else(Fault::no_mesh)?;
+        self.panes.choose(comparison, runner)?;
+        self.panes.settle(runner);
+        Ok(runner.state.clone())
+    }
+
+    fn ensure_configured(&mut self) -> Result<&mut Runner, Fault> {
+        if self.runner()?.engine.is_none() {
             self.configure(FlowOptions::default())?;
         }
-        self.work_mut()
+        self.runner_mut()
     }
 
     /// Takes one step; `None` if there was none to take, and then the state says why.
@@ -233,7 +258,9 @@ impl Session {
     /// # Errors
     /// Numerical failures; the state is that before the step, with status `failed`.
     pub fn step(&mut self) -> Result<Option<StepReport>, Fault> {
-        self.ensure_configured()?.step()
+        let report = self.ensure_configured()?.step()?;
+        self.settle_panes();
+        Ok(report)
     }
 
     /// Steps until the run is over or `limit` steps were taken; answers their number.
@@ -258,7 +285,9 @@ impl Session {
     /// Open and one-sided surfaces, and those that could only be bettered by changing their
     /// shape; the mesh stays as it was.
     pub fn regularise(&mut self, settings: &RegulariseOptions) -> Result<Regularised, Fault> {
-        self.ensure_configured()?.regularise(settings)
+        let outcome = self.ensure_configured()?.regularise(settings)?;
+        self.settle_panes();
+        Ok(outcome)
     }
 
     /// Optimises the connectivity by edge flips; the surface as it is now becomes the start.
@@ -267,7 +296,7 @@ impl Session {
     /// # Errors
     /// Meshes with faces other than triangles; the mesh stays as it was.
     pub fn flip(&mut self, options: &FlipOptions) -> Result<FlipOutcome, Fault> {
-        self.edit(Edit::Flip(*options), |work| work.flipped(options))
+        self.edit(Edit::Flip(*options), |runner| runner.flipped(options))
     }
 
     /// The boundary loops of the surface as it is now, in the order of their numbers.
@@ -275,7 +304,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn boundary_loops(&self) -> Result<Vec<LoopInfo>, Fault> {
-        Ok(self.work()?.boundary_loops())
+        Ok(self.runner()?.boundary_loops())
     }
 
     /// Fills holes, or connects boundary loops by one patch. The surface as it is now, with
@@ -290,18 +319,20 @@ impl Session {
         options: &FillOptions,
         progress: FillProgress<'_>,
     ) -> Result<FillOutcome, Fault> {
-        let options = self.work()?.numbered(options);
-        self.edit(Edit::Fill(options.clone()), |work| {
-            work.filled(&options, progress)
+        let options = self.runner()?.numbered(options);
+        self.edit(Edit::Fill(options.clone()), |runner| {
+            runner.filled(&options, progress)
         })
     }
 
-    /// Shows the moment before, if one is stored; see [`seek`](Self::seek).
+    /// Shows the snapshot before, if one is stored; see [`seek`](Self::seek).
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn back(&mut self) -> Result<State, Fault> {
-        Ok(self.work_mut()?.back())
+        let state = self.runner_mut()?.back();
+        self.settle_panes();
+        Ok(state)
     }
 
     /// Goes back to the start with the options in force. The steps stay stored, so that
@@ -310,12 +341,14 @@ impl Session {
     /// # Errors
     /// As [`configure`](Self::configure).
     pub fn reset(&mut self) -> Result<State, Fault> {
-        let work = self.work_mut()?;
+        let runner = self.runner_mut()?;
         // Of positions from outside there is no way back to the start.
-        if work.history.has_moments() && !work.is_restored {
-            return work.rewind();
+        if runner.history.has_snapshots() && !runner.is_restored {
+            let state = runner.rewind()?;
+            self.settle_panes();
+            return Ok(state);
         }
-        let options = work.options().clone();
+        let options = runner.options().clone();
         Ok(self.configure(options)?.state)
     }
 
@@ -324,7 +357,9 @@ impl Session {
     /// # Errors
     /// If there are not three finite coordinates a vertex.
     pub fn restore(&mut self, exact: &[f64], step: usize, time: f64) -> Result<State, Fault> {
-        self.ensure_configured()?.restore(exact, step, time)
+        let state = self.ensure_configured()?.restore(exact, step, time)?;
+        self.settle_panes();
+        Ok(state)
     }
 
     /// Where the session stands.
@@ -332,7 +367,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn state(&self) -> Result<State, Fault> {
-        Ok(self.work()?.state.clone())
+        Ok(self.runner()?.state.clone())
     }
 
     /// Positions for drawing, relative to the mesh's frame.
@@ -340,7 +375,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn positions(&self) -> Result<Vec<f32>, Fault> {
-        Ok(as_f32(&self.work()?.x))
+        Ok(as_f32(&self.runner()?.x))
     }
 
     /// Triangles that folded over in the last step.
@@ -348,7 +383,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn flipped_triangles(&self) -> Result<Vec<u32>, Fault> {
-        Ok(self.work()?.folded().to_vec())
+        Ok(self.runner()?.folded().to_vec())
     }
 
     /// Which vertices are held: 1, or 0 where they move. Empty before `configure`.
@@ -356,11 +391,11 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn held_vertices(&self) -> Result<Vec<u8>, Fault> {
-        let work = self.work()?;
-        let Some(flow) = &work.flow else {
+        let runner = self.runner()?;
+        let Some(flow) = &runner.engine else {
             return Ok(Vec::new());
         };
-        Ok((0..work.x.len())
+        Ok((0..runner.x.len())
             .map(|v| u8::from(!flow.is_free(v)))
             .collect())
     }
@@ -371,7 +406,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn curvature_jump(&self) -> Result<Option<CurvatureJump>, Fault> {
-        Ok(self.work()?.curvature_jump())
+        Ok(self.runner()?.curvature_jump())
     }
 
     /// A field to colour by; `None` for the name `none`.
@@ -379,11 +414,11 @@ impl Session {
     /// # Errors
     /// Unknown names.
     pub fn field(&self, name: &str) -> Result<Option<Field>, Fault> {
-        let work = self.work()?;
+        let runner = self.runner()?;
         if name == "none" {
             return Ok(None);
         }
-        work.field(FieldName::parse(name)?).map(Some)
+        runner.field(FieldName::parse(name)?).map(Some)
     }
 
     /// Diagnosis of the surface as it is now.
@@ -391,8 +426,8 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn info(&self) -> Result<Info, Fault> {
-        let work = self.work()?;
-        Ok(work.info())
+        let runner = self.runner()?;
+        Ok(runner.info())
     }
 
     /// All energies of the surface as it is now, with ∫|H|^p also for `powers`.
@@ -404,14 +439,14 @@ impl Session {
         boundary: crate::energy::circle::Boundary,
         powers: &[f64],
     ) -> Result<EnergyReadings, Fault> {
-        let work = self.work()?;
-        let mesh = work.triangles();
+        let runner = self.runner()?;
+        let mesh = runner.triangles();
         let free = boundary::free_vertices(mesh, boundary, None, None)
             .unwrap_or_else(|_| vec![false; mesh.n_vertices()]);
         // Of the file's own faces only quadrilaterals have readings of their own.
-        let polygons = &work.document.polygons;
+        let polygons = &runner.document.polygons;
         Ok(EnergyReadings::of(
-            mesh, polygons, &work.x, boundary, &free, powers,
+            mesh, polygons, &runner.x, boundary, &free, powers,
         ))
     }
 
@@ -420,9 +455,12 @@ impl Session {
     /// # Errors
     /// If the format cannot hold it.
     pub fn export(&self, format: Format) -> Result<Vec<u8>, Fault> {
-        let work = self.work()?;
-        let comment = format!("Umbilic: {}, step {}", work.document.name, work.state.step);
-        Ok(crate::io::write(&work.soup(), format, &comment)?)
+        let runner = self.runner()?;
+        let comment = format!(
+            "Umbilic: {}, step {}",
+            runner.document.name, runner.state.step
+        );
+        Ok(crate::io::write(&runner.soup(), format, &comment)?)
     }
 
     /// Reports of the steps taken, oldest first.
@@ -430,7 +468,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn reports(&self) -> Result<&[StepReport], Fault> {
-        Ok(self.work()?.history.reports())
+        Ok(self.runner()?.history.reports())
     }
 
     /// The history as CSV.
@@ -438,7 +476,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn history_csv(&self) -> Result<String, Fault> {
-        Ok(readings::history_csv(self.work()?.history.reports()))
+        Ok(readings::history_csv(self.runner()?.history.reports()))
     }
 }
 

@@ -2,8 +2,7 @@
 
 use super::RegulariseOptions;
 use super::bench::{BenchOptions, TableName};
-use super::fill::{FillOptions, Loops};
-use super::flip::FlipOptions;
+use super::edit::options::{FillOptions, FlipOptions, Loops};
 use super::library;
 use super::readings::EnergyOptions;
 use crate::energy::circle::Boundary;

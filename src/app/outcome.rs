@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::fault::Fault;
-use super::work::Work;
+use super::runner::Runner;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::option::kind::id_of;
 use crate::flow::{Monitored, Status, Warning};
@@ -66,11 +66,11 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn outcome(&self) -> Result<Outcome, Fault> {
-        Ok(self.work()?.outcome())
+        Ok(self.runner()?.outcome())
     }
 }
 
-impl Work {
+impl Runner {
     fn outcome(&self) -> Outcome {
         let (status, reason) = (self.state.status, self.state.message.clone());
         let values = [

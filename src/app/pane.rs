@@ -1,64 +1,25 @@
-//! Pictures side by side: the start, or all three criteria of edge flips, each as it is or
-//! subdivided by Loop's scheme.
+//! Pictures side by side: documents under other options, or the start and all three criteria of
+//! edge flips, each as it is or subdivided by Loop's scheme.
 
-use super::beside::Standing;
+use super::arrangement::{Arrangement, Compare};
 use super::fault::Fault;
 use super::field::{Field, FieldName};
-use super::work::Work;
+use super::panes::Panes;
+use super::plot_point::PlotPoint;
+use super::readings::State;
+use super::runner::Runner;
 use super::{Session, as_f32};
 use crate::arrays::TypedArray;
+use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::flips::EdgeFlips;
-use crate::flow::option;
 use crate::flow::option::kind::id_of;
+use crate::flow::option::{self, Values};
+use crate::flow::options::FlowName;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
 use crate::remesh::flips::FlipOptimiser;
 use crate::remesh::flips::reduction::Criterion;
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
-
-/// What stands beside the surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "lowercase")]
-pub enum Compare {
-    /// Nothing.
-    #[default]
-    None,
-    /// The mesh before the first flip.
-    Start,
-    /// The other criteria, after as many flips from the same start.
-    Criteria,
-    /// The other flows by mean curvature and its derivatives, from the same start.
-    Flows,
-}
-
-/// What is shown of edge flips.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase")]
-pub struct Arrangement {
-    /// Side by side.
-    pub compare: Compare,
-    /// Steps of Loop's scheme before drawing.
-    pub subdivide: usize,
-    /// Flips a step makes; all that gain anything if absent.
-    pub flips_per_step: Option<usize>,
-}
-
-impl Arrangement {
-    /// The surface alone, flip by flip.
-    pub const PLAIN: Self = Self {
-        compare: Compare::None,
-        subdivide: 0,
-        flips_per_step: Some(1),
-    };
-}
-
-impl Default for Arrangement {
-    fn default() -> Self {
-        Self::PLAIN
-    }
-}
+use serde::Serialize;
 
 /// Area and W against the number of flips, for plots.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -82,6 +43,9 @@ pub struct Curve {
     pub circle: TypedArray<f64>,
 }
 
+/// Names of documents side by side.
+const LETTERS: [&str; 4] = ["A", "B", "C", "D"];
+
 /// Points of a curve at most.
 const MAX_POINTS: usize = 400;
 
@@ -90,10 +54,19 @@ const MAX_POINTS: usize = 400;
 #[serde(rename_all = "camelCase")]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Pane {
-    /// `start`, the criterion, or the flow.
+    /// `start`, the criterion, the flow, or a letter where panes were chosen by their differences.
     pub name: &'static str,
-    /// Of flows beside each other: where this one stands.
-    pub standing: Option<Standing>,
+    /// Its place among documents side by side, the first being 0.
+    pub number: usize,
+    /// What it does otherwise than the first.
+    #[cfg_attr(test, ts(type = "Partial<FlowOptions>"))]
+    pub change: Values,
+    /// Of documents side by side: where this one stands.
+    pub state: Option<State>,
+    /// Of these: the jump of H across the boundary of what moves.
+    pub jump: Option<CurvatureJump>,
+    /// Of those beside the first: the steps that no frame has told of yet.
+    pub reports: Vec<PlotPoint>,
     /// Three coordinates a vertex.
     pub positions: TypedArray<f32>,
     /// Three corners a triangle.
@@ -118,12 +91,13 @@ impl Session {
     /// [`Fault::no_mesh`]; steps of no flip.
     pub fn arrange(&mut self, arrangement: Arrangement) -> Result<(), Fault> {
         option::check(&arrangement)?;
-        self.work_mut()?.arrange(arrangement);
+        self.runner_mut()?.arrange(arrangement);
+        self.settle_panes();
         Ok(())
     }
 
-    /// The pictures of edge flips, or of flows beside each other, coloured by a field or
-    /// `none` over one range for all; none of a single flow.
+    /// The pictures of edge flips, or of documents side by side, coloured by a field or `none` over
+    /// one range for all; none of a single flow.
     ///
     /// # Errors
     /// Unknown names.
@@ -132,7 +106,7 @@ impl Session {
             "none" => None,
             name => Some(FieldName::parse(name)?),
         };
-        Ok(self.work()?.panes(field))
+        Ok(pictures(self.runner()?, &self.panes, field))
     }
 
     /// The curves of edge flips so far; empty under any other flow.
@@ -140,14 +114,58 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn curves(&self) -> Result<Curves, Fault> {
-        Ok(self.work()?.curves())
+        Ok(self.runner()?.curves())
     }
 }
 
-impl Work {
+/// The pictures of edge flips, or of documents side by side; none of a single flow.
+pub(super) fn pictures(first: &Runner, panes: &Panes, field: Option<FieldName>) -> Vec<Pane> {
+    if let Some(flips) = first.engine.as_ref().and_then(|flow| flow.flips()) {
+        return first.flip_panes(flips, field);
+    }
+    if panes.others().is_empty() {
+        return Vec::new();
+    }
+    let others = panes.others().iter();
+    let others = others.map(|other| (other.change.clone(), &other.runner));
+    let all = std::iter::once((Values::new(), first)).chain(others);
+    let mut pictures: Vec<Pane> = all
+        .enumerate()
+        .map(|(number, (change, runner))| Pane {
+            name: match panes.are_chosen() {
+                true => LETTERS[number],
+                false => runner.options().flow.id(),
+            },
+            number,
+            change,
+            state: Some(runner.state.clone()),
+            jump: runner.curvature_jump(),
+            reports: Vec::new(),
+            positions: as_f32(&runner.x).into(),
+            triangles: runner.document.triangles.triangle_indices().into(),
+            wire_edges: runner.document.polygons.edge_indices(false).into(),
+            boundary_edges: runner.document.polygons.edge_indices(true).into(),
+            highlight: TypedArray::default(),
+            field: field.and_then(|name| runner.field(name).ok()),
+        })
+        .collect();
+    // That of the first: where another breaks, it may go out of the scale.
+    let range = pictures[0].field.as_ref().map(|f| (f.low, f.high));
+    for field in pictures.iter_mut().filter_map(|pane| pane.field.as_mut()) {
+        (field.low, field.high) = range.unwrap_or((field.low, field.high));
+    }
+    if !panes.are_chosen() {
+        // In the order of the paper, whichever was chosen.
+        let place = |pane: &Pane| FlowName::all().position(|flow| flow.id() == pane.name);
+        pictures.sort_by_key(place);
+    }
+    pictures
+}
+
+impl Runner {
     pub(super) fn arrange(&mut self, arrangement: Arrangement) {
         self.arrangement = arrangement;
-        if let Some(flips) = self.flow.as_mut().and_then(|flow| flow.flips_mut()) {
+        if let Some(flips) = self.engine.as_mut().and_then(|flow| flow.flips_mut()) {
             flips.compare(arrangement.compare == Compare::Criteria);
             flips.set_per_step(arrangement.flips_per_step.unwrap_or(usize::MAX));
             self.state.dt = flips.per_step() as f64;
@@ -156,19 +174,16 @@ impl Work {
                 self.state.flips = Some(flips.readings());
             }
         }
-        self.run_beside(arrangement.compare == Compare::Flows);
     }
 
     /// The curves of edge flips so far; empty under any other flow.
     pub(super) fn curves(&self) -> Curves {
-        let flips = self.flow.as_ref().and_then(|flow| flow.flips());
+        let flips = self.engine.as_ref().and_then(|flow| flow.flips());
         flips.map_or_else(Curves::default, curves)
     }
 
-    pub(super) fn panes(&self, field: Option<FieldName>) -> Vec<Pane> {
-        let Some(flips) = self.flow.as_ref().and_then(|flow| flow.flips()) else {
-            return self.flow_panes(field);
-        };
+    /// The pictures of edge flips.
+    fn flip_panes(&self, flips: &EdgeFlips, field: Option<FieldName>) -> Vec<Pane> {
         let mut panes = Vec::new();
         if self.arrangement.compare == Compare::Start {
             panes.push(self.pane("start", flips.start(), Vec::new(), field));
@@ -201,7 +216,11 @@ impl Work {
         let boundary = self.options().boundary.unwrap_or_default();
         Pane {
             name,
-            standing: None,
+            number: 0,
+            change: Values::new(),
+            state: None,
+            jump: None,
+            reports: Vec::new(),
             positions: as_f32(x).into(),
             triangles: drawn.triangle_indices().into(),
             wire_edges: drawn.edge_indices(false).into(),

@@ -1,6 +1,6 @@
 //! One vertex looked at closely: its star, the angles of its circles, its curvatures.
 
-use super::work::Work;
+use super::runner::Runner;
 use crate::energy::circle::Boundary;
 use crate::energy::circle::angle::{corner_angle, diamond_angle};
 use crate::geometry::circumcircle::Circle;
@@ -72,7 +72,7 @@ pub fn edge_angle(mesh: &HalfedgeMesh, x: &[DVec3], e: Edge, boundary: Boundary)
     (boundary != Boundary::Clamped).then(|| corner_angle(at(i), at(k), at(j)).beta)
 }
 
-impl Work {
+impl Runner {
     /// The vertex with the surface at `x`; `None` if there is no such vertex.
     pub(super) fn probe(&self, vertex: u32, x: &[DVec3]) -> Option<Probe> {
         let mesh = self.triangles();
@@ -105,7 +105,7 @@ impl Work {
         let radii = corners
             .filter_map(Circle::through)
             .map(|circle| circle.radius());
-        let measured = self.flow.as_ref().and_then(|flow| flow.mean_curvature(x));
+        let measured = self.engine.as_ref().and_then(|flow| flow.mean_curvature(x));
         let mean = measured.unwrap_or_else(|| curvature::pointwise_mean_curvature(mesh, x));
         let position = x[i] + self.document.frame.shift;
         Some(Probe {

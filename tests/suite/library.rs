@@ -220,8 +220,8 @@ fn flows_side_by_side_are_run_to_the_rest_of_each() {
     let panes = run.session().panes("none").expect("panes");
     assert_eq!(panes.len(), 4);
     for pane in panes {
-        let standing = pane.standing.expect("a flow");
-        assert_eq!(standing.status, Status::Converged, "{}", pane.name);
+        let state = pane.state.expect("a flow");
+        assert_eq!(state.status, Status::Converged, "{}", pane.name);
     }
 }
 

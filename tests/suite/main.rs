@@ -5,10 +5,10 @@
 mod support;
 
 mod bench;
-mod beside_session;
 mod circle_figures;
 mod circle_invariants;
 mod circle_reference;
+mod comparison;
 mod course;
 mod curvature_flows;
 mod fill;

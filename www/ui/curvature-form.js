@@ -43,17 +43,17 @@ export function createCurvatureForm(controller) {
           )
         : t("No jump of H to measure: no patch ends next to what is held, or it is too small."),
     );
-    const standing = (frame?.panes ?? []).filter(({ standing: s }) => s !== null);
-    table.hidden = standing.length === 0 || !reading;
+    const panes = (frame?.panes ?? []).filter(({ state }) => state !== null);
+    table.hidden = panes.length === 0 || !reading;
     rows.replaceChildren(
-      ...standing.map(({ name, standing: s }) => {
+      ...panes.map(({ name, state, jump }) => {
         const row = document.createElement("tr");
         const head = document.createElement("th");
         head.scope = "row";
         head.textContent = flowLabel(name);
         row.append(head);
-        const standing = translated(standings[s?.status ?? "ready"]);
-        for (const text of [String(s?.step), jumpText(s?.jump), standing]) {
+        const standing = translated(standings[state?.status ?? "ready"]);
+        for (const text of [String(state?.step), jumpText(jump), standing]) {
           row.insertCell().textContent = text;
         }
         return row;

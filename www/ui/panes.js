@@ -22,11 +22,11 @@ const order = ["start", "area", ...byCurvature, "localised"];
 
 /** What stands under a pane. @param {Pane["name"]} name @param {Readonly<PageState>} state */
 function captionOf(name, { reading, frame }) {
-  const standing = frame?.panes.find((pane) => pane.name === name)?.standing;
-  if (standing) {
-    const { step } = standing;
-    const values = { flow: flowLabel(name), step, jump: jumpText(standing.jump) };
-    return standing.jump
+  const pane = frame?.panes.find((pane) => pane.name === name);
+  if (pane?.state) {
+    const { step } = pane.state;
+    const values = { flow: flowLabel(name), step, jump: jumpText(pane.jump) };
+    return pane.jump
       ? t("{flow}: step {step}, jump of H {jump}", values)
       : t("{flow}: step {step}", values);
   }

@@ -325,14 +325,14 @@ mod tests {
         };
         let pairs = moved().into_iter().zip(&still.positions);
         let moves: Vec<f64> = pairs.flat_map(|(p, q)| (p - *q).to_array()).collect();
-        let moment = |k: i32| {
+        let snapshot = |k: i32| {
             let sum: f64 = moves.iter().map(|x| (x / 0.1).powi(k)).sum();
             sum / moves.len() as f64
         };
         // Of 12,000 numbers: standard errors are 0.009, 0.013 and 0.09.
-        assert!(moment(1).abs() < 0.04, "{}", moment(1));
-        assert!((moment(2) - 1.0).abs() < 0.05, "{}", moment(2));
-        assert!((moment(4) - 3.0).abs() < 0.36, "{}", moment(4));
+        assert!(snapshot(1).abs() < 0.04, "{}", snapshot(1));
+        assert!((snapshot(2) - 1.0).abs() < 0.05, "{}", snapshot(2));
+        assert!((snapshot(4) - 3.0).abs() < 0.36, "{}", snapshot(4));
         assert_eq!(moved(), moved());
     }
 

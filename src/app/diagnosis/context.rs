@@ -2,7 +2,7 @@
 
 use super::remedy::Remedy;
 use super::stop::WINDOW;
-use crate::app::work::Work;
+use crate::app::runner::Runner;
 use crate::flow::StepReport;
 use crate::flow::constraint::Kept;
 use crate::flow::options::{FlowName, Scheme};
@@ -12,13 +12,13 @@ use crate::remesh::Mode;
 /// A mesh of more vertices is not the one to be subdivided without being asked.
 const FEW: usize = 50_000;
 
-impl Work {
+impl Runner {
     pub(super) fn last(&self) -> Option<&StepReport> {
-        self.course_reports().last()
+        self.segment_reports().last()
     }
 
     pub(super) fn recent(&self) -> &[StepReport] {
-        let reports = self.course_reports();
+        let reports = self.segment_reports();
         &reports[reports.len().saturating_sub(WINDOW)..]
     }
 
@@ -47,7 +47,7 @@ impl Work {
 
     /// Whether nothing is held.
     pub(super) fn is_all_free(&self) -> bool {
-        let flow = self.flow.as_ref();
+        let flow = self.engine.as_ref();
         flow.is_some_and(|flow| flow.n_free() == self.x.len())
     }
 
@@ -75,7 +75,7 @@ impl Work {
     }
 
     pub(super) fn h(&self) -> f64 {
-        let flow = self.flow.as_ref();
+        let flow = self.engine.as_ref();
         flow.map_or(1.0, |flow| flow.mean_edge_length())
     }
 }

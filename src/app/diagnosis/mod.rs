@@ -14,7 +14,7 @@ pub use remedy::{Change, Label, Remedy, RemedyId};
 
 use super::Session;
 use super::fault::Fault;
-use super::work::Work;
+use super::runner::Runner;
 use crate::arrays::TypedArray;
 use crate::flow::Status;
 use crate::message::{Message, Say, messages};
@@ -217,15 +217,15 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn why(&self) -> Result<Option<Diagnosis>, Fault> {
-        Ok(self.work()?.why())
+        Ok(self.runner()?.why())
     }
 }
 
-impl Work {
+impl Runner {
     fn why(&self) -> Option<Diagnosis> {
-        let flow = self.flow.as_ref().filter(|flow| flow.flips().is_none())?;
+        let flow = self.engine.as_ref().filter(|flow| flow.flips().is_none())?;
         let status = self.state.status;
-        if status == Status::Ready && self.course_reports().is_empty() {
+        if status == Status::Ready && self.segment_reports().is_empty() {
             return None;
         }
         if status == Status::Converged {

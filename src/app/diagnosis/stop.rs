@@ -4,7 +4,7 @@ use super::elements;
 use super::remedy::Remedy;
 use super::{Diagnosis, Symptom};
 use crate::app::engine::Engine;
-use crate::app::work::Work;
+use crate::app::runner::Runner;
 use crate::flow::options::FlowName;
 use crate::flow::{FlowError, Status};
 use crate::message::Say;
@@ -18,9 +18,9 @@ const SMOOTH: [f64; 2] = [0.01, 0.1];
 /// An update of so many edges after as many steps is of a flow that does not come to rest.
 const LOST: f64 = 2.0;
 
-impl Work {
+impl Runner {
     pub(super) fn cocircular(&self, flow: &Engine) -> Option<Diagnosis> {
-        let at_start = self.state.status == Status::Stalled && self.course_reports().is_empty();
+        let at_start = self.state.status == Status::Stalled && self.segment_reports().is_empty();
         if !at_start || self.options().flow != FlowName::Circle {
             return None;
         }
@@ -105,7 +105,7 @@ impl Work {
             return Some(diagnosis.with([Some(Remedy::exponent(2.0)), self.can_regularise()]));
         }
         let update = self.last()?.update.filter(|update| *update > LOST)?;
-        let is_long = self.course_reports().len() > 2 * WINDOW;
+        let is_long = self.segment_reports().len() > 2 * WINDOW;
         let waits = self.options().flow == FlowName::Mmcv && (is_long || stalled);
         let (vertex, _) = self.last_move().filter(|_| waits)?;
         let symptom = Symptom::TooRough {

@@ -5,7 +5,7 @@ use super::elements;
 use super::remedy::Remedy;
 use super::{Diagnosis, Symptom};
 use crate::app::engine::Engine;
-use crate::app::work::Work;
+use crate::app::runner::Runner;
 use crate::flow::Status;
 use crate::flow::constraint::Kept;
 use crate::flow::options::FlowName;
@@ -35,7 +35,7 @@ const SCALED: f64 = 2.0;
 /// Edges or faces that are still elements, and not the whole surface.
 const SHOWN: usize = 2000;
 
-impl Work {
+impl Runner {
     /// ∫|H|^p scales like length^(2−p): nothing keeps a free surface from growing or shrinking.
     pub(super) fn scaling(&self) -> Option<Diagnosis> {
         let (start, now) = (self.start_area(), self.state.area);

@@ -2,7 +2,7 @@
 
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measure::{TorusFit, near, off_plane, off_sphere};
-use super::run::Run;
+use super::measured::Run;
 use super::sample::Shape;
 use crate::energy::circle::Boundary;
 use crate::flow::Status;

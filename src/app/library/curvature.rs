@@ -2,7 +2,7 @@
 
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measure::{off_tube, off_unit_sphere};
-use super::run::Run;
+use super::measured::Run;
 use crate::app::{Arrangement, Compare, FieldName};
 use crate::flow::Status;
 use crate::flow::options::FlowName;

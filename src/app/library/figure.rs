@@ -1,6 +1,6 @@
 //! A figure of a paper: what is run for it, and the rule that judges the run.
 
-use super::run::Run;
+use super::measured::Run;
 use super::sample::{Sample, Shape};
 use crate::app::{Arrangement, FieldName, RegulariseOptions};
 use crate::flow::Status;

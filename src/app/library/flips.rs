@@ -1,7 +1,7 @@
 //! Figures of Brink & Alboul, edge flips by area, Willmore and localised Willmore energy.
 
 use super::figure::{Figure, Finding, Paper};
-use super::run::Run;
+use super::measured::Run;
 use crate::app::{Arrangement, Compare, FieldName};
 use crate::flow::flips::FlipReading;
 use crate::flow::options::FlowOptions;

@@ -9,6 +9,7 @@ mod curvature;
 mod figure;
 mod flips;
 pub mod measure;
+mod measured;
 mod p_willmore;
 mod run;
 mod sample;

@@ -2,7 +2,7 @@
 
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measure::{area_drift, near, off_sphere, volume_drift};
-use super::run::Run;
+use super::measured::Run;
 use crate::app::{FieldName, RegulariseOptions};
 use crate::flow::Status;
 use crate::flow::options::FlowOptions;

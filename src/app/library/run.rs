@@ -1,14 +1,9 @@
-//! Running a figure, a step at a time, and what its judge sees.
+//! Running a figure, a step at a time.
 
 use super::figure::{Figure, Finding, Steps};
-use super::measure::off_surface;
-use crate::app::work::Work;
-use crate::app::{Fault, FieldName, Info, Session, State};
-use crate::flow::flips::FlipReading;
-use crate::flow::options::{FlowName, FlowOptions};
-use crate::remesh::flips::reduction::Criterion;
-use crate::remesh::static_pass::Regularised;
-use glam::DVec3;
+use super::measured::Run;
+use crate::app::{Fault, Session, State};
+use crate::flow::options::FlowOptions;
 
 /// Steps in which a figure comes to rest, or not: what is measured must not depend on how fast
 /// the machine is.
@@ -81,7 +76,12 @@ impl FigureRun {
             None => None,
         };
         let refined = std::mem::take(&mut self.refined);
-        let run = Run::of(figure, self.session.work()?, refined, regularised)?;
+        let run = Run::of(
+            figure.reference.as_ref(),
+            &self.session,
+            refined,
+            regularised,
+        )?;
         Ok(Some((figure.judge)(&run)))
     }
 }
@@ -131,108 +131,11 @@ impl Figure {
     /// # Errors
     /// Without a mesh.
     pub fn judged(&self, session: &Session) -> Result<Option<Finding>, Fault> {
-        let work = session.work()?;
-        if self.is_compound() || work.is_restored {
+        let runner = session.runner()?;
+        if self.is_compound() || runner.is_restored {
             return Ok(None);
         }
-        let run = Run::of(self, work, Vec::new(), None)?;
+        let run = Run::of(self.reference.as_ref(), session, Vec::new(), None)?;
         Ok(Some((self.judge)(&run)))
-    }
-}
-
-/// What a judge sees of a run.
-pub(in crate::app) struct Run<'a> {
-    work: &'a Work,
-    /// Readings before the first step.
-    pub(super) first: &'a State,
-    /// Readings at the end.
-    pub(super) last: &'a State,
-    /// Positions before the first step.
-    pub(super) start: &'a [DVec3],
-    /// Positions at the end.
-    pub(super) x: &'a [DVec3],
-    /// Ends on coarser meshes, coarsest first.
-    pub(super) refined: Vec<State>,
-    pub(super) regularised: Option<Regularised>,
-    /// Of the undamaged surface.
-    reference: Option<Vec<DVec3>>,
-}
-
-impl<'a> Run<'a> {
-    fn of(
-        figure: &Figure,
-        work: &'a Work,
-        refined: Vec<State>,
-        regularised: Option<Regularised>,
-    ) -> Result<Self, Fault> {
-        let reference = match &figure.reference {
-            Some(shape) => {
-                let mut clean = Session::new();
-                shape.load(&mut clean, &[])?;
-                Some(clean.work()?.x.clone())
-            }
-            None => None,
-        };
-        let (first, start) = work.beginning();
-        Ok(Self {
-            work,
-            first,
-            last: &work.state,
-            start,
-            x: &work.x,
-            refined,
-            regularised,
-            reference,
-        })
-    }
-
-    /// The surface at the end.
-    pub(super) fn info(&self) -> Info {
-        self.work.info()
-    }
-
-    /// The jump of H across the boundary of what moves, relative.
-    pub(super) fn jump(&self) -> Option<f64> {
-        self.work.curvature_jump().map(|jump| jump.relative)
-    }
-
-    /// The same of a flow side by side with others; NaN where there is none.
-    pub(super) fn jump_of(&self, flow: FlowName) -> f64 {
-        let mut works = std::iter::once(self.work).chain(&self.work.beside);
-        let work = works.find(|work| work.options().flow == flow);
-        let jump = work.and_then(Work::curvature_jump);
-        jump.map_or(f64::NAN, |jump| jump.relative)
-    }
-
-    /// Distance of start and end from the undamaged surface along its normals, root mean square;
-    /// its boundary, which is held, does not count.
-    pub(super) fn off_reference(&self) -> [f64; 2] {
-        let mesh = self.work.triangles();
-        let Some(surface) = &self.reference else {
-            return [f64::NAN; 2];
-        };
-        let is_inner = |v: usize| !mesh.is_boundary_vertex(crate::mesh::Vertex(v as u32));
-        [self.start, self.x].map(|x| off_surface(x, mesh, surface, is_inner))
-    }
-
-    /// Edge flips by a criterion; zeros where it was not run.
-    pub(super) fn flips(&self, criterion: Criterion) -> Option<&FlipReading> {
-        let readings = self.last.flips.as_deref().unwrap_or_default();
-        readings.iter().find(|one| one.criterion == criterion)
-    }
-
-    /// Sum over the edges of a picture of how much a field differs between their ends; NaN where
-    /// there is none of that name.
-    pub(super) fn variation(&self, name: &str, field: FieldName) -> f64 {
-        let panes = self.work.panes(Some(field));
-        let pane = panes.iter().find(|pane| pane.name == name);
-        let Some((pane, field)) = pane.and_then(|pane| Some((pane, pane.field.as_ref()?))) else {
-            return f64::NAN;
-        };
-        let value = |v: u32| f64::from(field.values[v as usize]);
-        let edges = pane.wire_edges.chunks_exact(2);
-        edges
-            .map(|ends| (value(ends[0]) - value(ends[1])).abs())
-            .sum()
     }
 }

@@ -75,8 +75,8 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn check_link(&self, sent: &str, step: usize) -> Result<Option<LinkCheck>, Fault> {
-        let work = self.work()?;
-        let (state, start) = (&work.state, work.beginning().0.energy);
+        let runner = self.runner()?;
+        let (state, start) = (&runner.state, runner.beginning().0.energy);
         let outcome = match state.step.cmp(&step) {
             std::cmp::Ordering::Equal => compare(sent, state.energy, start),
             std::cmp::Ordering::Less if state.status.is_final() => Check::EndsEarly,

@@ -8,11 +8,12 @@ use super::{
     Comparison, DIGEST, LETTERS, Link, LinkView, Lockstep, MAX_SELECTED, SAME, Scale, Shading,
     base_of,
 };
+use crate::app::arrangement::Arrangement;
 use crate::app::comparison::{change_between, differing, options_with};
 use crate::app::fault::Fault;
 use crate::app::field::FieldName;
-use crate::app::pane::Arrangement;
-use crate::app::recipe::{Action, Origin, Provenance, Reader, is_plain, steps_in};
+use crate::app::provenance::{Action, Provenance};
+use crate::app::recipe::{Origin, Reader, is_plain, steps_in};
 use crate::app::{Session, json, library};
 use crate::arrays::TypedArray;
 use crate::flow::option::{Options, Row, Value, Values};
@@ -259,7 +260,7 @@ impl Session {
             .and_then(|known| known.flow)
             .filter(|_| link.changes_its_flow());
         link.set_options(first.as_ref().unwrap_or(&current));
-        link.arrangement = self.work()?.arrangement_that_matters();
+        link.arrangement = self.runner()?.arrangement_that_matters();
         link.colour = self.view.field;
         link.comparison = compared(
             scene.comparison.as_ref(),

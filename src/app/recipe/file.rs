@@ -1,10 +1,12 @@
 //! A recipe as a file: how a surface came about, and what it came to, so that it can be made
 //! again and compared.
 
-use super::replay::{Estimate, Script, Start, steps_in};
-use super::{Action, EditRecord, Origin, Provenance, RecipeError};
+use super::Origin;
+use super::error::RecipeError;
+use super::script::{Estimate, Script, Start, steps_in};
+use crate::app::arrangement::{Arrangement, Compare};
 use crate::app::fault::Fault;
-use crate::app::pane::{Arrangement, Compare};
+use crate::app::provenance::{Action, EditRecord, Provenance};
 use crate::app::{Session, json, library};
 use crate::flow::option::{Options, Values};
 use crate::flow::options::{FlowName, FlowOptions};
@@ -337,7 +339,7 @@ impl Session {
             mesh,
             edits,
             flow,
-            arrangement: self.work()?.arrangement_that_matters(),
+            arrangement: self.runner()?.arrangement_that_matters(),
             steps: steps_in(&path) as usize,
             path: (!is_plain(&path)).then_some(path),
             result: self.replay_result()?,
@@ -367,7 +369,7 @@ impl Session {
     }
 }
 
-impl crate::app::work::Work {
+impl crate::app::runner::Runner {
     /// Of the arrangement, what is not as usual and changes what is seen.
     pub(in crate::app) fn arrangement_that_matters(&self) -> Values {
         let (ours, plain) = (&self.arrangement, Arrangement::PLAIN);

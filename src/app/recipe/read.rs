@@ -1,12 +1,13 @@
 //! Reading recipes: every value is checked and refused by its place, and no more is set aside
 //! than the text can ask for.
 
+use super::error::{MustBe, RecipeError};
 use super::file::{Recipe, RecipeMesh, ReplayResult};
-use super::replay::steps_in;
-use super::{Action, Edit, EditRecord, MustBe, RecipeError};
-use crate::app::fill::FillOptions;
+use super::script::steps_in;
+use crate::app::arrangement::Arrangement;
+use crate::app::edit::options::FillOptions;
 use crate::app::link::region;
-use crate::app::pane::Arrangement;
+use crate::app::provenance::{Action, Edit, EditRecord};
 use crate::flow::option::{self, OptionError, Value, Values};
 use crate::flow::options::FlowOptions;
 use crate::remesh::static_pass::RegulariseOptions;

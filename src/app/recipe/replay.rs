@@ -1,18 +1,17 @@
 //! Doing again what was done to a surface, a piece at a time, so that it can be watched and
 //! cancelled.
 
+use super::error::RecipeError;
 use super::file::{Recipe, sha256};
-use super::{Action, Edit, EditRecord, RecipeError};
+use super::script::{Script, Start};
+use crate::app::arrangement::{Arrangement, Compare};
 use crate::app::fault::Fault;
 use crate::app::link::Link;
-use crate::app::pane::{Arrangement, Compare};
+use crate::app::provenance::{Action, Edit, EditRecord};
 use crate::app::{Session, library};
 use crate::flow::options::{FlowName, FlowOptions};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
-
-/// Beyond so many steps one would rather be asked.
-const MANY_STEPS: u64 = 10_000;
 
 /// Changes of the flow, times vertices, at most: each keeps the surface that it starts from.
 const MAX_KEPT: usize = 16 << 20;
@@ -26,64 +25,6 @@ pub enum ScriptText {
     Recipe(String),
     /// The words of a link.
     Link(String),
-}
-
-/// The mesh that a script begins with.
-#[derive(Clone, Debug, PartialEq)]
-pub(in crate::app) enum Start {
-    /// A sample shape.
-    Shape {
-        name: String,
-        parameters: Vec<(String, f64)>,
-    },
-    /// A file, with the digits that its digest begins with, where they are known.
-    File {
-        name: Option<String>,
-        sha256: Option<String>,
-    },
-}
-
-/// What is done to a mesh.
-#[derive(Clone, Debug, PartialEq)]
-pub(in crate::app) struct Script {
-    pub(in crate::app) start: Start,
-    pub(in crate::app) edits: Vec<EditRecord>,
-    /// After the last edit.
-    pub(in crate::app) path: Vec<Action>,
-}
-
-/// What it takes to do something again.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase")]
-pub struct Estimate {
-    /// Steps in all.
-    pub steps: u64,
-    /// Whether one would rather be asked first.
-    pub is_long: bool,
-}
-
-impl Estimate {
-    /// Of so many steps.
-    pub(in crate::app) fn of_steps(steps: u64) -> Self {
-        let is_long = steps > MANY_STEPS;
-        Self { steps, is_long }
-    }
-
-    /// Of edits, and so many steps after them.
-    pub(in crate::app) fn of(edits: &[EditRecord], steps: u64) -> Self {
-        let before: u64 = edits.iter().map(|record| steps_in(&record.path)).sum();
-        Self::of_steps(before + steps)
-    }
-}
-
-/// Steps of a path.
-pub(in crate::app) fn steps_in(path: &[Action]) -> u64 {
-    let steps = path.iter().map(|action| match action {
-        Action::Steps(count) => *count as u64,
-        _ => 0,
-    });
-    steps.sum()
 }
 
 /// How far it is.
@@ -174,7 +115,7 @@ impl Replay {
                 session.regularise(&settings)?;
             }
             Task::Act(Action::Flow(options)) => {
-                let vertices = session.work()?.x.len();
+                let vertices = session.runner()?.x.len();
                 self.flows += 1;
                 let count = self.flows;
                 if count * vertices > MAX_KEPT {
@@ -221,11 +162,11 @@ impl Replay {
 
     /// One by one or all at once, flips are the same.
     fn arrange_flips(&mut self, session: &mut Session, count: usize) -> Result<(), Fault> {
-        let work = session.work()?;
-        if work.flow.is_none() || work.options().flow != FlowName::Flips {
+        let runner = session.runner()?;
+        if runner.engine.is_none() || runner.options().flow != FlowName::Flips {
             return Ok(());
         }
-        self.arrangement.get_or_insert(work.arrangement);
+        self.arrangement.get_or_insert(runner.arrangement);
         session.arrange(Arrangement {
             compare: Compare::None,
             subdivide: 0,
@@ -337,7 +278,7 @@ impl Session {
     /// # Errors
     /// What is wrong with the script; [`Fault::no_mesh`].
     pub fn follow(&mut self, text: &ScriptText) -> Result<(), Fault> {
-        self.work()?;
+        self.runner()?;
         let script = text.script()?;
         self.view.forget_steps();
         self.replay = Some(Replay::new(
@@ -371,11 +312,12 @@ impl Session {
             self.arrange(arrangement)?;
         }
         done?;
-        let before = self.work.as_ref().map(|work| work.arrangement);
-        if let Some(mut work) = replay.made.and_then(|made| made.work) {
-            work.arrangement = before.unwrap_or_default();
-            self.work = Some(work);
+        let before = self.runner.as_ref().map(|runner| runner.arrangement);
+        if let Some(mut runner) = replay.made.and_then(|made| made.runner) {
+            runner.arrangement = before.unwrap_or_default();
+            self.runner = Some(runner);
             self.edits.clear();
+            self.panes.clear();
         }
         Ok(progress)
     }

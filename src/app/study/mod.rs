@@ -222,8 +222,8 @@ impl Session {
             self.study = Some(match &options.shape {
                 Some(name) => Study::of_shape(name, &options.parameters, p, limits)?,
                 None => {
-                    let work = self.work()?;
-                    let soup = work.triangles().to_soup(&work.x);
+                    let runner = self.runner()?;
+                    let soup = runner.triangles().to_soup(&runner.x);
                     Study::new(Subject::surface(soup), p, limits)
                 }
             });

@@ -1,10 +1,16 @@
 //! Edits: what makes another mesh of the one at hand, and the way back from it.
 
+pub(super) mod fill;
+pub(super) mod flip;
+pub(super) mod invert;
+pub(super) mod options;
+pub(super) mod subdivide;
+
 use super::document::Document;
 use super::fault::Fault;
 use super::message::AppError;
-use super::recipe::Edit;
-use super::work::{Suspended, Work};
+use super::provenance::Edit;
+use super::runner::{Runner, Suspended};
 use super::{Loaded, Session};
 use crate::flow::options::FlowOptions;
 use crate::mesh::HalfedgeMesh;
@@ -31,12 +37,12 @@ impl Edits {
     }
 }
 
-impl Work {
+impl Runner {
     /// The surface as it is now, as a document of its own.
     pub(super) fn present(&self) -> Document {
         let mut document = self.document.clone();
         document.start.clone_from(&self.x);
-        let flow = self.flow.as_ref();
+        let flow = self.engine.as_ref();
         if flow.is_some_and(|flow| flow.flips().is_some()) {
             let mesh = Rc::new(HalfedgeMesh::clone(self.triangles()));
             document.polygons = Rc::clone(&mesh);
@@ -52,10 +58,10 @@ impl Session {
     pub(super) fn edit<T>(
         &mut self,
         name: Edit,
-        edit: impl FnOnce(&Work) -> Result<(Document, T), Fault>,
+        edit: impl FnOnce(&Runner) -> Result<(Document, T), Fault>,
     ) -> Result<T, Fault> {
-        let (document, outcome) = edit(self.work()?)?;
-        let Some(before) = self.work.take() else {
+        let (document, outcome) = edit(self.runner()?)?;
+        let Some(before) = self.runner.take() else {
             return Err(Fault::no_mesh());
         };
         let mut options = before.options().clone();
@@ -67,12 +73,13 @@ impl Session {
             };
         }
         let x = document.start.clone();
-        let mut work = Work::new(document, x);
-        work.begin_course(options);
-        work.arrangement = before.arrangement;
-        work.origin = before.origin_of(name);
-        self.work = Some(work);
+        let mut runner = Runner::new(document, x);
+        runner.begin_segment(options);
+        runner.arrangement = before.arrangement;
+        runner.origin = before.origin_of(name);
+        self.runner = Some(runner);
         self.edits.push(before.suspend());
+        self.panes.clear();
         Ok(outcome)
     }
 
@@ -82,7 +89,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn adopt(&mut self) -> Result<Loaded, Fault> {
-        self.edit(Edit::Adopt, |work| Ok((work.present(), ())))?;
+        self.edit(Edit::Adopt, |runner| Ok((runner.present(), ())))?;
         self.loaded()
     }
 
@@ -100,7 +107,8 @@ impl Session {
         let Some(before) = self.edits.0.pop() else {
             return Err(AppError::NothingToUndo.into());
         };
-        self.work = Some(before.resume(self.progress.clone()));
+        self.runner = Some(before.resume(self.progress.clone()));
+        self.settle_panes();
         self.loaded()
     }
 }

@@ -1,13 +1,13 @@
 //! Möbius inversion: another surface with the same circle-angle energy.
 
-use super::document::Document;
-use super::fault::Fault;
-use super::field::{Field, FieldName};
-use super::look::{Look, Wanted};
-use super::message::AppError;
-use super::recipe::Edit;
-use super::work::Work;
-use super::{Loaded, Session, as_f32};
+use crate::app::document::Document;
+use crate::app::fault::Fault;
+use crate::app::field::{Field, FieldName};
+use crate::app::look::{Look, Wanted};
+use crate::app::message::AppError;
+use crate::app::provenance::Edit;
+use crate::app::runner::Runner;
+use crate::app::{Loaded, Session, as_f32};
 use crate::arrays::TypedArray;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{Boundary, CircleEnergy};
@@ -113,14 +113,14 @@ impl Session {
         field: Option<FieldName>,
         wanted: Wanted,
     ) -> Result<Inverted, Fault> {
-        let work = self.work()?;
-        let (x, report) = work.inverted(centre)?;
-        let field = field.map(|name| work.field_at(name, &x)).transpose()?;
+        let runner = self.runner()?;
+        let (x, report) = runner.inverted(centre)?;
+        let field = field.map(|name| runner.field_at(name, &x)).transpose()?;
         Ok(Inverted {
             report,
             positions: as_f32(&x).into(),
             field,
-            look: work.look(wanted, &x),
+            look: runner.look(wanted, &x),
         })
     }
 
@@ -129,16 +129,16 @@ impl Session {
     /// # Errors
     /// As [`preview_inversion`](Self::preview_inversion); the surface stays as it was.
     pub fn invert(&mut self, centre: [f64; 3]) -> Result<(Loaded, InversionReport), Fault> {
-        let report = self.edit(Edit::Invert(centre), |work| {
-            let (start, report) = work.inverted(centre)?;
-            let document = work.present();
+        let report = self.edit(Edit::Invert(centre), |runner| {
+            let (start, report) = runner.inverted(centre)?;
+            let document = runner.present();
             Ok((Document { start, ..document }, report))
         })?;
         Ok((self.loaded()?, report))
     }
 }
 
-impl Work {
+impl Runner {
     fn inverted(&self, centre: [f64; 3]) -> Result<(Vec<DVec3>, InversionReport), Fault> {
         let (mesh, x) = (self.triangles(), &self.x);
         let (low, high) = measure::bounding_box(x);

@@ -1,30 +1,15 @@
 //! Edge-flip optimisation of the loaded mesh.
 
-use super::document::Document;
-use super::fault::Fault;
-use super::work::Work;
+use super::options::FlipOptions;
+use crate::app::document::Document;
+use crate::app::fault::Fault;
+use crate::app::runner::Runner;
 use crate::flow::FlowError;
 use crate::mesh::HalfedgeMesh;
-use crate::remesh::flips::reduction::Criterion;
 use crate::remesh::flips::{Flip, FlipOptimiser};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::fmt::Write as _;
 use std::rc::Rc;
-
-/// How connectivity is optimised. Unknown names are refused.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
-pub struct FlipOptions {
-    /// What is to become small.
-    pub criterion: Criterion,
-    /// Flips at most; all that gain anything if absent.
-    pub max: Option<usize>,
-    /// Whether faces may not be turned over.
-    pub guard_folds: bool,
-    /// Whether every flip is listed.
-    pub history: bool,
-}
 
 /// Costs before or after.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -54,9 +39,12 @@ pub struct FlipOutcome {
     pub history: Option<String>,
 }
 
-impl Work {
+impl Runner {
     /// A document with its connectivity optimised, which starts at the positions as they are.
-    pub(super) fn flipped(&self, options: &FlipOptions) -> Result<(Document, FlipOutcome), Fault> {
+    pub(in crate::app) fn flipped(
+        &self,
+        options: &FlipOptions,
+    ) -> Result<(Document, FlipOutcome), Fault> {
         let present = self.present();
         let mesh = &present.polygons;
         if let Some((face, corners)) = first_polygon(mesh) {

@@ -1,35 +1,14 @@
 //! Subdivision as an edit: finer faces, of the same surface or of a smoother one.
 
-use super::document::{Document, triangulated};
-use super::fault::Fault;
-use super::message::AppError;
-use super::recipe::Edit;
-use super::work::Work;
-use super::{Loaded, Session};
+use super::options::{SubdivideOptions, SubdivisionScheme};
+use crate::app::document::{Document, triangulated};
+use crate::app::fault::Fault;
+use crate::app::message::AppError;
+use crate::app::provenance::Edit;
+use crate::app::runner::Runner;
+use crate::app::{Loaded, Session};
 use crate::mesh::{self, HalfedgeMesh, subdivide};
-use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-
-/// How faces are divided into four.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "lowercase")]
-pub enum SubdivisionScheme {
-    /// At the midpoints of edges: the surface stays the same point set.
-    #[default]
-    Linear,
-    /// By Loop's scheme: every vertex moves towards a smooth limit surface.
-    Loop,
-}
-
-/// Options of [`Session::subdivide`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
-pub struct SubdivideOptions {
-    /// How.
-    pub scheme: SubdivisionScheme,
-}
 
 /// Faces at most; no flow could take a step on more.
 const MAX_FACES: usize = 2_000_000;
@@ -55,7 +34,7 @@ fn refined(
     all
 }
 
-impl Work {
+impl Runner {
     /// A document with each face divided into four.
     fn subdivided(&self, options: SubdivideOptions) -> Result<(Document, ()), Fault> {
         let document = self.present();
@@ -102,7 +81,9 @@ impl Session {
     /// Meshes with faces other than triangles, edges of more than two faces, and meshes that
     /// would become too large; the mesh stays as it was.
     pub fn subdivide(&mut self, options: SubdivideOptions) -> Result<Loaded, Fault> {
-        self.edit(Edit::Subdivide(options), |work| work.subdivided(options))?;
+        self.edit(Edit::Subdivide(options), |runner| {
+            runner.subdivided(options)
+        })?;
         self.loaded()
     }
 }

@@ -1,29 +1,17 @@
 //! Going on from the surface as it is with another flow, or the same with other parameters:
 //! the steps so far stay, and what was stored to come becomes a branch.
 
-use super::Session;
-use super::engine::Engine;
-use super::fault::Fault;
-use super::history::Deed;
-use super::message::AppError;
-use super::readings::State;
-use super::work::{Configured, Work};
+use super::{Configured, Runner};
+use crate::app::Session;
+use crate::app::engine::Engine;
+use crate::app::fault::Fault;
+use crate::app::history::Event;
+use crate::app::message::AppError;
+use crate::app::readings::State;
+use crate::app::segment::Segment;
 use crate::flow::options::{FlowName, FlowOptions};
 use crate::flow::{FlowError, StepReport};
-use glam::DVec3;
 use std::rc::Rc;
-
-/// A flow as it was started; the moments it led through share it.
-#[derive(Debug, Default)]
-pub(super) struct Course {
-    pub(super) options: FlowOptions,
-    /// No other of the same mesh has it.
-    number: u32,
-    /// The step from which it goes.
-    pub(super) from: usize,
-    /// What it started from, a quantity of which it may keep; `None` is the mesh itself.
-    start: Option<Vec<DVec3>>,
-}
 
 impl Session {
     /// Goes on from the surface as it is with other options, as after
@@ -35,57 +23,60 @@ impl Session {
     /// As [`configure`](Self::configure), and `WrongFlow` where edge flips are or were chosen,
     /// or flows run beside each other: these go from the mesh itself. Nothing has changed then.
     pub fn continue_with(&mut self, options: FlowOptions) -> Result<Configured, Fault> {
-        let progress = self.progress.clone();
-        let work = self.work_mut()?;
-        if work.flow.is_none() || !work.history.has_moments() {
-            return work.configure(options, progress);
+        let runner = self.runner()?;
+        if runner.engine.is_none() || !runner.history.has_snapshots() {
+            return self.configure(options);
         }
-        work.continue_with(options)
+        // What stands beside it goes from the mesh itself.
+        if !self.panes.others().is_empty() {
+            return Err(AppError::FixedStart.into());
+        }
+        self.runner_mut()?.continue_with(options)
     }
 
-    /// The options in force at the moment that is shown, as they were given; `None` before a
+    /// The options in force at the snapshot that is shown, as they were given; `None` before a
     /// flow is chosen.
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn options(&self) -> Result<Option<FlowOptions>, Fault> {
-        let work = self.work()?;
-        let told = || work.as_given(&work.course.options);
-        Ok(work.flow.is_some().then(told))
+        let runner = self.runner()?;
+        let told = || runner.as_given(&runner.segment.options);
+        Ok(runner.engine.is_some().then(told))
     }
 
-    /// Which of the flows chosen since the mesh was loaded stood at the moment that is shown.
+    /// Which of the flows chosen since the mesh was loaded stood at the snapshot that is shown.
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn flow_number(&self) -> Result<u32, Fault> {
-        Ok(self.work()?.course.number)
+        Ok(self.runner()?.segment.number)
     }
 
-    /// What the configuration in force at the moment that is shown amounts to; `None` before
+    /// What the configuration in force at the snapshot that is shown amounts to; `None` before
     /// a flow is chosen.
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn configured(&self) -> Result<Option<Configured>, Fault> {
-        Ok(self.work()?.configured())
+        Ok(self.runner()?.configured())
     }
 }
 
-impl Work {
-    pub(super) fn options(&self) -> &FlowOptions {
-        &self.course.options
+impl Runner {
+    pub(in crate::app) fn options(&self) -> &FlowOptions {
+        &self.segment.options
     }
 
     /// Of the steps that the present flow took: of two flows, energies mean nothing to each other.
-    pub(super) fn course_reports(&self) -> &[StepReport] {
+    pub(in crate::app) fn segment_reports(&self) -> &[StepReport] {
         let reports = self.history.reports();
-        let first = reports.partition_point(|report| report.step <= self.course.from);
+        let first = reports.partition_point(|report| report.step <= self.segment.from);
         &reports[first..]
     }
 
     /// A selection of the mesh's own, unless the options have one.
-    pub(super) fn with_selection(&self, mut options: FlowOptions) -> FlowOptions {
+    pub(in crate::app) fn with_selection(&self, mut options: FlowOptions) -> FlowOptions {
         if options.free.is_none() && options.fixed.is_none() {
             options.free.clone_from(&self.document.free);
             options.fixed.clone_from(&self.document.fixed);
@@ -94,7 +85,7 @@ impl Work {
     }
 
     /// The options; a selection that the mesh itself suggests is left out.
-    pub(super) fn as_given(&self, options: &FlowOptions) -> FlowOptions {
+    pub(in crate::app) fn as_given(&self, options: &FlowOptions) -> FlowOptions {
         let mut options = options.clone();
         if options.free == self.document.free && options.fixed == self.document.fixed {
             (options.free, options.fixed) = (None, None);
@@ -102,18 +93,18 @@ impl Work {
         options
     }
 
-    /// The flow of the present course as it started.
-    pub(super) fn started(&self) -> Result<Engine, FlowError> {
-        let (document, course) = (&self.document, &self.course);
-        let mut start = course.start.as_ref().unwrap_or(&document.start).clone();
-        let options = course.options.clone();
+    /// The flow of the present segment as it started.
+    pub(in crate::app) fn started(&self) -> Result<Engine, FlowError> {
+        let (document, segment) = (&self.document, &self.segment);
+        let mut start = segment.start.as_ref().unwrap_or(&document.start).clone();
+        let options = segment.options.clone();
         let mut flow = Engine::start(&document.triangles, &document.polygons, &mut start, options)?;
         flow.set_progress(self.progress.clone());
         Ok(flow)
     }
 
-    pub(super) fn configured(&self) -> Option<Configured> {
-        let flow = self.flow.as_ref()?;
+    pub(in crate::app) fn configured(&self) -> Option<Configured> {
+        let flow = self.engine.as_ref()?;
         Some(Configured {
             free_vertices: flow.n_free(),
             mean_edge_length: flow.mean_edge_length(),
@@ -127,32 +118,35 @@ impl Work {
     }
 
     fn next_number(&mut self) -> u32 {
-        self.flows += 1;
-        self.flows
+        self.segments += 1;
+        self.segments
     }
 
-    /// Makes `options` those of a course that starts from the mesh itself.
-    pub(super) fn begin_course(&mut self, options: FlowOptions) {
+    /// Makes `options` those of a segment that starts from the mesh itself.
+    pub(in crate::app) fn begin_segment(&mut self, options: FlowOptions) {
         let number = self.next_number();
-        self.first = Rc::new(Course {
+        self.first = Rc::new(Segment {
             options,
             number,
-            ..Course::default()
+            ..Segment::default()
         });
-        self.course = Rc::clone(&self.first);
-        self.flow_of = Rc::clone(&self.first);
+        self.segment = Rc::clone(&self.first);
+        self.engine_segment = Rc::clone(&self.first);
     }
 
-    pub(super) fn continue_with(&mut self, options: FlowOptions) -> Result<Configured, Fault> {
+    pub(in crate::app) fn continue_with(
+        &mut self,
+        options: FlowOptions,
+    ) -> Result<Configured, Fault> {
         let is_flips = |options: &FlowOptions| options.flow == FlowName::Flips;
-        if is_flips(self.options()) || is_flips(&options) || !self.beside.is_empty() {
+        if is_flips(self.options()) || is_flips(&options) {
             return Err(AppError::FixedStart.into());
         }
         let options = self.with_selection(options);
         if options == *self.options() {
             return self.configured().ok_or_else(Fault::no_mesh);
         }
-        // A change that nothing came of is not worth a moment of its own.
+        // A change that nothing came of is not worth a snapshot of its own.
         let is_second_thought = self.history.ends_with_new_flow();
         if is_second_thought {
             self.back();
@@ -162,7 +156,7 @@ impl Work {
             }
         }
         let mut x = self.x.clone();
-        let course = Course {
+        let segment = Segment {
             options: options.clone(),
             number: self.next_number(),
             from: self.state.step,
@@ -185,19 +179,19 @@ impl Work {
             self.history.drop_future();
         }
         let before = self.copied();
-        let given = self.as_given(&course.options);
+        let given = self.as_given(&segment.options);
         self.x = x;
-        self.flow = Some(flow);
-        self.course = Rc::new(course);
-        self.flow_of = Rc::clone(&self.course);
+        self.engine = Some(flow);
+        self.segment = Rc::new(segment);
+        self.engine_segment = Rc::clone(&self.segment);
         self.failure = None;
-        self.anew = false;
+        self.restarted = false;
         self.state = State {
             step: self.state.step,
             time: self.state.time,
             ..State::default()
         };
-        self.follow(before, Deed::Flow(Rc::new(given)), None);
+        self.follow(before, Event::Flow(Rc::new(given)), None);
         self.read_state();
         self.configured().ok_or_else(Fault::no_mesh)
     }

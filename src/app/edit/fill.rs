@@ -1,40 +1,14 @@
 //! Hole filling and blending of the loaded mesh.
 
-use super::document::{Document, triangulated};
-use super::fault::Fault;
-use super::message::{AppError, Notice};
-use super::work::Work;
+use super::options::{FillOptions, Loops};
+use crate::app::document::{Document, triangulated};
+use crate::app::fault::Fault;
+use crate::app::message::{AppError, Notice};
+use crate::app::runner::Runner;
 use crate::message::Message;
 use crate::remesh::fill::{self, BoundaryLoop, FillProgress, Filled, boundary_loops};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::rc::Rc;
-
-/// Which loops are filled: a word, or their numbers, counted from 0.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(untagged)]
-pub enum Loops {
-    /// Some of them.
-    Some(Vec<usize>),
-    /// A word: `all`, or `inner` for all but the longest.
-    Word(String),
-    /// All.
-    #[default]
-    All,
-}
-
-/// How holes are filled. Unknown names are refused.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
-pub struct FillOptions {
-    /// Which loops.
-    pub loops: Loops,
-    /// Whether one patch connects them all.
-    pub connect: bool,
-    /// New vertices at most; 200,000 if absent.
-    pub max_vertices: Option<usize>,
-}
 
 /// What the fill did. The new vertices are those from `first_vertex` on, and the free ones
 /// of the next flow.
@@ -66,9 +40,9 @@ pub struct LoopInfo {
     pub vertices: Vec<u32>,
 }
 
-impl Work {
+impl Runner {
     /// The boundary loops of the surface as it is now.
-    pub(super) fn boundary_loops(&self) -> Vec<LoopInfo> {
+    pub(in crate::app) fn boundary_loops(&self) -> Vec<LoopInfo> {
         let info = |BoundaryLoop { vertices, length }: BoundaryLoop| LoopInfo {
             edges: vertices.len(),
             length,
@@ -79,7 +53,7 @@ impl Work {
     }
 
     /// The inner loops by their numbers, which is how a recipe tells them: all but the longest.
-    pub(super) fn numbered(&self, options: &FillOptions) -> FillOptions {
+    pub(in crate::app) fn numbered(&self, options: &FillOptions) -> FillOptions {
         let mut options = options.clone();
         if options.loops == Loops::Word("inner".into()) {
             let loops = self.boundary_loops();
@@ -91,7 +65,7 @@ impl Work {
     }
 
     /// A document with the holes of the surface as it is now filled.
-    pub(super) fn filled(
+    pub(in crate::app) fn filled(
         &self,
         options: &FillOptions,
         progress: FillProgress<'_>,

@@ -1,17 +1,24 @@
 //! A document with its flow: what a session does once a mesh is loaded.
+//!
+//! What is shown moves along the history, the engine stays where it last computed: whoever looks
+//! back and returns goes on as if he had not. Only a step from elsewhere makes the engine anew
+//! there.
 
-use super::course::Course;
+mod continuation;
+mod viewing;
+
+use super::arrangement::Arrangement;
 use super::document::Document;
 use super::engine::{Checkpoint, Engine};
 use super::fault::Fault;
 use super::field::{Field, FieldName};
-use super::history::{Act, Deed, History, Moment, MomentId};
+use super::history::{Event, History, Snapshot, SnapshotId, Transition};
 use super::message::AppError;
-use super::pane::Arrangement;
+use super::provenance::EditRecord;
 use super::readings::{Info, State};
-use super::recipe::EditRecord;
-use super::timeline::Shown;
+use super::segment::Segment;
 use crate::arrays::TypedArray;
+use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::flips::EdgeFlips;
 use crate::flow::options::FlowOptions;
 use crate::flow::{FlowError, Progress, Status, StepReport, Verdict, p_willmore};
@@ -45,82 +52,91 @@ pub struct Configured {
     pub held_vertices: TypedArray<u8>,
 }
 
+/// Where what is shown stands.
+enum Position {
+    /// Where the engine does.
+    Live,
+    /// At a stored snapshot.
+    Viewing(Viewed),
+}
+
+/// What belongs to a snapshot that is shown, besides its positions and readings.
+struct Viewed {
+    checkpoint: Checkpoint,
+    /// Faces that folded over in the step that led to it.
+    folded: Vec<u32>,
+    /// The snapshot at which the engine stands; `None` where it is to be made anew.
+    engine_at: Option<SnapshotId>,
+}
+
 /// A document with its flow.
-pub(super) struct Work {
+pub(super) struct Runner {
     pub(super) document: Document,
-    /// The course that the run began with.
-    pub(super) first: Rc<Course>,
-    /// Courses so far.
-    pub(super) flows: u32,
-    /// That of the moment which is shown.
-    pub(super) course: Rc<Course>,
-    pub(super) flow: Option<Engine>,
-    /// The course that `flow` is of.
-    pub(super) flow_of: Rc<Course>,
+    /// The segment that the run began with.
+    pub(super) first: Rc<Segment>,
+    /// Segments so far.
+    segments: u32,
+    /// That of the snapshot which is shown.
+    pub(super) segment: Rc<Segment>,
+    pub(super) engine: Option<Engine>,
+    /// The segment that the engine is of.
+    engine_segment: Rc<Segment>,
     pub(super) x: Vec<DVec3>,
     pub(super) state: State,
     pub(super) history: History,
     /// Why the last step failed, if it did.
     pub(super) failure: Option<FlowError>,
-    /// The moment the flow itself stands at.
-    pub(super) flow_at: MomentId,
-    /// What is shown, where that is another.
-    pub(super) shown: Option<Shown>,
-    /// Whether the flow was made anew since the last step.
-    pub(super) anew: bool,
+    position: Position,
+    /// Whether the engine was made anew since the last step.
+    restarted: bool,
     pub(super) progress: Option<Progress>,
     /// Whether positions came from outside since the start.
     pub(super) is_restored: bool,
     /// How the document was made of what was loaded; `None` where that cannot be told.
     pub(super) origin: Option<Vec<EditRecord>>,
     pub(super) arrangement: Arrangement,
-    /// The same under other flows.
-    pub(super) beside: Vec<Work>,
 }
 
-impl Work {
+impl Runner {
     pub(super) fn new(document: Document, x: Vec<DVec3>) -> Self {
         Self {
             document,
             first: Rc::default(),
-            flows: 0,
-            course: Rc::default(),
-            flow: None,
-            flow_of: Rc::default(),
+            segments: 0,
+            segment: Rc::default(),
+            engine: None,
+            engine_segment: Rc::default(),
             x,
             state: State::default(),
             history: History::default(),
             failure: None,
-            flow_at: 0,
-            shown: None,
-            anew: false,
+            position: Position::Live,
+            restarted: false,
             progress: None,
             is_restored: false,
             origin: Some(Vec::new()),
             arrangement: Arrangement::default(),
-            beside: Vec::new(),
         }
     }
 
     /// The faces as they are now: edge flips change them.
     pub(super) fn polygons(&self) -> &HalfedgeMesh {
-        let flips = self.flow.as_ref().and_then(|flow| flow.flips());
+        let flips = self.engine.as_ref().and_then(|flow| flow.flips());
         flips.map_or(&*self.document.polygons, |flips| flips.runs()[0].mesh())
     }
 
     /// The same cut into triangles.
     pub(super) fn triangles(&self) -> &HalfedgeMesh {
-        let flips = self.flow.as_ref().and_then(|flow| flow.flips());
+        let flips = self.engine.as_ref().and_then(|flow| flow.flips());
         flips.map_or(&*self.document.triangles, |flips| flips.runs()[0].mesh())
     }
 
     /// Lets go of the flow, whose factors are large, but not of what it takes to go on.
     pub(super) fn suspend(mut self) -> Suspended {
         let checkpoint = self.checkpoint();
-        self.flow = None;
-        self.beside.clear();
+        self.engine = None;
         Suspended {
-            work: self,
+            runner: self,
             checkpoint,
         }
     }
@@ -135,24 +151,23 @@ impl Work {
         let (triangles, polygons) = (&self.document.triangles, &self.document.polygons);
         // Kept until the new one is sure; gone before its factor is allocated, in the first
         // step: wasm memory never shrinks.
-        let old = self.flow.take();
+        let old = self.engine.take();
         let mut flow = match Engine::start(triangles, polygons, &mut x, options.clone()) {
             Ok(flow) => flow,
             Err(error) => {
-                self.flow = old;
+                self.engine = old;
                 return Err(error.into());
             }
         };
         drop(old);
         flow.set_progress(progress.clone());
         self.progress = progress;
-        self.begin_course(options);
+        self.begin_segment(options);
         self.x = x;
         self.begin_history();
         self.failure = None;
-        self.flow = Some(flow);
+        self.engine = Some(flow);
         self.state = State::default();
-        self.beside.clear();
         self.arrange(self.arrangement);
         self.read_state();
         self.configured().ok_or_else(Fault::no_mesh)
@@ -175,7 +190,7 @@ impl Work {
 
     /// The field of the surface with its vertices at `x`.
     pub(super) fn field_at(&self, name: FieldName, x: &[DVec3]) -> Result<Field, Fault> {
-        let Some(flow) = &self.flow else {
+        let Some(flow) = &self.engine else {
             return Err(AppError::NotConfigured.into());
         };
         let start = &self.document.start;
@@ -197,33 +212,31 @@ impl Work {
         ))
     }
 
-    /// Forgets every moment but the present one.
+    /// Forgets every snapshot but the present one.
     fn begin_history(&mut self) {
         self.history = History::default();
-        self.flow_at = self.history.here();
-        self.shown = None;
-        self.anew = false;
+        self.position = Position::Live;
+        self.restarted = false;
         self.is_restored = false;
     }
 
-    /// Takes note that `deed` led from `before` to what is there now.
+    /// Takes note that `event` led from `before` to what is there now.
     pub(super) fn follow(
         &mut self,
-        before: Option<Moment>,
-        deed: Deed,
+        before: Option<Snapshot>,
+        event: Event,
         report: Option<&StepReport>,
     ) {
         let Some(before) = before else { return };
-        let act = Act {
-            deed,
+        let transition = Transition {
+            event,
             // At the start there is nothing yet that it could have known.
-            anew: std::mem::take(&mut self.anew) && self.history.can_go_back(),
+            restarted: std::mem::take(&mut self.restarted) && self.history.can_go_back(),
         };
         let x = before.x.is_some().then_some(&*self.x);
         self.history
-            .follow(before, act, report.cloned(), x, &self.state);
-        self.flow_at = self.history.here();
-        self.shown = None;
+            .follow(before, transition, report.cloned(), x, &self.state);
+        self.position = Position::Live;
     }
 
     /// Regularises the mesh as it is now, as a move that a step back undoes.
@@ -231,7 +244,7 @@ impl Work {
         &mut self,
         settings: &RegulariseOptions,
     ) -> Result<Regularised, Fault> {
-        let flow = self.flow.as_ref().ok_or_else(Fault::no_mesh)?;
+        let flow = self.engine.as_ref().ok_or_else(Fault::no_mesh)?;
         if flow.flips().is_some() {
             return Err(AppError::HeldPositions.into());
         }
@@ -250,7 +263,7 @@ impl Work {
         let before = self.copied();
         self.stand_here()?;
         self.x = y;
-        if let Some(flow) = &mut self.flow {
+        if let Some(flow) = &mut self.engine {
             // What the flow knows of the old positions no longer holds.
             let checkpoint = flow.checkpoint();
             flow.restore(checkpoint);
@@ -258,7 +271,7 @@ impl Work {
         }
         self.state.status = Status::Ready;
         self.state.message = None;
-        self.follow(before, Deed::Regularise(*settings), None);
+        self.follow(before, Event::Regularise(*settings), None);
         self.read_state();
         Ok(outcome)
     }
@@ -280,7 +293,7 @@ impl Work {
         self.x = positions.chunks_exact(3).map(DVec3::from_slice).collect();
         self.begin_history();
         self.is_restored = true;
-        if let Some(flow) = &mut self.flow {
+        if let Some(flow) = &mut self.engine {
             flow.set_clock(step, time);
         }
         self.state = State {
@@ -295,7 +308,7 @@ impl Work {
     pub(super) fn step(&mut self) -> Result<Option<StepReport>, Fault> {
         let before = self.copied();
         self.stand_here()?;
-        let Some(flow) = &mut self.flow else {
+        let Some(flow) = &mut self.engine else {
             return Err(Fault::no_mesh());
         };
         if self.state.status.is_final() {
@@ -332,14 +345,25 @@ impl Work {
                 can_step_back: true,
                 ..State::default()
             };
-            self.follow(before, Deed::Step, Some(report));
+            self.follow(before, Event::Step, Some(report));
         }
         if let Verdict::Stop(status, why) = verdict {
             self.state.status = status;
             self.state.message = Some(why.into());
         }
-        self.step_beside();
         Ok(report)
+    }
+
+    /// The jump of H across the boundary of what moves.
+    pub(super) fn curvature_jump(&self) -> Option<CurvatureJump> {
+        let flow = self.engine.as_ref()?;
+        let mesh = self.triangles();
+        let free: Vec<bool> = (0..self.x.len()).map(|v| flow.is_free(v)).collect();
+        if mesh.is_oriented() {
+            curvature_jump(mesh, &self.x, &free)
+        } else {
+            None
+        }
     }
 
     /// Readings and positions before the first step of the path that is shown.
@@ -347,13 +371,13 @@ impl Work {
         match self.history.first() {
             None => (&self.state, &self.x),
             // Edge flips move no vertex and store none.
-            Some(moment) => (&moment.state, moment.x.as_deref().unwrap_or(&self.x)),
+            Some(snapshot) => (&snapshot.state, snapshot.x.as_deref().unwrap_or(&self.x)),
         }
     }
 
     /// Readings of the current positions, where no step has just told them.
     pub(super) fn read_state(&mut self) {
-        let Some(flow) = &mut self.flow else { return };
+        let Some(flow) = &mut self.engine else { return };
         let reading = flow.reading(&self.x);
         self.state.energy = reading.energy;
         self.state.energy_normalised = reading.energy_normalised;
@@ -365,7 +389,7 @@ impl Work {
         self.state.reduced_volume = reading.reduced_volume;
         self.state.flips = flow.flips().map(EdgeFlips::readings);
         self.state.min_angle_degrees = measure::min_angle_degrees(self.polygons(), &self.x);
-        let Some(flow) = &self.flow else { return };
+        let Some(flow) = &self.engine else { return };
         self.state.dt = flow.dt();
         self.state.tau = flow.tau();
         self.state.can_step_back = self.history.can_go_back();
@@ -374,30 +398,30 @@ impl Work {
 
 /// A document whose flow can be started where it stood.
 pub(super) struct Suspended {
-    work: Work,
+    runner: Runner,
     checkpoint: Option<Checkpoint>,
 }
 
 impl Suspended {
     /// Puts everything back as it was.
-    pub(super) fn resume(self, progress: Option<Progress>) -> Work {
+    pub(super) fn resume(self, progress: Option<Progress>) -> Runner {
         let Self {
-            mut work,
+            mut runner,
             checkpoint,
         } = self;
         let Some(checkpoint) = checkpoint else {
-            return work;
+            return runner;
         };
-        work.progress = progress;
+        runner.progress = progress;
         // It started from here before; if memory is short now, the next step will say so.
-        if let Ok(mut flow) = work.started() {
+        if let Ok(mut flow) = runner.started() {
             flow.restore(checkpoint);
-            work.flow_of = Rc::clone(&work.course);
-            work.flow = Some(flow);
-            work.flow_at = work.history.here();
-            work.anew = true;
-            work.arrange(work.arrangement);
+            runner.engine_segment = Rc::clone(&runner.segment);
+            runner.engine = Some(flow);
+            runner.position = Position::Live;
+            runner.restarted = true;
+            runner.arrange(runner.arrangement);
         }
-        work
+        runner
     }
 }

@@ -1,22 +1,13 @@
 //! Looking around in a run: any stored step is shown as it was, and branches are switched to.
-//!
-//! What is shown moves, the flow itself stays where it last computed: whoever looks back and
-//! returns goes on as if he had not. Only a step from elsewhere makes the flow anew there.
 
-use super::Session;
-use super::engine::Checkpoint;
-use super::fault::Fault;
-use super::history::{Moment, MomentId, Timeline};
-use super::message::AppError;
-use super::readings::State;
-use super::work::Work;
+use super::{Position, Runner, Viewed};
+use crate::app::Session;
+use crate::app::engine::{Checkpoint, Engine};
+use crate::app::fault::Fault;
+use crate::app::history::{History, Snapshot, SnapshotId, Timeline};
+use crate::app::message::AppError;
+use crate::app::readings::State;
 use std::rc::Rc;
-
-/// What belongs to the moment that is shown, where the flow stands at another.
-pub(super) struct Shown {
-    checkpoint: Checkpoint,
-    flipped: Vec<u32>,
-}
 
 impl Session {
     /// Shows a stored step of the present path, the nearest at or before `step` where that is
@@ -26,7 +17,9 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn seek(&mut self, step: usize) -> Result<State, Fault> {
-        Ok(self.work_mut()?.seek(step))
+        let state = self.runner_mut()?.seek(step);
+        self.settle_panes();
+        Ok(state)
     }
 
     /// The steps that can be shown, and the branches.
@@ -34,8 +27,8 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn timeline(&self) -> Result<Timeline, Fault> {
-        let work = self.work()?;
-        Ok(work.history.timeline(work.state.step))
+        let runner = self.runner()?;
+        Ok(runner.history.timeline(runner.state.step))
     }
 
     /// Goes to the end of a branch; the rest of the path left becomes a branch itself.
@@ -43,7 +36,9 @@ impl Session {
     /// # Errors
     /// `NoSuchBranch`: it was forgotten, or there never was one of that number.
     pub fn branch(&mut self, id: u32) -> Result<State, Fault> {
-        self.work_mut()?.branch(id)
+        let state = self.runner_mut()?.branch(id)?;
+        self.settle_panes();
+        Ok(state)
     }
 
     /// Makes the flow anew where it stands, as a step after a look back does: what it knows of
@@ -52,14 +47,13 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn renew(&mut self) -> Result<(), Fault> {
-        let work = self.work_mut()?;
-        if let Some(checkpoint) = work.checkpoint() {
-            let flipped = work.folded().to_vec();
-            work.shown = Some(Shown {
+        let runner = self.runner_mut()?;
+        if let Some(checkpoint) = runner.checkpoint() {
+            runner.position = Position::Viewing(Viewed {
                 checkpoint,
-                flipped,
+                folded: runner.folded().to_vec(),
+                engine_at: None,
             });
-            work.flow_at = MomentId::MAX;
         }
         Ok(())
     }
@@ -70,7 +64,7 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn samples_after(&self, step: usize) -> Result<Vec<[f64; 5]>, Fault> {
-        let reports = self.work()?.history.reports();
+        let reports = self.runner()?.history.reports();
         let first = reports.partition_point(|report| report.step <= step);
         let sample =
             |r: &crate::flow::StepReport| [r.step as f64, r.time, r.dt, r.energy, r.objective];
@@ -78,77 +72,87 @@ impl Session {
     }
 }
 
-impl Work {
-    /// The checkpoint of the moment that is shown.
-    pub(super) fn checkpoint(&self) -> Option<Checkpoint> {
-        match &self.shown {
-            Some(shown) if self.flow_at != self.history.here() => Some(shown.checkpoint),
-            _ => self.flow.as_ref().map(|flow| flow.checkpoint()),
+impl Runner {
+    /// The checkpoint of the snapshot that is shown.
+    pub(in crate::app) fn checkpoint(&self) -> Option<Checkpoint> {
+        match &self.position {
+            Position::Viewing(viewed) => Some(viewed.checkpoint),
+            Position::Live => self.engine.as_ref().map(Engine::checkpoint),
         }
     }
 
     /// Triangles that folded over in the step that led to what is shown.
-    pub(super) fn folded(&self) -> &[u32] {
-        match (&self.shown, &self.flow) {
-            (Some(shown), _) if self.flow_at != self.history.here() => &shown.flipped,
-            (_, Some(flow)) => flow.flipped_faces(),
-            _ => &[],
+    pub(in crate::app) fn folded(&self) -> &[u32] {
+        match (&self.position, &self.engine) {
+            (Position::Viewing(viewed), _) => &viewed.folded,
+            (Position::Live, Some(engine)) => engine.flipped_faces(),
+            (Position::Live, None) => &[],
         }
     }
 
-    /// What is shown, as a moment without positions.
-    fn present_moment(&self) -> Option<Moment> {
+    /// What is shown, as a snapshot without positions.
+    fn present_snapshot(&self) -> Option<Snapshot> {
         let flipped = self.folded().to_vec();
         let (id, checkpoint) = (self.history.here(), self.checkpoint()?);
-        let (course, state) = (Rc::clone(&self.course), self.state.clone());
-        Some(Moment::new(id, None, course, checkpoint, state, flipped))
+        let (segment, state) = (Rc::clone(&self.segment), self.state.clone());
+        Some(Snapshot::new(id, None, segment, checkpoint, state, flipped))
     }
 
     fn moves_positions(&self) -> bool {
-        self.flow.as_ref().is_some_and(|f| f.flips().is_none())
+        self.engine.as_ref().is_some_and(|f| f.flips().is_none())
     }
 
     /// A copy of what is shown.
-    pub(super) fn copied(&self) -> Option<Moment> {
-        let mut moment = self.present_moment()?;
-        moment.x = self.moves_positions().then(|| self.x.clone());
-        Some(moment)
+    pub(in crate::app) fn copied(&self) -> Option<Snapshot> {
+        let mut snapshot = self.present_snapshot()?;
+        snapshot.x = self.moves_positions().then(|| self.x.clone());
+        Some(snapshot)
     }
 
-    /// Replaces what is shown by the moment that `choose` gives for it.
-    fn exchange(&mut self, choose: impl FnOnce(&mut super::history::History, Moment) -> Moment) {
-        let Some(mut live) = self.present_moment() else {
+    /// Replaces what is shown by the snapshot that `choose` gives for it.
+    fn exchange(&mut self, choose: impl FnOnce(&mut History, Snapshot) -> Snapshot) {
+        let Some(mut live) = self.present_snapshot() else {
             return;
         };
         live.x = self.moves_positions().then(|| std::mem::take(&mut self.x));
-        let moment = choose(&mut self.history, live);
-        if let Some(x) = moment.x {
+        let engine_at = match &self.position {
+            Position::Live => Some(live.id),
+            Position::Viewing(viewed) => viewed.engine_at,
+        };
+        let snapshot = choose(&mut self.history, live);
+        if let Some(x) = snapshot.x {
             self.x = x;
         }
-        self.course = moment.course;
-        self.state = moment.state;
+        self.segment = snapshot.segment;
+        self.state = snapshot.state;
         self.state.can_step_back = self.history.can_go_back();
-        self.shown = Some(Shown {
-            checkpoint: moment.checkpoint,
-            flipped: moment.flipped,
-        });
+        self.position = match engine_at {
+            Some(id) if id == self.history.here() => Position::Live,
+            _ => Position::Viewing(Viewed {
+                checkpoint: snapshot.checkpoint,
+                folded: snapshot.flipped,
+                engine_at,
+            }),
+        };
     }
 
-    /// After a change of what is shown: flips are replayed, the flow is the one that stood
-    /// there, and what stands beside follows.
+    /// After a change of what is shown: flips are replayed, and the flow is the one that stood
+    /// there.
     fn settle(&mut self) {
         let checkpoint = self.checkpoint();
-        if !Rc::ptr_eq(&self.course, &self.flow_of) {
+        if !Rc::ptr_eq(&self.segment, &self.engine_segment) {
             // It started before; if memory is short now, the next step will say so.
             if let (Some(checkpoint), Ok(mut flow)) = (checkpoint, self.started()) {
                 flow.restore(checkpoint);
-                self.flow = Some(flow);
-                self.flow_of = Rc::clone(&self.course);
+                self.engine = Some(flow);
+                self.engine_segment = Rc::clone(&self.segment);
             }
             // A step from here makes it anew, as everywhere else that was gone to.
-            self.flow_at = MomentId::MAX;
+            if let Position::Viewing(viewed) = &mut self.position {
+                viewed.engine_at = None;
+            }
         }
-        if let (Some(checkpoint), Some(flow)) = (checkpoint, &mut self.flow)
+        if let (Some(checkpoint), Some(flow)) = (checkpoint, &mut self.engine)
             && let Some(flips) = flow.flips_mut()
         {
             if let Checkpoint::Flips(clock) = checkpoint {
@@ -164,13 +168,12 @@ impl Work {
             {
                 self.state.flips = Some(readings);
             }
-            self.flow_at = self.history.here();
+            self.position = Position::Live;
         }
-        self.seek_beside();
     }
 
-    /// One stored moment back, if there is one.
-    pub(super) fn back(&mut self) -> State {
+    /// One stored snapshot back, if there is one.
+    pub(in crate::app) fn back(&mut self) -> State {
         if self.history.can_go_back() {
             self.exchange(|history, live| history.back(live));
             self.settle();
@@ -178,8 +181,8 @@ impl Work {
         self.state.clone()
     }
 
-    /// One stored moment on, if there is one.
-    pub(super) fn forth(&mut self) {
+    /// One stored snapshot on, if there is one.
+    pub(in crate::app) fn forth(&mut self) {
         if self.history.next_step().is_some() {
             self.exchange(|history, live| history.forth(live));
             self.settle();
@@ -187,7 +190,7 @@ impl Work {
     }
 
     /// To the start, also before a regularisation there, with the options in force.
-    pub(super) fn rewind(&mut self) -> Result<State, Fault> {
+    pub(in crate::app) fn rewind(&mut self) -> Result<State, Fault> {
         let options = self.options().clone();
         while self.history.can_go_back() {
             self.exchange(|history, live| history.back(live));
@@ -199,7 +202,7 @@ impl Work {
         Ok(self.state.clone())
     }
 
-    pub(super) fn seek(&mut self, step: usize) -> State {
+    pub(in crate::app) fn seek(&mut self, step: usize) -> State {
         let here = self.history.here();
         while self.state.step > step && self.history.can_go_back() {
             self.exchange(|history, live| history.back(live));
@@ -213,7 +216,25 @@ impl Work {
         self.state.clone()
     }
 
-    fn seek_moment(&mut self, id: MomentId) {
+    /// To the first stored snapshot at or after a time, or as near before it as there is.
+    pub(in crate::app) fn seek_time(&mut self, time: f64) {
+        let here = self.history.here();
+        while self
+            .history
+            .last()
+            .is_some_and(|before| before.state.time >= time)
+        {
+            self.exchange(|history, live| history.back(live));
+        }
+        while self.state.time < time && self.history.next_step().is_some() {
+            self.exchange(|history, live| history.forth(live));
+        }
+        if self.history.here() != here {
+            self.settle();
+        }
+    }
+
+    fn seek_snapshot(&mut self, id: SnapshotId) {
         let ahead = self.history.is_ahead(id);
         while self.history.here() != id {
             if ahead {
@@ -232,7 +253,7 @@ impl Work {
             return Err(AppError::NoSuchBranch { branch: id }.into());
         }
         for (fork, id) in way {
-            self.seek_moment(fork);
+            self.seek_snapshot(fork);
             self.history.turn(id, self.state.step);
         }
         self.seek(usize::MAX);
@@ -244,19 +265,16 @@ impl Work {
     ///
     /// # Errors
     /// As [`Driver::start`](crate::flow::Driver::start), if memory is short; nothing has changed.
-    pub(super) fn stand_here(&mut self) -> Result<(), Fault> {
-        let Some(checkpoint) = self
-            .checkpoint()
-            .filter(|_| self.flow_at != self.history.here())
-        else {
+    pub(in crate::app) fn stand_here(&mut self) -> Result<(), Fault> {
+        let Position::Viewing(Viewed { checkpoint, .. }) = self.position else {
             return Ok(());
         };
         let mut flow = self.started()?;
         flow.restore(checkpoint);
-        self.flow = Some(flow);
-        self.flow_of = Rc::clone(&self.course);
-        self.flow_at = self.history.here();
-        self.anew = true;
+        self.engine = Some(flow);
+        self.engine_segment = Rc::clone(&self.segment);
+        self.position = Position::Live;
+        self.restarted = true;
         Ok(())
     }
 }

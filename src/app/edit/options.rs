@@ -1,0 +1,67 @@
+//! What the edits of a mesh can be asked for. Unknown names are refused.
+
+use crate::remesh::flips::reduction::Criterion;
+use serde::{Deserialize, Serialize};
+
+/// Which loops are filled: a word, or their numbers, counted from 0.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(untagged)]
+pub enum Loops {
+    /// Some of them.
+    Some(Vec<usize>),
+    /// A word: `all`, or `inner` for all but the longest.
+    Word(String),
+    /// All.
+    #[default]
+    All,
+}
+
+/// How holes are filled. Unknown names are refused.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct FillOptions {
+    /// Which loops.
+    pub loops: Loops,
+    /// Whether one patch connects them all.
+    pub connect: bool,
+    /// New vertices at most; 200,000 if absent.
+    pub max_vertices: Option<usize>,
+}
+
+/// How connectivity is optimised. Unknown names are refused.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct FlipOptions {
+    /// What is to become small.
+    pub criterion: Criterion,
+    /// Flips at most; all that gain anything if absent.
+    pub max: Option<usize>,
+    /// Whether faces may not be turned over.
+    pub guard_folds: bool,
+    /// Whether every flip is listed.
+    pub history: bool,
+}
+
+/// How faces are divided into four.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "lowercase")]
+pub enum SubdivisionScheme {
+    /// At the midpoints of edges: the surface stays the same point set.
+    #[default]
+    Linear,
+    /// By Loop's scheme: every vertex moves towards a smooth limit surface.
+    Loop,
+}
+
+/// Options of [`Session::subdivide`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct SubdivideOptions {
+    /// How.
+    pub scheme: SubdivisionScheme,
+}
