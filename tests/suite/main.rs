@@ -39,4 +39,5 @@ mod session_subdivide;
 mod shaders;
 mod shapes;
 mod study;
+mod volume_preserving;
 mod why;
