@@ -6,7 +6,7 @@ use glam::DVec3;
 use std::f64::consts::PI;
 use umbilic::app::library::measure::off_sphere;
 use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::flow::{FlowError, Reason, Status, StepReport, Verdict};
+use umbilic::flow::{Advice, FlowError, Reason, Status, StepReport, Verdict};
 use umbilic::geometry::measure;
 use umbilic::mesh::shape;
 use umbilic::remesh::Mode;
@@ -232,9 +232,11 @@ fn a_thin_neck_pinches_and_a_wide_one_does_not() {
         found.reports.len()
     );
     assert_eq!(found.status, Status::Singular);
-    let Some(Reason::PinchedNeck { place, .. }) = found.reason else {
+    let Some(Reason::PinchedNeck { place, advice, .. }) = found.reason else {
         panic!("{:?}", found.reason)
     };
+    // To keep the volume is no advice here.
+    assert_eq!(advice, Advice::FinerMesh);
     assert!(place[0].abs() < 0.5, "{place:?}");
     let found = run(&two_balls(0.7), options());
     println!("{:?} after {} steps", found.status, found.reports.len());
