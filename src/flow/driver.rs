@@ -65,12 +65,8 @@ impl Driver {
         options.check()?;
         let options = options.settled();
         let row = spec::of(options.flow);
-        let mesh = if row.meshes.quads && Elements::of(polygons).is_some() {
-            polygons
-        } else {
-            triangles
-        };
-        let mesh = Rc::clone(mesh);
+        let as_it_is = row.meshes.quads && Elements::of(polygons).is_some();
+        let mesh = Rc::clone(if as_it_is { polygons } else { triangles });
         let flow: Box<dyn Flow> = match row.family {
             Family::Circle => Box::new(CircleFlow::new(&mesh, x, &options)?),
             Family::PWillmore => Box::new(PWillmoreFlow::new(&mesh, x, &options)?),

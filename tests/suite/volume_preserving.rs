@@ -5,9 +5,12 @@ use crate::support::*;
 use glam::DVec3;
 use std::f64::consts::PI;
 use umbilic::app::library::measure::off_sphere;
+use umbilic::app::{RemedyId, Session};
+use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::flow::{Advice, FlowError, Reason, Status, StepReport, Verdict};
+use umbilic::flow::{Advice, Driver, FlowError, Reason, Status, StepReport, Verdict};
 use umbilic::geometry::measure;
+use umbilic::io::Format;
 use umbilic::mesh::shape;
 use umbilic::remesh::Mode;
 use umbilic::soup::PolygonSoup;
@@ -191,7 +194,7 @@ fn the_unit_of_time_and_of_length_agree() {
 }
 
 /// Two balls of radius 1 and a neck of radius `neck` between them, turned about the x axis.
-fn two_balls(neck: f64) -> Surface {
+fn two_balls(neck: f64) -> PolygonSoup {
     const ALONG: usize = 80;
     const AROUND: usize = 24;
     const END: f64 = 2.8;
@@ -218,13 +221,13 @@ fn two_balls(neck: f64) -> Surface {
             soup.push_face(&[at(i, k), at(i + 1, k + 1), at(i, k + 1)]);
         }
     }
-    surface(&soup)
+    soup
 }
 
 /// The neck bends more than the mean; a wide one opens.
 #[test]
 fn a_thin_neck_pinches_and_a_wide_one_does_not() {
-    let found = run(&two_balls(0.2), options());
+    let found = run(&surface(&two_balls(0.2)), options());
     println!(
         "{:?} {:?} after {} steps",
         found.status,
@@ -238,15 +241,33 @@ fn a_thin_neck_pinches_and_a_wide_one_does_not() {
     // To keep the volume is no advice here.
     assert_eq!(advice, Advice::FinerMesh);
     assert!(place[0].abs() < 0.5, "{place:?}");
-    let found = run(&two_balls(0.7), options());
+    let found = run(&surface(&two_balls(0.7)), options());
     println!("{:?} after {} steps", found.status, found.reports.len());
     assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
     assert!(off_sphere(&found.x) < 5e-3, "{}", off_sphere(&found.x));
 }
 
-/// Area and volume are those of the curved faces, as the flow measures them.
+/// What is offered is something else than to keep the volume.
 #[test]
-fn quadrilaterals_are_taken_as_they_are() {
+fn of_a_neck_that_pinches_the_reason_is_found() {
+    let bytes = umbilic::io::write(&two_balls(0.2), Format::Obj, "").expect("OBJ");
+    let mut session = Session::new();
+    session.load(&bytes, "balls.obj").expect("a surface");
+    let before = FlowOptions {
+        keep: vec![Kept::Area, Kept::Volume],
+        ..options()
+    };
+    session.configure(before).expect("a flow");
+    session.run(200).expect("steps");
+    let found = session.why().expect("a mesh").expect("a reason");
+    assert_eq!(found.kind, "Pinch", "{}", found.message);
+    let offered: Vec<RemedyId> = found.remedies.iter().map(|remedy| remedy.id).collect();
+    assert_eq!(offered, [RemedyId::Back, RemedyId::Regularise]);
+}
+
+/// With p = 0 and the volume kept, to the last bit; area and volume are those of the curved faces.
+#[test]
+fn on_quadrilaterals_it_is_the_p_willmore_flow_with_p_0() {
     let Some(folder) = shared_meshes() else {
         return;
     };
@@ -254,20 +275,32 @@ fn quadrilaterals_are_taken_as_they_are() {
     let soup = umbilic::io::read(&bytes, "quads.obj")
         .expect("readable")
         .soup;
-    let s = surface(&soup);
-    let mut x = s.x.clone();
-    let mut flow = drive(&s.mesh, &mut x, options()).expect("a flow");
-    let start = flow.reading(&x);
-    for _ in 0..10 {
-        let (report, _) = flow.step(&mut x).expect("a step");
-        let report = report.expect("a step");
-        let drift = (report.volume.expect("closed") / start.volume.expect("closed") - 1.0).abs();
-        assert!(drift <= KEPT, "{drift:e}");
-        assert!(report.area < report.objective_before, "a rise");
-    }
-    let end = flow.reading(&x);
-    println!("area {} to {}", start.area, end.area);
-    assert!(end.area < 0.97 * start.area, "{} {}", start.area, end.area);
+    let quads = surface(&soup);
+    let triangles = surface(&umbilic::mesh::triangulate(&soup));
+    let p_willmore = FlowOptions {
+        flow: FlowName::PWillmore,
+        p: 0.0,
+        keep: vec![Kept::Volume],
+        ..options()
+    };
+    let ends = [options(), p_willmore].map(|options| {
+        let mut x = quads.x.clone();
+        let flow = Driver::start(&triangles.mesh, &quads.mesh, &mut x, options);
+        let mut flow = flow.expect("a flow");
+        let start = flow.reading(&x);
+        let mut area = start.area;
+        for _ in 0..10 {
+            let (report, _) = flow.step(&mut x).expect("a step");
+            let report = report.expect("a step");
+            let drift = report.volume.expect("closed") / start.volume.expect("closed") - 1.0;
+            assert!(drift.abs() <= KEPT, "{drift:e}");
+            assert!(report.area < area, "{} {area}", report.area);
+            area = report.area;
+        }
+        assert!(area < 0.97 * start.area, "{} {area}", start.area);
+        x
+    });
+    assert_eq!(ends[0], ends[1]);
 }
 
 /// Options of the p-Willmore flow that were set before change nothing.

@@ -6,7 +6,7 @@
 /** @import { Options } from "../options.js" */
 
 import { t } from "../language.js";
-import { defaults, flowOf } from "../options.js";
+import { defaults, flowLabel, flowOf } from "../options.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { chosen, dress, show } from "./option-form.js";
@@ -82,6 +82,7 @@ export function createPWillmoreForm(controller) {
       if (options === shown) return;
       shown = options;
       restore();
+      form.ariaLabel = flowLabel(options.flow);
       form.hidden = flowOf(options.flow).family !== "p-willmore";
     },
   };
