@@ -19,7 +19,8 @@
 //! vector Y = Δx = −2Hn, discretised by finite elements: Y_i = −s_i/m_i with s_i the area
 //! gradient and m_i the lumped mass of a vertex. The flow dx/dt = −∇W^p, for p = 0 the
 //! mean-curvature flow, may keep area and volume; vertices then slide along the surface
-//! towards a conformal mesh.
+//! towards a conformal mesh. With p = 0 and the volume kept it is Huisken's volume-preserving
+//! mean-curvature flow, dx/dt = 2(H̄ − H)n with H̄ the mean of H by area.
 //!
 //! Xu & Zhang join patches with continuous curvature by the gradient flow of ∫|∇H|² dA,
 //! of sixth order, beside the flows by mean curvature, by surface diffusion, V = ΔH, and by
@@ -57,6 +58,8 @@
 //! - G. Xu, Q. Zhang: *Minimal Mean-Curvature-Variation Surfaces and Their Applications in
 //!   Surface Modeling*. Geometric Modeling and Processing 2006; their H has the opposite
 //!   sign.
+//! - G. Huisken: *The volume preserving mean curvature flow*. Journal für die reine und
+//!   angewandte Mathematik 382 (1987).
 //! - W. Brink, L. Alboul: *Willmore energy vs area as criteria for mesh optimisation*.
 
 #[cfg(feature = "solver")]

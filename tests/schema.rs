@@ -66,6 +66,7 @@ fn schema() -> String {
  * @property {string} formula
  * @property {{ open: boolean, quads: boolean, oneSided: boolean }} meshes
  * @property {'clamped' | 'fixed' | 'free' | null} boundary  unless told otherwise
+ * @property {Partial<FlowOptions>} sets  options of its family that make it this flow
  */
 ";
     let ids: Vec<String> = FlowName::all().map(|f| format!("'{}'", f.id())).collect();

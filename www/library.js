@@ -6,6 +6,7 @@
 /** @import { FillOptions } from "./generated/types.js" */
 /** @import { FieldName } from "./state.js" */
 
+import { figures } from "./generated/library.js";
 import { say } from "./words.js";
 
 /**
@@ -23,7 +24,7 @@ import { say } from "./words.js";
  * A figure of a paper; the words are `figure-<id>`.
  * @typedef {object} Figure
  * @property {string} id
- * @property {'circle' | 'p-willmore' | 'flips' | 'curvature'} paper
+ * @property {string} paper        the words are `paper-<paper>`
  * @property {string} number       as the paper has it
  * @property {string} sample       id of the sample it begins with
  * @property {FlowOptions} options  over those of the sample
@@ -39,8 +40,8 @@ import { say } from "./words.js";
  * @typedef {{ ok: boolean, message: import("./generated/types.js").Message }} Finding
  */
 
-/** @type {readonly Figure["paper"][]} in the order of the gallery */
-export const papers = ["circle", "p-willmore", "flips", "curvature"];
+/** In the order of the gallery. */
+export const papers = [...new Set(figures.map(({ paper }) => paper))];
 
 /** @param {string} id */
 export const sampleName = (id) => say(`sample-${id}`);

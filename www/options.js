@@ -71,6 +71,18 @@ export function isRead(name, { flow, scheme, goal }) {
   );
 }
 
+/**
+ * What the system of the flow runs with: what the flow does not read is as usual, or as its row
+ * sets it.
+ * @param {Options} options
+ * @returns {Options}
+ */
+export const settled = (options) => ({
+  ...options,
+  ...usual(schema.options.filter(({ flows }) => !flows.includes(options.flow))),
+  ...flowOf(options.flow).sets,
+});
+
 /** Options that a word of a link can hold; vertices are written otherwise. */
 export const wordOptions = schema.options.filter(({ kind }) => kind !== "vertices");
 

@@ -129,7 +129,6 @@ export const german = {
     "Eine Änderung bringt die Fläche zurück zum Anfang.",
 
   // p-Willmore flow
-  "p-Willmore flow": "p-Willmore-Fluss",
   "0: mean-curvature flow; 2: Willmore flow; above 2 free surfaces grow.":
     "0: Fluss nach der mittleren Krümmung; 2: Willmore-Fluss; über 2 wachsen freie Flächen.",
   Keep: "Beibehalten",

@@ -4,11 +4,12 @@ use super::circle::CircleFlow;
 use super::curvature::CurvatureFlow;
 use super::guard::Guard;
 use super::option::Allowed;
-use super::options::{FlowName, FlowOptions};
+use super::options::FlowOptions;
 use super::p_willmore::PWillmoreFlow;
 use super::rules::Ceiling;
 use super::run::{Run, Start};
 use super::search::{Taken, Trials};
+use super::spec::{self, Family};
 use super::termination::{Ending, Gain, Window};
 use super::warning::WarningsGiven;
 use super::{
@@ -62,19 +63,15 @@ impl Driver {
         options: FlowOptions,
     ) -> Result<Self, FlowError> {
         options.check()?;
-        let mesh = match options.flow {
-            FlowName::PWillmore if Elements::of(polygons).is_some() => polygons,
-            _ => triangles,
-        };
-        let mesh = Rc::clone(mesh);
-        let flow: Box<dyn Flow> = match options.flow {
-            FlowName::Circle => Box::new(CircleFlow::new(&mesh, x, &options)?),
-            FlowName::PWillmore => Box::new(PWillmoreFlow::new(&mesh, x, &options)?),
-            FlowName::MeanCurvature
-            | FlowName::SurfaceDiffusion
-            | FlowName::Willmore
-            | FlowName::Mmcv => Box::new(CurvatureFlow::new(&mesh, x, &options)?),
-            FlowName::Flips => {
+        let options = options.settled();
+        let row = spec::of(options.flow);
+        let as_it_is = row.meshes.quads && Elements::of(polygons).is_some();
+        let mesh = Rc::clone(if as_it_is { polygons } else { triangles });
+        let flow: Box<dyn Flow> = match row.family {
+            Family::Circle => Box::new(CircleFlow::new(&mesh, x, &options)?),
+            Family::PWillmore => Box::new(PWillmoreFlow::new(&mesh, x, &options)?),
+            Family::Curvature => Box::new(CurvatureFlow::new(&mesh, x, &options)?),
+            Family::Flips => {
                 let allowed = Allowed::MovingFlow;
                 return Err(FlowError::option("flow", "flips", allowed));
             }

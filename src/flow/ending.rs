@@ -239,17 +239,20 @@ impl Driver {
             return None;
         }
         let (time, place) = (self.run.time, x[vertex as usize].to_array());
+        let advice = self.flow.advice();
         let why = if is_neck {
             Reason::PinchedNeck {
                 time,
                 vertex,
                 place,
+                advice,
             }
         } else {
             Reason::SharpTip {
                 time,
                 vertex,
                 place,
+                advice,
             }
         };
         Some(Verdict::Stop(Status::Singular, why))

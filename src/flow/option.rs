@@ -15,7 +15,7 @@ pub(crate) use rows::row;
 pub use value::Value;
 
 use super::options::{FlowName, FlowOptions, Goal, Scheme};
-use crate::message::Say;
+use crate::message::{Message, Say};
 use kind::{id_of, ids, named};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -398,6 +398,14 @@ impl FlowName {
     /// As it is called in recipes, links and on the command line.
     pub fn id(self) -> &'static str {
         id_of(&self)
+    }
+
+    /// What it is called: in the locale files `flow-<id>`.
+    pub fn message(self) -> Message {
+        Message {
+            id: format!("flow-{}", self.id()).into(),
+            values: [].into(),
+        }
     }
 
     /// All, in the order of menus.

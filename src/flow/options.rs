@@ -18,6 +18,8 @@ pub enum FlowName {
     PWillmore,
     /// Flow by mean curvature.
     MeanCurvature,
+    /// Huisken's flow by mean curvature that keeps the volume.
+    VolumePreserving,
     /// Surface diffusion.
     SurfaceDiffusion,
     /// Willmore flow by fitted operators.
@@ -126,20 +128,20 @@ pub struct FlowOptions {
     /// Budget of seconds of computing, counted anew each time a run is asked to go on; it
     /// holds only where no number of steps is set, as a set amount of smoothing does.
     pub max_seconds: Option<f64>,
-    /// p-Willmore: the start is pushed along its normals by up to so many mean edge lengths, so
+    /// Closed surfaces: the start is pushed along its normals by up to so many mean edge lengths, so
     /// that a symmetric one can leave a shape that is unstable.
     pub perturbation: f64,
     /// p-Willmore: the exponent; 0 (mean-curvature flow) or at least 1.
     pub p: f64,
     /// p-Willmore: what is kept.
     pub keep: Vec<Kept>,
-    /// p-Willmore: conformal regularisation after each step.
+    /// Closed surfaces: conformal regularisation after each step.
     pub regularise: Mode,
-    /// p-Willmore: ε of the regularisation, a pure number.
+    /// Closed surfaces: ε of the regularisation, a pure number.
     pub regularise_epsilon: f64,
-    /// p-Willmore, paper's scheme: factor on the step size after each step.
+    /// Closed surfaces, paper's scheme: factor on the step size after each step.
     pub tau_growth: f64,
-    /// p-Willmore, paper's scheme: largest τ.
+    /// Closed surfaces, paper's scheme: largest τ.
     pub tau_max: Option<f64>,
     /// p-Willmore: the volume is led to this share of the volume of the ball of the same
     /// area; needs area and volume kept.

@@ -3,9 +3,11 @@
 //! Which options a flow reads is said by the rows of the options ([`super::option`]).
 
 use super::Monitored;
+use super::constraint::Kept;
+use super::option::Options;
 use super::options::{FlowName, FlowOptions};
 use crate::energy::circle::Boundary;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// The system that runs a flow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -13,7 +15,7 @@ use serde::Serialize;
 pub enum Family {
     /// The circle-angle Willmore flow.
     Circle,
-    /// The p-Willmore flow.
+    /// The p-Willmore flow, and flows that are one of its cases.
     PWillmore,
     /// The flows by mean curvature and its derivatives, on operators by quadratic fits.
     Curvature,
@@ -60,15 +62,34 @@ pub struct FlowRow {
     pub meshes: Meshes,
     /// What happens at the boundary unless told otherwise; `None` where there is no choice.
     pub boundary: Option<Boundary>,
+    /// Options of its family that make it this flow; it reads none of them.
+    #[serde(serialize_with = "changed")]
+    pub sets: fn(FlowOptions) -> FlowOptions,
 }
 
-use FlowName::{Circle, Flips, MeanCurvature, Mmcv, PWillmore, SurfaceDiffusion, Willmore};
+/// In JSON, those options that differ from the default.
+fn changed<S: Serializer>(
+    sets: &fn(FlowOptions) -> FlowOptions,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let usual = FlowOptions::default();
+    let set = sets(usual.clone());
+    let rows = FlowOptions::ROWS.iter();
+    let values = rows.map(|row| (row.name, (row.get)(&set), (row.get)(&usual)));
+    let differs = values.filter(|(_, value, usual)| value != usual);
+    serializer.collect_map(differs.map(|(name, value, _)| (name, value)))
+}
+
+use FlowName::{
+    Circle, Flips, MeanCurvature, Mmcv, PWillmore, SurfaceDiffusion, VolumePreserving, Willmore,
+};
 
 /// Every flow.
 pub const ALL: &[FlowName] = &[
     Circle,
     PWillmore,
     MeanCurvature,
+    VolumePreserving,
     SurfaceDiffusion,
     Willmore,
     Mmcv,
@@ -79,6 +100,7 @@ pub const MOVING: &[FlowName] = &[
     Circle,
     PWillmore,
     MeanCurvature,
+    VolumePreserving,
     SurfaceDiffusion,
     Willmore,
     Mmcv,
@@ -89,6 +111,8 @@ pub const OPEN: &[FlowName] = &[Circle, MeanCurvature, SurfaceDiffusion, Willmor
 pub const CIRCLE: &[FlowName] = &[Circle];
 /// The p-Willmore flow.
 pub const P_WILLMORE: &[FlowName] = &[PWillmore];
+/// The p-Willmore flow and its cases: flows of closed surfaces.
+pub const CLOSED: &[FlowName] = &[PWillmore, VolumePreserving];
 /// Minimal mean-curvature variation.
 pub const MMCV: &[FlowName] = &[Mmcv];
 /// Edge flips.
@@ -119,6 +143,7 @@ const fn fitted(
             one_sided: false,
         },
         boundary: Some(Boundary::Fixed),
+        sets: |o| o,
     }
 }
 
@@ -141,6 +166,7 @@ pub static FLOWS: &[FlowRow] = &[
             one_sided: true,
         },
         boundary: Some(Boundary::Clamped),
+        sets: |o| o,
     },
     FlowRow {
         id: PWillmore,
@@ -163,6 +189,7 @@ pub static FLOWS: &[FlowRow] = &[
             one_sided: false,
         },
         boundary: None,
+        sets: |o| o,
     },
     fitted(
         MeanCurvature,
@@ -171,6 +198,30 @@ pub static FLOWS: &[FlowRow] = &[
         &[Monitored::Area],
         r"\dot x = -H n",
     ),
+    // The case p = 0 of the p-Willmore flow with the volume kept: ∇∫|Y|⁰ dA = ∇A = 2Hn, and the
+    // multiplier of the volume is 2H̄. In Huisken's H = κ₁ + κ₂ the speed is H̄ − H.
+    FlowRow {
+        id: VolumePreserving,
+        family: Family::PWillmore,
+        paper: "Huisken, The volume preserving mean curvature flow",
+        order: 2,
+        time_power: 2,
+        time_power_adds_p: false,
+        tau: "dt/L²",
+        monitored: &[Monitored::Area],
+        formula: r"\dot x = 2 (\bar H - H) n, \quad \bar H = \int H \, dA \Big/ \int dA",
+        meshes: Meshes {
+            open: false,
+            quads: true,
+            one_sided: false,
+        },
+        boundary: None,
+        sets: |o| FlowOptions {
+            p: 0.0,
+            keep: vec![Kept::Volume],
+            ..o
+        },
+    },
     fitted(
         SurfaceDiffusion,
         4,
@@ -208,6 +259,7 @@ pub static FLOWS: &[FlowRow] = &[
             one_sided: true,
         },
         boundary: None,
+        sets: |o| o,
     },
 ];
 
@@ -225,6 +277,19 @@ impl FlowOptions {
         self.boundary.unwrap_or_else(usual)
     }
 
+    /// The options that the flow's system runs with: what the flow does not read is as usual, or
+    /// as its row sets it.
+    #[must_use]
+    pub fn settled(&self) -> Self {
+        let usual = Self::default();
+        let mut options = self.clone();
+        let rows = Self::ROWS.iter();
+        for row in rows.filter(|row| !row.read_by.flows.contains(&self.flow)) {
+            (row.set)(&mut options, &(row.get)(&usual));
+        }
+        (of(self.flow).sets)(options)
+    }
+
     /// The same under another flow: what means nothing to it goes back to its default.
     #[must_use]
     pub fn with_flow(&self, flow: FlowName) -> Self {
@@ -233,7 +298,7 @@ impl FlowOptions {
             flow,
             ..self.clone()
         };
-        let rows = <Self as super::option::Options>::ROWS.iter();
+        let rows = Self::ROWS.iter();
         for row in rows.filter(|row| row.is_of_one_flow) {
             (row.set)(&mut options, &(row.get)(&usual));
         }
@@ -256,6 +321,43 @@ mod tests {
         assert!(moving.eq(MOVING));
         let open = FLOWS.iter().filter(|row| row.boundary.is_some());
         assert!(open.map(|row| &row.id).eq(OPEN));
+        let closed = FLOWS.iter().filter(|row| row.family == Family::PWillmore);
+        assert!(closed.map(|row| &row.id).eq(CLOSED));
+    }
+
+    #[test]
+    fn a_flow_runs_with_what_it_reads_and_what_its_row_sets() {
+        let asked = FlowOptions {
+            flow: VolumePreserving,
+            p: 4.0,
+            keep: vec![Kept::Area],
+            tension: 3.0,
+            reduced_volume: Some(0.6),
+            regularise: crate::remesh::Mode::Off,
+            tau: Some(0.5),
+            ..FlowOptions::default()
+        };
+        let expected = FlowOptions {
+            p: 0.0,
+            keep: vec![Kept::Volume],
+            tension: 0.0,
+            reduced_volume: None,
+            ..asked.clone()
+        };
+        assert_eq!(asked.settled(), expected);
+        for row in FLOWS {
+            let set = (row.sets)(FlowOptions::default());
+            let usual = FlowOptions::default();
+            let rows = FlowOptions::ROWS.iter();
+            for option in rows.filter(|option| (option.get)(&set) != (option.get)(&usual)) {
+                let is_read = option.read_by.flows.contains(&row.id);
+                assert!(
+                    !is_read,
+                    "{:?} sets {}, which it reads",
+                    row.id, option.name
+                );
+            }
+        }
     }
 
     #[test]

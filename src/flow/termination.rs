@@ -95,6 +95,8 @@ messages! {
             vertex: u32,
             /// Where it lies.
             place: [f64; 3],
+            /// What helps.
+            advice: Advice,
         },
         /// A tip becomes a point.
         SharpTip {
@@ -104,6 +106,8 @@ messages! {
             vertex: u32,
             /// Where it lies.
             place: [f64; 3],
+            /// What helps.
+            advice: Advice,
         },
         /// No edge flip lowers the cost any more.
         NoFlips {

@@ -1,4 +1,4 @@
-//! Samples, and the figures of the four papers: none is left out, and those that take a few
+//! Samples, and the figures of the papers: none is left out, and those that take a few
 //! seconds come out as the papers and the closed forms say.
 
 use serde::{Serialize, Serializer};
@@ -12,7 +12,8 @@ use umbilic::app::{Arrangement, Compare, FillOptions, Session};
 use umbilic::flow::Status;
 use umbilic::flow::options::FlowOptions;
 
-/// Numbers of the figures that show a result; the others explain notation.
+/// Numbers of the figures that show a result; the others explain notation. Huisken's paper has
+/// none.
 const RESULTS: [(Paper, &[&str]); 4] = [
     (Paper::Circle, &["6", "7", "8", "9", "10", "11", "12"]),
     (
@@ -172,6 +173,11 @@ fn quick_figures_of_edge_flips_come_out() {
 #[test]
 fn quick_figures_of_curvature_variation_come_out() {
     quick_figures_come_out(Paper::Curvature);
+}
+
+#[test]
+fn quick_figures_of_the_volume_preserving_flow_come_out() {
+    quick_figures_come_out(Paper::VolumePreserving);
 }
 
 #[test]

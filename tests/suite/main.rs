@@ -40,4 +40,5 @@ mod session_subdivide;
 mod shaders;
 mod shapes;
 mod study;
+mod volume_preserving;
 mod why;

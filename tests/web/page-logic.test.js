@@ -3,12 +3,13 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { defaults, smoothingTau } from "../../www/options.js";
+import { flows } from "../../www/generated/schema.js";
+import { defaults, settled, smoothingTau } from "../../www/options.js";
 import { createStore, initial, transitions as to } from "../../www/state.js";
 import { fileName } from "../../www/ui/download.js";
 import { formatNumber } from "../../www/ui/number.js";
 import { grown, painted, rim } from "../../www/ui/selection.js";
-import { reasonText, statusText } from "../../www/ui/status.js";
+import { reasonText, statusText, symbol } from "../../www/ui/status.js";
 
 /** @typedef {import("../../www/generated/types.js").State} Reading */
 
@@ -93,11 +94,11 @@ test("the reason is what the solver says beyond the status line", () => {
     of({ step: 1, status: "stalled", message }),
     "every step tried was refused, the last because faces would fold over; a finer mesh helps",
   );
-  const place = { time: 0.04, vertex: 7, place: [0.5, 1e-9, 2] };
+  const place = { time: 0.04, vertex: 7, place: [0.5, 1e-9, 2], advice };
   const pinch = { id: "reason-pinched-neck", values: place };
   assert.match(
     of({ step: 12, status: "singular", message: pinch }),
-    /^at time 0\.04 a neck pinches off at vertex 7, near \(0\.5, 1e-9, 2\);/,
+    /^at time 0\.04 a neck pinches off at vertex 7, near \(0\.5, 1e-9, 2\);.* a finer mesh helps$/,
   );
   const limit = { id: "reason-step-limit", values: { steps: 10 } };
   assert.equal(
@@ -212,4 +213,18 @@ test("the rim of a region is where one end of an edge is in it", () => {
   const edges = Uint32Array.from([0, 1, 1, 2, 2, 3, 3, 0]);
   assert.deepEqual([...rim(Uint8Array.from([1, 1, 0, 0]), edges)], [1, 2, 3, 0]);
   assert.equal(rim(Uint8Array.from([1, 1, 1, 1]), edges).length, 0);
+});
+
+test("every flow has a symbol for what it lowers, whatever was chosen for another", () => {
+  for (const { id } of flows) {
+    const options = { ...defaults, flow: id };
+    assert.match(symbol({ options }), /^(W|Area|∫H²|∫\|∇H\|²)$/, id);
+    const before = { ...options, p: 4, tension: 3, keep: /** @type {"area"[]} */ (["area"]) };
+    if (id === "p-willmore") assert.equal(symbol({ options: before }), "Energy");
+    else assert.equal(symbol({ options: before }), symbol({ options }), id);
+  }
+  const asked = { ...defaults, flow: /** @type {const} */ ("volume-preserving"), tension: 3 };
+  const { p, keep, tension } = settled({ ...asked, regularise: "off" });
+  assert.deepEqual({ p, keep, tension }, { p: 0, keep: ["volume"], tension: 0 });
+  assert.equal(settled({ ...asked, regularise: "off" }).regularise, "off");
 });

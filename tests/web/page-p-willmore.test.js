@@ -72,6 +72,27 @@ test("the exponent is switched while paused, and travels in the address", async 
   await close();
 });
 
+test("under the volume-preserving flow the area falls, the volume stays, and neither is asked for", async () => {
+  const { page, faults, close } = await site.open("sample=spheroid");
+  assert.equal(await choice(page, "Flow").inputValue(), "volume-preserving");
+  assert.equal(await page.getByRole("spinbutton", { name: "Exponent p" }).isVisible(), false);
+  assert.equal(await page.getByLabel("Volume", { exact: true }).isVisible(), false);
+  assert.equal(await page.locator("#reduced-volume").isVisible(), false);
+  assert.equal(await page.locator("#option-regularise").isVisible(), true);
+  const [area, volume] = [await reading(page, "Area"), await reading(page, "Volume")];
+  assert.equal(await energy(page), Number(area));
+  await playAndPause(page, 3);
+  assert.ok(Number(await reading(page, "Area")) < Number(area));
+  const digits = (/** @type {string} */ text) => Number.parseFloat(text);
+  assert.equal(digits(await reading(page, "Volume")), digits(volume));
+  assert.ok((await reducedVolume(page)) > Number(/reduced ([\d.]+)/.exec(volume)?.[1]));
+  // What the flow before was told does not stay in its way.
+  await choice(page, "Flow").selectOption({ label: "p-Willmore" });
+  assert.equal(await page.getByRole("spinbutton", { name: "Exponent p" }).inputValue(), "2");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("a bad mesh at rest is regularised, and Back undoes it", async () => {
   const { page, faults, close } = await site.open();
   const rough = wavyTorus(32, 16);

@@ -16,6 +16,7 @@ export const samples = [
   {"id":"trefoil","group":"tubes","shape":"trefoil","parameters":{},"options":{}},
   {"id":"vesicle","group":"closed","shape":"ellipsoid","parameters":{"a":1,"b":1,"c":0.65,"level":4},"options":{"flow":"p-willmore","keep":["area","volume"],"reducedVolume":0.6}},
   {"id":"blob","group":"closed","shape":"bumpy-sphere","parameters":{"level":4,"amplitude":0.2,"frequency":3,"seed":2},"options":{"flow":"p-willmore","keep":["area","volume"],"reducedVolume":0.6}},
+  {"id":"spheroid","group":"closed","shape":"ellipsoid","parameters":{"a":2,"b":1,"c":1,"level":4},"options":{"flow":"volume-preserving"}},
   {"id":"letter-c","group":"closed","shape":"letter-c","parameters":{},"options":{"flow":"p-willmore"}},
   {"id":"thin-torus","group":"closed","shape":"torus","parameters":{"major":1,"minor":0.25,"around":72,"tube":24},"options":{"flow":"p-willmore"}},
   {"id":"torus-knot","group":"tubes","shape":"torus-knot","parameters":{"p":3,"q":4,"along":240,"around":16},"options":{"flow":"p-willmore","keep":["area","volume"]}},
@@ -93,4 +94,5 @@ export const figures = [
   {"id":"curvature-5.3","paper":"curvature","number":"5.3","sample":"holed-sphere","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"mean-curvature","steps":"rest","quick":true,"fallsShort":false},
   {"id":"curvature-5.5","paper":"curvature","number":"5.5","sample":"three-tubes","options":{},"arrangement":{"compare":"flows","subdivide":0,"flipsPerStep":1},"colour":"mean-curvature","steps":60,"quick":true,"fallsShort":false},
   {"id":"curvature-5.6","paper":"curvature","number":"5.6","sample":"four-bumps","options":{},"arrangement":{"compare":"flows","subdivide":0,"flipsPerStep":1},"colour":"mean-curvature","steps":60,"quick":true,"fallsShort":false},
+  {"id":"volume-preserving-round","paper":"volume-preserving","number":"1987","sample":"spheroid","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":true,"fallsShort":false},
 ];

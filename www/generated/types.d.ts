@@ -798,7 +798,7 @@ reduction: number | null, };
 /**
  * Which flow runs.
  */
-export type FlowName = "circle" | "p-willmore" | "mean-curvature" | "surface-diffusion" | "willmore" | "mmcv" | "flips";
+export type FlowName = "circle" | "p-willmore" | "mean-curvature" | "volume-preserving" | "surface-diffusion" | "willmore" | "mmcv" | "flips";
 
 /**
  * Options of a flow; what each may be, and which flows read it, is in [`option`](super::option).
@@ -877,7 +877,7 @@ maxSteps: number | null,
  */
 maxSeconds: number | null, 
 /**
- * p-Willmore: the start is pushed along its normals by up to so many mean edge lengths, so
+ * Closed surfaces: the start is pushed along its normals by up to so many mean edge lengths, so
  * that a symmetric one can leave a shape that is unstable.
  */
 perturbation: number, 
@@ -890,19 +890,19 @@ p: number,
  */
 keep: Array<Kept>, 
 /**
- * p-Willmore: conformal regularisation after each step.
+ * Closed surfaces: conformal regularisation after each step.
  */
 regularise: Mode, 
 /**
- * p-Willmore: ε of the regularisation, a pure number.
+ * Closed surfaces: ε of the regularisation, a pure number.
  */
 regulariseEpsilon: number, 
 /**
- * p-Willmore, paper's scheme: factor on the step size after each step.
+ * Closed surfaces, paper's scheme: factor on the step size after each step.
  */
 tauGrowth: number, 
 /**
- * p-Willmore, paper's scheme: largest τ.
+ * Closed surfaces, paper's scheme: largest τ.
  */
 tauMax: number | null, 
 /**

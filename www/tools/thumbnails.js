@@ -1,5 +1,6 @@
 // @ts-check
-// The small pictures of the gallery, taken from the built page: `node www/tools/thumbnails.js`.
+// The small pictures of the gallery, taken from the built page: `node www/tools/thumbnails.js`, of
+// all figures or of those whose ids follow.
 
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -17,7 +18,8 @@ mkdirSync(folder, { recursive: true });
 const server = await serve();
 const browser = await launch();
 try {
-  for (const figure of figures) {
+  const asked = process.argv.slice(2);
+  for (const figure of figures.filter(({ id }) => asked.length === 0 || asked.includes(id))) {
     const { page, close } = await openPage(browser, {
       viewport: { width: 240, height: 150 },
       colorScheme: "light",

@@ -4,7 +4,7 @@
 
 /** @import { Options } from "../options.js" */
 
-import { choiceLabel, choicesOf, isOption, isRead, rowOf } from "../options.js";
+import { choiceLabel, choicesOf, flowOf, isOption, isRead, rowOf } from "../options.js";
 import { say } from "../words.js";
 import { fillSelect } from "./element.js";
 
@@ -111,8 +111,8 @@ export function chosen(form, name) {
 
 /**
  * Shows the options in the controls of their names, and only the parts that have a meaning:
- * `data-option` names an option of which a part is, `data-flow` and `data-goal` the flows and the
- * goal.
+ * `data-option` names an option of which a part is, `data-family`, `data-monitored` and `data-goal`
+ * the families of flows, what they lower, and the goal.
  * @param {HTMLFormElement} form
  * @param {Options} options
  */
@@ -137,12 +137,16 @@ export function show(form, options) {
  * @param {Options} options
  */
 export function showParts(root, options) {
-  const { flow, goal } = options;
+  const { goal } = options;
+  const { family, monitored } = flowOf(options.flow);
   /** @type {NodeListOf<HTMLElement>} */
-  const parts = root.querySelectorAll("[data-option], [data-flow], [data-goal]");
+  const parts = root.querySelectorAll("[data-option], [data-family], [data-goal]");
   for (const part of parts) {
-    const { option, flow: ofFlow = flow, goal: ofGoal = goal } = part.dataset;
-    const isOfFlow = option ? isRead(option, options) : ofFlow.split(" ").includes(flow);
+    const { option, family: families = family, goal: ofGoal = goal } = part.dataset;
+    const lowers = part.dataset.monitored ?? monitored[0];
+    const isOfFlow = option
+      ? isRead(option, options)
+      : families.split(" ").includes(family) && lowers === monitored[0];
     part.hidden = !isOfFlow || ofGoal !== goal;
   }
 }

@@ -1,12 +1,12 @@
 // @ts-check
-// What is special to the p-Willmore flow: exponent, constraints, regularisation.
+// What is special to the p-Willmore flow and its cases: exponent, constraints, regularisation.
 
 /** @import { PageState } from "../state.js" */
 /** @import { Controller } from "../controller.js" */
 /** @import { Options } from "../options.js" */
 
 import { t } from "../language.js";
-import { defaults } from "../options.js";
+import { defaults, flowLabel, flowOf } from "../options.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
 import { chosen, dress, show } from "./option-form.js";
@@ -82,7 +82,8 @@ export function createPWillmoreForm(controller) {
       if (options === shown) return;
       shown = options;
       restore();
-      form.hidden = options.flow !== "p-willmore";
+      form.ariaLabel = flowLabel(options.flow);
+      form.hidden = flowOf(options.flow).family !== "p-willmore";
     },
   };
 }

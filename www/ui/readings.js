@@ -4,6 +4,7 @@
 /** @import { PageState } from "../state.js" */
 
 import { t } from "../language.js";
+import { settled } from "../options.js";
 import { say } from "../words.js";
 import { byId, setText } from "./element.js";
 import { formatNumber } from "./number.js";
@@ -82,7 +83,7 @@ export function createReadings() {
       if (state.options !== options) {
         options = state.options;
         showParts(panel, options);
-        setText(label, energyLabel(options));
+        setText(label, energyLabel(settled(options)));
       }
       if (state.reading === shown && state.mesh === mesh) return;
       shown = state.reading;

@@ -5,6 +5,7 @@
 /** @import { Controller } from "../controller.js" */
 
 import { t } from "../language.js";
+import { isRead } from "../options.js";
 import { byId, setText } from "./element.js";
 import { grown, painted } from "./selection.js";
 
@@ -117,7 +118,7 @@ export function createRegion(controller, canvas) {
     /** @param {Readonly<PageState>} now */
     update(now) {
       state = now;
-      section.hidden = ["p-willmore", "flips"].includes(now.options.flow) || !now.mesh;
+      section.hidden = !isRead("free", now.options) || !now.mesh;
       if (section.hidden && isOn()) take(false);
       holdBoundary.hidden = !now.mesh || now.mesh.boundaryEdges.length === 0;
       if (painting || now.configured === configured) return;

@@ -6,7 +6,7 @@
 /** @import { Part } from "./mathml.js" */
 
 import { t } from "../language.js";
-import { usualBoundary } from "../options.js";
+import { flowOf, settled, usualBoundary } from "../options.js";
 import { dot, frac, root, row, sub, subsup, sum, sup } from "./mathml.js";
 import { formatNumber } from "./number.js";
 
@@ -132,7 +132,8 @@ function circle(s) {
 
 /** @param {Readonly<PageState>} s @returns {Statement} */
 function pWillmore(s) {
-  const { options, reading } = s;
+  const { reading } = s;
+  const options = settled(s.options);
   const { p, keep, spontaneousCurvature: bent, tension, pressure } = options;
   const hasTerms = p === 2 && (bent !== 0 || tension !== 0 || pressure !== 0);
   const isPaper = options.scheme === "paper";
@@ -158,6 +159,8 @@ function pWillmore(s) {
     ...(keep.includes("area") ? ["+ λ ∇ A"] : []),
     ...(keep.includes("volume") ? ["− μ ∇ V"] : []),
   ];
+  const { sets, paper: own } = flowOf(options.flow);
+  const papers = Object.keys(sets).length > 0 ? `${own}; ${paper.p}` : paper.p;
   // Of the paper's energy W^p = 2^p E.
   const force = () =>
     kept.length > 0 ? row(sup("2", "p"), "( ∇ E", ...kept, ")") : row(sup("2", "p"), "∇ E");
@@ -178,9 +181,16 @@ function pWillmore(s) {
             ") )",
           )
         : row("(", frac("M", "dt"), "+ L C L )", change(), "= − Π (", force(), ")"),
-      ...(p === 0 ? [row(dot("x"), "=", "Δ", "x", "= − 2", "H", "n")] : []),
+      ...(p !== 0 || keep.includes("area")
+        ? []
+        : keep.includes("volume")
+          ? [
+              row(dot("x"), "= 2 (", sub("H", "m"), "−", "H", ")", "n", ","),
+              row(sub("H", "m"), "= ∫", "H", dA(), "/ ∫", dA()),
+            ]
+          : [row(dot("x"), "=", "Δ", "x", "= − 2", "H", "n")]),
     ],
-    source: `${paper.p}: ${t("the flow in theorem 3.2, eqs. (5)–(7); kept area and volume in problem 3.5; the paper’s step in problem 5.1. Its W^p, with Y = 2H, is 2^p E.")}`,
+    source: `${papers}: ${t("the flow in theorem 3.2, eqs. (5)–(7); kept area and volume in problem 3.5; the paper’s step in problem 5.1. Its W^p, with Y = 2H, is 2^p E.")}`,
     symbols: [
       ["p", t("exponent"), String(p)],
       ["H", t("mean curvature, (κ₁ + κ₂)/2, positive on a sphere"), ""],
@@ -358,8 +368,8 @@ function flips(s) {
 
 /** @param {Readonly<PageState>} s @returns {Statement} */
 export function statementOf(s) {
-  const { flow } = s.options;
-  if (flow === "circle") return circle(s);
-  if (flow === "p-willmore") return pWillmore(s);
-  return flow === "flips" ? flips(s) : byCurvature(s);
+  const { family } = flowOf(s.options.flow);
+  if (family === "circle") return circle(s);
+  if (family === "p-willmore") return pWillmore(s);
+  return family === "flips" ? flips(s) : byCurvature(s);
 }

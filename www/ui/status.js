@@ -4,6 +4,7 @@
 /** @import { PageState } from "../state.js" */
 
 import { t, translated } from "../language.js";
+import { flowOf, settled } from "../options.js";
 import { isOver } from "../standing.js";
 import { say } from "../words.js";
 import { byId, setText } from "./element.js";
@@ -75,22 +76,21 @@ function troubleOf({ isSilent, phase, mesh }) {
   return phase === "failed" && mesh ? say("solver-gone") : null;
 }
 
-/** @type {Readonly<Record<string, string>>} */
+/** Of what a flow lowers. @type {Readonly<Record<string, string>>} */
 const symbols = {
-  circle: "W",
-  flips: "W",
-  "mean-curvature": "Area",
-  "surface-diffusion": "Area",
+  smoothedCircle: "W",
+  area: "Area",
   willmore: "∫H²",
-  mmcv: "∫|∇H|²",
+  curvatureVariation: "∫|∇H|²",
 };
 
 /** The energy's symbol. @param {Pick<PageState, "options">} state */
 export const symbol = ({ options }) => {
-  const known = symbols[options.flow];
-  if (known) return translated(known);
-  if (options.spontaneousCurvature || options.tension || options.pressure) return t("Energy");
-  return options.p === 0 ? t("Area") : options.p === 2 ? "∫H²" : `∫|H|^${options.p}`;
+  const { family, monitored } = flowOf(options.flow);
+  if (family !== "p-willmore") return translated(symbols[monitored[0]]);
+  const { p, spontaneousCurvature, tension, pressure } = settled(options);
+  if (spontaneousCurvature || tension || pressure) return t("Energy");
+  return p === 0 ? t("Area") : p === 2 ? "∫H²" : `∫|H|^${p}`;
 };
 
 export function createStatus() {

@@ -5,7 +5,8 @@ use super::stop::WINDOW;
 use crate::app::runner::Runner;
 use crate::flow::StepReport;
 use crate::flow::constraint::Kept;
-use crate::flow::options::{FlowName, Scheme};
+use crate::flow::option::Options;
+use crate::flow::options::{FlowOptions, Scheme};
 use crate::flow::refusal::farthest;
 use crate::remesh::Mode;
 
@@ -22,6 +23,17 @@ impl Runner {
         &reports[reports.len().saturating_sub(WINDOW)..]
     }
 
+    /// What the flow's system runs with.
+    pub(super) fn settled(&self) -> FlowOptions {
+        self.options().settled()
+    }
+
+    /// Whether the flow reads the option of that name.
+    fn reads(&self, name: &str) -> bool {
+        let mut rows = FlowOptions::ROWS.iter();
+        rows.any(|row| row.name == name && row.read_by.flows.contains(&self.options().flow))
+    }
+
     pub(super) fn is_paper(&self) -> bool {
         self.options().scheme == Scheme::Paper
     }
@@ -32,10 +44,9 @@ impl Runner {
         (mesh.is_closed() && mesh.is_oriented()).then(Remedy::regularise)
     }
 
-    /// The p-Willmore flow's own regularisation, where it is off.
+    /// The flow's own regularisation, where it has one and that is off.
     pub(super) fn can_regularise_each_step(&self) -> Option<Remedy> {
-        let off =
-            self.options().flow == FlowName::PWillmore && self.options().regularise == Mode::Off;
+        let off = self.reads("regularise") && self.options().regularise == Mode::Off;
         off.then(|| Remedy::regularise_each_step().anew())
     }
 
@@ -61,11 +72,11 @@ impl Runner {
         (self.state.can_step_back && steps > 0).then(|| Remedy::back(steps))
     }
 
-    /// A kept quantity more, of the p-Willmore flow.
+    /// A kept quantity more, where there is a choice.
     pub(super) fn can_keep(&self, wanted: &[Kept]) -> Option<Remedy> {
         let kept = &self.options().keep;
         let helps = wanted.iter().any(|one| !kept.contains(one));
-        (self.options().flow == FlowName::PWillmore && helps).then(|| Remedy::keep(wanted).anew())
+        (self.reads("keep") && helps).then(|| Remedy::keep(wanted).anew())
     }
 
     /// The vertex that the last step moved most, and by how much.

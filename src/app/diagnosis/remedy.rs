@@ -119,7 +119,7 @@ impl Change {
 
 messages! {
     /// What a button says.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Debug, PartialEq)]
     pub enum Label as "remedy" {
         /// To go on as before.
         MoreSteps,
@@ -170,17 +170,10 @@ messages! {
             p: f64,
         },
         /// To use another flow.
-        UseCircle,
-        /// To use another flow.
-        UsePWillmore,
-        /// To use another flow.
-        UseMeanCurvature,
-        /// To use another flow.
-        UseSurfaceDiffusion,
-        /// To use another flow.
-        UseWillmore,
-        /// To use another flow.
-        UseMmcv,
+        UseFlow {
+            /// Which, by its name.
+            flow: Message,
+        },
     }
 }
 
@@ -362,14 +355,8 @@ impl Remedy {
     }
 
     pub(super) fn other_flow(flow: FlowName) -> Self {
-        let label = match flow {
-            FlowName::Circle => Label::UseCircle,
-            FlowName::PWillmore => Label::UsePWillmore,
-            FlowName::Flips => Label::FlipAndGoOn,
-            FlowName::MeanCurvature => Label::UseMeanCurvature,
-            FlowName::SurfaceDiffusion => Label::UseSurfaceDiffusion,
-            FlowName::Willmore => Label::UseWillmore,
-            FlowName::Mmcv => Label::UseMmcv,
+        let label = Label::UseFlow {
+            flow: flow.message(),
         };
         let change = Change {
             flow: Some(flow),

@@ -136,7 +136,7 @@ impl Runner {
             _ => diagnosis.at_vertices([refusal.vertex]),
         };
         let remedies = [
-            (self.options().keep.len() > 1).then(Remedy::release_area),
+            (self.settled().keep.len() > 1).then(Remedy::release_area),
             self.can_regularise(),
             self.can_go_back(),
         ];

@@ -9,6 +9,7 @@ use crate::app::runner::Runner;
 use crate::flow::Status;
 use crate::flow::constraint::Kept;
 use crate::flow::options::FlowName;
+use crate::flow::spec::{self, Family};
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
 use std::f64::consts::PI;
@@ -40,8 +41,9 @@ impl Runner {
     pub(super) fn scaling(&self) -> Option<Diagnosis> {
         let (start, now) = (self.start_area(), self.state.area);
         // Mean-curvature flow is the one of p = 0.
-        let p = match self.options().flow {
-            FlowName::PWillmore if self.options().keep.is_empty() => self.options().p,
+        let settled = self.settled();
+        let p = match settled.flow {
+            FlowName::PWillmore if settled.keep.is_empty() => settled.p,
             FlowName::MeanCurvature if self.is_all_free() => 0.0,
             _ => return None,
         };
@@ -91,13 +93,11 @@ impl Runner {
 
     /// A neck of a few edges; less is asked of one that has stopped the flow.
     pub(super) fn pinch(&self, stopped: bool) -> Option<Diagnosis> {
-        let shrinks_necks = match self.options().flow {
-            FlowName::MeanCurvature => true,
-            FlowName::PWillmore => self.options().p < 2.0,
-            // Flows of higher order do not, and what bends on their rough meshes are no necks.
-            _ => false,
-        };
-        if !shrinks_necks {
+        // Flows of higher order do not shrink necks, and what bends on their rough meshes are none.
+        let settled = self.settled();
+        let is_low = settled.flow == FlowName::MeanCurvature
+            || spec::of(settled.flow).family == Family::PWillmore && settled.p < 2.0;
+        if !is_low {
             return None;
         }
         let found = self.sharpest(if stopped { NARROW } else { SINGULAR })?;

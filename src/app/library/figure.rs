@@ -41,7 +41,7 @@ pub struct Figure {
     pub(in crate::app) judge: fn(&Run<'_>) -> Finding,
 }
 
-/// The four papers, see [the references](crate#references).
+/// The papers, see [the references](crate#references).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Paper {
@@ -53,6 +53,8 @@ pub enum Paper {
     Flips,
     /// Xu & Zhang.
     Curvature,
+    /// Huisken.
+    VolumePreserving,
 }
 
 /// How far a figure runs.

@@ -1,5 +1,5 @@
-//! What comes with the program: surfaces to begin with, and the figures of the four papers with
-//! the rules that judge a run of them.
+//! What comes with the program: surfaces to begin with, and the figures of the papers with the
+//! rules that judge a run of them; a paper without figures has its theorem here.
 //!
 //! Tables only, and the little that runs them. Words are no part of it: a sample is called
 //! `sample-<id>` in the locale files, a figure `figure-<id>`.
@@ -13,18 +13,20 @@ mod measured;
 mod p_willmore;
 mod run;
 mod sample;
+mod volume_preserving;
 
 pub use figure::{Figure, Finding, Paper, Steps};
 pub use run::FigureRun;
 pub use sample::{Group, Holes, SAMPLES, Sample, Shape};
 
-/// Every figure of the four papers that shows a result, in the order of the gallery.
+/// Every figure of the papers that shows a result, in the order of the gallery.
 pub fn figures() -> impl Iterator<Item = &'static Figure> {
-    let papers: [&'static [Figure]; 4] = [
+    let papers: [&'static [Figure]; 5] = [
         circle::FIGURES,
         p_willmore::FIGURES,
         flips::FIGURES,
         curvature::FIGURES,
+        volume_preserving::FIGURES,
     ];
     papers.into_iter().flatten()
 }

@@ -262,6 +262,18 @@ pub static SAMPLES: &[Sample] = {
             ),
         )
         .with(deflated),
+        sample(
+            "spheroid",
+            Closed,
+            shape(
+                "ellipsoid",
+                &[("a", 2.0), ("b", 1.0), ("c", 1.0), ("level", 4.0)],
+            ),
+        )
+        .with(|o| FlowOptions {
+            flow: FlowName::VolumePreserving,
+            ..o
+        }),
         sample("letter-c", Closed, shape("letter-c", &[])).with(p_willmore),
         sample(
             "thin-torus",

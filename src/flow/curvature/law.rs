@@ -24,7 +24,7 @@ impl Law {
             FlowName::SurfaceDiffusion => Ok(Self::SurfaceDiffusion),
             FlowName::Willmore => Ok(Self::Willmore),
             FlowName::Mmcv => Ok(Self::CurvatureVariation),
-            FlowName::Circle | FlowName::PWillmore | FlowName::Flips => {
+            _ => {
                 let allowed = Allowed::CurvatureFlow;
                 Err(FlowError::option("flow", flow.id(), allowed))
             }

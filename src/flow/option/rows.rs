@@ -4,7 +4,7 @@ use super::{Kind, Named, Options, Range, ReadBy, Row};
 use crate::energy::circle::Boundary;
 use crate::flow::constraint::Kept;
 use crate::flow::options::{FlowName, FlowOptions, Goal, Integrator, MassChoice, Scheme};
-use crate::flow::spec::{ALL, CIRCLE, FLIPS, MMCV, MOVING, OPEN, P_WILLMORE};
+use crate::flow::spec::{ALL, CIRCLE, CLOSED, FLIPS, MMCV, MOVING, OPEN, P_WILLMORE};
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
 
@@ -57,7 +57,8 @@ impl Options for FlowOptions {
         let circle = ReadBy::flows(CIRCLE);
         let smoothing = circle.goal(Goal::Smooth);
         let p_willmore = ReadBy::flows(P_WILLMORE);
-        let paper = p_willmore.scheme(Scheme::Paper);
+        let closed = ReadBy::flows(CLOSED);
+        let paper = closed.scheme(Scheme::Paper);
         let flips = ReadBy::flows(FLIPS);
         let any = Range::closed(-1e6, 1e6);
         let tau = Range::positive(MAX_TAU);
@@ -99,11 +100,11 @@ impl Options for FlowOptions {
                 Kind::choice::<Integrator>(), "", Method, circle),
             row!(mass, "mass", "mass", Kind::choice::<MassChoice>(), "", Method, circle),
             row!(regularise, "regularise", "regularise",
-                Kind::choice::<Mode>(), "", Method, p_willmore),
+                Kind::choice::<Mode>(), "", Method, closed),
             row!(regularise_epsilon, "regulariseEpsilon", "regularise-epsilon",
-                Number(Range::positive(1e3)), "", Method, p_willmore),
+                Number(Range::positive(1e3)), "", Method, closed),
             row!(perturbation, "perturbation", "perturbation",
-                Number(Range::closed(0.0, MAX_PERTURBATION)), "mean edge lengths", Method, p_willmore),
+                Number(Range::closed(0.0, MAX_PERTURBATION)), "mean edge lengths", Method, closed),
             row!(rungs, "rungs", "rungs",
                 Number(Range::count(0.0)), "steps", Method, ReadBy::flows(MMCV)).or("auto"),
             row!(max_steps, "maxSteps", "steps",
@@ -309,7 +310,10 @@ mod tests {
         let goal = refused(&[("detail", "3")]);
         assert_eq!(goal, Some((vec!["circle"], "any", "smooth")));
         let scheme = refused(&[("flow", "p-willmore"), ("tauMax", "3")]);
-        assert_eq!(scheme, Some((vec!["p-willmore"], "paper", "any")));
+        let closed = vec!["p-willmore", "volume-preserving"];
+        assert_eq!(scheme, Some((closed, "paper", "any")));
+        let set = refused(&[("flow", "volume-preserving"), ("p", "2")]);
+        assert_eq!(set, Some((vec!["p-willmore"], "any", "any")));
         assert!(matches!(
             read_strictly(&words(&[("dt", "1"), ("tau", "1")])),
             Err(OptionError::ConflictingOptions {

@@ -9,6 +9,12 @@
 //! sliding vertices, below the minimum of smooth surfaces. τ has the unit length^(p+2).
 //! The paper's own scheme, centred and nonlinear, is there to be compared with.
 //!
+//! With p = 0 and the volume kept it is the volume-preserving mean-curvature flow of Huisken,
+//! dx/dt = 2(H̄ − H)n with H̄ = ∫H dA/∫dA: M dx/dt = −∇A + λ∇V, where λ is 2H̄. Area falls in
+//! every step; the volume is that of the start to 1e-11 of it, as a step ends with Newton's
+//! iteration onto it. Embedded convex surfaces become round (Huisken 1987), which is to say that
+//! 36πV²/A³, the square of the reduced volume, rises to 1; others may pinch.
+//!
 //! What is monitored and shown is W^p/2^p = ∫|H|^p dA with the terms in force.
 
 mod centred;
@@ -373,7 +379,7 @@ impl Flow for PWillmoreFlow {
     fn advice(&self) -> Advice {
         if self.mode() == Mode::Off {
             Advice::RegularOrFiner
-        } else if self.options.p < 2.0 {
+        } else if self.options.p < 2.0 && self.kept.volume.is_none() {
             Advice::KeepVolume
         } else if self.options.p > 2.0 {
             Advice::SmoothFirst

@@ -167,12 +167,7 @@ remedy-keep-area = Flächeninhalt beibehalten
 remedy-keep-both = Flächeninhalt und Volumen beibehalten
 remedy-keep-only-volume = Nur das Volumen beibehalten
 remedy-smooth-first = Zuerst mit p = { $p } glätten
-remedy-use-circle = Willmore-Fluss der Kreiswinkel verwenden
-remedy-use-p-willmore = p-Willmore-Fluss verwenden
-remedy-use-mean-curvature = Fluss nach der mittleren Krümmung verwenden
-remedy-use-surface-diffusion = Oberflächendiffusion verwenden
-remedy-use-willmore = Willmore-Fluss verwenden
-remedy-use-mmcv = Variation der mittleren Krümmung verwenden
+remedy-use-flow = Fluss „{ $flow }“ verwenden
 
 ## Das Anzeigen
 

@@ -120,8 +120,8 @@ reason-creeping = nur immer kleinere Schritte senken die Energie, die nicht in R
 reason-worse-rest = der Fluss kommt mit mehr Energie zur Ruhe, als er unterwegs hatte; { $advice }
 reason-below-bound = jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft
 reason-vanishes = zur Zeit { NUMBER($time, digits: 4) } schrumpft die Fläche auf einen Punkt bei ({ $place }); das Volumen beizubehalten verhindert das
-reason-pinched-neck = zur Zeit { NUMBER($time, digits: 4) } schnürt sich bei Ecke { $vertex }, nahe ({ $place }), ein Hals ab; darüber hinaus hat der Fluss keine Lösung, und es hilft, das Volumen beizubehalten, oder ein feineres Netz
-reason-sharp-tip = zur Zeit { NUMBER($time, digits: 4) } wird bei Ecke { $vertex }, nahe ({ $place }), eine Spitze zum Punkt; darüber hinaus hat der Fluss keine Lösung, und es hilft, das Volumen beizubehalten, oder ein feineres Netz
+reason-pinched-neck = zur Zeit { NUMBER($time, digits: 4) } schnürt sich bei Ecke { $vertex }, nahe ({ $place }), ein Hals ab; darüber hinaus hat der Fluss keine Lösung; { $advice }
+reason-sharp-tip = zur Zeit { NUMBER($time, digits: 4) } wird bei Ecke { $vertex }, nahe ({ $place }), eine Spitze zum Punkt; darüber hinaus hat der Fluss keine Lösung; { $advice }
 reason-no-flips = kein Flip senkt noch { $criterion ->
     [area] den Flächeninhalt
     [willmore] die Willmore-Energie

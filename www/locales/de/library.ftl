@@ -10,6 +10,8 @@ paper-flips = { paper-flips.authors }: Kantenflips
     .authors = Brink und Alboul
 paper-curvature = { paper-curvature.authors }: Variation der mittleren Krümmung
     .authors = Xu und Zhang
+paper-volume-preserving = { paper-volume-preserving.authors }: mittlere Krümmung bei festem Volumen
+    .authors = Huisken
 
 ## Samples, and what to look for
 
@@ -35,6 +37,8 @@ sample-vesicle = Vesikel mit weniger Volumen
     .shows = Bei festem Flächeninhalt wird das Volumen auf 0.6 der Kugel gesenkt: eine bikonkave Scheibe, wie ein rotes Blutkörperchen (p-Willmore, Abbildung 6).
 sample-blob = Klumpen mit weniger Volumen
     .shows = Ohne jede Symmetrie am Anfang endet auch er als bikonkave Scheibe, als elliptische (p-Willmore, Abbildung 6).
+sample-spheroid = Rotationsellipsoid mit Achsen 2, 1, 1
+    .shows = Wird rund, während das Volumen bleibt: Der Flächeninhalt fällt, und 36πV²/A³ steigt auf 1.
 sample-letter-c = Buchstabe C
     .shows = Rundet sich mit p = 2 zur Sphäre; schrumpft mit p = 0, wächst mit p = 4 (p-Willmore, Abbildung 2).
 sample-thin-torus = Dünner Torus
@@ -277,6 +281,10 @@ figure-curvature-5-6 = Abb. { $number }
     .title = Flüsse im Vergleich an einem Graphen
     .reports = Fluss nach der mittleren Krümmung und Willmore-Fluss sind nicht krümmungsstetig, der sechster Ordnung ist es.
     .expected = Die Funktion berichtigt: Sprung höchstens 0.06 und halb so groß wie bei den Flüssen vierter Ordnung, 0.9 und mehr beim Fluss nach der mittleren Krümmung
+figure-volume-preserving-round = Satz, { $number }
+    .title = Eine konvexe Fläche wird rund
+    .reports = Der Fluss nach der mittleren Krümmung bei festem Volumen macht jede konvexe Fläche zur runden Sphäre gleichen Volumens.
+    .expected = Eine Sphäre auf 2e-3, Volumen auf 1e-10, 36πV²/A³ gestiegen auf 0.99 und mehr
 
 ## Shelves of samples
 
@@ -311,6 +319,7 @@ measured-genus = Geschlecht { $genus }, ∫H² { NUMBER($first, digits: 4) } →
 measured-refinement = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 5) }, { NUMBER($fine, digits: 5) }: Verhältnis { $ratio }
 measured-refinement-apart = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 5) }, { NUMBER($fine, digits: 5) }: Verhältnis { $ratio }, nicht zur selben Zeit
 measured-ball = Abweichung { NUMBER($off, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $steps } Schritte, { $status }
+measured-isoperimetric = 36πV²/A³ { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, Abweichung { NUMBER($off, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $steps } Schritte, { $status }
 measured-flips = Inhalt/Willmore/lokalisiert: { $areaFlips }/{ $willmoreFlips }/{ $localisedFlips } Flips, Inhalt { NUMBER($area, digits: 5) }/{ NUMBER($willmoreArea, digits: 5) }/{ NUMBER($localisedArea, digits: 5) }, W { NUMBER($areaCircle, digits: 4) }/{ NUMBER($willmoreCircle, digits: 4) }/{ NUMBER($localisedCircle, digits: 4) }
 measured-variation = Σ|ΔK| { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 4) }
 measured-lost = { $lost } % verloren

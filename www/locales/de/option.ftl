@@ -3,6 +3,7 @@
 flow-circle = Willmore durch Kreiswinkel
 flow-p-willmore = p-Willmore
 flow-mean-curvature = Mittlere Krümmung
+flow-volume-preserving = Mittlere Krümmung bei festem Volumen
 flow-surface-diffusion = Oberflächendiffusion
 flow-willmore = Willmore durch angepasste Operatoren
 flow-mmcv = Minimale Krümmungsvariation, sechster Ordnung

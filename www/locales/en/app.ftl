@@ -167,12 +167,7 @@ remedy-keep-area = Keep the area
 remedy-keep-both = Keep area and volume
 remedy-keep-only-volume = Keep only the volume
 remedy-smooth-first = Smooth with p = { $p } first
-remedy-use-circle = Use the circle-angle Willmore flow
-remedy-use-p-willmore = Use the p-Willmore flow
-remedy-use-mean-curvature = Use mean-curvature flow
-remedy-use-surface-diffusion = Use surface diffusion
-remedy-use-willmore = Use Willmore flow
-remedy-use-mmcv = Use mean-curvature variation
+remedy-use-flow = Use the flow “{ $flow }”
 
 ## The viewer
 

@@ -123,8 +123,8 @@ reason-creeping = only ever smaller steps lower the energy, which is not at rest
 reason-worse-rest = the flow comes to rest with more energy than on the way; { $advice }
 reason-below-bound = any further step would have less energy than every smooth surface of this topology, so something closes between the vertices; the surface is the last good one, and a finer or better mesh helps
 reason-vanishes = at time { NUMBER($time, digits: 4) } the surface shrinks to a point near ({ $place }); keeping the volume prevents that
-reason-pinched-neck = at time { NUMBER($time, digits: 4) } a neck pinches off at vertex { $vertex }, near ({ $place }); the flow has no solution beyond it, and keeping the volume or a finer mesh helps
-reason-sharp-tip = at time { NUMBER($time, digits: 4) } a tip becomes a point at vertex { $vertex }, near ({ $place }); the flow has no solution beyond it, and keeping the volume or a finer mesh helps
+reason-pinched-neck = at time { NUMBER($time, digits: 4) } a neck pinches off at vertex { $vertex }, near ({ $place }); the flow has no solution beyond it; { $advice }
+reason-sharp-tip = at time { NUMBER($time, digits: 4) } a tip becomes a point at vertex { $vertex }, near ({ $place }); the flow has no solution beyond it; { $advice }
 reason-no-flips = no flip lowers { $criterion ->
     [area] the area
     [willmore] the Willmore energy

@@ -10,6 +10,8 @@ paper-flips = { paper-flips.authors }: edge flips
     .authors = Brink and Alboul
 paper-curvature = { paper-curvature.authors }: mean-curvature variation
     .authors = Xu and Zhang
+paper-volume-preserving = { paper-volume-preserving.authors }: volume-preserving mean-curvature flow
+    .authors = Huisken
 
 ## Samples, and what to look for
 
@@ -35,6 +37,8 @@ sample-vesicle = Vesicle, deflated
     .shows = Area kept, the volume is led down to 0.6 of the ball’s: a biconcave disc, as a red blood cell (p-Willmore, figure 6).
 sample-blob = Blob, deflated
     .shows = Without any symmetry at the start it ends as a biconcave disc too, an elliptical one (p-Willmore, figure 6).
+sample-spheroid = Spheroid of axes 2, 1, 1
+    .shows = Becomes round while its volume stays: the area falls, and 36πV²/A³ rises to 1.
 sample-letter-c = Letter C
     .shows = Rounds off to a sphere with p = 2; shrinks with p = 0, grows with p = 4 (p-Willmore, figure 2).
 sample-thin-torus = Thin torus
@@ -277,6 +281,10 @@ figure-curvature-5-6 = Fig. { $number }
     .title = Flows compared on a graph
     .reports = Mean-curvature and Willmore flow are not curvature continuous, the sixth-order one is.
     .expected = The function as repaired: jump at most 0.06 and half of the fourth-order flows', 0.9 and more under mean-curvature flow
+figure-volume-preserving-round = Theorem, { $number }
+    .title = A convex surface becomes round
+    .reports = Volume-preserving mean-curvature flow makes every convex surface a round sphere of the same volume.
+    .expected = A sphere to 2e-3, volume to 1e-10, 36πV²/A³ risen to 0.99 and more
 
 ## Shelves of samples
 
@@ -311,6 +319,7 @@ measured-genus = genus { $genus }, ∫H² { NUMBER($first, digits: 4) } → { NU
 measured-refinement = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 5) }, { NUMBER($fine, digits: 5) }: ratio { $ratio }
 measured-refinement-apart = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 5) }, { NUMBER($fine, digits: 5) }: ratio { $ratio }, not at one time
 measured-ball = off { NUMBER($off, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $steps } steps, { $status }
+measured-isoperimetric = 36πV²/A³ { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, off { NUMBER($off, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $steps } steps, { $status }
 measured-flips = area/Willmore/localised: { $areaFlips }/{ $willmoreFlips }/{ $localisedFlips } flips, area { NUMBER($area, digits: 5) }/{ NUMBER($willmoreArea, digits: 5) }/{ NUMBER($localisedArea, digits: 5) }, W { NUMBER($areaCircle, digits: 4) }/{ NUMBER($willmoreCircle, digits: 4) }/{ NUMBER($localisedCircle, digits: 4) }
 measured-variation = Σ|ΔK| { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 4) }
 measured-lost = { $lost } % lost

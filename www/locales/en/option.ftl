@@ -3,6 +3,7 @@
 flow-circle = Willmore by circle angles
 flow-p-willmore = p-Willmore
 flow-mean-curvature = Mean curvature
+flow-volume-preserving = Volume-preserving mean curvature
 flow-surface-diffusion = Surface diffusion
 flow-willmore = Willmore by fitted operators
 flow-mmcv = Minimal curvature variation, sixth order
