@@ -2,7 +2,7 @@
 
 use crate::flow::flips::EdgeFlips;
 use crate::flow::options::{FlowName, FlowOptions};
-use crate::flow::{self, Driver, FlowError, Progress, Reading, Refusal, StepReport, Verdict};
+use crate::flow::{self, Decision, Driver, FlowError, Progress, Reading, Refusal, StepReport};
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
 use std::rc::Rc;
@@ -40,7 +40,7 @@ impl Engine {
     pub(super) fn step(
         &mut self,
         x: &mut Vec<DVec3>,
-    ) -> Result<(Option<StepReport>, Verdict), FlowError> {
+    ) -> Result<(Option<StepReport>, Decision), FlowError> {
         match self {
             Self::Flow(driver) => driver.step(x),
             Self::Flips(flips) => Ok(flips.step(x)),

@@ -21,7 +21,7 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::flips::EdgeFlips;
 use crate::flow::options::FlowOptions;
-use crate::flow::{FlowError, Progress, Status, StepReport, Verdict, p_willmore};
+use crate::flow::{Decision, FlowError, Progress, Status, StepReport, p_willmore};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::message::Say;
@@ -315,7 +315,7 @@ impl Runner {
             // Asked to go on after the end: the budget starts anew.
             flow.extend_budget();
         }
-        let (report, verdict) = match flow.step(&mut self.x) {
+        let (report, decision) = match flow.step(&mut self.x) {
             Ok(outcome) => outcome,
             Err(error) => {
                 self.state.status = Status::Failed;
@@ -347,7 +347,7 @@ impl Runner {
             };
             self.follow(before, Event::Step, Some(report));
         }
-        if let Verdict::Stop(status, why) = verdict {
+        if let Decision::Stop(status, why) = decision {
             self.state.status = status;
             self.state.message = Some(why.into());
         }

@@ -13,8 +13,8 @@ use super::spec::{self, Family};
 use super::termination::{Ending, Gain, Window};
 use super::warning::WarningsGiven;
 use super::{
-    Cause, Cost, Flow, FlowError, Functional, Move, Occasion, Phase, Progress, Proposal, Refusal,
-    Search, Status, StepReport, Verdict, Warning,
+    Cause, Cost, Decision, Flow, FlowError, Functional, Move, Occasion, Phase, Progress, Proposal,
+    Refusal, Search, Status, StepReport, Warning,
 };
 use crate::geometry::survey::survey;
 use crate::geometry::{measure, quality};
@@ -115,16 +115,22 @@ impl Driver {
         }
     }
 
-    /// Takes one step: `x` becomes the next state, or is left as it is with a verdict.
+    /// Takes one step: `x` becomes the next state, or is left as it is with a decision.
     ///
     /// # Errors
     /// Numerical failures; `x` and the run are as before.
-    pub fn step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
+    pub fn step(
+        &mut self,
+        x: &mut Vec<DVec3>,
+    ) -> Result<(Option<StepReport>, Decision), FlowError> {
         let before = self.checkpoint();
         self.try_step(x).inspect_err(|_| self.restore(before))
     }
 
-    fn try_step(&mut self, x: &mut Vec<DVec3>) -> Result<(Option<StepReport>, Verdict), FlowError> {
+    fn try_step(
+        &mut self,
+        x: &mut Vec<DVec3>,
+    ) -> Result<(Option<StepReport>, Decision), FlowError> {
         let watch = Instant::now();
         let mut cost = Cost::telling(self.progress.clone());
         cost.tell("assemble", 0.0);
@@ -133,8 +139,8 @@ impl Driver {
         }
         let mut restarted: Option<Vec<DVec3>> = None;
         let mut before = self.evaluate(x, &mut cost)?;
-        if let Some(verdict) = self.out_of_budget() {
-            return Ok((None, verdict));
+        if let Some(decision) = self.out_of_budget() {
+            return Ok((None, decision));
         }
         let mut found = None;
         for _ in 0..MAX_PHASES {
@@ -144,8 +150,8 @@ impl Driver {
                 restarted = self.begin(phase, &mut cost.warnings).or(restarted);
                 before = self.evaluate(restarted.as_deref().unwrap_or(x), &mut cost)?;
             }
-            if let Some(verdict) = self.is_zero(before.value) {
-                return Ok((None, verdict));
+            if let Some(decision) = self.is_zero(before.value) {
+                return Ok((None, decision));
             }
             let here = restarted.as_deref().unwrap_or(x);
             if !self.run.is_exhausted {
@@ -171,7 +177,7 @@ impl Driver {
             None => {
                 let ending = self.stuck(here, before, &mut cost)?;
                 let better = match &ending {
-                    Verdict::Stop(status @ (Status::Stalled | Status::Converged), _) => {
+                    Decision::Stop(status @ (Status::Stalled | Status::Converged), _) => {
                         self.better(here, *status, &mut cost)?
                     }
                     _ => None,
@@ -187,10 +193,10 @@ impl Driver {
             }
         };
         let here = here.to_vec();
-        let (mut report, verdict) = self.conclude(&here, x, found, before, &mut cost)?;
+        let (mut report, decision) = self.conclude(&here, x, found, before, &mut cost)?;
         report.milliseconds = watch.elapsed().as_secs_f64() * 1e3;
         self.run.seconds += watch.elapsed().as_secs_f64();
-        Ok((Some(report), ending.unwrap_or(verdict)))
+        Ok((Some(report), ending.unwrap_or(decision)))
     }
 
     /// The functional at `x`.
@@ -336,7 +342,7 @@ impl Driver {
         })
     }
 
-    /// Takes a step over: positions, report, warnings, verdict.
+    /// Takes a step over: positions, report, warnings, decision.
     fn conclude(
         &mut self,
         before_x: &[DVec3],
@@ -344,7 +350,7 @@ impl Driver {
         found: Found,
         before: Functional,
         cost: &mut Cost,
-    ) -> Result<(StepReport, Verdict), FlowError> {
+    ) -> Result<(StepReport, Decision), FlowError> {
         let Found { step, taken, .. } = &found;
         cost.tell("regularise", 0.5);
         let watch = Instant::now();
@@ -397,7 +403,7 @@ impl Driver {
             rests: step.rests,
             is_leading: step.ceiling == Some(Ceiling::None),
         };
-        let verdict = self.verdict(x, &ending, &mut report, cost)?;
+        let decision = self.decision(x, &ending, &mut report, cost)?;
         report.iterations = cost.iterations;
         report.negative_pivots = cost.negative_pivots;
         report.linear_residual = cost.residual;
@@ -406,7 +412,7 @@ impl Driver {
         report.solve_milliseconds = cost.solve * 1e3;
         report.regularise_milliseconds = cost.regularise * 1e3;
         report.warnings.append(&mut cost.warnings);
-        Ok((report, verdict))
+        Ok((report, decision))
     }
 
     /// What the report says of the mesh.

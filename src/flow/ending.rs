@@ -4,8 +4,8 @@ use super::driver::Driver;
 use super::rules::Ceiling;
 use super::termination::{self, Ending};
 use super::{
-    Cause, Cost, FlowError, Functional, Occasion, Phase, Reason, Refusal, Status, StepReport,
-    Verdict, Warning,
+    Cause, Cost, Decision, FlowError, Functional, Occasion, Phase, Reason, Refusal, Status,
+    StepReport, Warning,
 };
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
@@ -34,24 +34,24 @@ const SLIVER: f64 = 8.0;
 const WORN: f64 = 0.5;
 
 /// Something closes between the vertices.
-const COLLAPSED: Verdict = Verdict::Stop(Status::Collapsed, Reason::BelowBound);
+const COLLAPSED: Decision = Decision::Stop(Status::Collapsed, Reason::BelowBound);
 
 impl Driver {
     /// The budget of steps, or else of time: whoever asks for a number of steps gets them.
-    pub(super) fn out_of_budget(&self) -> Option<Verdict> {
+    pub(super) fn out_of_budget(&self) -> Option<Decision> {
         let steps = self.run.step - self.run.first_step;
         let rules = self.flow.rules();
         if !rules.ends_at_rest && steps >= self.options.smooth_steps {
             let why = Reason::Smoothed { steps };
-            return Some(Verdict::Stop(Status::StepLimit, why));
+            return Some(Decision::Stop(Status::StepLimit, why));
         }
         if let Some(most) = self.options.max_steps {
             let why = Reason::StepLimit { steps };
-            return (steps >= most).then_some(Verdict::Stop(Status::StepLimit, why));
+            return (steps >= most).then_some(Decision::Stop(Status::StepLimit, why));
         }
         let most = self.options.max_seconds.filter(|_| rules.ends_at_rest)?;
         let why = Reason::TimeLimit { seconds: most };
-        (self.run.seconds >= most).then_some(Verdict::Stop(Status::StepLimit, why))
+        (self.run.seconds >= most).then_some(Decision::Stop(Status::StepLimit, why))
     }
 
     /// A phase that puts something better in place of what a run is about to end with.
@@ -67,40 +67,40 @@ impl Driver {
     }
 
     /// How a run has ended once something better was put in place: not at rest.
-    pub(super) fn replaced(&self, ending: Verdict) -> Verdict {
-        let Verdict::Stop(Status::Converged, _) = ending else {
+    pub(super) fn replaced(&self, ending: Decision) -> Decision {
+        let Decision::Stop(Status::Converged, _) = ending else {
             return ending;
         };
         let advice = self.flow.advice();
-        Verdict::Stop(Status::Stalled, Reason::WorseRest { advice })
+        Decision::Stop(Status::Stalled, Reason::WorseRest { advice })
     }
 
     /// The end of a run at rest, unless the next step puts something better in place.
-    fn rested(&mut self, x: &[DVec3], why: Reason, cost: &mut Cost) -> Result<Verdict, FlowError> {
+    fn rested(&mut self, x: &[DVec3], why: Reason, cost: &mut Cost) -> Result<Decision, FlowError> {
         if self.better(x, Status::Converged, cost)?.is_some() {
             self.run.is_exhausted = true;
-            return Ok(Verdict::GoOn);
+            return Ok(Decision::GoOn);
         }
-        Ok(Verdict::Stop(Status::Converged, why))
+        Ok(Decision::Stop(Status::Converged, why))
     }
 
     /// A functional that is zero up to roundoff cannot fall.
-    pub(super) fn is_zero(&self, value: f64) -> Option<Verdict> {
+    pub(super) fn is_zero(&self, value: f64) -> Option<Decision> {
         let rules = self.flow.rules();
         (rules.ends_at_rest && value <= rules.zero)
-            .then_some(Verdict::Stop(Status::Converged, Reason::ZeroEnergy))
+            .then_some(Decision::Stop(Status::Converged, Reason::ZeroEnergy))
     }
 
     /// Whether there is a next step after an accepted one.
-    pub(super) fn verdict(
+    pub(super) fn decision(
         &mut self,
         x: &[DVec3],
         ending: &Ending,
         report: &mut StepReport,
         cost: &mut Cost,
-    ) -> Result<Verdict, FlowError> {
-        if let Some(verdict) = self.is_zero(ending.after.value) {
-            return Ok(verdict);
+    ) -> Result<Decision, FlowError> {
+        if let Some(decision) = self.is_zero(ending.after.value) {
+            return Ok(decision);
         }
         let rules = self.flow.rules();
         if rules.can_vanish && report.area < VANISHED * self.start.area {
@@ -113,7 +113,7 @@ impl Driver {
                 face,
                 times: largest,
             };
-            return Ok(Verdict::Stop(Status::Stalled, why));
+            return Ok(Decision::Stop(Status::Stalled, why));
         }
         if ending.rests {
             return self.rested(x, Reason::Still, cost);
@@ -129,11 +129,11 @@ impl Driver {
             self.run.window = Default::default();
         } else if self.run.window.is_idle(ending.gain)
             && rules.ends_when_idle
-            && let Some(verdict) = self.idle(x, report, cost)?
+            && let Some(decision) = self.idle(x, report, cost)?
         {
-            return Ok(verdict);
+            return Ok(decision);
         }
-        Ok(self.out_of_budget().unwrap_or(Verdict::GoOn))
+        Ok(self.out_of_budget().unwrap_or(Decision::GoOn))
     }
 
     /// The functional has stopped falling.
@@ -142,7 +142,7 @@ impl Driver {
         x: &[DVec3],
         report: &mut StepReport,
         cost: &mut Cost,
-    ) -> Result<Option<Verdict>, FlowError> {
+    ) -> Result<Option<Decision>, FlowError> {
         let occasion = Occasion::Idle {
             dt: self.dt(),
             is_guarded: self.run.window.is_guarded(),
@@ -171,7 +171,7 @@ impl Driver {
         x: &[DVec3],
         before: Functional,
         cost: &mut Cost,
-    ) -> Result<Verdict, FlowError> {
+    ) -> Result<Decision, FlowError> {
         let rules = self.flow.rules();
         if self.run.window.met_bound() || self.is_collapsing(before.value) {
             return Ok(COLLAPSED);
@@ -188,14 +188,14 @@ impl Driver {
             return Ok(neck);
         }
         if is_at_rest {
-            return Ok(Verdict::Stop(Status::Converged, Reason::AtRest));
+            return Ok(Decision::Stop(Status::Converged, Reason::AtRest));
         }
         let advice = self.flow.advice();
         let why = match self.refusal {
             Some(Refusal { cause, .. }) => Reason::Refused { cause, advice },
             None => Reason::Creeping { advice },
         };
-        Ok(Verdict::Stop(Status::Stalled, why))
+        Ok(Decision::Stop(Status::Stalled, why))
     }
 
     /// Whether no step was accepted as it would go below a theorem's bound; or as triangles
@@ -209,14 +209,14 @@ impl Driver {
         })
     }
 
-    fn vanished(&self, x: &[DVec3]) -> Verdict {
+    fn vanished(&self, x: &[DVec3]) -> Decision {
         let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();
         let time = self.run.time;
-        Verdict::Stop(Status::Singular, Reason::Vanishes { time, place })
+        Decision::Stop(Status::Singular, Reason::Vanishes { time, place })
     }
 
     /// A neck or a tip thinner than the mesh can show, where that is why no step was accepted.
-    fn singular(&self, x: &[DVec3]) -> Option<Verdict> {
+    fn singular(&self, x: &[DVec3]) -> Option<Decision> {
         let is_geometric = self.run.is_exhausted || termination::is_geometric(self.refusal);
         if !self.mesh.is_triangular() || !is_geometric {
             return None;
@@ -255,7 +255,7 @@ impl Driver {
                 advice,
             }
         };
-        Some(Verdict::Stop(Status::Singular, why))
+        Some(Decision::Stop(Status::Singular, why))
     }
 
     /// What holds for every flow; then what the flow itself has to say.

@@ -5,7 +5,7 @@
 //! by flip.
 
 use super::options::FlowOptions;
-use super::{FlowError, Progress, Reading, Reason, Status, StepReport, Verdict};
+use super::{Decision, FlowError, Progress, Reading, Reason, Status, StepReport};
 use crate::geometry::measure;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use crate::remesh::flips::FlipOptimiser;
@@ -193,12 +193,12 @@ impl EdgeFlips {
 
 impl EdgeFlips {
     /// Flips as many edges as a step does; without a report where there are none left.
-    pub fn step(&mut self, x: &[DVec3]) -> (Option<StepReport>, Verdict) {
+    pub fn step(&mut self, x: &[DVec3]) -> (Option<StepReport>, Decision) {
         let start = Instant::now();
         let before = self.runs[0].willmore();
         let flips = self.runs[0].flips();
         if !self.advance(self.clock().saturating_add(self.per_step)) {
-            return (None, Verdict::Stop(Status::Converged, self.end()));
+            return (None, Decision::Stop(Status::Converged, self.end()));
         }
         let reading = self.reading(x);
         let clock = self.clock();
@@ -221,7 +221,7 @@ impl EdgeFlips {
             flips: Some(self.readings()),
             ..StepReport::default()
         };
-        (Some(report), Verdict::GoOn)
+        (Some(report), Decision::GoOn)
     }
 
     /// Readings of the chosen run.

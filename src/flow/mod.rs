@@ -46,7 +46,7 @@ pub use refusal::{Cause, Refusal};
 pub use report::{Monitored, Multipliers, Reading, Status, StepReport};
 pub use rules::Rules;
 pub use run::Checkpoint;
-pub use termination::{Reason, Verdict};
+pub use termination::{Decision, Reason};
 pub use warning::{Advice, Warning};
 
 use glam::DVec3;

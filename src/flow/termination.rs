@@ -22,7 +22,7 @@ const PATIENCE: usize = 4;
 
 /// What to do after a step.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Verdict {
+pub enum Decision {
     /// Take the next step.
     GoOn,
     /// The run is over for this reason.

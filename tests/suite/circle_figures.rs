@@ -7,7 +7,7 @@ use umbilic::app::library::measure::{TorusFit, off_surface};
 use umbilic::app::library::{FigureRun, figure};
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
-use umbilic::flow::Verdict;
+use umbilic::flow::Decision;
 use umbilic::flow::options::{FlowOptions, Goal, Integrator, Scheme};
 use umbilic::flow::{Status, StepReport};
 use umbilic::geometry::{measure, quality};
@@ -19,7 +19,7 @@ struct Run {
     surface: Surface,
     start: Vec<DVec3>,
     reports: Vec<StepReport>,
-    verdict: Verdict,
+    verdict: Decision,
 }
 
 fn sample(name: &str, values: &[(&str, f64)]) -> Sample {
@@ -51,7 +51,7 @@ fn run(sample: &Sample, options: FlowOptions, steps: usize) -> Run {
             }
             reports.push(report);
         }
-        if verdict != Verdict::GoOn {
+        if verdict != Decision::GoOn {
             return Run {
                 surface,
                 start,
@@ -70,8 +70,8 @@ impl Run {
 
     fn status(&self) -> Status {
         match &self.verdict {
-            Verdict::Stop(status, _) => *status,
-            Verdict::GoOn => Status::Ready,
+            Decision::Stop(status, _) => *status,
+            Decision::GoOn => Status::Ready,
         }
     }
 }

@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};
-use umbilic::flow::Verdict;
+use umbilic::flow::Decision;
 use umbilic::flow::options::FlowOptions;
 use umbilic::geometry::{curvature, measure};
 use umbilic::mesh::shape;
@@ -320,7 +320,7 @@ fn the_objective_never_rises_in_200_steps() {
             };
             let mut flow = drive(&mesh, &mut x, options).expect("a flow");
             for _ in 0..200 {
-                let (report, verdict) = flow.step(&mut x).expect("a step");
+                let (report, decision) = flow.step(&mut x).expect("a step");
                 if let Some(r) = report {
                     assert!(
                         r.objective <= r.objective_before,
@@ -333,7 +333,7 @@ fn the_objective_never_rises_in_200_steps() {
                         r.step
                     );
                 }
-                if verdict != Verdict::GoOn {
+                if decision != Decision::GoOn {
                     break;
                 }
             }

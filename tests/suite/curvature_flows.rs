@@ -7,7 +7,7 @@ use std::rc::Rc;
 use umbilic::app::library::measure::{off_tube, off_unit_sphere};
 use umbilic::energy::circle::Boundary;
 use umbilic::energy::curvature_jump::{CurvatureJump, curvature_jump};
-use umbilic::flow::Verdict;
+use umbilic::flow::Decision;
 use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
 use umbilic::flow::{Driver, FlowError, Status, StepReport, Warning};
 use umbilic::geometry::measure;
@@ -86,7 +86,7 @@ impl Case {
                 }
                 reports.push(report);
             }
-            if let Verdict::Stop(status, _) = verdict {
+            if let Decision::Stop(status, _) = verdict {
                 return Run {
                     x,
                     reports,

@@ -312,12 +312,12 @@ fn shared_meshes_load_with_their_counts() {
 }
 
 /// `Ok`: vertices, faces and warnings of a file that loads.
-type Verdict = Result<(usize, usize, usize), ReadError>;
+type Decision = Result<(usize, usize, usize), ReadError>;
 
 #[test]
 fn shared_broken_files_get_a_verdict() {
     let line = |line| Place::Line { line };
-    let table: [(&str, Verdict); 19] = [
+    let table: [(&str, Decision); 19] = [
         ("fan3.obj", Ok((5, 3, 0))),
         ("hourglass_ico.obj", Ok((23, 40, 0))),
         ("moebius.obj", Ok((280, 224, 0))),

@@ -9,7 +9,7 @@ use umbilic::energy::circle::Boundary;
 use umbilic::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::flow::{Verdict, Warning};
+use umbilic::flow::{Decision, Warning};
 use umbilic::geometry::measure;
 use umbilic::geometry::quality::is_folded;
 use umbilic::mesh::{Face, HalfedgeMesh};
@@ -95,7 +95,7 @@ impl Start {
             let (report, verdict) = running.step(&mut x).expect("a step");
             steps += usize::from(report.is_some());
             warnings.extend(report.into_iter().flat_map(|r| r.warnings));
-            if let Verdict::Stop(status, _) = verdict {
+            if let Decision::Stop(status, _) = verdict {
                 break status;
             }
         };

@@ -4,7 +4,7 @@ use crate::support::*;
 use glam::{DMat3, DVec3};
 use std::f64::consts::PI;
 use std::rc::Rc;
-use umbilic::flow::Verdict;
+use umbilic::flow::Decision;
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::option::{Allowed, OptionError};
 use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
@@ -25,7 +25,7 @@ fn sample(name: &str, values: &[(&str, f64)]) -> Surface {
 struct Run {
     x: Vec<DVec3>,
     reports: Vec<StepReport>,
-    verdict: Verdict,
+    verdict: Decision,
 }
 
 fn options(p: f64, keep: &[Kept], steps: usize) -> FlowOptions {
@@ -88,7 +88,7 @@ fn follow(mut x: Vec<DVec3>, options: FlowOptions, mut flow: Driver) -> Run {
             }
             reports.push(report);
         }
-        if verdict != Verdict::GoOn {
+        if verdict != Decision::GoOn {
             return Run {
                 x,
                 reports,
@@ -105,8 +105,8 @@ impl Run {
 
     fn status(&self) -> Status {
         match &self.verdict {
-            Verdict::Stop(status, _) => *status,
-            Verdict::GoOn => Status::Ready,
+            Decision::Stop(status, _) => *status,
+            Decision::GoOn => Status::Ready,
         }
     }
 }
@@ -357,7 +357,7 @@ fn the_letter_c_for_three_exponents() {
     assert!(
         matches!(
             shrunk.2,
-            Verdict::Stop(
+            Decision::Stop(
                 Status::Stalled,
                 Reason::Refused { advice: a, .. } | Reason::Creeping { advice: a }
             ) if a == advice
@@ -367,7 +367,7 @@ fn the_letter_c_for_three_exponents() {
     );
     assert!((round.1 - 1.0).abs() < 0.01, "p = 2: {}", round.1);
     assert!(
-        matches!(round.2, Verdict::Stop(Status::Converged, _)),
+        matches!(round.2, Decision::Stop(Status::Converged, _)),
         "{:?}",
         round.2
     );

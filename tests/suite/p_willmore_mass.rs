@@ -11,7 +11,7 @@ use umbilic::app::Session;
 use umbilic::energy::circle::Boundary;
 use umbilic::energy::p_willmore::integrated_power;
 use umbilic::energy::p_willmore::{Evaluation, Helfrich, PWillmore, WillmoreBounds};
-use umbilic::flow::Verdict;
+use umbilic::flow::Decision;
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::geometry::measure;
@@ -282,7 +282,7 @@ fn a_rough_ellipsoid_ends_as_the_prolate_vesicle_and_not_below_all_surfaces() {
     let mut x = s.x.clone();
     let mut flow = drive(&s.mesh, &mut x, options).expect("a flow");
     let mut steps = 0;
-    while flow.step(&mut x).expect("a step").1 == Verdict::GoOn {
+    while flow.step(&mut x).expect("a step").1 == Decision::GoOn {
         steps += 1;
     }
     let bounds = WillmoreBounds::of(&s.mesh, &x).expect("triangles");

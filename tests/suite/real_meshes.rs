@@ -1,7 +1,7 @@
 //! Default settings on real meshes: no rise, no NaN, next to no triangle turned over.
 
 use crate::support::*;
-use umbilic::flow::Verdict;
+use umbilic::flow::Decision;
 use umbilic::flow::options::FlowOptions;
 
 fn fifty_steps(name: &str) {
@@ -40,7 +40,7 @@ fn fifty_steps(name: &str) {
                 println!("{last}");
             }
         }
-        if let Verdict::Stop(status, why) = verdict {
+        if let Decision::Stop(status, why) = verdict {
             println!("{name}: {status:?}: {why}");
             break;
         }

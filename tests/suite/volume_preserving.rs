@@ -8,7 +8,7 @@ use umbilic::app::library::measure::off_sphere;
 use umbilic::app::{RemedyId, Session};
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::flow::{Advice, Driver, FlowError, Reason, Status, StepReport, Verdict};
+use umbilic::flow::{Advice, Decision, Driver, FlowError, Reason, Status, StepReport};
 use umbilic::geometry::measure;
 use umbilic::io::Format;
 use umbilic::mesh::shape;
@@ -65,7 +65,7 @@ fn run(s: &Surface, options: FlowOptions) -> Run {
     let mut reports: Vec<StepReport> = Vec::new();
     loop {
         let before = measure::area(&s.mesh, &x);
-        let (report, verdict) = flow.step(&mut x).expect("a step");
+        let (report, decision) = flow.step(&mut x).expect("a step");
         let drift = (volume(s, &x) / first - 1.0).abs();
         assert!(
             drift <= KEPT,
@@ -78,7 +78,7 @@ fn run(s: &Surface, options: FlowOptions) -> Run {
         assert!(now >= ratio * (1.0 - 2.0 * KEPT), "{ratio} {now}");
         ratio = now;
         reports.extend(report);
-        if let Verdict::Stop(status, reason) = verdict {
+        if let Decision::Stop(status, reason) = decision {
             let reason = Some(reason);
             return Run {
                 x,

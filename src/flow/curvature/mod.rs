@@ -55,7 +55,7 @@ use ladder::Ladder;
 use law::Law;
 use region::Region;
 use std::rc::Rc;
-use system::System;
+use system::CurvatureSystem;
 use web_time::Instant;
 
 /// No vertex moves by more than this share of a mean edge; a step size that leads so far is as
@@ -95,7 +95,7 @@ pub struct CurvatureFlow {
     options: FlowOptions,
     law: Law,
     region: Region,
-    system: System,
+    system: CurvatureSystem,
     start: Vec<DVec3>,
     /// The monitored functional at the start.
     first_energy: f64,
@@ -154,7 +154,7 @@ impl CurvatureFlow {
         let is_whole = region.free.len() == x.len();
         let is_bounded = law == Law::Willmore && is_whole;
         let mut flow = Self {
-            system: System::new(law, &region),
+            system: CurvatureSystem::new(law, &region),
             start: x.to_vec(),
             first_energy: law.energy(&at, measure::area(mesh, x)),
             smooth_minimum: lower_bounds(mesh)
@@ -225,7 +225,7 @@ impl CurvatureFlow {
     fn choose_law(&mut self) {
         let law = self.present_law();
         if self.system.law() != law {
-            self.system = System::new(law, &self.region);
+            self.system = CurvatureSystem::new(law, &self.region);
         }
     }
 
@@ -432,7 +432,7 @@ impl Flow for CurvatureFlow {
 
     fn gradient(&self, x: &[DVec3]) -> Vec<DVec3> {
         let at = Curvatures::of(&self.mesh, x, &self.region);
-        let mut system = System::new(self.law, &self.region);
+        let mut system = CurvatureSystem::new(self.law, &self.region);
         let mut field = vec![DVec3::ZERO; x.len()];
         if let Ok(velocities) = system.velocities(&at, &self.region) {
             for (&v, velocity) in self.region.free.iter().zip(velocities) {

@@ -57,12 +57,12 @@ pub(super) struct Equations<'a> {
 }
 
 /// What is kept from step to step.
-pub(super) enum Solver {
+pub(super) enum LinearSolver {
     Direct(Lu),
     Iterative(Vec<DVec3>),
 }
 
-impl Solver {
+impl LinearSolver {
     /// Analyses a pattern; one point a row.
     pub(super) fn new(pattern: &Pattern, points: &[DVec3]) -> Result<Self, LinalgError> {
         Self::limited(pattern, points, MAX_FACTOR)
@@ -199,12 +199,12 @@ mod tests {
         let rhs = [1.0; 4];
         assert_eq!(residual(&system, &[0.25; 4], &rhs), [0.75, 0.75, 1.0, 0.75]);
         let mut quality = Quality::default();
-        let refused = Solver::Iterative(points.clone()).solve(&system, &rhs, &mut quality);
+        let refused = LinearSolver::Iterative(points.clone()).solve(&system, &rhs, &mut quality);
         assert!(
             matches!(refused, Err(FlowError::Inaccurate { residual }) if residual > 0.4),
             "{refused:?}"
         );
-        let mut direct = Solver::new(&pattern, &points).expect("a structure");
+        let mut direct = LinearSolver::new(&pattern, &points).expect("a structure");
         let refused = direct.solve(&system, &rhs, &mut quality);
         let zero = LinalgError::ZeroPivot { row: 2 };
         assert_eq!(refused, Err(FlowError::Linear(zero)));
@@ -217,8 +217,8 @@ mod tests {
     fn factors_above_the_limit_are_not_made() {
         let pattern = Pattern::from_cliques(3, [[0, 1], [1, 2]].iter());
         let points = vec![DVec3::ZERO; 3];
-        let solver = |limit| Solver::limited(&pattern, &points, limit).expect("a structure");
-        assert!(matches!(solver(2), Solver::Iterative(_)));
-        assert!(matches!(solver(1000), Solver::Direct(_)));
+        let solver = |limit| LinearSolver::limited(&pattern, &points, limit).expect("a structure");
+        assert!(matches!(solver(2), LinearSolver::Iterative(_)));
+        assert!(matches!(solver(1000), LinearSolver::Direct(_)));
     }
 }

@@ -13,7 +13,7 @@
 use super::curvatures::Curvatures;
 use super::law::Law;
 use super::region::Region;
-use super::solver::{Equations, Quality, Solver};
+use super::solver::{Equations, LinearSolver, Quality};
 use super::velocity::Velocity;
 use crate::flow::{Cost, FlowError};
 use crate::linalg::{Pattern, Unsymmetric};
@@ -34,15 +34,15 @@ pub(super) struct Structure {
 }
 
 /// The system of one law; what depends on the stencils alone is kept from step to step.
-pub(super) struct System {
+pub(super) struct CurvatureSystem {
     law: Law,
     row_of_vertex: Vec<u32>,
-    structure: Option<(Structure, Solver)>,
+    structure: Option<(Structure, LinearSolver)>,
     matrix: Unsymmetric,
     velocity: Velocity,
 }
 
-impl System {
+impl CurvatureSystem {
     pub(super) fn new(law: Law, region: &Region) -> Self {
         let mut row_of_vertex = vec![NONE; region.is_free.len()];
         for (row, &v) in region.free.iter().enumerate() {
@@ -86,14 +86,15 @@ impl System {
     ) -> Result<(Vec<f64>, Quality), FlowError> {
         let watch = web_time::Instant::now();
         cost.tell("assemble", 0.1);
-        let is_current = |(s, _): &(Structure, Solver)| s.stencils.has_stencils_of(&at.operators);
+        let is_current =
+            |(s, _): &(Structure, LinearSolver)| s.stencils.has_stencils_of(&at.operators);
         if !self.structure.as_ref().is_some_and(is_current) {
             // The old factor goes first: wasm memory never shrinks.
             self.structure = None;
             let structure =
                 Structure::new(&self.row_of_vertex, region, &at.operators, self.law.depth())?;
             let points: Vec<DVec3> = region.free.iter().map(|&v| x[v as usize]).collect();
-            let solver = Solver::new(&structure.pattern, &points)?;
+            let solver = LinearSolver::new(&structure.pattern, &points)?;
             self.matrix = Unsymmetric::zeros(&structure.pattern);
             self.structure = Some((structure, solver));
         }
@@ -311,7 +312,7 @@ mod tests {
             let (at, region, x) = setting(law);
             for tau in [1e-4, 1.0] {
                 let dt = tau * region.length.powi(law.order());
-                let mut system = System::new(law, &region);
+                let mut system = CurvatureSystem::new(law, &region);
                 let tell = Cost::default();
                 let (direct, quality) = system
                     .solve(&at, &region, &x, dt, &tell)
@@ -319,7 +320,7 @@ mod tests {
                 assert!(quality.residual < 1e-9 && !quality.is_iterative);
                 let points: Vec<DVec3> = region.free.iter().map(|&v| x[v as usize]).collect();
                 if let Some((_, solver)) = &mut system.structure {
-                    *solver = Solver::Iterative(points);
+                    *solver = LinearSolver::Iterative(points);
                 }
                 let (iterated, quality) = system
                     .solve(&at, &region, &x, dt, &tell)

@@ -6,7 +6,7 @@
 //! differentiation; its systems are solved by GMRES, preconditioned by the scalar matrix of
 //! the semi-implicit step.
 
-use super::system::System;
+use super::system::PWillmoreSystem;
 use crate::energy::p_willmore::Evaluation;
 use crate::flow::FlowError;
 use crate::flow::constraint::{Constraint, multipliers};
@@ -64,7 +64,7 @@ impl CentredStep<'_> {
     /// in force, with gradients, at a state.
     pub(super) fn solve(
         &self,
-        system: &mut System,
+        system: &mut PWillmoreSystem,
         at_x: &Evaluation,
         kept: [bool; 2],
         mut constraints: impl FnMut(&[DVec3], &mut dyn FnMut(&[Constraint<'_>])),

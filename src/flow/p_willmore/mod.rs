@@ -45,7 +45,7 @@ use glam::DVec3;
 use kept::{Kept, ball_volume};
 use std::f64::consts::PI;
 use std::rc::Rc;
-use system::System;
+use system::PWillmoreSystem;
 
 /// The first τ of an automatic run, in units of L^(p+2); below the smallest no step is tried,
 /// beyond the largest the mass term is lost in the roundoff of the stiffness.
@@ -78,7 +78,7 @@ pub struct PWillmoreFlow {
     mesh: Rc<HalfedgeMesh>,
     options: FlowOptions,
     functional: PWillmore,
-    system: System,
+    system: PWillmoreSystem,
     /// Made when first needed: its matrix has three times the rows.
     regulariser: Option<Regulariser>,
     /// L = √(A/4π) at the start, the unit of length.
@@ -147,7 +147,7 @@ impl PWillmoreFlow {
         if options.scheme == Scheme::Paper {
             check_paper(options, x.len())?;
         }
-        let system = System::new(functional.elements(), x, options.p == 0.0)?;
+        let system = PWillmoreSystem::new(functional.elements(), x, options.p == 0.0)?;
         let mut evaluation = Evaluation::default();
         let integrals = functional.integrals(x, &mut evaluation);
         let is_bounded = options.p == 2.0 && helfrich.is_zero();

@@ -11,7 +11,7 @@ use std::sync::Arc;
 const TOLERANCE: f64 = 1e-8;
 
 /// Pattern, matrix and solver on one connectivity.
-pub(super) struct System {
+pub(super) struct PWillmoreSystem {
     laplacian: Laplacian,
     /// Slots of the lower triangle of row i's outer product, for every i end to end. Empty
     /// where the stiffness is L itself.
@@ -21,7 +21,7 @@ pub(super) struct System {
     matrix: Vec<f64>,
 }
 
-impl System {
+impl PWillmoreSystem {
     /// Analyses the pattern: two rings, or with `is_second_order` (p = 0) one.
     pub(super) fn new(
         elements: &Elements,

@@ -6,8 +6,8 @@ use super::options::FlowOptions;
 use super::rules::{Ceiling, Rules};
 use super::step_size::StepSize;
 use super::{
-    Cost, Driver, Flow, FlowError, Functional, Memory, Monitored, Move, Occasion, Phase, Proposal,
-    Reading, Reason, Refusal, Search, Status, StepReport, Verdict,
+    Cost, Decision, Driver, Flow, FlowError, Functional, Memory, Monitored, Move, Occasion, Phase,
+    Proposal, Reading, Reason, Refusal, Search, Status, StepReport,
 };
 use crate::mesh::{HalfedgeMesh, build, shape};
 use glam::DVec3;
@@ -95,9 +95,9 @@ impl Script {
         let mut driver = Driver::of(Box::new(flow), mesh, &x, options);
         let mut reports = Vec::new();
         for _ in 0..steps + 2 {
-            let (report, verdict) = driver.step(&mut x).expect("a step");
+            let (report, decision) = driver.step(&mut x).expect("a step");
             reports.extend(report);
-            if let Verdict::Stop(status, why) = verdict {
+            if let Decision::Stop(status, why) = decision {
                 return (reports, Some((status, why)), radius(&x));
             }
         }

@@ -73,7 +73,7 @@ pub(super) struct Property {
 }
 
 impl Property {
-    fn from_words(kind: Kind, words: &mut Words<'_>) -> Result<Self, ReadError> {
+    fn from_words(kind: ElementKind, words: &mut Words<'_>) -> Result<Self, ReadError> {
         let is_list = words.clone().next() == Some(b"list");
         let length = if is_list {
             words.next();
@@ -87,10 +87,12 @@ impl Property {
         };
         let (scalar, _) = read_type(words)?;
         let role = match (kind, words.word(Expected::PropertyName)?) {
-            (Kind::Vertex, b"x") if !is_list => Role::Coordinate(0),
-            (Kind::Vertex, b"y") if !is_list => Role::Coordinate(1),
-            (Kind::Vertex, b"z") if !is_list => Role::Coordinate(2),
-            (Kind::Face, b"vertex_indices" | b"vertex_index") if is_list && scalar.is_integer() => {
+            (ElementKind::Vertex, b"x") if !is_list => Role::Coordinate(0),
+            (ElementKind::Vertex, b"y") if !is_list => Role::Coordinate(1),
+            (ElementKind::Vertex, b"z") if !is_list => Role::Coordinate(2),
+            (ElementKind::Face, b"vertex_indices" | b"vertex_index")
+                if is_list && scalar.is_integer() =>
+            {
                 Role::Corners
             }
             _ => Role::Other,
@@ -112,13 +114,13 @@ fn read_type<'a>(words: &mut Words<'a>) -> Result<(Scalar, &'a [u8]), ReadError>
 
 /// What the reader does with an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ElementKind {
     Vertex,
     Face,
     Other,
 }
 
-impl Kind {
+impl ElementKind {
     /// What its records are called.
     pub(super) fn plural(self) -> &'static str {
         match self {
@@ -132,7 +134,7 @@ impl Kind {
 /// One element: so many records of the same properties.
 #[derive(Debug)]
 pub(super) struct Element {
-    pub(super) kind: Kind,
+    pub(super) kind: ElementKind,
     pub(super) count: u64,
     /// The header line that announces it.
     pub(super) place: Place,
@@ -142,9 +144,9 @@ pub(super) struct Element {
 impl Element {
     fn from_words(words: &mut Words<'_>) -> Result<Self, ReadError> {
         let kind = match words.word(Expected::ElementName)? {
-            b"vertex" => Kind::Vertex,
-            b"face" => Kind::Face,
-            _ => Kind::Other,
+            b"vertex" => ElementKind::Vertex,
+            b"face" => ElementKind::Face,
+            _ => ElementKind::Other,
         };
         let count = words.how_many(Expected::ElementCount)?;
         Ok(Self {
@@ -166,9 +168,9 @@ impl Element {
     fn is_complete(&self) -> bool {
         let has = |role| self.properties.iter().filter(|p| p.role == role).count() == 1;
         match self.kind {
-            Kind::Vertex => (0..3).all(|axis| has(Role::Coordinate(axis))),
-            Kind::Face => has(Role::Corners),
-            Kind::Other => true,
+            ElementKind::Vertex => (0..3).all(|axis| has(Role::Coordinate(axis))),
+            ElementKind::Face => has(Role::Corners),
+            ElementKind::Other => true,
         }
     }
 }
@@ -211,7 +213,7 @@ impl Header {
                 b"element" => {
                     let element = Element::from_words(&mut words)?;
                     let kind = element.kind;
-                    if kind != Kind::Other && elements.iter().any(|e| e.kind == kind) {
+                    if kind != ElementKind::Other && elements.iter().any(|e| e.kind == kind) {
                         let found = Some(b"element".as_slice());
                         return Err(words.error(found, Expected::OneElementEach));
                     }
@@ -242,7 +244,7 @@ impl Header {
         }
         let vertices = elements
             .iter()
-            .find(|e| e.kind == Kind::Vertex)
+            .find(|e| e.kind == ElementKind::Vertex)
             .map_or(0, |e| e.count);
         Ok(Self {
             format,
@@ -280,10 +282,11 @@ fn read_format(lines: &mut Lines<'_>) -> Result<Format, ReadError> {
 fn check_complete(elements: &[Element], end: &Words<'_>) -> Result<(), ReadError> {
     let missing = match elements.iter().find(|element| !element.is_complete()) {
         Some(Element {
-            kind: Kind::Face, ..
+            kind: ElementKind::Face,
+            ..
         }) => Expected::FaceProperty,
         Some(_) => Expected::VertexProperties,
-        None if elements.iter().all(|e| e.kind != Kind::Vertex) => Expected::Keyword {
+        None if elements.iter().all(|e| e.kind != ElementKind::Vertex) => Expected::Keyword {
             word: "element vertex",
         },
         None => return Ok(()),

@@ -12,7 +12,7 @@ mod write;
 use glam::DVec3;
 
 use self::body::{Binary, Body, Text};
-use self::header::{Element, Header, Kind, Property, Role};
+use self::header::{Element, ElementKind, Header, Property, Role};
 pub(super) use self::write::write;
 use super::assembly::Assembly;
 use super::{Expected, Format, Found, Read, ReadError};
@@ -32,20 +32,20 @@ fn read_body(header: &Header, mut body: impl Body) -> Result<Read, ReadError> {
     for element in &header.elements {
         let count = body.check_count(element)?;
         match element.kind {
-            Kind::Vertex => {
+            ElementKind::Vertex => {
                 assembly.reserve(count, 0);
                 for _ in 0..count {
                     read_vertex(element, &mut body, &mut assembly)?;
                 }
             }
-            Kind::Face => {
+            ElementKind::Face => {
                 assembly.reserve(0, count);
                 let mut corners = Vec::new();
                 for _ in 0..count {
                     read_face(element, header, &mut body, &mut corners, &mut assembly)?;
                 }
             }
-            Kind::Other => {
+            ElementKind::Other => {
                 for _ in 0..count {
                     body.begin(Expected::OtherElement)?;
                     for property in &element.properties {

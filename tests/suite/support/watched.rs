@@ -4,7 +4,7 @@ use super::{Surface, surface};
 use glam::DVec3;
 use std::rc::Rc;
 use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::flow::{Driver, Monitored, Reason, Status, StepReport, Verdict};
+use umbilic::flow::{Decision, Driver, Monitored, Reason, Status, StepReport};
 use umbilic::mesh::triangulate;
 
 /// By how much a reading may lie above the least so far: fitted ones are not quite what the
@@ -104,7 +104,7 @@ pub fn watch(s: &Surface, options: FlowOptions, what: &str) -> Run {
             least = least.min(report.objective);
             reports.push(report);
         }
-        if let Verdict::Stop(status, reason) = verdict {
+        if let Decision::Stop(status, reason) = verdict {
             return Run {
                 x,
                 reports,
