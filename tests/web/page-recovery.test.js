@@ -80,8 +80,8 @@ const stepIn = (said) => Number(/step (\d+)/.exec(said)?.[1]);
 
 test("a trap in the middle of a run costs nothing but the step it was in", async () => {
   const { page, faults, close } = await site.blank();
-  // Those of both meshes at rest, and three of a run.
-  const workers = await spoilWorkers(page, (n) => (n === 1 ? { at: "shown === 5" } : null));
+  // Those of both meshes at rest, and the first of a run.
+  const workers = await spoilWorkers(page, (n) => (n === 1 ? { at: "shown === 3" } : null));
   await page.goto(`${site.url}?msaa=1`);
   await until(page, "Ready");
   await openMesh(page, "wavy.obj", obj(wavyTorus()));
@@ -100,7 +100,7 @@ test("a trap in the middle of a run costs nothing but the step it was in", async
 
   const later = await playAndPause(page, 2);
   assert.ok(later >= step + 2);
-  assert.ok((await energy(page)) < restored, "the new worker goes on downhill");
+assert.ok((await energy(page)) < restored, "the new worker goes on downhill");
   assert.deepEqual(faults, []);
   await close();
 });
@@ -255,7 +255,7 @@ test("a solver that falls silent is noticed, and another goes on", async () => {
     ) => setTimeout(work, delay === 10_000 ? 1500 : delay, ...rest);
     Object.assign(globalThis, { setTimeout: hurried });
   });
-  await spoilWorkers(page, (n) => (n === 1 ? { at: "shown === 3", how: "hang" } : null));
+  await spoilWorkers(page, (n) => (n === 1 ? { at: "shown === 2", how: "hang" } : null));
   await page.goto(`${site.url}?msaa=1`);
   await until(page, "Ready");
   await button(page, "Play").click();

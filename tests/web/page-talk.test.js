@@ -114,7 +114,7 @@ test("in German no English is left, whatever is shown", async () => {
   assert.deepEqual(await englishLeft(page), [], "the gallery");
   const cards = await page.locator(".card strong").allTextContents();
   assert.ok(
-    cards.every((card) => /^Abb\. /.test(card)),
+    cards.every((card) => /^(Abb\.|Satz) /.test(card)),
     cards.join(),
   );
   await page.locator(".card").first().click();
@@ -139,6 +139,7 @@ test("in German no English is left, whatever is shown", async () => {
   await page.locator("#view > summary").click();
   await page.getByRole("combobox", { name: "Language / Sprache" }).selectOption("de");
   await until(page, "Bereit");
+  await page.locator("#plot canvas").waitFor();
   await page.goto(`${site.url}?msaa=1&lang=en`);
   await until(page, "Ready");
   assert.deepEqual(faults, []);

@@ -142,7 +142,6 @@ export class FakeWorker {
     else if (name === "adopt") return this.loaded();
     else if (name === "export") return Uint8Array.of(this.at);
     else if (name === "run") return true;
-    else if (name === "recipe") throw refusal("NoRecipe", "app-no-recipe");
     if (name === "configure") {
       const heldVertices = new Uint8Array(3);
       return {
