@@ -100,7 +100,7 @@ test("a trap in the middle of a run costs nothing but the step it was in", async
 
   const later = await playAndPause(page, 2);
   assert.ok(later >= step + 2);
-assert.ok((await energy(page)) < restored, "the new worker goes on downhill");
+  assert.ok((await energy(page)) < restored, "the new worker goes on downhill");
   assert.deepEqual(faults, []);
   await close();
 });
