@@ -4,6 +4,8 @@
 //! [`crate::mesh`] builds connectivity from. It makes no promise beyond its own
 //! index ranges: faces may repeat, be degenerate or meet in a non-manifold way.
 
+mod triangulate;
+
 use glam::DVec3;
 
 /// Positions and polygonal faces of any degree.
@@ -63,30 +65,5 @@ impl PolygonSoup {
     /// All faces in order.
     pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         (0..self.n_faces()).map(|f| self.face(f))
-    }
-
-    /// The faces cut into triangles by fans from each face's first corner.
-    ///
-    /// Keeps orientation and face order. A fan is a fair cut of a convex polygon
-    /// only; the formats that need it know nothing better.
-    pub fn fan_triangles(&self) -> impl Iterator<Item = [u32; 3]> {
-        self.faces().flat_map(|face| {
-            (2..face.len()).map(|corner| [face[0], face[corner - 1], face[corner]])
-        })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn fans_keep_order_and_orientation() {
-        let soup = PolygonSoup::from_faces(
-            vec![DVec3::ZERO; 6],
-            &[vec![0, 1, 2], vec![5, 4, 3, 2, 1], vec![0, 1]],
-        );
-        let triangles: Vec<_> = soup.fan_triangles().collect();
-        assert_eq!(triangles, [[0, 1, 2], [5, 4, 3], [5, 3, 2], [5, 2, 1]]);
     }
 }

@@ -141,6 +141,6 @@ pub(super) fn triangulated(
     if polygons.is_triangular() {
         return Ok(Rc::clone(polygons));
     }
-    let cut = mesh::triangulate(&polygons.to_soup(x));
+    let cut = polygons.to_soup(x).triangulated();
     Ok(Rc::new(mesh::build(&cut)?.mesh))
 }

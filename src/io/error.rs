@@ -304,6 +304,47 @@ messages! {
         },
         /// The last solid of an STL file has no end.
         NoEnd,
+        /// The header of a binary STL file counts no triangles, and there are some.
+        Uncounted {
+            /// How many were read, to the file's end.
+            count: u64,
+        },
+        /// Vertices of an OBJ file have a fourth number, which belongs to curves.
+        FourthNumbers {
+            /// How many.
+            count: usize,
+            /// The first.
+            first: Place,
+        },
+        /// What the file holds besides the mesh, and is not kept.
+        LeftOut {
+            /// Each.
+            what: Vec<Extra>,
+        },
+    }
+}
+
+messages! {
+    /// What a file may hold besides a mesh.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Extra as "extra" {
+        /// Of vertices or faces.
+        Colours,
+        /// Positions in a picture.
+        TextureCoordinates,
+        /// Names of materials.
+        Materials,
+        /// Parts by name.
+        Groups,
+    }
+}
+
+impl Oddity {
+    /// Some of what a file may hold is there; nothing to be said where none is.
+    pub(super) fn left_out(found: &[(Extra, bool)]) -> Option<Self> {
+        let what = found.iter().filter(|(_, is_there)| *is_there);
+        let what: Vec<Extra> = what.map(|(extra, _)| *extra).collect();
+        (!what.is_empty()).then_some(Self::LeftOut { what })
     }
 }
 

@@ -35,7 +35,7 @@ pub fn write(
 
     // Everything is made of 32-bit numbers, so every view begins on a multiple of four.
     let mut binary = Vec::new();
-    for corner in soup.fan_triangles().flatten() {
+    for corner in soup.triangles().into_iter().flatten() {
         binary.extend(corner.to_le_bytes());
     }
     let indices = binary.len() / 4;
@@ -180,7 +180,7 @@ mod tests {
             .chunks_exact(4)
             .map(|c| u32::from_le_bytes(c.try_into().unwrap()))
             .collect();
-        assert_eq!(indices, [0, 1, 2, 0, 2, 3]);
+        assert_eq!(indices, [0, 1, 3, 1, 2, 3], "along the shorter diagonal");
 
         let views = &scene["bufferViews"];
         let positions = floats(&binary, &views[1]);

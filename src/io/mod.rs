@@ -37,7 +37,7 @@ mod ply;
 mod stl;
 mod text;
 
-pub use error::{Expected, Found, Oddity, Place, ReadError, WriteError};
+pub use error::{Expected, Extra, Found, Oddity, Place, ReadError, WriteError};
 pub use format::Format;
 
 use crate::soup::PolygonSoup;
@@ -89,7 +89,7 @@ pub fn read(bytes: &[u8], file_name: &str) -> Result<Read, ReadError> {
 /// Writes a mesh file.
 ///
 /// OBJ, OFF and PLY keep vertices, polygons and every bit of the positions. STL and GLB
-/// hold triangles, cut by [`PolygonSoup::fan_triangles`]; binary STL and GLB round
+/// hold triangles, cut by [`PolygonSoup::triangles`]; binary STL and GLB round
 /// positions to single precision. `comment` goes where the format has room for one.
 ///
 /// # Errors

@@ -1,13 +1,15 @@
 //! Wavefront OBJ: `v` and `f`, as a polygon mesh uses them.
 //!
 //! Groups, objects, smoothing groups and materials do not divide the mesh: whatever
-//! shares an index shares the vertex. Texture and normal indices are not looked at.
+//! shares an index shares the vertex. Texture and normal indices are not looked at. A fourth
+//! number after a position is the weight of a rational curve, or a scalar of somebody's own: it
+//! is left aside with a warning.
 
 use std::fmt::Write as _;
 
 use super::assembly::{Assembly, Tally};
 use super::text::{Lines, Words, comment_lines, parse_integer};
-use super::{Expected, Format, Oddity, Read, ReadError};
+use super::{Expected, Extra, Format, Oddity, Read, ReadError};
 use crate::soup::PolygonSoup;
 
 /// Reads an OBJ file; a face may name vertices that come after it.
@@ -22,13 +24,22 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
 
     let mut assembly = Assembly::new();
     assembly.reserve(vertices, 0);
-    let mut skipped = Tally::default();
+    let (mut skipped, mut fourth) = (Tally::default(), Tally::default());
+    let [mut has_colours, mut has_texture, mut has_materials] = [false; 3];
+    let mut groups = 0;
     let mut corners = Vec::new();
     for mut words in lines() {
         match words.next() {
             None => {}
-            // Whatever follows x, y, z is a weight or a colour.
-            Some(b"v") => assembly.vertex(words.point()?, words.place())?,
+            Some(b"v") => {
+                let place = words.place();
+                assembly.vertex(words.point()?, place)?;
+                match words.count() {
+                    0 => {}
+                    1 => fourth.count(place),
+                    _ => has_colours = true,
+                }
+            }
             Some(b"f") => {
                 let place = words.place();
                 corners.clear();
@@ -37,10 +48,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
                 }
                 assembly.face(&corners, place)?;
             }
+            Some(b"vt") => has_texture = true,
+            Some(b"usemtl") => has_materials = true,
+            Some(b"o" | b"g") => groups += 1,
             Some(
-                b"vt" | b"vn" | b"vp" | b"o" | b"g" | b"s" | b"mg" | b"usemtl" | b"mtllib"
-                | b"usemap" | b"maplib" | b"bevel" | b"c_interp" | b"d_interp" | b"lod"
-                | b"shadow_obj" | b"trace_obj",
+                b"vn" | b"vp" | b"s" | b"mg" | b"mtllib" | b"usemap" | b"maplib" | b"bevel"
+                | b"c_interp" | b"d_interp" | b"lod" | b"shadow_obj" | b"trace_obj",
             ) => {}
             Some(_) => skipped.count(words.place()),
         }
@@ -48,6 +61,15 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     let mut read = assembly.finish(Format::Obj)?;
     let other = |(count, first)| Oddity::OtherLines { count, first };
     read.warnings.extend(skipped.met().map(other));
+    let weights = |(count, first)| Oddity::FourthNumbers { count, first };
+    read.warnings.extend(fourth.met().map(weights));
+    read.warnings.extend(Oddity::left_out(&[
+        (Extra::Colours, has_colours),
+        (Extra::TextureCoordinates, has_texture),
+        (Extra::Materials, has_materials),
+        // One is the name of the whole.
+        (Extra::Groups, groups > 1),
+    ]));
     Ok(read)
 }
 
@@ -149,8 +171,9 @@ mod tests {
     }
 
     #[test]
-    fn weights_and_colours_are_left_aside() {
-        let read = read(b"v 1 2 3 0.5\nv 4 5 6 1 0 0\nv 7 8 9 # corner\nf 1 2 3\n").unwrap();
+    fn what_is_left_aside_is_said_once() {
+        let of = |text: &str| read(text.as_bytes()).unwrap();
+        let read = of("v 1 2 3 0.5\nv 4 5 6 1\nv 7 8 9 # corner\nf 1 2 3\n");
         assert_eq!(
             read.soup.positions,
             [
@@ -159,13 +182,29 @@ mod tests {
                 DVec3::new(7., 8., 9.)
             ]
         );
+        let first = Place::Line { line: 1 };
+        assert_eq!(read.warnings, [Oddity::FourthNumbers { count: 2, first }]);
+        let rest =
+            "g a\ng b\nusemtl c\nvt 0 0\nv 0 0 0 .1 .2 .3\nv 1 0 0 1 1 1\nv 0 1 0\nf 1/1 2/1 3/1\n";
+        let what = vec![
+            Extra::Colours,
+            Extra::TextureCoordinates,
+            Extra::Materials,
+            Extra::Groups,
+        ];
+        assert_eq!(of(rest).warnings, [Oddity::LeftOut { what }]);
+        assert!(
+            of("o whole\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+                .warnings
+                .is_empty()
+        );
     }
 
     #[test]
     fn continued_lines_and_bytes_of_another_encoding() {
         let mut text = b"# caf\xE9\ng \xFF\xFE\n".to_vec();
         text.extend(SQUARE.replace('\n', "\r\n").bytes());
-        text.extend(b"f 1 2 \\\r\n 3\\\r\n 4");
+        text.extend(b"f 1 2 \\ \t\r\n 3\\\r\n 4");
         let read = read(&text).unwrap();
         assert_eq!(read.soup.face(0), [0, 1, 2, 3]);
         assert!(read.warnings.is_empty());

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 
 use super::assembly::Assembly;
 use super::text::{Lines, comment_lines};
-use super::{Expected, Format, Place, Read, ReadError};
+use super::{Expected, Extra, Format, Oddity, Place, Read, ReadError};
 use crate::soup::PolygonSoup;
 
 /// Letters before `OFF` that leave the position where it is.
@@ -20,7 +20,14 @@ const HEADER: Expected = Expected::Keyword { word: "OFF" };
 /// Whether a file that begins with this word is an OFF file.
 pub(super) fn is_header(word: &[u8]) -> bool {
     let dimension = header_prefix(word);
-    matches!(dimension, Some(b"" | b"4" | b"n" | b"4n"))
+    matches!(dimension, Some(b"" | b"4" | b"n" | b"4n")) || glued(word).is_some()
+}
+
+/// The digits of a count that stands right after the header word, as in a well-known collection.
+fn glued(word: &[u8]) -> Option<&[u8]> {
+    let header = word.iter().rposition(|byte| !byte.is_ascii_digit())? + 1;
+    let (header, digits) = word.split_at(header);
+    (!digits.is_empty() && header_prefix(header) == Some(b"")).then_some(digits)
 }
 
 /// What stands before `OFF` besides the letters of [`PREFIXES`].
@@ -45,9 +52,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
 
     let mut lines = Lines::of_text(Format::Off, bytes)?;
     let mut words = lines.next_filled(HEADER)?;
+    let mut letters: &[u8] = b"";
     if has_header {
         let word = words.word(HEADER)?;
-        if header_prefix(word) != Some(b"") {
+        letters = word;
+        if let Some(count) = glued(word) {
+            words.give_back(count);
+        } else if header_prefix(word) != Some(b"") {
             return Err(ReadError::Unsupported { what: "nd-off" });
         }
         if words.clone().next().is_none() {
@@ -94,7 +105,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
         }
         assembly.face(&corners, place)?;
     }
-    assembly.finish(Format::Off)
+    let mut read = assembly.finish(Format::Off)?;
+    read.warnings.extend(Oddity::left_out(&[
+        (Extra::Colours, letters.contains(&b'C')),
+        (Extra::TextureCoordinates, letters.contains(&b'T')),
+    ]));
+    Ok(read)
 }
 
 fn checked_count(
@@ -156,6 +172,8 @@ mod tests {
             "COFF\n4 2 0\n",
             "STCNOFF\r\n4 2 0\r\n",
             "NCOFF\n4 2 0\n",
+            "OFF4 2 0\n",
+            "COFF4 2 0\n",
         ] {
             let read = read(format!("{header}{BODY}").as_bytes()).unwrap();
             let faces: Vec<_> = read.soup.faces().collect();

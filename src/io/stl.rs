@@ -86,9 +86,17 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
             available,
         }
     };
-    let count = match announced(bytes) {
+    let announced = match announced(bytes) {
         Some(count) => u64::from(count),
         None => return Err(cut_short(0, HEADER as u64)),
+    };
+    // Some programs write their triangles as a stream and never come back to the header.
+    let whole = (bytes.len() - HEADER) / TRIANGLE;
+    let is_uncounted = announced == 0 && whole > 0 && (bytes.len() - HEADER) % TRIANGLE == 0;
+    let count = if is_uncounted {
+        whole as u64
+    } else {
+        announced
     };
     let needed = count * TRIANGLE as u64;
     let triangles = &bytes[HEADER..];
@@ -122,6 +130,9 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
         )?;
     }
     let mut read = weld.assembly.finish(Format::Stl)?;
+    if is_uncounted {
+        read.warnings.push(Oddity::Uncounted { count });
+    }
     let extra = triangles.len() as u64 - needed;
     if extra > 0 {
         read.warnings.push(Oddity::BytesLeft { count: extra });
@@ -184,9 +195,9 @@ fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
     (b - a).cross(c - a).normalize_or_zero()
 }
 
-fn corner_positions(soup: &PolygonSoup) -> impl Iterator<Item = [DVec3; 3]> {
-    soup.fan_triangles()
-        .map(|corners| corners.map(|c| soup.positions[c as usize]))
+fn corner_positions(soup: &PolygonSoup) -> Vec<[DVec3; 3]> {
+    let positions = |corners: [u32; 3]| corners.map(|c| soup.positions[c as usize]);
+    soup.triangles().into_iter().map(positions).collect()
 }
 
 /// Writes positions in the shortest form that reads back to the same bits.
@@ -213,7 +224,8 @@ pub(super) fn write_ascii(soup: &PolygonSoup, comment: &str) -> Vec<u8> {
 /// Writes positions rounded to single precision.
 pub(super) fn write_binary(soup: &PolygonSoup, comment: &str) -> Result<Vec<u8>, WriteError> {
     super::error::check_single(&soup.positions)?;
-    let count = u32::try_from(soup.fan_triangles().count()).map_err(|_| WriteError::TooLarge {
+    let triangles = corner_positions(soup);
+    let count = u32::try_from(triangles.len()).map_err(|_| WriteError::TooLarge {
         format: Format::Stl,
     })?;
     // Readers that look for a leading `solid` must not find it.
@@ -221,7 +233,7 @@ pub(super) fn write_binary(soup: &PolygonSoup, comment: &str) -> Result<Vec<u8>,
     out.resize(HEADER - 4, b' ');
     out.reserve(TRIANGLE * count as usize);
     out.extend(count.to_le_bytes());
-    for triangle in corner_positions(soup) {
+    for triangle in triangles {
         let vectors = std::iter::once(normal(triangle)).chain(triangle);
         for coordinate in vectors.flat_map(|v| v.as_vec3().to_array()) {
             out.extend(coordinate.to_le_bytes());
@@ -302,6 +314,11 @@ mod tests {
         let read = read_binary(&long).unwrap();
         assert_eq!(read.soup.n_faces(), 2);
         assert_eq!(read.warnings, [Oddity::BytesLeft { count: 3 }]);
+        let mut uncounted = bytes.clone();
+        uncounted[80..84].fill(0);
+        let read = read_binary(&uncounted).unwrap();
+        assert_eq!(read.soup.n_faces(), 2);
+        assert_eq!(read.warnings, [Oddity::Uncounted { count: 2 }]);
         assert_eq!(
             read_binary(&binary("", &[])),
             Err(ReadError::NoFaces { vertices: 0 })

@@ -135,8 +135,8 @@ impl<'a> Iterator for Lines<'a> {
                     length += end;
                     self.rest = &text[length + 1..];
                     let goes_on = self.continued && !comment && {
-                        let line = &text[..length];
-                        line.strip_suffix(b"\r").unwrap_or(line).ends_with(b"\\")
+                        // Blanks after it are seen by nobody.
+                        text[..length].trim_ascii_end().ends_with(b"\\")
                     };
                     if !goes_on {
                         break;
@@ -149,6 +149,7 @@ impl<'a> Iterator for Lines<'a> {
             format: self.format,
             line: number,
             rest: &text[..length],
+            again: None,
         })
     }
 }
@@ -159,6 +160,7 @@ pub(super) struct Words<'a> {
     format: Format,
     line: usize,
     rest: &'a [u8],
+    again: Option<&'a [u8]>,
 }
 
 impl<'a> Words<'a> {
@@ -168,7 +170,13 @@ impl<'a> Words<'a> {
             format,
             line: 0,
             rest: &[],
+            again: None,
         }
+    }
+
+    /// Makes the end of the word just read, so much of it, the next one again.
+    pub(super) fn give_back(&mut self, end: &'a [u8]) {
+        self.again = Some(end);
     }
 
     /// Where the line begins.
@@ -222,6 +230,9 @@ impl<'a> Iterator for Words<'a> {
     type Item = &'a [u8];
 
     fn next(&mut self) -> Option<&'a [u8]> {
+        if let Some(word) = self.again.take() {
+            return Some(word);
+        }
         loop {
             let start = self.rest.iter().position(|b| !is_blank(*b))?;
             let text = &self.rest[start..];

@@ -19,14 +19,12 @@ pub mod shape;
 mod sides;
 pub mod subdivide;
 pub mod topology;
-pub mod triangulate;
 pub mod validate;
 pub mod walk;
 
 pub use build::{Built, build};
 pub use element::{Edge, Face, Halfedge, Vertex};
 pub use error::{MeshError, Repair};
-pub use triangulate::triangulate;
 
 use crate::soup::PolygonSoup;
 

@@ -308,7 +308,7 @@ fn chords_that_are_edges_already_are_not_used_again() {
         let corners: Vec<u32> = (0..m as u32).collect();
         let polygon = surface(&PolygonSoup::from_faces(rim.collect(), &[corners]));
         let filled = fill_all(&polygon);
-        let cut = umbilic::mesh::triangulate(&filled.mesh.to_soup(&filled.positions));
+        let cut = filled.mesh.to_soup(&filled.positions).triangulated();
         assert!(surface(&cut).mesh.is_closed(), "{m}");
     }
 }

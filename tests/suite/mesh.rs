@@ -4,7 +4,7 @@ use crate::support::*;
 use glam::DVec3;
 use proptest::prelude::*;
 use umbilic::geometry::measure;
-use umbilic::mesh::{MeshError, Repair, Vertex, build, shape, triangulate};
+use umbilic::mesh::{MeshError, Repair, Vertex, build, shape};
 use umbilic::soup::PolygonSoup;
 
 fn sample(name: &str) -> PolygonSoup {
@@ -71,7 +71,7 @@ fn faces_keep_their_degree_and_order() {
     assert_eq!(mesh.to_soup(&x), soup);
     assert!((measure::volume(&mesh, &x).expect("closed") - 1.0).abs() < 1e-15);
     assert!((measure::area(&mesh, &x) - 6.0).abs() < 1e-15);
-    let cut = surface(&triangulate(&soup));
+    let cut = surface(&soup.triangulated());
     assert_eq!((cut.mesh.n_vertices(), cut.mesh.n_faces()), (8, 12));
     assert!((measure::volume(&cut.mesh, &cut.x).expect("closed") - 1.0).abs() < 1e-15);
 }
@@ -306,7 +306,7 @@ proptest! {
         if let Ok(built) = build(&soup) {
             prop_assert_eq!(built.mesh.validate(), Ok(()));
             prop_assert_eq!(built.positions.len(), built.mesh.n_vertices());
-            let _ = build(&triangulate(&built.mesh.to_soup(&built.positions)));
+            let _ = build(&built.mesh.to_soup(&built.positions).triangulated());
         }
     }
 }

@@ -272,7 +272,7 @@ fn on_quadrilaterals_it_is_the_p_willmore_flow_with_p_0() {
         .expect("readable")
         .soup;
     let quads = surface(&soup);
-    let triangles = surface(&umbilic::mesh::triangulate(&soup));
+    let triangles = surface(&soup.triangulated());
     let p_willmore = FlowOptions {
         flow: FlowName::PWillmore,
         p: 0.0,

@@ -170,7 +170,7 @@ fn near(mesh: &HalfedgeMesh, x: &[DVec3], v: Vertex, p: DVec3) -> f64 {
 mod tests {
     use super::*;
     use crate::geometry::measure::triangle_points;
-    use crate::mesh::{build, shape, triangulate};
+    use crate::mesh::{build, shape};
     use crate::soup::PolygonSoup;
 
     #[test]
@@ -222,7 +222,7 @@ mod tests {
             [1, 3, 7, 5],
         ];
         let soup = PolygonSoup::from_faces((0..8).map(at).collect(), &sides.map(Vec::from));
-        let built = build(&triangulate(&soup)).expect("a surface");
+        let built = build(&soup.triangulated()).expect("a surface");
         let (mesh, x) = (built.mesh, built.positions);
         let both = TwoSided::new(&mesh, &x);
         assert_eq!(both.distance(&x), 0.0);

@@ -58,6 +58,10 @@ pub(super) enum Role {
     Coordinate(usize),
     /// The list of a face's vertices.
     Corners,
+    /// A colour, the first part of it.
+    Colour,
+    /// A texture coordinate, or a list of these.
+    Texture,
     /// Nothing.
     Other,
 }
@@ -90,11 +94,13 @@ impl Property {
             (ElementKind::Vertex, b"x") if !is_list => Role::Coordinate(0),
             (ElementKind::Vertex, b"y") if !is_list => Role::Coordinate(1),
             (ElementKind::Vertex, b"z") if !is_list => Role::Coordinate(2),
-            (ElementKind::Face, b"vertex_indices" | b"vertex_index")
+            (ElementKind::Face | ElementKind::Strips, b"vertex_indices" | b"vertex_index")
                 if is_list && scalar.is_integer() =>
             {
                 Role::Corners
             }
+            (_, b"red" | b"diffuse_red") => Role::Colour,
+            (_, b"s" | b"u" | b"texture_u" | b"texcoord") => Role::Texture,
             _ => Role::Other,
         };
         Ok(Self {
@@ -117,6 +123,8 @@ fn read_type<'a>(words: &mut Words<'a>) -> Result<(Scalar, &'a [u8]), ReadError>
 pub(super) enum ElementKind {
     Vertex,
     Face,
+    /// Triangle strips.
+    Strips,
     Other,
 }
 
@@ -126,6 +134,7 @@ impl ElementKind {
         match self {
             Self::Vertex => "vertices",
             Self::Face => "faces",
+            Self::Strips => "strips",
             Self::Other => "elements",
         }
     }
@@ -146,6 +155,7 @@ impl Element {
         let kind = match words.word(Expected::ElementName)? {
             b"vertex" => ElementKind::Vertex,
             b"face" => ElementKind::Face,
+            b"tristrips" => ElementKind::Strips,
             _ => ElementKind::Other,
         };
         let count = words.how_many(Expected::ElementCount)?;
@@ -169,7 +179,7 @@ impl Element {
         let has = |role| self.properties.iter().filter(|p| p.role == role).count() == 1;
         match self.kind {
             ElementKind::Vertex => (0..3).all(|axis| has(Role::Coordinate(axis))),
-            ElementKind::Face => has(Role::Corners),
+            ElementKind::Face | ElementKind::Strips => has(Role::Corners),
             ElementKind::Other => true,
         }
     }
@@ -191,6 +201,12 @@ pub(super) struct Header {
 }
 
 impl Header {
+    /// Whether any element has a property of that role.
+    pub(super) fn has(&self, role: Role) -> bool {
+        let mut properties = self.elements.iter().flat_map(|e| &e.properties);
+        properties.any(|property| property.role == role)
+    }
+
     /// Reads the header of the file `bytes`.
     pub(super) fn read(bytes: &[u8]) -> Result<Self, ReadError> {
         // The body may be binary, so the first line alone tells how lines end.
@@ -282,7 +298,7 @@ fn read_format(lines: &mut Lines<'_>) -> Result<Format, ReadError> {
 fn check_complete(elements: &[Element], end: &Words<'_>) -> Result<(), ReadError> {
     let missing = match elements.iter().find(|element| !element.is_complete()) {
         Some(Element {
-            kind: ElementKind::Face,
+            kind: ElementKind::Face | ElementKind::Strips,
             ..
         }) => Expected::FaceProperty,
         Some(_) => Expected::VertexProperties,

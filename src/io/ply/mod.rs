@@ -15,7 +15,7 @@ use self::body::{Binary, Body, Text};
 use self::header::{Element, ElementKind, Header, Property, Role};
 pub(super) use self::write::write;
 use super::assembly::Assembly;
-use super::{Expected, Format, Found, Read, ReadError};
+use super::{Expected, Extra, Format, Found, Oddity, Place, Read, ReadError};
 
 /// Reads a PLY file of any encoding.
 pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
@@ -45,6 +45,12 @@ fn read_body(header: &Header, mut body: impl Body) -> Result<Read, ReadError> {
                     read_face(element, header, &mut body, &mut corners, &mut assembly)?;
                 }
             }
+            ElementKind::Strips => {
+                let mut corners = Vec::new();
+                for _ in 0..count {
+                    read_strips(element, header, &mut body, &mut corners, &mut assembly)?;
+                }
+            }
             ElementKind::Other => {
                 for _ in 0..count {
                     body.begin(Expected::OtherElement)?;
@@ -55,7 +61,12 @@ fn read_body(header: &Header, mut body: impl Body) -> Result<Read, ReadError> {
             }
         }
     }
-    assembly.finish(header.format)
+    let mut read = assembly.finish(header.format)?;
+    read.warnings.extend(Oddity::left_out(&[
+        (Extra::Colours, header.has(Role::Colour)),
+        (Extra::TextureCoordinates, header.has(Role::Texture)),
+    ]));
+    Ok(read)
 }
 
 fn read_vertex(
@@ -96,20 +107,60 @@ fn read_face(
         }
         for _ in 0..value_count(property, body)? {
             let index = body.value(property.scalar, Expected::VertexIndex)? as i64;
-            match u32::try_from(index) {
-                Ok(vertex) if u64::from(vertex) < header.vertices => corners.push(vertex),
-                _ => {
-                    return Err(ReadError::IndexOutOfRange {
-                        format: header.format,
-                        place,
-                        index,
-                        vertices: header.vertices as usize,
-                    });
-                }
-            }
+            corners.push(vertex(index, header, place)?);
         }
     }
     assembly.face(corners, place)
+}
+
+/// Triangles of strips that follow each other in one list, a negative number between two: each
+/// corner after the second makes one with the two before it, every other turned round.
+fn read_strips(
+    element: &Element,
+    header: &Header,
+    body: &mut impl Body,
+    corners: &mut Vec<u32>,
+    assembly: &mut Assembly,
+) -> Result<(), ReadError> {
+    body.begin(Expected::Face)?;
+    for property in &element.properties {
+        if property.role != Role::Corners {
+            step_over(property, body)?;
+            continue;
+        }
+        corners.clear();
+        for _ in 0..value_count(property, body)? {
+            let place = body.place();
+            let index = body.value(property.scalar, Expected::VertexIndex)? as i64;
+            if index < 0 {
+                corners.clear();
+                continue;
+            }
+            corners.push(vertex(index, header, place)?);
+            let is_turned = corners.len().is_multiple_of(2);
+            if let [.., a, b, c] = **corners
+                && a != b
+                && b != c
+                && c != a
+            {
+                // A corner that repeats joins two parts of a strip.
+                assembly.face(&if is_turned { [b, a, c] } else { [a, b, c] }, place)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn vertex(index: i64, header: &Header, place: Place) -> Result<u32, ReadError> {
+    match u32::try_from(index) {
+        Ok(vertex) if u64::from(vertex) < header.vertices => Ok(vertex),
+        _ => Err(ReadError::IndexOutOfRange {
+            format: header.format,
+            place,
+            index,
+            vertices: header.vertices as usize,
+        }),
+    }
 }
 
 fn step_over(property: &Property, body: &mut impl Body) -> Result<(), ReadError> {
@@ -224,6 +275,31 @@ mod tests {
     fn faces_may_come_before_vertices() {
         let read = ascii(&format!("{FACE}{VERTEX}"), "3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n").unwrap();
         assert_eq!(read.soup.face(0), [0, 1, 2]);
+    }
+
+    #[test]
+    fn strips_are_triangles_every_other_turned_round() {
+        let elements = VERTEX.replace('3', "5")
+            + "property uchar red\nelement tristrips 1\nproperty list int int vertex_indices\n";
+        let points = "0 0 0 1\n1 0 0 1\n0 1 0 1\n1 1 0 1\n2 0 0 1\n";
+        let strip = |list: &str| {
+            let count = list.split(' ').count();
+            ascii(&elements, &format!("{points}{count} {list}\n"))
+        };
+        let read = strip("0 1 2 3 -1 1 4 3").unwrap();
+        let faces: Vec<_> = read.soup.faces().collect();
+        assert_eq!(faces, [[0, 1, 2], [2, 1, 3], [1, 4, 3]]);
+        let what = vec![Extra::Colours];
+        assert_eq!(read.warnings, [Oddity::LeftOut { what }]);
+        // Repeated corners lead to the next part of a strip and are no triangles.
+        let read = strip("0 1 2 2 1 1 1 4 3").unwrap();
+        let faces: Vec<_> = read.soup.faces().collect();
+        assert_eq!(faces, [[0, 1, 2], [1, 4, 3]]);
+        let beyond = strip("0 1 5");
+        assert!(
+            matches!(beyond, Err(ReadError::IndexOutOfRange { index: 5, .. })),
+            "{beyond:?}"
+        );
     }
 
     #[test]

@@ -24,7 +24,7 @@ mod refine;
 pub use boundary::{BoundaryLoop, boundary_loops};
 pub use error::{FillError, FillNotice};
 
-use crate::mesh::{Built, HalfedgeMesh, Repair, build, triangulate};
+use crate::mesh::{Built, HalfedgeMesh, Repair, build};
 use crate::soup::PolygonSoup;
 use boundary::{Rim, check_simple};
 use fair::{Lowered, ORDER, fair};
@@ -153,7 +153,7 @@ pub fn fill(
     };
     remesh(&mut jobs, ROUNDS[0], first, progress)?;
     let old = mesh.to_soup(x);
-    let triangles = triangulate(&old);
+    let triangles = old.triangulated();
     draw_in(&mut jobs, &triangles, 1, progress)?;
     if !options.connect {
         remesh(&mut jobs, ROUNDS[1], Smoothing::Tangential, progress)?;

@@ -73,7 +73,7 @@ fn soup_in(folder: &str, name: &str) -> Option<PolygonSoup> {
 /// A real mesh, triangulated if it has other polygons.
 pub fn real(name: &str) -> Option<Surface> {
     let soup = soup_in("meshes", name)?;
-    Some(surface(&umbilic::mesh::triangulate(&soup)))
+    Some(surface(&soup.triangulated()))
 }
 
 /// A mesh of a case that went wrong once, from a subfolder of `cases`.

@@ -41,7 +41,7 @@ pub fn watch(s: &Surface, options: FlowOptions, what: &str) -> Run {
     let triangles = if s.mesh.is_triangular() {
         Rc::clone(&s.mesh)
     } else {
-        surface(&triangulate(&s.mesh.to_soup(&s.x))).mesh
+        surface(&s.mesh.to_soup(&s.x).triangulated()).mesh
     };
     let mut driver = Driver::start(&triangles, &s.mesh, &mut x, options).expect("a flow");
     let mut reports: Vec<StepReport> = Vec::new();

@@ -94,6 +94,13 @@ oddity-bytes-left = { $count ->
    *[other] { $count } Bytes nach dem letzten Dreieck blieben
 } unbeachtet.
 oddity-no-end = Der letzte Körper hat kein Ende; vielleicht bricht die Datei ab.
+oddity-uncounted = Der Kopf zählt keine Dreiecke; bis zum Ende der Datei wurden { $count } gelesen.
+oddity-fourth-numbers = { $count } Ecken haben eine vierte Zahl, zuerst bei { $first }; sie blieb unbeachtet.
+oddity-left-out = Weggelassen: { $what }.
+extra-colours = Farben
+extra-texture-coordinates = Texturkoordinaten
+extra-materials = Materialien
+extra-groups = Gruppen
 
 ## Netze, die sich nicht schreiben lassen
 

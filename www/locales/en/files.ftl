@@ -94,6 +94,13 @@ oddity-bytes-left = { $count ->
    *[other] { $count } bytes after the last triangle were
 } left aside.
 oddity-no-end = The last solid has no end; the file may be cut short.
+oddity-uncounted = The header counts no triangles; { $count } were read, to the end of the file.
+oddity-fourth-numbers = { $count } vertices have a fourth number, the first at { $first }; it was left aside.
+oddity-left-out = Left out: { $what }.
+extra-colours = colours
+extra-texture-coordinates = texture coordinates
+extra-materials = materials
+extra-groups = groups
 
 ## Meshes that cannot be written
 
