@@ -49,6 +49,9 @@ struct Found {
     met_bound: bool,
 }
 
+/// What a step came to: its report, none where no step was taken, and what to do next.
+pub type Stepped = (Option<StepReport>, Decision);
+
 impl Driver {
     /// The flow that the options ask for, on a triangle mesh; on `polygons`, the same surface
     /// before it was cut into triangles, where the flow takes its faces. A pre-fill or a
@@ -119,18 +122,12 @@ impl Driver {
     ///
     /// # Errors
     /// Numerical failures; `x` and the run are as before.
-    pub fn step(
-        &mut self,
-        x: &mut Vec<DVec3>,
-    ) -> Result<(Option<StepReport>, Decision), FlowError> {
+    pub fn step(&mut self, x: &mut Vec<DVec3>) -> Result<Stepped, FlowError> {
         let before = self.checkpoint();
         self.try_step(x).inspect_err(|_| self.restore(before))
     }
 
-    fn try_step(
-        &mut self,
-        x: &mut Vec<DVec3>,
-    ) -> Result<(Option<StepReport>, Decision), FlowError> {
+    fn try_step(&mut self, x: &mut Vec<DVec3>) -> Result<Stepped, FlowError> {
         let watch = Instant::now();
         let mut cost = Cost::telling(self.progress.clone());
         cost.tell("assemble", 0.0);

@@ -92,7 +92,8 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
     };
     // Some programs write their triangles as a stream and never come back to the header.
     let whole = (bytes.len() - HEADER) / TRIANGLE;
-    let is_uncounted = announced == 0 && whole > 0 && (bytes.len() - HEADER) % TRIANGLE == 0;
+    let is_uncounted =
+        announced == 0 && whole > 0 && (bytes.len() - HEADER).is_multiple_of(TRIANGLE);
     let count = if is_uncounted {
         whole as u64
     } else {
