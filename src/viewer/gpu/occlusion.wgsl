@@ -37,9 +37,11 @@ fn fragment(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
     let tilt = 2.0 * own.xy - 1.0;
     let normal = vec3f(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.0)));
 
-    let reach = REACH * frame.radius;
-    let scale = frame.viewport.y / f32(textureDimensions(seen).y);
-    let pixels = max(reach / (frame.pixel_size * depth * scale), 2.0);
+    // From near less far around: twelve samples would be too few for so many pixels.
+    let size = vec2f(textureDimensions(seen));
+    let pixel_size = frame.pixel_size * depth * frame.viewport.y / size.y;
+    let pixels = clamp(REACH * frame.radius / pixel_size, 2.0, 0.125 * size.y);
+    let reach = pixels * pixel_size;
     // A spiral, turned otherwise at each of 4 × 4 neighbours, over which the blur averages.
     let cell = vec2u(pixel.xy) & vec2u(3u);
     let turn = f32((7u * (4u * cell.x + cell.y)) & 15u) / 16.0;
@@ -48,14 +50,17 @@ fn fragment(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
         let along = (f32(n) + 0.5) / f32(SAMPLES);
         let angle = 6.2831853 * (5.0 * along + turn);
         let at = pixel.xy + pixels * along * vec2f(cos(angle), sin(angle));
+        // Beyond the picture nothing is known, and nothing darkens.
+        let is_seen = all(at >= vec2f(0.0)) && all(at < size);
         let texel = texel_at(at);
         let there = point_at(vec2f(texel) + 0.5, unpacked_depth(textureLoad(seen, texel, 0).zw));
         let way = (there - point) / reach;
         let squared = dot(way, way);
         let near = max(1.0 - squared, 0.0);
-        sum += near * near * near * max(dot(way, normal) - 0.03, 0.0) / (squared + 0.01);
+        let rise = max(dot(way, normal) - 0.03, 0.0) / (squared + 0.01);
+        sum += select(0.0, near * near * near * rise, is_seen);
     }
-    let open = clamp(1.0 - 5.0 * sum / f32(SAMPLES), 0.0, 1.0);
+    let open = clamp(1.0 - 8.0 * sum / f32(SAMPLES), 0.0, 1.0);
     return vec4f(open, 0.0, own.zw);
 }
 

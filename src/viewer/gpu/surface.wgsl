@@ -148,8 +148,10 @@ fn shaded(in: Varying, is_front: bool, facet: vec3f) -> vec3f {
     let own = select(frame.front.rgb, frame.back.rgb, side.is_back);
     let plain = mix(own, vec3f(luminance(own)), 0.7 * in.attributes.y);
     // Colours that stand for values are lit by white light within narrow bounds: they are
-    // those of the colour bar wherever they are.
-    let shade = clamp(luminance(light.diffuse) + light.gloss, 0.7, 1.05);
+    // those of the colour bar wherever they are. The bounds are reached gently, as a bend of
+    // the light would be seen as a line.
+    let bright = luminance(light.diffuse) + light.gloss;
+    let shade = mix(0.7, 1.05, smoothstep(0.3, 1.1, bright));
     let coloured = frame.field_strength * (1.0 - in.attributes.z);
     return mix(plain * light.diffuse + light.gloss, shade * value, coloured);
 }
