@@ -89,7 +89,7 @@ impl Motion {
     /// positions and with velocities `v` of the parabola through a step and its two
     /// neighbours, `v = (h⁺ d⁻ + h⁻ d⁺) / (h⁻ + h⁺)` where `d` are the mean velocities
     /// before and after. At an end, and where one of the two ways is straight, that of the
-    /// way itself.
+    /// way itself; with that at both ends the cubic is a straight line.
     pub fn weights(&self) -> [f32; SLOTS] {
         let mut weights = [0.0; SLOTS];
         let after = self.knots.iter().position(|knot| knot.time >= self.time);
@@ -104,11 +104,6 @@ impl Motion {
         let from = self.knots[n - 1];
         let h = knot.time - from.time;
         let s = (self.time - from.time) / h;
-        if knot.is_straight {
-            weights[from.slot] = 1.0 - s;
-            weights[knot.slot] = s;
-            return weights;
-        }
         let rest = 1.0 - s;
         weights[from.slot] = (1.0 + 2.0 * s) * rest * rest;
         weights[knot.slot] = s * s * (3.0 - 2.0 * s);
