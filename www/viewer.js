@@ -603,9 +603,9 @@ class SurfaceView {
   }
 
   #redraw() {
-    this.#frame ??= requestAnimationFrame(() => {
+    this.#frame ??= requestAnimationFrame((now) => {
       this.#frame = null;
-      this.#draw();
+      if (this.#draw()) this.#timeFrame(now);
       if (this.#cameraMoved) {
         this.#cameraMoved = false;
         this.#options.onCamera?.(this.camera());
@@ -613,10 +613,21 @@ class SurfaceView {
     });
   }
 
+  /** Draws what has changed. @returns {boolean} whether anything had */
   #draw() {
     // A new size clears the canvas, so it waits for the picture that fills it again.
     this.#viewer?.resize(this.#size.width, this.#size.height);
-    this.#viewer?.draw();
+    return this.#viewer?.draw() ?? false;
+  }
+
+  /**
+   * Waits for the next frame of the display: a device that cannot follow holds it up.
+   * @param {number} start  of the frame in which a picture was drawn
+   */
+  #timeFrame(start) {
+    requestAnimationFrame((now) => {
+      if (this.#viewer?.recordFrame(now - start)) this.#redraw();
+    });
   }
 
   /** @param {(viewer: WasmViewer) => void} change */

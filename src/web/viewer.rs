@@ -312,6 +312,14 @@ impl Viewer {
         self.0.draw()
     }
 
+    /// Takes note of the milliseconds from a frame of the display, in which a picture was
+    /// drawn, to the next; says whether there is something to draw, as less is drawn beyond
+    /// surface and lines from now on.
+    #[wasm_bindgen(js_name = recordFrame)]
+    pub fn record_frame(&mut self, milliseconds: f32) -> bool {
+        self.0.record_frame(milliseconds)
+    }
+
     /// Whether the graphics device went away; then this viewer is dead.
     #[wasm_bindgen(js_name = isLost)]
     pub fn is_lost(&self) -> bool {

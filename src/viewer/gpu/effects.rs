@@ -1,8 +1,4 @@
-//! What is drawn beyond surface and lines, and how long pictures take with it.
-
-use std::sync::{Arc, Mutex, PoisonError};
-
-use web_time::Instant;
+//! What is drawn beyond surface and lines.
 
 use super::bindings::Bindings;
 use super::device::Gpu;
@@ -18,17 +14,6 @@ pub(super) struct EffectPasses {
     pub(super) occlusion: OcclusionPass,
     pub(super) shadow: ShadowPass,
     quality: Quality,
-    clock: Clock,
-}
-
-/// Milliseconds that pictures took, as they are known.
-type Times = Arc<Mutex<Vec<f32>>>;
-
-/// Times one picture at a time.
-#[derive(Default)]
-struct Clock {
-    is_running: bool,
-    times: Times,
 }
 
 impl EffectPasses {
@@ -39,7 +24,6 @@ impl EffectPasses {
             shadow: ShadowPass::new(gpu, bindings, &reading),
             reading,
             quality: Quality::new(gpu.is_software),
-            clock: Clock::default(),
         }
     }
 
@@ -69,34 +53,8 @@ impl EffectPasses {
         }
     }
 
-    /// Times the picture that has just been submitted, and takes those into account that are
-    /// done; says whether less is affordable than before.
-    pub(super) fn time(&mut self, gpu: &Gpu) -> bool {
-        let done = std::mem::take(&mut *lock(&self.clock.times));
-        self.clock.is_running &= done.is_empty();
-        if !self.clock.is_running {
-            self.clock.is_running = true;
-            let (start, times) = (Instant::now(), Arc::clone(&self.clock.times));
-            gpu.queue.on_submitted_work_done(move || {
-                lock(&times).push(1000.0 * start.elapsed().as_secs_f32());
-            });
-            #[cfg(feature = "viewer-webgl")]
-            {
-                let (device, times) = (gpu.device.clone(), Arc::clone(&self.clock.times));
-                wasm_bindgen_futures::spawn_local(async move {
-                    let is_done = || !lock(&times).is_empty();
-                    super::polling::poll_until(&device, is_done).await;
-                });
-            }
-        }
-        let mut is_less = false;
-        for milliseconds in done {
-            is_less |= self.quality.record(milliseconds);
-        }
-        is_less
+    /// Takes note of how long a frame took.
+    pub(super) fn record(&mut self, milliseconds: f32) {
+        self.quality.record(milliseconds);
     }
-}
-
-fn lock(times: &Times) -> std::sync::MutexGuard<'_, Vec<f32>> {
-    times.lock().unwrap_or_else(PoisonError::into_inner)
 }

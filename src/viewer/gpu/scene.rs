@@ -348,8 +348,18 @@ impl Viewer {
         );
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.queue.present(texture);
-        self.stale.picture = self.effects.time(&self.gpu);
+        self.stale.picture = false;
         true
+    }
+
+    /// Takes note of the milliseconds from one frame of the display, in which a picture was
+    /// drawn, to the next; says whether there is something to draw as less is drawn now.
+    pub fn record_frame(&mut self, milliseconds: f32) -> bool {
+        let before = self.effects();
+        self.effects.record(milliseconds);
+        let is_less = self.effects() != before;
+        self.stale.picture |= is_less;
+        is_less
     }
 
     /// Draws once more into a texture and reads it back. The future borrows nothing, so
