@@ -297,6 +297,11 @@ impl Drawing {
         self.motion.weights()
     }
 
+    /// Steps that have weights; their slots come first.
+    pub fn n_steps(&self) -> usize {
+        self.motion.n_steps()
+    }
+
     /// The steps that are held, by slot.
     pub fn steps(&self) -> &[Step] {
         &self.steps

@@ -68,6 +68,10 @@ pub struct Frame {
     pub shadow: f32,
     /// Radius of the surface.
     pub radius: f32,
+    /// Number of steps that have weights.
+    pub n_steps: u32,
+    /// Uniform blocks are padded to multiples of 16 bytes.
+    pub padding: [u32; 3],
 }
 
 /// Cosines up to which a back counts as front. The inside of a closed surface is seen only
@@ -139,6 +143,8 @@ impl Frame {
             occlusion: on(effects >= Effects::Occlusion),
             shadow: palette.shadow * elevation * on(effects >= Effects::Shadow),
             radius: drawing.bounds().radius,
+            n_steps: drawing.n_steps() as u32,
+            padding: [0; 3],
         }
     }
 }
@@ -271,6 +277,7 @@ mod tests {
         moving.add_step(&grown, 1.0, false).expect("later");
         let still = |frame: Frame| Frame {
             weights: Vec4::X,
+            n_steps: 1,
             ..frame
         };
         let turn = |c: &mut Camera| c.orbit(10.0, 20.0);

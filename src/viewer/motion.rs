@@ -82,6 +82,11 @@ impl Motion {
         self.last().slot
     }
 
+    /// Number of steps held; they take the first slots.
+    pub fn n_steps(&self) -> usize {
+        self.knots.len()
+    }
+
     /// Weight of each slot at the time shown; they add up to 1. At the time of a step its
     /// own is exactly 1 and all others are exactly 0.
     ///

@@ -148,6 +148,7 @@ fn frame_block_is_laid_out_as_in_rust() {
         ("occlusion", offset_of!(Frame, occlusion)),
         ("shadow", offset_of!(Frame, shadow)),
         ("radius", offset_of!(Frame, radius)),
+        ("n_steps", offset_of!(Frame, n_steps)),
     ]);
     assert_eq!(
         layout(&parse("frame.wgsl"), "Frame"),

@@ -119,14 +119,12 @@ fn luminance(light: vec3f) -> f32 {
 // How open to its surroundings the surface is at a pixel, from the half-size picture: from
 // those of the four nearest points that are as far from the eye.
 fn openness_at(pixel: vec2f, depth: f32) -> f32 {
-    if frame.occlusion < 0.5 {
-        return 1.0;
-    }
     let size = vec2f(textureDimensions(openness));
     let at = pixel * size / frame.viewport - 0.5;
     let base = floor(at);
     var sum = vec2f(1e-4);
-    for (var n = 0u; n < 4u; n += 1u) {
+    let taps = select(0u, 4u, frame.occlusion > 0.5);
+    for (var n = 0u; n < taps; n += 1u) {
         let offset = vec2f(f32(n & 1u), f32(n >> 1u));
         let share = 1.0 - abs(at - base - offset);
         let texel = clamp(base + offset, vec2f(0.0), size - 1.0);
