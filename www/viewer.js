@@ -24,6 +24,8 @@ import { say } from "./words.js";
  * @property {"light" | "dark"} [theme]
  * @property {boolean} [contrast]   colour maps of high contrast
  * @property {number} [lineWidth]   of an edge, in CSS pixels
+ * @property {"auto" | "always" | "never"} [effects]  darkened corners and a shadow; by itself
+ *   what the device has time for, and nothing where it draws in software
  */
 
 /**
@@ -43,6 +45,17 @@ import { say } from "./words.js";
  */
 
 /**
+ * A step that follows another, so that the surface can be drawn between them.
+ * @typedef {object} NextStep
+ * @property {Float32Array} positions
+ * @property {Field | null} field
+ * @property {number} time            when it is shown, in any unit: after the step before; the
+ *   step set by `setFrame` has time 0
+ * @property {boolean} [isStraight]   whether vertices move to it at constant velocity, instead
+ *   of along smooth curves
+ */
+
+/**
  * Segments of space over the surface.
  * @typedef {object} Overlay
  * @property {Float32Array} ends    two of three coordinates each
@@ -52,6 +65,9 @@ import { say } from "./words.js";
 
 /** @type {Overlay} */
 const none = { ends: new Float32Array(), colours: new Uint8Array(), hidden: 0 };
+
+/** Steps that the viewer holds at a time. */
+const HELD_STEPS = 4;
 
 /** How near to an edge a click counts, in CSS pixels. */
 const CLICK_REACH = 12;
@@ -110,6 +126,9 @@ class SurfaceView {
   #mesh = null;
   /** @type {Shown | null} */
   #shown = null;
+  /** @type {NextStep[]} */
+  #steps = [];
+  #time = 0;
   /** @type {Uint8Array} */
   #fixed = new Uint8Array();
   /** @type {Uint32Array} */
@@ -117,7 +136,7 @@ class SurfaceView {
   /** @type {Overlay | null} */
   #overlay = null;
   /** @type {Style} */
-  #style = { lineWidth: 1.25 };
+  #style = { lineWidth: 1 };
   #size = { width: 1, height: 1 };
 
   /**
@@ -174,13 +193,14 @@ class SurfaceView {
   #remember(loaded) {
     this.#mesh = loaded;
     this.#shown = null;
+    this.#steps = [];
     this.#fixed = new Uint8Array();
     this.#highlight = new Uint32Array();
     this.#redraw();
   }
 
   /**
-   * Shows the surface after a step. The arrays are kept, not copied.
+   * Shows the surface after a step, and no motion. The arrays are kept, not copied.
    * @param {Float32Array} positions
    * @param {Field | null} field
    * @param {Uint32Array} [marked]  triangles to highlight
@@ -189,6 +209,32 @@ class SurfaceView {
     const shown = { positions, field, marked };
     this.#putFrame(shown);
     this.#shown = shown;
+    this.#steps = [];
+    this.#time = 0;
+    this.#redraw();
+  }
+
+  /**
+   * Adds the step that follows the last; `setTime` then moves the surface between them. A
+   * cubic needs the steps before and after the two it joins, so this runs a step ahead. The
+   * viewer holds four steps and forgets the oldest: no array is sent twice. The arrays are
+   * kept, not copied.
+   * @param {NextStep} step
+   */
+  addStep(step) {
+    this.#putStep(step);
+    this.#steps = [...this.#steps, step].slice(-HELD_STEPS);
+    this.#redraw();
+  }
+
+  /**
+   * Shows the surface as of a time between the steps held; at that of a step, exactly as
+   * `setFrame` would show it.
+   * @param {number} time
+   */
+  setTime(time) {
+    this.#viewer?.setTime(time);
+    this.#time = time;
     this.#redraw();
   }
 
@@ -375,6 +421,11 @@ class SurfaceView {
     return this.#drawnOn !== this.#canvas;
   }
 
+  /** What is drawn beyond surface and lines: "none", "shadow", or "occlusion" as well. */
+  get effects() {
+    return this.#viewer?.effects() ?? "none";
+  }
+
   /** What the graphics adapter calls itself, often nothing. */
   get adapter() {
     return this.#viewer?.adapter() ?? "";
@@ -428,6 +479,8 @@ class SurfaceView {
     this.#putStyle();
     if (this.#mesh) this.#putMesh(this.#mesh);
     if (this.#shown) this.#putFrame(this.#shown);
+    for (const step of this.#steps) this.#putStep(step);
+    viewer.setTime(this.#time);
     viewer.setMarkedVertices(this.#fixed);
     viewer.setHighlight(this.#highlight);
     this.#putOverlay();
@@ -488,7 +541,7 @@ class SurfaceView {
   }
 
   #putStyle() {
-    const { lineWidth = 1.25 } = this.#style;
+    const { lineWidth = 1 } = this.#style;
     const pixels = this.#size.width / Math.max(this.#canvas.clientWidth, 1);
     this.#viewer?.setStyle({ ...this.#style, lineWidth: lineWidth * pixels });
   }
@@ -501,12 +554,23 @@ class SurfaceView {
   /** @param {Shown} shown */
   #putFrame({ positions, field, marked }) {
     this.#viewer?.setPositions(positions);
+    this.#putField(field);
+    this.#viewer?.setMarkedTriangles(marked);
+  }
+
+  /** @param {NextStep} step */
+  #putStep({ positions, field, time, isStraight }) {
+    this.#viewer?.addStep(positions, time, isStraight ?? false);
+    this.#putField(field);
+  }
+
+  /** Of the step put last. @param {Field | null} field */
+  #putField(field) {
     if (field) {
       this.#viewer?.setField(field.values, field.low, field.high, field.signed);
     } else {
       this.#viewer?.clearField();
     }
-    this.#viewer?.setMarkedTriangles(marked);
   }
 
   #watchSize() {
@@ -539,9 +603,9 @@ class SurfaceView {
   }
 
   #redraw() {
-    this.#frame ??= requestAnimationFrame(() => {
+    this.#frame ??= requestAnimationFrame((now) => {
       this.#frame = null;
-      this.#draw();
+      if (this.#draw()) this.#timeFrame(now);
       if (this.#cameraMoved) {
         this.#cameraMoved = false;
         this.#options.onCamera?.(this.camera());
@@ -549,10 +613,21 @@ class SurfaceView {
     });
   }
 
+  /** Draws what has changed. @returns {boolean} whether anything had */
   #draw() {
     // A new size clears the canvas, so it waits for the picture that fills it again.
     this.#viewer?.resize(this.#size.width, this.#size.height);
-    this.#viewer?.draw();
+    return this.#viewer?.draw() ?? false;
+  }
+
+  /**
+   * Waits for the next frame of the display: a device that cannot follow holds it up.
+   * @param {number} start  of the frame in which a picture was drawn
+   */
+  #timeFrame(start) {
+    requestAnimationFrame((now) => {
+      if (this.#viewer?.recordFrame(now - start)) this.#redraw();
+    });
   }
 
   /** @param {(viewer: WasmViewer) => void} change */

@@ -288,9 +288,14 @@ impl Camera {
         self.world_from_view * Vec3::Z
     }
 
-    /// Angle above the turntable. By two axes, because an arc sine alone loses half its
+    /// Axis of the turntable, a unit vector.
+    pub fn up(&self) -> Vec3 {
+        self.up
+    }
+
+    /// Angle above the turntable, in radians. By two axes, because an arc sine alone loses half its
     /// digits at the poles and would let the camera creep past them.
-    fn elevation(&self) -> f32 {
+    pub fn elevation(&self) -> f32 {
         let upward = self.world_from_view * Vec3::Y;
         self.backward().dot(self.up).atan2(upward.dot(self.up))
     }

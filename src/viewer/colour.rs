@@ -1,16 +1,17 @@
 //! Colour maps and the palettes of the two themes, in sRGB.
 
-use colorous::{INFERNO, RED_BLUE, VIRIDIS};
+use colorous::INFERNO;
 
 /// Texels of a colour map on the GPU.
 pub const MAP_LENGTH: usize = 256;
 
-/// Share of the diverging map left out at each end.
-const DARK_END: f64 = 0.12;
-
 /// Share of the sequential map of high contrast left out at its low end, which is black: nothing
 /// could be told by its shading there.
 const BLACK_END: f64 = 0.1;
+
+/// The signed map at equal distances, `0xrrggbb`: blue below zero, nearly white at zero, ochre
+/// above. Its upper half alone is the map of what has no sign.
+const BLUE_OCHRE: [u32; 5] = [0x1f5f9e, 0x7fb2d6, 0xf0ece4, 0xe8b06a, 0xa8560f];
 
 /// The signed map of high contrast at equal distances, `0xrrggbb`. In CIELAB its L* are 10, 30,
 /// 52, 76, 98 and back: equal on both sides of zero, so that size is seen as lightness and sign
@@ -32,13 +33,11 @@ impl ColourMap {
     /// The colour at `t` from 0, the low end, to 1, as r, g, b.
     fn at(self, t: f64) -> [u8; 3] {
         match (self.signed, self.contrast) {
-            (false, false) => VIRIDIS.eval_continuous(t).as_array(),
+            (false, false) => between(&BLUE_OCHRE[2..], t),
             (false, true) => INFERNO
                 .eval_continuous(BLACK_END + (1.0 - BLACK_END) * t)
                 .as_array(),
-            (true, false) => RED_BLUE
-                .eval_continuous(1.0 - DARK_END - (1.0 - 2.0 * DARK_END) * t)
-                .as_array(),
+            (true, false) => between(&BLUE_OCHRE, t),
             (true, true) => between(&BLUE_ORANGE, t),
         }
     }
@@ -57,10 +56,9 @@ fn between(stops: &[u32], t: f64) -> [u8; 3] {
 
 /// `n` colours of a map from low to high, as r, g, b bytes.
 ///
-/// Sequential: viridis, or inferno where contrast is wanted; both perceptually uniform and
-/// readable by the colour-blind. Signed: blue below zero, white at zero, red above (`RdBu` of
-/// ColorBrewer, reversed), without its ends, which are too dark to carry shading; with contrast
-/// blue, white and orange with nearly black ends.
+/// Signed: blue below zero, nearly white at zero, ochre above; otherwise from nearly white to
+/// ochre. With contrast from blue over white to orange with nearly black ends, and inferno,
+/// perceptually uniform from nearly black to pale yellow.
 pub fn colour_bar(map: ColourMap, n: usize) -> Vec<u8> {
     let colour = |i: usize| {
         // One colour alone is the middle of the map.
@@ -93,25 +91,31 @@ pub enum Theme {
     Dark,
 }
 
-/// Colours of a theme, `0xrrggbb` in sRGB.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Colours of a theme, `0xrrggbb` in sRGB, and strengths of its lights.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Palette {
     /// Background behind the surface …
-    pub glow: u32,
-    /// … and in the corners.
-    pub corner: u32,
+    pub centre: u32,
+    /// … and at the rim of the picture.
+    pub rim: u32,
     /// Side of the surface that winds anticlockwise.
     pub front: u32,
     /// Other side of an orientable surface.
     pub back: u32,
-    /// Held vertices.
-    pub fixed: u32,
     /// Marked triangles.
     pub marked: u32,
     /// Edges of the mesh.
     pub wire: u32,
     /// Boundary loops.
     pub boundary: u32,
+    /// Chosen edges.
+    pub chosen: u32,
+    /// Strength of the light from sky and ground.
+    pub hemisphere: f32,
+    /// Strength of the light that outlines the surface.
+    pub outline: f32,
+    /// Opacity of the shadow on the floor.
+    pub shadow: f32,
 }
 
 impl Theme {
@@ -119,28 +123,39 @@ impl Theme {
     pub fn palette(self) -> Palette {
         match self {
             Self::Light => Palette {
-                glow: 0xfbfaf7,
-                corner: 0xd9d5cc,
-                front: 0xe0cdb2,
-                back: 0x7f93ad,
-                fixed: 0x4f9e8f,
+                centre: 0xf4f6f8,
+                rim: 0xd9dfe6,
+                front: CELADON,
+                back: TERRACOTTA,
                 marked: 0xe4572e,
-                wire: 0x2a2420,
-                boundary: 0xc23616,
+                wire: 0x14191f,
+                boundary: 0x14191f,
+                chosen: 0x07504b,
+                hemisphere: 0.66,
+                outline: 0.20,
+                shadow: 0.42,
             },
             Self::Dark => Palette {
-                glow: 0x2f343d,
-                corner: 0x0d0e11,
-                front: 0xe0cdb2,
-                back: 0x8fa8cf,
-                fixed: 0x4f9e8f,
+                centre: 0x1d232a,
+                rim: 0x0d1013,
+                front: CELADON,
+                back: TERRACOTTA,
                 marked: 0xff6b3d,
-                wire: 0x14110f,
-                boundary: 0xffb347,
+                wire: 0x0d1013,
+                boundary: 0xedf1f4,
+                chosen: 0x6fcfbf,
+                hemisphere: 0.52,
+                outline: 0.34,
+                shadow: 0.75,
             },
         }
     }
 }
+
+/// A hue that no colour map uses.
+const CELADON: u32 = 0x86b5a9;
+/// Linear light (0.50, 0.235, 0.15).
+const TERRACOTTA: u32 = 0xbc856c;
 
 /// Linear light of an sRGB colour `0xrrggbb`, opaque (IEC 61966-2-1).
 pub fn linear(srgb: u32) -> [f32; 4] {
@@ -234,18 +249,47 @@ mod tests {
     }
 
     #[test]
-    fn sequential_maps_grow_lighter_all_the_way() {
-        for (map, range) in [(PLAIN, 75.0), (CONTRAST, 90.0)] {
+    fn lightness_of_sequential_maps_goes_one_way_all_the_way() {
+        // The plain one has lost its blue half, and so half of the range of a whole map.
+        for (map, sense, range) in [(PLAIN, -1.0, 45.0), (CONTRAST, 1.0, 90.0)] {
             for sight in &SIGHT {
                 let bar = lab(map, 64, sight);
                 assert!(
-                    bar.windows(2).all(|pair| pair[1][0] > pair[0][0]),
-                    "{map:?}: L* falls under {sight:?}"
+                    bar.windows(2)
+                        .all(|pair| sense * (pair[1][0] - pair[0][0]) > 0.0),
+                    "{map:?}: L* turns back under {sight:?}"
                 );
             }
             let bar = lab(map, 64, &SIGHT[0]);
-            assert!(bar[63][0] - bar[0][0] > range, "{map:?} of {range}");
+            let found = sense * (bar[63][0] - bar[0][0]);
+            assert!(found > range, "{map:?}: {found:.1} of {range}");
         }
+    }
+
+    #[test]
+    fn plain_maps_tell_the_sign_and_the_size_to_everyone() {
+        for sight in &SIGHT {
+            for (map, least) in [(SIGNED, 7.0), (PLAIN, 3.0)] {
+                let bar = lab(map, 16, sight);
+                for (i, pair) in bar.windows(2).enumerate() {
+                    let apart = difference(pair[0], pair[1]);
+                    assert!(
+                        apart > least,
+                        "{map:?}: {i} differs by {apart:.1} under {sight:?}"
+                    );
+                }
+            }
+            let bar = lab(SIGNED, 9, sight);
+            for i in 0..4 {
+                let apart = difference(bar[i], bar[8 - i]);
+                assert!(apart > 25.0, "±{}: {apart:.1} under {sight:?}", 4 - i);
+            }
+        }
+    }
+
+    #[test]
+    fn what_has_no_sign_has_the_upper_half_of_the_signed_map() {
+        assert_eq!(colour_bar(PLAIN, 65), colour_bar(SIGNED, 129)[3 * 64..]);
     }
 
     #[test]
@@ -284,15 +328,21 @@ mod tests {
     }
 
     #[test]
-    fn diverging_map_is_blue_white_red() {
-        let bar = colour_bar(SIGNED, 3);
-        assert!(bar[2] > bar[0] + 30, "low end {:?} is not blue", &bar[..3]);
-        assert!(
-            bar[3..6].iter().all(|&channel| channel > 230),
-            "middle {:?}",
-            &bar[3..6]
-        );
-        assert!(bar[6] > bar[8] + 30, "high end {:?} is not red", &bar[6..]);
+    fn the_stops_of_the_signed_map_are_met() {
+        let bar = colour_bar(SIGNED, 5);
+        for (rgb, stop) in bar.chunks_exact(3).zip(BLUE_OCHRE) {
+            assert_eq!(rgb, &stop.to_be_bytes()[1..]);
+        }
+    }
+
+    #[test]
+    fn backs_have_the_light_of_the_design() {
+        for theme in [Theme::Light, Theme::Dark] {
+            let back = linear(theme.palette().back);
+            for (found, designed) in back.into_iter().zip([0.50, 0.235, 0.15]) {
+                assert!((found - designed).abs() < 4e-3, "{back:?}");
+            }
+        }
     }
 
     #[test]

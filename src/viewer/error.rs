@@ -50,6 +50,8 @@ messages! {
             /// Entries given.
             found: usize,
         },
+        /// The time of a step is not after that of the step before.
+        WrongTime,
         /// An index beyond the last vertex or triangle.
         OutOfRange {
             /// Name of the array.

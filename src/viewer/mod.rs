@@ -8,9 +8,11 @@
 //! | --- | --- |
 //! | [`camera`] | turntable, fit, zoom to the cursor, clip planes |
 //! | [`drawing`] | arrays of the surface as drawn; [`seams`], [`normals`] and [`edges`] serve it |
+//! | [`motion`] | the surface between two steps of a flow |
 //! | [`segments`] | lines of space drawn over it |
 //! | [`pick`] | what lies under a pixel |
 //! | [`colour`] | colour maps, palettes of the themes |
+//! | [`style`], [`quality`] | what the page asks for, and what the device has time for |
 //! | [`frame`] | uniform blocks, mirrored in WGSL |
 //! | `gpu` | device, passes and shaders; redraws only when something changed |
 
@@ -25,7 +27,10 @@ pub mod frame;
     target_arch = "wasm32"
 ))]
 pub mod gpu;
+pub mod motion;
 pub mod normals;
 pub mod pick;
+pub mod quality;
 pub mod seams;
 pub mod segments;
+pub mod style;

@@ -1,13 +1,15 @@
-//! Vertex normals for lighting.
+//! Vertex normals for lighting, and how long edges are about each vertex.
 //!
 //! In single precision and for the eye only: the normals of the mathematics are in
 //! `geometry`. Degenerate triangles and positions that are not finite leave a vertex
 //! without a normal (zero); the shader then takes that of the triangle.
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
-/// Area-weighted vertex normals, written to `normals` (one for each of `positions`):
-/// `n_v = Σ_t (p_b − p_a) × (p_c − p_a)` over the triangles about `v`, made unit.
+/// Area-weighted vertex normals, written to the first three of each of `normals` (one for
+/// each drawn vertex): `n_v = Σ_t (p_b − p_a) × (p_c − p_a)` over the triangles about `v`,
+/// made unit. The fourth is the mean length of the sides that meet in `v`, those of two
+/// triangles counted twice: a dense wireframe fades by it.
 ///
 /// The last `copies.len()` vertices are copies of others along a seam, see
 /// [`super::seams`]. A vertex and its copies get one normal between them, up to sign:
@@ -16,32 +18,35 @@ pub fn vertex_normals(
     positions: &[[f32; 4]],
     triangles: &[u32],
     copies: &[u32],
-    normals: &mut [[f32; 3]],
+    normals: &mut [[f32; 4]],
 ) {
-    normals.fill([0.0; 3]);
-    let position = |vertex: u32| {
-        let [x, y, z, _] = positions[vertex as usize];
-        Vec3::new(x, y, z)
-    };
+    normals.fill([0.0; 4]);
+    let position = |vertex: u32| Vec4::from(positions[vertex as usize]).truncate();
+    let mut n_sides = vec![0.0f32; normals.len()];
     for triangle in triangles.chunks_exact(3) {
-        let a = position(triangle[0]);
-        let double_area = (position(triangle[1]) - a).cross(position(triangle[2]) - a);
-        if double_area.is_finite() {
-            for &vertex in triangle {
-                add(&mut normals[vertex as usize], double_area);
-            }
+        let [a, b, c] = [0, 1, 2].map(|k| position(triangle[k]));
+        let double_area = (b - a).cross(c - a);
+        if !double_area.is_finite() {
+            continue;
+        }
+        let [ab, bc, ca] = [a.distance(b), b.distance(c), c.distance(a)];
+        for (&vertex, sides) in triangle.iter().zip([ab + ca, ab + bc, bc + ca]) {
+            add(&mut normals[vertex as usize], double_area.extend(sides));
+            n_sides[vertex as usize] += 2.0;
         }
     }
     join_across_seams(copies, normals);
-    for normal in normals {
-        *normal = Vec3::from(*normal).normalize_or_zero().to_array();
+    for (normal, n_sides) in normals.iter_mut().zip(n_sides) {
+        let unit = Vec4::from(*normal).truncate().normalize_or_zero();
+        *normal = unit.extend(normal[3] / n_sides.max(1.0)).to_array();
     }
 }
 
 /// Gives every copy the normal of its vertex, and the vertex that of its copies: all
 /// added on the side of the first, then turned back to each one's own.
-fn join_across_seams(copies: &[u32], normals: &mut [[f32; 3]]) {
+fn join_across_seams(copies: &[u32], normals: &mut [[f32; 4]]) {
     let first_copy = normals.len() - copies.len();
+    let at = |normals: &[[f32; 4]], v: usize| Vec4::from(normals[v]).truncate();
     let side = |normal: Vec3, reference: Vec3| {
         if normal.dot(reference) < 0.0 {
             -1.0
@@ -49,24 +54,21 @@ fn join_across_seams(copies: &[u32], normals: &mut [[f32; 3]]) {
             1.0
         }
     };
-    let reference: Vec<Vec3> = copies
-        .iter()
-        .map(|&v| Vec3::from(normals[v as usize]))
-        .collect();
+    let reference: Vec<Vec3> = copies.iter().map(|&v| at(normals, v as usize)).collect();
     for ((copy, &vertex), &reference) in (first_copy..).zip(copies).zip(&reference) {
-        let own = Vec3::from(normals[copy]);
-        add(&mut normals[vertex as usize], side(own, reference) * own);
+        let own = at(normals, copy);
+        let term = side(own, reference) * own;
+        add(&mut normals[vertex as usize], term.extend(0.0));
     }
     for ((copy, &vertex), &reference) in (first_copy..).zip(copies).zip(&reference) {
-        let own = Vec3::from(normals[copy]);
-        normals[copy] = (side(own, reference) * Vec3::from(normals[vertex as usize])).to_array();
+        let own = at(normals, copy);
+        let joined = side(own, reference) * at(normals, vertex as usize);
+        normals[copy] = joined.extend(normals[copy][3]).to_array();
     }
 }
 
-fn add(sum: &mut [f32; 3], term: Vec3) {
-    sum[0] += term.x;
-    sum[1] += term.y;
-    sum[2] += term.z;
+fn add(sum: &mut [f32; 4], term: Vec4) {
+    *sum = (Vec4::from(*sum) + term).to_array();
 }
 
 #[cfg(test)]
@@ -80,9 +82,25 @@ mod tests {
             .copied()
             .chain(copies.iter().map(|&v| positions[v as usize]));
         let padded: Vec<[f32; 4]> = all.map(|p| p.extend(0.5).to_array()).collect();
-        let mut normals = vec![[f32::NAN; 3]; padded.len()];
+        let mut normals = vec![[f32::NAN; 4]; padded.len()];
         vertex_normals(&padded, triangles, copies, &mut normals);
-        normals.into_iter().map(Vec3::from).collect()
+        let normal = |n: [f32; 4]| Vec4::from(n).truncate();
+        normals.into_iter().map(normal).collect()
+    }
+
+    #[test]
+    fn sides_that_meet_in_a_vertex_have_a_mean_length() {
+        // A fan of two right triangles: sides 3 and 4 apart, 5 across.
+        let positions = [
+            [0.0; 4],
+            [3., 0., 0., 9.],
+            [0., 4., 0., 9.],
+            [-3., 0., 0., 9.],
+        ];
+        let mut normals = [[0.0; 4]; 4];
+        vertex_normals(&positions, &[0, 1, 2, 0, 2, 3], &[], &mut normals);
+        let lengths = normals.map(|[.., length]| length);
+        assert_eq!(lengths, [3.5, 4.0, 4.5, 4.0]);
     }
 
     #[test]

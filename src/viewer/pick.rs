@@ -16,11 +16,7 @@ pub struct Hit {
 
 /// The first triangle along a ray, from either side (Möller & Trumbore 1997).
 pub fn pick(drawing: &Drawing, origin: Vec3, direction: Vec3) -> Option<Hit> {
-    let vertices = drawing.vertices();
-    let at = |v: u32| {
-        let [x, y, z, _] = vertices[v as usize];
-        Vec3::new(x, y, z)
-    };
+    let at = drawing.positions();
     let mut nearest: Option<(f32, u32)> = None;
     for (t, corners) in (0..).zip(drawing.triangles().chunks_exact(3)) {
         let a = at(corners[0]);
@@ -53,13 +49,11 @@ pub fn nearest_edge(
     reach: f32,
 ) -> Option<usize> {
     let (origin, direction) = camera.ray(at.x, at.y);
+    let position = drawing.positions();
     let surface = pick(drawing, origin, direction).and_then(|hit| camera.project(hit.point));
     let mut best = (reach, None);
     for (n, pair) in ends.chunks_exact(2).enumerate() {
-        let [a, b] = [pair[0], pair[1]].map(|v| {
-            let [x, y, z, _] = drawing.vertices()[v as usize];
-            Vec3::new(x, y, z)
-        });
+        let [a, b] = [pair[0], pair[1]].map(&position);
         let (Some((from, near)), Some((to, far))) = (camera.project(a), camera.project(b)) else {
             continue;
         };

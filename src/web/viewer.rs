@@ -12,6 +12,7 @@ use crate::mesh::subdivide::linear_levels;
 use crate::viewer::colour::{ColourMap, Theme, colour_bar};
 use crate::viewer::error::ViewerError;
 use crate::viewer::gpu;
+use crate::viewer::quality::{Effects, Wish};
 
 #[wasm_bindgen]
 extern "C" {
@@ -20,7 +21,7 @@ extern "C" {
     #[wasm_bindgen(method, getter)]
     fn samples(this: &ViewerOptions) -> Option<u32>;
 
-    /// `{ shading?, wireframe?, boundary?, theme?, contrast?, lineWidth? }`
+    /// `{ shading?, wireframe?, boundary?, theme?, contrast?, lineWidth?, effects? }`
     pub type StyleOptions;
     #[wasm_bindgen(method, getter)]
     fn shading(this: &StyleOptions) -> Option<String>;
@@ -34,6 +35,8 @@ extern "C" {
     fn contrast(this: &StyleOptions) -> Option<bool>;
     #[wasm_bindgen(method, getter, js_name = lineWidth)]
     fn line_width(this: &StyleOptions) -> Option<f32>;
+    #[wasm_bindgen(method, getter)]
+    fn effects(this: &StyleOptions) -> Option<String>;
 }
 
 impl From<ViewerError> for JsValue {
@@ -119,13 +122,33 @@ impl Viewer {
             .replace_mesh(positions, triangles, wire_edges, boundary_edges)?)
     }
 
-    /// Moves the vertices; the camera stays.
+    /// Shows one step alone, at time 0; the camera stays.
     #[wasm_bindgen(js_name = setPositions)]
     pub fn set_positions(&mut self, positions: &[f32]) -> Result<(), JsValue> {
         Ok(self.0.set_positions(positions)?)
     }
 
-    /// Colours by a value a vertex.
+    /// Adds the step that follows, to be shown at a time after the last. What is shown is of
+    /// the time set; up to four steps are held, of which the oldest makes room. On the way to
+    /// the step vertices move along cubics, or along straight lines.
+    #[wasm_bindgen(js_name = addStep)]
+    pub fn add_step(
+        &mut self,
+        positions: &[f32],
+        time: f32,
+        is_straight: bool,
+    ) -> Result<(), JsValue> {
+        Ok(self.0.add_step(positions, time, is_straight)?)
+    }
+
+    /// Shows the surface at a time between the steps that are held; at that of a step, exactly
+    /// that step.
+    #[wasm_bindgen(js_name = setTime)]
+    pub fn set_time(&mut self, time: f32) {
+        self.0.set_time(time);
+    }
+
+    /// Colours by a value a vertex at the step set or added last.
     #[wasm_bindgen(js_name = setField)]
     pub fn set_field(
         &mut self,
@@ -219,6 +242,12 @@ impl Viewer {
             Some("dark") => style.theme = Theme::Dark,
             _ => {}
         }
+        match options.effects().as_deref() {
+            Some("auto") => style.effects = Wish::Auto,
+            Some("always") => style.effects = Wish::Always,
+            Some("never") => style.effects = Wish::Never,
+            _ => {}
+        }
         style.wireframe = options.wireframe().unwrap_or(style.wireframe);
         style.boundary = options.boundary().unwrap_or(style.boundary);
         style.contrast = options.contrast().unwrap_or(style.contrast);
@@ -283,6 +312,14 @@ impl Viewer {
         self.0.draw()
     }
 
+    /// Takes note of the milliseconds from a frame of the display, in which a picture was
+    /// drawn, to the next; says whether there is something to draw, as less is drawn beyond
+    /// surface and lines from now on.
+    #[wasm_bindgen(js_name = recordFrame)]
+    pub fn record_frame(&mut self, milliseconds: f32) -> bool {
+        self.0.record_frame(milliseconds)
+    }
+
     /// Whether the graphics device went away; then this viewer is dead.
     #[wasm_bindgen(js_name = isLost)]
     pub fn is_lost(&self) -> bool {
@@ -320,6 +357,16 @@ impl Viewer {
     /// What the graphics adapter calls itself; browsers often leave it empty.
     pub fn adapter(&self) -> String {
         self.0.adapter().to_owned()
+    }
+
+    /// What is drawn beyond surface and lines: `none`, `shadow`, or `occlusion` as well.
+    pub fn effects(&self) -> String {
+        let name = match self.0.effects() {
+            Effects::None => "none",
+            Effects::Shadow => "shadow",
+            Effects::Occlusion => "occlusion",
+        };
+        name.to_owned()
     }
 
     /// `n` colours of a colour map from low to high, r, g, b bytes each; of high contrast

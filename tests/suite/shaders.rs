@@ -49,8 +49,8 @@ fn named(members: &[(&str, usize)]) -> Vec<(String, usize)> {
         .collect()
 }
 
-#[test]
-fn every_shader_is_valid() {
+/// Names of all shaders, that in front of each included.
+fn shaders() -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/viewer/gpu");
     let files = fs::read_dir(folder).expect("folder exists");
     let names = files.map(|file| {
@@ -60,8 +60,13 @@ fn every_shader_is_valid() {
             .expect("UTF-8")
     });
     let shaders: Vec<String> = names.filter(|name| name.ends_with(".wgsl")).collect();
-    assert!(shaders.len() >= 4, "only {shaders:?}");
-    for name in shaders {
+    assert!(shaders.len() >= 6, "only {shaders:?}");
+    shaders
+}
+
+#[test]
+fn every_shader_is_valid() {
+    for name in shaders() {
         let module = parse(&name);
         // No capability beyond the core: what passes here runs on every device.
         Validator::new(ValidationFlags::all(), Capabilities::empty())
@@ -72,8 +77,8 @@ fn every_shader_is_valid() {
 
 #[test]
 fn shaders_use_nothing_that_webgl2_lacks() {
-    for name in ["background.wgsl", "surface.wgsl", "line.wgsl"] {
-        for (_, variable) in parse(name).global_variables.iter() {
+    for name in shaders() {
+        for (_, variable) in parse(&name).global_variables.iter() {
             let is_storage = matches!(variable.space, naga::AddressSpace::Storage { .. });
             assert!(!is_storage, "{name}: storage buffer {:?}", variable.name);
         }
@@ -87,11 +92,11 @@ fn shaders_can_be_written_for_webgl2() {
         version: glsl::Version::new_gles(300),
         ..Default::default()
     };
-    for name in ["background.wgsl", "surface.wgsl", "line.wgsl"] {
-        let module = parse(name);
+    for name in shaders() {
+        let module = parse(&name);
         let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
             .validate(&module)
-            .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(&source(name))));
+            .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(&source(&name))));
         for entry in &module.entry_points {
             let stage = glsl::PipelineOptions {
                 shader_stage: entry.stage,
@@ -118,20 +123,32 @@ fn frame_block_is_laid_out_as_in_rust() {
     let expected = named(&[
         ("clip_from_view", offset_of!(Frame, clip_from_view)),
         ("view_from_world", offset_of!(Frame, view_from_world)),
-        ("glow", offset_of!(Frame, glow)),
-        ("corner", offset_of!(Frame, corner)),
+        ("weights", offset_of!(Frame, weights)),
+        ("centre", offset_of!(Frame, centre)),
+        ("rim", offset_of!(Frame, rim)),
         ("front", offset_of!(Frame, front)),
         ("back", offset_of!(Frame, back)),
-        ("fixed_tint", offset_of!(Frame, fixed)),
         ("marked", offset_of!(Frame, marked)),
+        ("wire", offset_of!(Frame, wire)),
+        ("floor", offset_of!(Frame, floor)),
+        ("floor_u", offset_of!(Frame, floor_u)),
+        ("floor_v", offset_of!(Frame, floor_v)),
         ("viewport", offset_of!(Frame, viewport)),
         ("pixel_size", offset_of!(Frame, pixel_size)),
         ("near", offset_of!(Frame, near)),
+        ("far", offset_of!(Frame, far)),
         ("field_low", offset_of!(Frame, field_low)),
         ("field_scale", offset_of!(Frame, field_scale)),
         ("field_strength", offset_of!(Frame, field_strength)),
         ("flatness", offset_of!(Frame, flatness)),
         ("grazing", offset_of!(Frame, grazing)),
+        ("wire_half_width", offset_of!(Frame, wire_half_width)),
+        ("hemisphere", offset_of!(Frame, hemisphere)),
+        ("outline", offset_of!(Frame, outline)),
+        ("occlusion", offset_of!(Frame, occlusion)),
+        ("shadow", offset_of!(Frame, shadow)),
+        ("radius", offset_of!(Frame, radius)),
+        ("n_steps", offset_of!(Frame, n_steps)),
     ]);
     assert_eq!(
         layout(&parse("frame.wgsl"), "Frame"),
@@ -144,8 +161,6 @@ fn line_block_is_laid_out_as_in_rust() {
     let expected = named(&[
         ("colour", offset_of!(Line, colour)),
         ("half_width", offset_of!(Line, half_width)),
-        ("fade_from", offset_of!(Line, fade_from)),
-        ("fade_to", offset_of!(Line, fade_to)),
         ("lift", offset_of!(Line, lift)),
     ]);
     assert_eq!(

@@ -47,7 +47,7 @@ async function markedPixels(page) {
   let count = 0;
   for (let n = 0; n < data.length; n += channels) {
     const [r, g, b] = data.subarray(n, n + 3);
-    if (Math.abs(r - 0xe4) + Math.abs(g - 0x57) + Math.abs(b - 0x2e) <= 3) count += 1;
+    if (Math.abs(r - 0x07) + Math.abs(g - 0x50) + Math.abs(b - 0x4b) <= 3) count += 1;
   }
   return count;
 }

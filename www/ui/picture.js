@@ -40,7 +40,7 @@ export function ownPane({ frame, reading, options }) {
 }
 
 /** Width of an edge in CSS pixels, on a desk and from the last row. */
-const LINE = { near: 1.25, far: 2.5 };
+const LINE = { near: 1, far: 2 };
 
 /** How the surface is drawn. @param {Readonly<PageState>} state @returns {import("../viewer.js").Style} */
 export function styleOf(state) {

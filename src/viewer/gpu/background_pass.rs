@@ -2,13 +2,14 @@
 
 use super::bindings::Bindings;
 use super::device::Gpu;
-use super::pipeline::{Plan, pipeline, shader};
+use super::material::Material;
+use super::pipeline::{Plan, Target, pipeline, shader};
 
 /// Draws one triangle at the far plane.
 pub(super) struct BackgroundPass(wgpu::RenderPipeline);
 
 impl BackgroundPass {
-    pub(super) fn new(gpu: &Gpu, bindings: &Bindings) -> Self {
+    pub(super) fn new(gpu: &Gpu, bindings: &Bindings, material: &Material) -> Self {
         Self(pipeline(
             gpu,
             &Plan {
@@ -16,11 +17,10 @@ impl BackgroundPass {
                 shader: &shader(gpu, "background", include_str!("background.wgsl")),
                 vertex: "vertex",
                 fragment: "fragment",
-                groups: &[Some(&bindings.layout)],
+                groups: &[Some(&bindings.layout), Some(&material.layout)],
                 buffers: &[],
                 topology: wgpu::PrimitiveTopology::TriangleList,
-                is_opaque: true,
-                is_behind: false,
+                target: Target::Opaque,
             },
         ))
     }

@@ -1,47 +1,60 @@
-//! What every pass binds as group 0: the frame's uniforms, the vertices, the colour map.
+//! What every pass binds as group 0: the frame's uniforms, the steps, the marks.
 
 use bytemuck::bytes_of;
 
 use super::device::Gpu;
-use crate::viewer::colour::{ColourMap, MAP_LENGTH, map_texels};
-use crate::viewer::drawing::ROW;
+use super::texture::{self, read_entry, uniform_entry};
+use crate::viewer::drawing::{Drawing, ROW};
 use crate::viewer::frame::Frame;
+use crate::viewer::motion::SLOTS;
+
+/// Layers of the texture of steps that a step takes: positions and normals.
+const LAYERS: u32 = 2;
 
 /// Group 0 of every pipeline.
 pub(super) struct Bindings {
     pub(super) layout: wgpu::BindGroupLayout,
     pub(super) group: wgpu::BindGroup,
     uniforms: wgpu::Buffer,
-    vertices: wgpu::Texture,
-    map: wgpu::Texture,
-    sent_map: Option<ColourMap>,
+    steps: wgpu::Texture,
+    marks: wgpu::Texture,
 }
 
 impl Bindings {
     pub(super) fn new(gpu: &Gpu) -> Self {
-        let device = &gpu.device;
-        let layout = layout(device);
-        let uniforms = device.create_buffer(&wgpu::BufferDescriptor {
+        let layout = gpu
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some("frame"),
+                entries: &[
+                    uniform_entry(0),
+                    read_entry(
+                        1,
+                        wgpu::ShaderStages::VERTEX,
+                        wgpu::TextureViewDimension::D2Array,
+                    ),
+                    read_entry(
+                        2,
+                        wgpu::ShaderStages::VERTEX,
+                        wgpu::TextureViewDimension::D2,
+                    ),
+                ],
+            });
+        let uniforms = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("frame"),
             size: size_of::<Frame>() as u64,
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let vertices = texture(device, wgpu::TextureFormat::Rgba32Float, ROW as u32, 1);
-        let map = texture(
-            device,
-            wgpu::TextureFormat::Rgba8UnormSrgb,
-            MAP_LENGTH as u32,
-            1,
-        );
-        let group = group(device, &layout, &uniforms, &vertices, &map);
+        let steps = steps(gpu, 1, 1);
+        let marks = marks(gpu, 1);
+        let group = group(gpu, &layout, &uniforms, &steps, &marks);
         Self {
             layout,
             group,
             uniforms,
-            vertices,
-            map,
-            sent_map: None,
+            steps,
+            marks,
         }
     }
 
@@ -50,118 +63,79 @@ impl Bindings {
         gpu.queue.write_buffer(&self.uniforms, 0, bytes_of(frame));
     }
 
-    /// Sends positions and values, whole rows of [`ROW`] vertices. Only another number of
-    /// rows makes a new texture.
-    pub(super) fn set_vertices(&mut self, gpu: &Gpu, vertices: &[[f32; 4]]) {
-        let rows = (vertices.len() / ROW) as u32;
-        if rows != self.vertices.height() {
-            let format = self.vertices.format();
-            self.vertices = texture(&gpu.device, format, ROW as u32, rows);
-            self.group = group(
-                &gpu.device,
-                &self.layout,
-                &self.uniforms,
-                &self.vertices,
-                &self.map,
-            );
+    /// Sends what has changed of the steps: `points`, the positions and values in these
+    /// slots, `normals` the normals in those. Only more steps, or another number of rows,
+    /// make new textures, and then all is sent.
+    pub(super) fn set_steps(
+        &mut self,
+        gpu: &Gpu,
+        drawing: &Drawing,
+        mut points: [bool; SLOTS],
+        mut normals: [bool; SLOTS],
+    ) {
+        let held = drawing.steps();
+        let rows = (drawing.flags().len() / ROW) as u32;
+        let layers = LAYERS * held.len() as u32;
+        if rows != self.steps.height() || layers > self.steps.depth_or_array_layers() {
+            self.steps = steps(gpu, rows, layers);
+            (points, normals) = ([true; SLOTS], [true; SLOTS]);
+            if rows != self.marks.height() {
+                self.marks = marks(gpu, rows);
+            }
+            self.group = group(gpu, &self.layout, &self.uniforms, &self.steps, &self.marks);
         }
-        write(gpu, &self.vertices, bytemuck::cast_slice(vertices));
+        for (slot, step) in held.iter().enumerate() {
+            let layer = LAYERS * slot as u32;
+            if points[slot] {
+                texture::write(
+                    gpu,
+                    &self.steps,
+                    layer,
+                    bytemuck::cast_slice(step.vertices()),
+                );
+            }
+            if normals[slot] {
+                let normals = bytemuck::cast_slice(step.normals());
+                texture::write(gpu, &self.steps, layer + 1, normals);
+            }
+        }
     }
 
-    /// Sends a colour map.
-    pub(super) fn set_map(&mut self, gpu: &Gpu, map: ColourMap) {
-        if self.sent_map != Some(map) {
-            self.sent_map = Some(map);
-            write(gpu, &self.map, &map_texels(map));
-        }
+    /// Sends the marks, after the steps of the same mesh.
+    pub(super) fn set_marks(&self, gpu: &Gpu, drawing: &Drawing) {
+        texture::write(gpu, &self.marks, 0, bytemuck::cast_slice(drawing.flags()));
     }
 }
 
-fn texture(
-    device: &wgpu::Device,
-    format: wgpu::TextureFormat,
-    width: u32,
-    height: u32,
-) -> wgpu::Texture {
-    device.create_texture(&wgpu::TextureDescriptor {
-        label: None,
-        size: wgpu::Extent3d {
-            width,
-            height,
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-        view_formats: &[],
-    })
+fn steps(gpu: &Gpu, rows: u32, layers: u32) -> wgpu::Texture {
+    // Never a single layer: WebGL has another kind of texture for that.
+    let size = (ROW as u32, rows, layers.max(LAYERS));
+    texture::data(gpu, wgpu::TextureFormat::Rgba32Float, size)
 }
 
-fn write(gpu: &Gpu, texture: &wgpu::Texture, bytes: &[u8]) {
-    let layout = wgpu::TexelCopyBufferLayout {
-        offset: 0,
-        bytes_per_row: Some(bytes.len() as u32 / texture.height()),
-        rows_per_image: None,
-    };
-    gpu.queue
-        .write_texture(texture.as_image_copy(), bytes, layout, texture.size());
-}
-
-fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    let texture = |filterable| wgpu::BindingType::Texture {
-        sample_type: wgpu::TextureSampleType::Float { filterable },
-        view_dimension: wgpu::TextureViewDimension::D2,
-        multisampled: false,
-    };
-    let uniform = wgpu::BindingType::Buffer {
-        ty: wgpu::BufferBindingType::Uniform,
-        has_dynamic_offset: false,
-        min_binding_size: None,
-    };
-    let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
-    let entry = |binding, visibility, ty| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility,
-        ty,
-        count: None,
-    };
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("frame"),
-        entries: &[
-            entry(0, wgpu::ShaderStages::VERTEX_FRAGMENT, uniform),
-            entry(1, wgpu::ShaderStages::VERTEX, texture(false)),
-            entry(2, wgpu::ShaderStages::FRAGMENT, texture(true)),
-            entry(3, wgpu::ShaderStages::FRAGMENT, sampler),
-        ],
-    })
+fn marks(gpu: &Gpu, rows: u32) -> wgpu::Texture {
+    texture::data(gpu, wgpu::TextureFormat::Rgba8Unorm, (ROW as u32, rows, 1))
 }
 
 fn group(
-    device: &wgpu::Device,
+    gpu: &Gpu,
     layout: &wgpu::BindGroupLayout,
     uniforms: &wgpu::Buffer,
-    vertices: &wgpu::Texture,
-    map: &wgpu::Texture,
+    steps: &wgpu::Texture,
+    marks: &wgpu::Texture,
 ) -> wgpu::BindGroup {
-    let view = |texture: &wgpu::Texture| texture.create_view(&Default::default());
-    let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
+    let steps = steps.create_view(&wgpu::TextureViewDescriptor {
+        dimension: Some(wgpu::TextureViewDimension::D2Array),
         ..Default::default()
     });
-    let resources = [
-        uniforms.as_entire_binding(),
-        wgpu::BindingResource::TextureView(&view(vertices)),
-        wgpu::BindingResource::TextureView(&view(map)),
-        wgpu::BindingResource::Sampler(&sampler),
-    ];
-    let entry = |(binding, resource)| wgpu::BindGroupEntry { binding, resource };
-    let entries: Vec<_> = (0..).zip(resources).map(entry).collect();
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("frame"),
+    let marks = marks.create_view(&Default::default());
+    texture::group(
+        gpu,
         layout,
-        entries: &entries,
-    })
+        &[
+            uniforms.as_entire_binding(),
+            wgpu::BindingResource::TextureView(&steps),
+            wgpu::BindingResource::TextureView(&marks),
+        ],
+    )
 }

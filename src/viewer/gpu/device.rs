@@ -22,6 +22,8 @@ pub(super) struct Gpu {
     pub(super) queue: wgpu::Queue,
     pub(super) samples: u32,
     pub(super) adapter: String,
+    /// Whether it draws on the CPU.
+    pub(super) is_software: bool,
     /// Why the device went away, once it has.
     pub(super) lost: Signal<String>,
     canvas: wgpu::Surface<'static>,
@@ -83,12 +85,15 @@ impl Gpu {
         watch(&device, &lost);
         canvas.configure(&device, &config);
         let info = adapter.get_info();
+        let is_software = info.device_type == wgpu::DeviceType::Cpu;
         let (depth, multisampled) = targets(&device, &config, samples);
         Ok(Self {
-            adapter: match info.device_type {
-                wgpu::DeviceType::Cpu => format!("{} (software)", info.name).trim().to_owned(),
-                _ => info.name,
+            adapter: if is_software {
+                format!("{} (software)", info.name).trim().to_owned()
+            } else {
+                info.name
             },
+            is_software,
             device,
             queue,
             samples,

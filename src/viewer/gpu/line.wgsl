@@ -3,8 +3,6 @@
 struct Line {
     colour: vec4f,
     half_width: f32,
-    fade_from: f32,
-    fade_to: f32,
     lift: f32,
 }
 
@@ -17,29 +15,19 @@ struct Varying {
     @location(1) colour: vec4f,
 }
 
-// One corner of a ribbon; where it stands along the line, and how deep.
+// One corner of a ribbon, and where it stands along the line.
 struct Corner {
     clip: vec4f,
     place: vec3f,
-    z: f32,
 }
 
 // An edge of the mesh.
 @vertex
-fn vertex(
-    @builtin(vertex_index) corner: u32,
-    @location(0) ends: vec2u,
-    @location(1) surroundings: vec2f,
-) -> Varying {
-    let a = view_position(vertex_at(ends.x).xyz);
-    let b = view_position(vertex_at(ends.y).xyz);
+fn vertex(@builtin(vertex_index) corner: u32, @location(0) ends: vec2u) -> Varying {
+    let a = view_position(blended(ends.x, POSITION).xyz);
+    let b = view_position(blended(ends.y, POSITION).xyz);
     let at = ribbon(corner, a, b);
-    // A dense mesh would drown in its own lines: they fade with the size on screen of the
-    // edges about, taken without foreshortening.
-    let mean_length = distance(a, b) * select(surroundings.x, surroundings.y, (corner & 1u) == 1u);
-    let size = mean_length / (frame.pixel_size * -at.z);
-    let opacity = line.colour.a * smoothstep(line.fade_from, line.fade_to, size);
-    return Varying(at.clip, at.place, vec4f(line.colour.rgb, opacity));
+    return Varying(at.clip, at.place, line.colour);
 }
 
 // A segment between two points of space, in its own colour.
@@ -60,7 +48,7 @@ fn ribbon(corner: u32, start_view: vec3f, end_view: vec3f) -> Corner {
     // Projected below by hand, so cut at the near plane by hand too.
     let plane = -frame.near;
     if min(a.z, b.z) >= plane {
-        return Corner(vec4f(2.0, 2.0, 2.0, 1.0), vec3f(0.0), plane);
+        return Corner(vec4f(2.0, 2.0, 2.0, 1.0), vec3f(0.0));
     }
     if a.z > plane {
         a = mix(a, b, (a.z - plane) / (a.z - b.z));
@@ -88,7 +76,6 @@ fn ribbon(corner: u32, start_view: vec3f, end_view: vec3f) -> Corner {
     return Corner(
         vec4f(2.0 * pixel / frame.viewport, lifted.z / lifted.w, 1.0),
         vec3f(offset_along, offset_across, length),
-        select(a.z, b.z, at_end),
     );
 }
 

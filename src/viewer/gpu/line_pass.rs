@@ -1,4 +1,4 @@
-//! Edges as ribbons of fixed pixel width: the wireframe and the boundary loops. Segments of
+//! Edges as ribbons of fixed pixel width: the boundary loops and what is chosen. Segments of
 //! space likewise, in colours of their own.
 //!
 //! Each edge is one instance of a four-cornered strip that looks up its two ends in the
@@ -8,8 +8,8 @@ use bytemuck::bytes_of;
 
 use super::bindings::Bindings;
 use super::device::Gpu;
-use super::pipeline::{GrowingBuffer, Plan, pipeline, shader};
-use crate::viewer::edges::Edge;
+use super::pipeline::{GrowingBuffer, Plan, Target, pipeline, shader};
+use super::texture::{self, uniform_entry};
 use crate::viewer::frame::Line;
 use crate::viewer::segments::Segment;
 
@@ -46,19 +46,10 @@ impl LinePass {
             .device
             .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
                 label: Some("line"),
-                entries: &[wgpu::BindGroupLayoutEntry {
-                    binding: 0,
-                    visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
-                    ty: wgpu::BindingType::Buffer {
-                        ty: wgpu::BufferBindingType::Uniform,
-                        has_dynamic_offset: false,
-                        min_binding_size: None,
-                    },
-                    count: None,
-                }],
+                entries: &[uniform_entry(0)],
             });
         let shader = shader(gpu, "line", include_str!("line.wgsl"));
-        let plan = |vertex, stride: usize, attributes: &[wgpu::VertexAttribute], is_behind| {
+        let plan = |vertex, stride: usize, attributes: &[wgpu::VertexAttribute], target| {
             pipeline(
                 gpu,
                 &Plan {
@@ -73,17 +64,17 @@ impl LinePass {
                         attributes,
                     })],
                     topology: wgpu::PrimitiveTopology::TriangleStrip,
-                    is_opaque: false,
-                    is_behind,
+                    target,
                 },
             )
         };
-        let edge = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Float32x2];
+        let edge = wgpu::vertex_attr_array![0 => Uint32x2];
         let segment = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4];
+        let size = size_of::<Segment>();
         Self {
-            edges: plan("vertex", size_of::<Edge>(), &edge, false),
-            segments: plan("segment", size_of::<Segment>(), &segment, false),
-            hidden_segments: plan("segment", size_of::<Segment>(), &segment, true),
+            edges: plan("vertex", size_of::<[u32; 2]>(), &edge, Target::Blended),
+            segments: plan("segment", size, &segment, Target::Blended),
+            hidden_segments: plan("segment", size, &segment, Target::BlendedBehind),
             layout,
         }
     }
@@ -95,14 +86,7 @@ impl LinePass {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("line"),
-            layout: &self.layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: uniforms.as_entire_binding(),
-            }],
-        });
+        let group = texture::group(gpu, &self.layout, &[uniforms.as_entire_binding()]);
         Pen { uniforms, group }
     }
 
@@ -122,7 +106,7 @@ impl LinePass {
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, set: &EdgeSet) {
-        let count = set.edges.count::<Edge>();
+        let count = set.edges.count::<[u32; 2]>();
         strips(pass, &self.edges, &set.pen, &set.edges, count);
     }
 
@@ -150,8 +134,9 @@ fn strips(
 }
 
 impl EdgeSet {
-    pub(super) fn set_edges(&mut self, gpu: &Gpu, edges: &[Edge]) {
-        self.edges.set(gpu, edges);
+    /// Takes other edges, two vertices each.
+    pub(super) fn set_edges(&mut self, gpu: &Gpu, ends: &[u32]) {
+        self.edges.set(gpu, ends);
     }
 
     pub(super) fn set_line(&self, gpu: &Gpu, line: &Line) {

@@ -11,10 +11,24 @@ pub(super) struct Plan<'a> {
     pub(super) groups: &'a [Option<&'a wgpu::BindGroupLayout>],
     pub(super) buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     pub(super) topology: wgpu::PrimitiveTopology,
-    /// Opaque things write depth, transparent ones are blended over them.
-    pub(super) is_opaque: bool,
-    /// Draws only what lies behind, instead of what lies in front.
-    pub(super) is_behind: bool,
+    pub(super) target: Target,
+}
+
+/// What a pipeline draws into, and how.
+#[derive(Clone, Copy)]
+pub(super) enum Target {
+    /// The picture, writing depth.
+    Opaque,
+    /// Blended over the picture, where it lies in front …
+    Blended,
+    /// … or only where it lies behind.
+    BlendedBehind,
+    /// A picture for another pass, with a depth buffer.
+    Offscreen(wgpu::TextureFormat),
+    /// Without a depth buffer.
+    Flat(wgpu::TextureFormat),
+    /// Likewise, where the brightest of what is drawn stays.
+    Brightest(wgpu::TextureFormat),
 }
 
 /// Compiles a shader, with the common part in front.
@@ -30,6 +44,7 @@ pub(super) fn shader(gpu: &Gpu, label: &str, source: &str) -> wgpu::ShaderModule
 /// Makes a pipeline. Equal depth passes: highlights lie on what they highlight, and the
 /// background on the far plane.
 pub(super) fn pipeline(gpu: &Gpu, plan: &Plan<'_>) -> wgpu::RenderPipeline {
+    let target = plan.target;
     let layout = gpu
         .device
         .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -37,6 +52,38 @@ pub(super) fn pipeline(gpu: &Gpu, plan: &Plan<'_>) -> wgpu::RenderPipeline {
             bind_group_layouts: plan.groups,
             ..Default::default()
         });
+    let writes_depth = matches!(target, Target::Opaque | Target::Offscreen(_));
+    let depth = wgpu::DepthStencilState {
+        format: DEPTH_FORMAT,
+        depth_write_enabled: Some(writes_depth),
+        depth_compare: Some(match target {
+            Target::BlendedBehind => wgpu::CompareFunction::Greater,
+            _ => wgpu::CompareFunction::LessEqual,
+        }),
+        stencil: Default::default(),
+        bias: Default::default(),
+    };
+    let brightest = wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::One,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Max,
+    };
+    let (format, samples, blend, depth) = match target {
+        Target::Opaque => (gpu.format(), gpu.samples, None, Some(depth)),
+        Target::Blended | Target::BlendedBehind => {
+            let blend = wgpu::BlendState::ALPHA_BLENDING;
+            (gpu.format(), gpu.samples, Some(blend), Some(depth))
+        }
+        Target::Offscreen(format) => (format, 1, None, Some(depth)),
+        Target::Flat(format) => (format, 1, None, None),
+        Target::Brightest(format) => {
+            let blend = wgpu::BlendState {
+                color: brightest,
+                alpha: brightest,
+            };
+            (format, 1, Some(blend), None)
+        }
+    };
     gpu.device
         .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(plan.label),
@@ -51,19 +98,9 @@ pub(super) fn pipeline(gpu: &Gpu, plan: &Plan<'_>) -> wgpu::RenderPipeline {
                 topology: plan.topology,
                 ..Default::default()
             },
-            depth_stencil: Some(wgpu::DepthStencilState {
-                format: DEPTH_FORMAT,
-                depth_write_enabled: Some(plan.is_opaque),
-                depth_compare: Some(if plan.is_behind {
-                    wgpu::CompareFunction::Greater
-                } else {
-                    wgpu::CompareFunction::LessEqual
-                }),
-                stencil: Default::default(),
-                bias: Default::default(),
-            }),
+            depth_stencil: depth,
             multisample: wgpu::MultisampleState {
-                count: gpu.samples,
+                count: samples,
                 ..Default::default()
             },
             fragment: Some(wgpu::FragmentState {
@@ -71,8 +108,8 @@ pub(super) fn pipeline(gpu: &Gpu, plan: &Plan<'_>) -> wgpu::RenderPipeline {
                 entry_point: Some(plan.fragment),
                 compilation_options: Default::default(),
                 targets: &[Some(wgpu::ColorTargetState {
-                    format: gpu.format(),
-                    blend: (!plan.is_opaque).then_some(wgpu::BlendState::ALPHA_BLENDING),
+                    format,
+                    blend,
                     write_mask: wgpu::ColorWrites::ALL,
                 })],
             }),

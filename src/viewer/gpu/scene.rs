@@ -1,84 +1,34 @@
 //! The viewer: a mesh, a camera and a style in, a picture on a canvas out.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{Vec2, Vec3};
 use web_sys::HtmlCanvasElement;
 
 use super::background_pass::BackgroundPass;
 use super::bindings::Bindings;
 use super::device::Gpu;
+use super::effects::EffectPasses;
 use super::line_pass::{EdgeSet, LinePass, SegmentSet};
+use super::material::Material;
 use super::readback::{Picture, Readback};
 use super::signal::Signal;
 use super::surface_pass::SurfacePass;
 use crate::viewer::camera::Camera;
-use crate::viewer::colour::{ColourMap, Theme, linear};
+use crate::viewer::colour::ColourMap;
 use crate::viewer::drawing::{Drawing, expect_range};
-use crate::viewer::edges::edges;
 use crate::viewer::error::ViewerError;
 use crate::viewer::frame::{Frame, Line};
+use crate::viewer::motion::SLOTS;
 use crate::viewer::pick::{Hit, nearest_edge, pick};
+use crate::viewer::quality::Effects;
 use crate::viewer::segments::segments;
-
-/// How the surface is drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Style {
-    /// One normal a triangle instead of one a vertex.
-    pub is_flat: bool,
-    /// Draws the mesh's own edges.
-    pub wireframe: bool,
-    /// Draws the boundary loops.
-    pub boundary: bool,
-    /// Light or dark surroundings.
-    pub theme: Theme,
-    /// Colours a field by the maps of high contrast.
-    pub contrast: bool,
-    /// Width of an edge in device pixels; the boundary is drawn [`BOUNDARY_WIDTH`] times
-    /// as wide.
-    pub line_width: f32,
-}
-
-impl Default for Style {
-    fn default() -> Self {
-        Self {
-            is_flat: false,
-            wireframe: false,
-            boundary: true,
-            theme: Theme::Dark,
-            contrast: false,
-            line_width: 1.2,
-        }
-    }
-}
-
-/// Width of the boundary in widths of an edge.
-const BOUNDARY_WIDTH: f32 = 3.0;
-/// The same of segments over the surface.
-const OVERLAY_WIDTH: f32 = 1.6;
-/// Opacity of the edges of the mesh.
-const WIRE_OPACITY: f32 = 0.75;
-/// Edges of the mesh vanish where they are shorter on screen than the first, and are drawn
-/// in full where they are longer than the second number of line widths.
-const WIRE_FADE: (f32, f32) = (3.0, 14.0);
-
-/// Cosines up to which a back counts as front. The inside of a closed surface is seen only
-/// through self-intersections; an open one shows its back up to the silhouette.
-const GRAZING_CLOSED: f32 = 0.3;
-const GRAZING_OPEN: f32 = 0.02;
-
-/// Colours for the values of a field.
-#[derive(Clone, Copy)]
-struct FieldRange {
-    low: f32,
-    high: f32,
-    signed: bool,
-}
+use crate::viewer::style::{BOUNDARY_WIDTH, CHOSEN_WIDTH, FieldRange, OVERLAY_WIDTH, Style};
 
 /// What has changed since the last picture.
 #[derive(Default)]
 struct Stale {
     picture: bool,
-    vertices: bool,
-    normals: bool,
+    /// Positions and values, by slot.
+    steps: [bool; SLOTS],
     flags: bool,
 }
 
@@ -86,16 +36,19 @@ struct Stale {
 pub struct Viewer {
     gpu: Gpu,
     bindings: Bindings,
+    material: Material,
     background: BackgroundPass,
     surface: SurfacePass,
+    effects: EffectPasses,
     lines: LinePass,
-    wire: EdgeSet,
     boundary: EdgeSet,
     highlight: EdgeSet,
     overlay: SegmentSet,
     /// Opacity of the overlay where the surface hides it.
     overlay_hidden: f32,
     drawing: Drawing,
+    /// The mesh's own edges, two vertices each.
+    wire_edges: Vec<u32>,
     camera: Camera,
     style: Style,
     field: Option<FieldRange>,
@@ -109,24 +62,29 @@ impl Viewer {
     /// `NoAdapter`, `NoDevice`, `NoCanvas`.
     pub async fn open(canvas: HtmlCanvasElement, samples: u32) -> Result<Self, ViewerError> {
         let gpu = Gpu::open(canvas, samples).await?;
-        let mut bindings = Bindings::new(&gpu);
-        bindings.set_map(&gpu, ColourMap::default());
+        let bindings = Bindings::new(&gpu);
+        let effects = EffectPasses::new(&gpu, &bindings);
+        let (openness, footprint) = (effects.occlusion.openness(), effects.shadow.picture());
+        let mut material = Material::new(&gpu, openness, footprint);
+        material.set_map(&gpu, ColourMap::default());
         let lines = LinePass::new(&gpu, &bindings);
         let mut camera = Camera::default();
         let (width, height) = gpu.size();
         camera.resize(width, height);
         Ok(Self {
-            background: BackgroundPass::new(&gpu, &bindings),
-            surface: SurfacePass::new(&gpu, &bindings),
-            wire: lines.edge_set(&gpu),
+            background: BackgroundPass::new(&gpu, &bindings, &material),
+            surface: SurfacePass::new(&gpu, &bindings, &material),
             boundary: lines.edge_set(&gpu),
             highlight: lines.edge_set(&gpu),
             overlay: lines.segment_set(&gpu),
             overlay_hidden: 0.0,
             lines,
+            effects,
+            material,
             bindings,
             gpu,
             drawing: Drawing::default(),
+            wire_edges: Vec::new(),
             camera,
             style: Style::default(),
             field: None,
@@ -167,40 +125,65 @@ impl Viewer {
         let drawing = Drawing::new(positions, triangles, boundary_edges.is_empty())?;
         expect_range("wireEdges", wire_edges, drawing.n_vertices())?;
         expect_range("boundaryEdges", boundary_edges, drawing.n_vertices())?;
-        self.gpu.expect_room_for(drawing.vertices().len())?;
+        self.gpu.expect_room_for(drawing.flags().len())?;
         self.drawing = drawing;
         self.surface.set_mesh(&self.gpu, &self.drawing);
-        let vertices = self.drawing.vertices();
-        self.wire.set_edges(&self.gpu, &edges(vertices, wire_edges));
-        self.boundary
-            .set_edges(&self.gpu, &edges(vertices, boundary_edges));
+        self.wire_edges = wire_edges.to_vec();
+        self.boundary.set_edges(&self.gpu, boundary_edges);
         self.highlight.set_edges(&self.gpu, &[]);
         self.field = None;
         self.camera.set_bounds(self.drawing.bounds());
         self.stale = Stale {
             picture: true,
-            vertices: true,
-            normals: true,
+            steps: [true; SLOTS],
             flags: true,
         };
         Ok(())
     }
 
-    /// Moves the vertices; the camera stays.
+    /// Shows one step alone; the camera stays.
     ///
     /// # Errors
     /// `WrongLength`.
     pub fn set_positions(&mut self, positions: &[f32]) -> Result<(), ViewerError> {
         self.drawing.set_positions(positions)?;
-        self.camera.set_bounds(self.drawing.bounds());
-        self.stale.vertices = true;
-        self.stale.normals = true;
-        self.stale.picture = true;
+        self.step_set();
         Ok(())
     }
 
-    /// Colours the surface by a value a vertex, from `low` to `high`; `signed` takes the
-    /// diverging colour map.
+    /// Adds the step that follows, to be shown at a time after the last: in what units, is
+    /// the caller's choice. The steps before stay where they are; the oldest of four makes
+    /// room. On the way to it each vertex moves along a cubic, or along a straight line.
+    ///
+    /// # Errors
+    /// `WrongLength`, `WrongTime`; nothing is then added.
+    pub fn add_step(
+        &mut self,
+        positions: &[f32],
+        time: f32,
+        is_straight: bool,
+    ) -> Result<(), ViewerError> {
+        self.drawing.add_step(positions, time, is_straight)?;
+        self.step_set();
+        Ok(())
+    }
+
+    /// Shows the surface as it is at a time between the steps that are held. The step set
+    /// alone has time 0.
+    pub fn set_time(&mut self, time: f32) {
+        self.drawing.set_time(time);
+        self.camera.set_bounds(self.drawing.bounds());
+        self.stale.picture = true;
+    }
+
+    fn step_set(&mut self) {
+        self.stale.steps[self.drawing.newest()] = true;
+        self.camera.set_bounds(self.drawing.bounds());
+        self.stale.picture = true;
+    }
+
+    /// Colours the surface by a value a vertex at the step set or added last, from `low` to
+    /// `high`; `signed` takes the diverging colour map.
     ///
     /// # Errors
     /// `WrongLength`.
@@ -214,7 +197,7 @@ impl Viewer {
         self.drawing.set_field(values)?;
         self.field = Some(FieldRange { low, high, signed });
         self.send_map();
-        self.stale.vertices = true;
+        self.stale.steps[self.drawing.newest()] = true;
         self.stale.flags = true;
         self.stale.picture = true;
         Ok(())
@@ -225,7 +208,7 @@ impl Viewer {
             signed: self.field.is_some_and(|field| field.signed),
             contrast: self.style.contrast,
         };
-        self.bindings.set_map(&self.gpu, map);
+        self.material.set_map(&self.gpu, map);
     }
 
     /// Shows the surface in its plain colour.
@@ -262,8 +245,7 @@ impl Viewer {
     /// `OutOfRange`.
     pub fn set_highlight(&mut self, ends: &[u32]) -> Result<(), ViewerError> {
         expect_range("highlight", ends, self.drawing.n_vertices())?;
-        let edges = edges(self.drawing.vertices(), ends);
-        self.highlight.set_edges(&self.gpu, &edges);
+        self.highlight.set_edges(&self.gpu, ends);
         self.stale.picture = true;
         Ok(())
     }
@@ -370,6 +352,16 @@ impl Viewer {
         true
     }
 
+    /// Takes note of the milliseconds from one frame of the display, in which a picture was
+    /// drawn, to the next; says whether there is something to draw as less is drawn now.
+    pub fn record_frame(&mut self, milliseconds: f32) -> bool {
+        let before = self.effects();
+        self.effects.record(milliseconds);
+        let is_less = self.effects() != before;
+        self.stale.picture |= is_less;
+        is_less
+    }
+
     /// Draws once more into a texture and reads it back. The future borrows nothing, so
     /// that drawing can go on meanwhile.
     ///
@@ -390,91 +382,75 @@ impl Viewer {
         &self.gpu.adapter
     }
 
+    /// What is drawn beyond surface and lines.
+    pub fn effects(&self) -> Effects {
+        self.effects.chosen(self.style.effects)
+    }
+
     /// Sends what is stale. Vertex normals only when they are looked at: they are the
     /// dearest part of a frame.
     fn upload(&mut self) {
+        let effects = self.effects();
         let gpu = &self.gpu;
-        if std::mem::take(&mut self.stale.vertices) {
-            self.bindings.set_vertices(gpu, self.drawing.vertices());
-        }
-        if self.stale.normals && !self.style.is_flat {
-            self.stale.normals = false;
-            self.drawing.update_normals();
-            self.surface.set_normals(gpu, &self.drawing);
-        }
+        let has_normals = !self.style.is_flat || self.style.wireframe;
+        let normals = if has_normals {
+            self.drawing.update_normals()
+        } else {
+            [false; SLOTS]
+        };
+        let points = std::mem::take(&mut self.stale.steps);
+        self.bindings.set_steps(gpu, &self.drawing, points, normals);
         if std::mem::take(&mut self.stale.flags) {
-            self.surface.set_flags(gpu, &self.drawing);
+            self.bindings.set_marks(gpu, &self.drawing);
+        }
+        if self.style.wireframe {
+            self.surface
+                .prepare_wire(gpu, &self.drawing, &self.wire_edges);
+        }
+        if self.effects.prepare(gpu, effects) {
+            let (openness, footprint) = (
+                self.effects.occlusion.openness(),
+                self.effects.shadow.picture(),
+            );
+            self.material.set_effects(gpu, openness, footprint);
         }
         self.bindings.set_frame(gpu, &self.frame());
         let palette = self.style.theme.palette();
-        let line = |srgb, opacity, width: f32, (fade_from, fade_to): (f32, f32)| Line {
-            colour: Vec4::from(linear(srgb)).truncate().extend(opacity),
-            half_width: 0.5 * width,
-            fade_from: fade_from * width,
-            fade_to: fade_to * width,
-            lift: 2.0 + width,
-        };
-        let width = self.style.line_width;
-        self.wire
-            .set_line(gpu, &line(palette.wire, WIRE_OPACITY, width, WIRE_FADE));
-        let (always, width) = ((-2.0, -1.0), BOUNDARY_WIDTH * width);
+        let line =
+            |srgb, opacity, width: f32| Line::new(srgb, opacity, width * self.style.line_width);
         self.boundary
-            .set_line(gpu, &line(palette.boundary, 1.0, width, always));
+            .set_line(gpu, &line(palette.boundary, 1.0, BOUNDARY_WIDTH));
         self.highlight
-            .set_line(gpu, &line(palette.marked, 1.0, width, always));
-        let width = OVERLAY_WIDTH * self.style.line_width;
-        let segments = |opacity| line(palette.marked, opacity, width, always);
+            .set_line(gpu, &line(palette.chosen, 1.0, CHOSEN_WIDTH));
+        let segments = |opacity| line(palette.marked, opacity, OVERLAY_WIDTH);
         self.overlay
             .set_lines(gpu, &segments(1.0), &segments(self.overlay_hidden));
     }
 
     fn frame(&self) -> Frame {
-        let colour = |srgb| Vec4::from(linear(srgb));
-        let palette = self.style.theme.palette();
-        let (width, height) = self.gpu.size();
-        let (low, high) = self
-            .field
-            .map_or((0.0, 1.0), |field| (field.low, field.high));
-        let back = if self.drawing.has_two_sides() {
-            palette.back
-        } else {
-            palette.front
-        };
-        Frame {
-            clip_from_view: self.camera.clip_from_view(),
-            view_from_world: self.camera.view_from_world(),
-            glow: colour(palette.glow),
-            corner: colour(palette.corner),
-            front: colour(palette.front),
-            back: colour(back),
-            fixed: colour(palette.fixed),
-            marked: colour(palette.marked),
-            viewport: Vec2::new(width as f32, height as f32),
-            pixel_size: self.camera.pixel_size(),
-            near: self.camera.clip_planes().0,
-            // The middle of the map where a range is empty: a constant field is no extreme.
-            field_low: if high > low { low } else { low - 0.5 },
-            field_scale: if high > low { 1.0 / (high - low) } else { 1.0 },
-            field_strength: if self.field.is_some() { 1.0 } else { 0.0 },
-            flatness: if self.style.is_flat { 1.0 } else { 0.0 },
-            grazing: if self.drawing.is_closed() {
-                GRAZING_CLOSED
-            } else {
-                GRAZING_OPEN
-            },
-            padding: [0.0; 3],
-        }
+        Frame::new(
+            &self.camera,
+            &self.drawing,
+            &self.style,
+            self.field,
+            self.effects(),
+            self.gpu.size(),
+        )
     }
 
     fn render(&self, encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
+        self.effects
+            .draw(encoder, &self.bindings, &self.surface, self.effects());
         self.gpu.render(encoder, target, |pass| {
             pass.set_bind_group(0, &self.bindings.group, &[]);
-            self.surface.draw(pass);
+            pass.set_bind_group(1, &self.material.group, &[]);
+            if self.style.wireframe {
+                self.surface.draw_wire(pass);
+            } else {
+                self.surface.draw(pass);
+            }
             self.background.draw(pass);
             self.surface.draw_marked(pass);
-            if self.style.wireframe {
-                self.lines.draw(pass, &self.wire);
-            }
             if self.style.boundary {
                 self.lines.draw(pass, &self.boundary);
             }
