@@ -4,7 +4,7 @@
 /** @import { FlowOptions } from "./generated/schema.js" */
 /** @import { Arrangement } from "./generated/types.js" */
 /** @import { FillOptions } from "./generated/types.js" */
-/** @import { FieldName } from "./state.js" */
+/** @import { FieldName } from "./store.js" */
 
 import { say } from "./words.js";
 

@@ -3,8 +3,7 @@
 
 import { openLanguage } from "../language.js";
 import { keepOffline } from "../offline.js";
-import { byId } from "../ui/element.js";
-import { formatNumber } from "../ui/number.js";
+import { formatNumber } from "../number.js";
 import { createDeck } from "./deck.js";
 
 /** @typedef {HTMLElement & { play(): Promise<unknown>, pause(): Promise<unknown>, state(): Promise<{ phase: string, isWaiting: boolean }> }} Surface */

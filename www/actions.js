@@ -1,0 +1,29 @@
+// @ts-check
+// What a user can ask for. Nothing here touches the document.
+
+import { createCompare } from "./actions/compare.js";
+import { createCore } from "./actions/core.js";
+import { createEdit } from "./actions/edit.js";
+import { createOpen } from "./actions/open.js";
+import { createRun } from "./actions/run.js";
+import { createWhy } from "./actions/why.js";
+import { createNotes } from "./notes.js";
+
+/** @import { Store } from "./store.js" */
+
+/**
+ * @param {Store} store
+ * @param {Parameters<typeof createCore>[2]} environment
+ */
+export function createPage(store, environment) {
+  const notes = createNotes(store);
+  const core = createCore(store, notes, environment);
+  const edits = createEdit(core);
+  const run = createRun(core, edits.adopt);
+  const compare = createCompare(core);
+  const open = createOpen(core, run, compare);
+  const why = createWhy(core, edits, run);
+  return { ...core, run, open, compare, why, edit: edits.edit };
+}
+
+/** @typedef {ReturnType<typeof createPage>} Page */
