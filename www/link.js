@@ -58,11 +58,17 @@ export const plainScene = Object.freeze({
   manySteps: 0,
 });
 
-/** @param {LinkScene} link @returns {Scene} */
+/** Words that say which surface it is. */
+const ofSurfaces = ["sample", "mesh", "figure", "edits"];
+
+/** The scene of a link; where it names no surface, on the one that is shown at first. @param {LinkScene} link @returns {Scene} */
 export function sceneOf({ text, edited, hasPath, colour, comparison, estimate, ...link }) {
   const script = { link: text };
+  const words = new URLSearchParams(text);
+  const isBare = !ofSurfaces.some((word) => words.has(word));
   return /** @type {Scene} */ ({
     ...link,
+    ...(isBare && { sample: plainScene.sample }),
     colour: colour ?? "none",
     comparison: comparison && { ...comparison, shown: comparison.shown ?? "side" },
     manySteps: estimate.isLong ? estimate.steps : 0,

@@ -7,7 +7,7 @@ import { createPage } from "./actions.js";
 import { commands, listenForKeys } from "./commands.js";
 import { createEmbedding, isEmbedded } from "./embed/host.js";
 import { openLanguage, remembered } from "./language.js";
-import { createLinkWriter, linkIn, plainScene } from "./link.js";
+import { createLinkWriter, plainScene } from "./link.js";
 import { keepOffline } from "./offline.js";
 import { createFilm, createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
@@ -169,7 +169,7 @@ effect(() => {
 
 // The event's address and not `location`: by now the old scene may have been written there.
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));
-if (!embedding && linkIn(location).text === "" && remembered("visited") === null) page.patch({ welcome: true });
+if (!embedding && location.hash.length < 2 && remembered("visited") === null) page.patch({ welcome: true });
 const opened = Promise.resolve(embedding?.wanted).then(() => {
   try {
     page.solver.begin();
