@@ -34,3 +34,6 @@ export function formatBeside(value, scale) {
   const decimals = Math.min(Math.max(3 - Math.floor(Math.log10(Math.abs(value))), 0), 6);
   return Math.abs(value) >= 1e6 ? value.toExponential(3) : value.toFixed(decimals > 4 ? 4 : decimals);
 }
+
+/** For people alone: with a true minus. @param {number} value */
+export const formatSigned = (value) => formatShort(value).replace("-", "−");

@@ -41,7 +41,11 @@ export function rail(page) {
     (name, n) =>
       html`<button type="button" role="tab" id="tab-${name}" aria-selected=${String(name === tab)}
         aria-controls="drawer" title="${say(`tab-${name}`)} (${n + 1})" tabindex=${name === (tab ?? "surface") ? 0 : -1}
-        @click=${() => turn(page, name)}>${icon(name)}<span>${say(`tab-${name}`)}</span></button>`,
+        @click=${(/** @type {MouseEvent} */ event) => {
+          // Of a click the space bar knows nothing any more: it plays.
+          if (event.detail > 0) /** @type {HTMLElement} */ (event.currentTarget).blur();
+          turn(page, name);
+        }}>${icon(name)}<span>${say(`tab-${name}`)}</span></button>`,
   )}</div>`;
 }
 

@@ -3,7 +3,7 @@
 
 import { html, nothing } from "lit-html";
 import { currentLanguage, languages, remember, speak } from "../language.js";
-import { formatShort } from "../number.js";
+import { formatShort, formatSigned } from "../number.js";
 import { colours, named } from "../options.js";
 import { rangeOf } from "../range.js";
 import { say } from "../words.js";
@@ -11,8 +11,14 @@ import { button, icon, segmented, select, toggle } from "./parts.js";
 
 /** @import { Page } from "../actions.js" */
 
-/** The colours of data from low to high, as they stand in the tokens of the style. */
-const ramps = { signed: "ramp signed", plain: "ramp" };
+const STOPS = 17;
+
+/** The colours of data from low to high, as the viewer has them. @param {Page} page @param {boolean} signed */
+function ramp(page, signed) {
+  const colours = page.stage.colours(signed, STOPS);
+  const stops = Array.from({ length: colours.length / 3 }, (_, n) => `rgb(${[...colours.subarray(3 * n, 3 * n + 3)].join(" ")})`);
+  return stops.length > 0 ? `background: linear-gradient(90deg, ${stops.join(", ")})` : "";
+}
 
 /** The value that a ball of the surface's area has. @param {Page} page @returns {number | null} */
 function round(page) {
@@ -36,12 +42,12 @@ function scale(page) {
   const hasBall = ball !== null && place(ball) > 8 && place(ball) < 92;
   /** @type {[number, string, string][]} */
   const ticks = [
-    [low, signed ? `≤ ${formatShort(low)}` : formatShort(low), "first"],
+    [low, signed ? `≤ ${formatSigned(low)}` : formatShort(low), "first"],
     ...(signed ? [/** @type {[number, string, string]} */ ([0, "0", ""])] : []),
     ...(hasBall && ball !== null ? [/** @type {[number, string, string]} */ ([ball, say("round"), ""])] : []),
     [high, `≥ ${formatShort(high)}`, "last"],
   ];
-  return html`<div class=${ramps[signed ? "signed" : "plain"]}></div>
+  return html`<div class="ramp" .style=${ramp(page, signed)}></div>
     ${hasBall && ball !== null ? html`<i class="ball" .style=${`--x:${place(ball)}%`}></i>` : nothing}
     <div class="ticks" aria-hidden="true">${ticks.map(
       ([value, text, kind]) => html`<span class=${kind} .style=${`--x:${place(value)}%`}>${text}</span>`,

@@ -4,7 +4,7 @@
 
 import { html, nothing, svg } from "lit-html";
 import { figureTitle, sayFigure } from "../library.js";
-import { formatBeside, formatNumber, formatShort } from "../number.js";
+import { formatBeside, formatNumber, formatShort, formatSigned } from "../number.js";
 import { histogram } from "../range.js";
 import { symbol } from "../status.js";
 import { say } from "../words.js";
@@ -105,7 +105,7 @@ function spread(page) {
   return html`<hr /><h3>${say("over-the-surface", { what })}</h3>
     <svg class="histogram" viewBox="0 0 300 84" role="img" aria-label=${say("over-the-surface", { what })}>
       ${bars}<line x1="0" x2="300" y1="70.5" y2="70.5" />
-      <text x="2" y="83">≤ ${formatShort(range[0])}</text>
+      <text x="2" y="83">≤ ${formatSigned(range[0])}</text>
       ${range[0] < 0 ? svg`<text x="149" y="83" text-anchor="middle">0</text>` : nothing}
       <text x="298" y="83" text-anchor="end">≥ ${formatShort(range[1])}</text>
     </svg>

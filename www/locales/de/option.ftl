@@ -65,8 +65,8 @@ option-guardFolds = Kein Flip darf eine Facette umklappen
 option-guardFolds-help = kein Flip klappt eine Facette um; das verbietet auch das Zurückklappen
 
 option-goal = Ziel
-    .relax = Zu einem Minimum hin entspannen
-    .smooth = Um ein festes Maß glätten
+    .relax = Zur Ruhe kommen
+    .smooth = Etwas glätten
 option-goal-help = relax geht zu einem Minimum; smooth entfernt ein festes Maß an Einzelheiten
 option-detail = Einzelheiten unter L glätten
 option-detail-help = entfernt Einzelheiten unter so vielen mittleren Kantenlängen

@@ -65,8 +65,8 @@ option-guardFolds = No flip may turn a face over
 option-guardFolds-help = no flip turns a face over; that also forbids unfolding
 
 option-goal = Goal
-    .relax = Relax towards a minimum
-    .smooth = Smooth by a set amount
+    .relax = Come to rest
+    .smooth = Smooth a bit
 option-goal-help = relax goes to a minimum; smooth removes a set amount of detail
 option-detail = Smooth away detail below L
 option-detail-help = removes detail below so many mean edge lengths
