@@ -108,8 +108,9 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     if (point) player.place(point.sum);
   }
 
-  /** The step that is shown, or next to it. */
-  const shownIndex = () => lead.clip.nearest(lead.u);
+  /** The step that is shown: while it plays the last that was passed. */
+  const shownIndex = () =>
+    player.motion.peek() === "playing" ? lead.clip.at(lead.u).index : lead.clip.nearest(lead.u);
   /** @returns {Reading | null} */
   const shown = () => lead.clip.points[shownIndex()]?.state ?? get().reading;
 

@@ -46,7 +46,7 @@ export function createRun(core, adopt) {
   const run = {
     play: () => enqueue(play),
     pause() {
-      if (player.motion.peek() === "playing") player.rest(core.shownIndex()).then(player.redraw);
+      if (player.motion.peek() === "playing") player.rest(lead.clip.nearest(lead.u));
       else if (get().running) core.show(core.shown()?.step ?? 0);
       return enqueue(settle);
     },
@@ -104,7 +104,7 @@ export function createRun(core, adopt) {
     },
     /** It was let go. */
     scrubbed() {
-      player.rest(core.shownIndex());
+      player.rest(lead.clip.nearest(lead.u));
       return enqueue(settle);
     },
     /** @param {number} id */

@@ -11,14 +11,17 @@ import { tex } from "./tex.js";
 /** @import { Page } from "../actions.js" */
 /** @import { S } from "../store.js" */
 
-/** What does not rise. @type {Record<Monitored, string>} */
+/** What does not rise. @type {Record<Monitored, readonly string[]>} */
 const energies = {
-  smoothedCircle: "E = \\sum_i \\Bigl( \\sum_j \\varphi(\\beta_{ij}) - 2\\pi \\Bigr), \\quad \\varphi(\\beta) = \\sqrt{\\beta^2 + \\epsilon^2} - \\epsilon",
-  area: "A = \\int dA",
-  willmore: "E = \\int H^2 \\, dA",
-  pWillmore: "E = \\int |H|^p \\, dA",
-  helfrich: "E = \\int (H - H_0)^2 \\, dA + \\tfrac14 (\\sigma A - P V)",
-  curvatureVariation: "F = \\int \\|\\nabla H\\|^2 \\, dA",
+  smoothedCircle: [
+    "E = \\sum_i \\Bigl( \\sum_j \\varphi(\\beta_{ij}) - 2\\pi \\Bigr)",
+    "\\varphi(\\beta) = \\sqrt{\\beta^2 + \\epsilon^2} - \\epsilon",
+  ],
+  area: ["A = \\int dA"],
+  willmore: ["E = \\int H^2 \\, dA"],
+  pWillmore: ["E = \\int |H|^p \\, dA"],
+  helfrich: ["E = \\int (H - H_0)^2 \\, dA + \\tfrac14 (\\sigma A - P V)"],
+  curvatureVariation: ["F = \\int \\|\\nabla H\\|^2 \\, dA"],
 };
 
 /** How a step is solved, by the family of the flow and its scheme. @type {Record<string, string>} */
@@ -73,7 +76,7 @@ export function equation(page) {
   const monitored = /** @type {Monitored} */ (shown?.monitored ?? flow.monitored[0]);
   const part = (/** @type {string} */ heading, /** @type {readonly string[]} */ formulas) =>
     html`<div class="formulas" tabindex="0" role="group" aria-label=${heading}><b>${heading}</b>${formulas.map((one) => tex(one, true))}</div>`;
-  return html`${part(say("equation-energy"), [energies[monitored]])}${part(say("equation-flow"), [flow.formula, stepOf(s)])}
+  return html`${part(say("equation-energy"), energies[monitored])}${part(say("equation-flow"), [flow.formula, stepOf(s)])}
     <table class="rows symbols" aria-label=${say("symbols")}><tbody>${rows
       .filter(({ when }) => when(s))
       .map(({ tex: symbol, id, value }) => {

@@ -20,8 +20,12 @@ function element(name, ...children) {
 }
 
 /** @param {string} text */
-const letter = (text) =>
-  element(/^[\d.]+$/.test(text) ? "mn" : /^[\p{L}∞]$/u.test(text) ? "mi" : "mo", text === "-" ? "−" : text);
+function letter(text) {
+  const name = /^[\d.]+$/.test(text) ? "mn" : /^[\p{L}∞]$/u.test(text) ? "mi" : "mo";
+  const made = element(name, text === "-" ? "−" : text);
+  if (name === "mo") made.setAttribute("stretchy", "false");
+  return made;
+}
 
 /** @param {string} source @returns {Element} */
 function parse(source) {
@@ -75,7 +79,11 @@ function parse(source) {
       while (at < tokens.length && place(at) < to) at += 1;
       return element("mtext", `\u2005${source.slice(from, to - 1)}\u2005`);
     }
-    if (sizes.includes(name)) return scripted();
+    if (sizes.includes(name)) {
+      const bracket = atom();
+      bracket.setAttribute("stretchy", "true");
+      return bracket;
+    }
     const symbol = symbols[name] ?? name;
     return /^\s$/.test(symbol) ? element("mtext", symbol) : letter(symbol);
   }

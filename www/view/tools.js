@@ -18,6 +18,8 @@ const STILL = 5;
 const FIRST = 0.75;
 /** A press of an arrow key, in CSS pixels; with Shift four of them. */
 const STEP = 6;
+/** What the centre keeps from the edge of the picture to be in reach, in CSS pixels. */
+const MARGIN = 28;
 
 /** Middle and diagonal of the box about the surface. @param {Float32Array} positions */
 export function boxOf(positions) {
@@ -141,14 +143,22 @@ export function createTools(page) {
   let isAsked = false;
   let isStale = false;
   const point = () => centre.peek().map((value, axis) => box.middle[axis] + box.size * value);
-  /** Where it is at first: beside the surface as it is seen, in the plane of its middle. */
+  /** @param {{ x: number, y: number }} at  the nearest place in reach */
+  const within = ({ x, y }) => ({
+    x: Math.min(Math.max(x, MARGIN), canvas.clientWidth - MARGIN),
+    y: Math.min(Math.max(y, MARGIN), canvas.clientHeight - MARGIN),
+  });
+  /** Where it is at first: to the right of the surface as it is seen, or nearer to the eye where there is no room. */
   function firstCentre() {
     const middle = viewer()?.project(box.middle);
-    const beside = middle && viewer()?.unproject({ ...middle, x: middle.x + 1 });
-    if (!middle || !beside) return [0, 0, FIRST];
-    const along = beside.map((value, axis) => value - box.middle[axis]);
-    const length = Math.hypot(...along) || 1;
-    return along.map((value) => (FIRST * value) / length);
+    const right = middle && viewer()?.unproject({ ...middle, x: middle.x + 1 });
+    if (!middle || !right) return [0, 0, FIRST];
+    const pixel = Math.hypot(...right.map((value, axis) => value - box.middle[axis])) / box.size;
+    const at = within({ x: middle.x + FIRST / pixel, y: middle.y + (0.3 * FIRST) / pixel });
+    const across = pixel * Math.hypot(at.x - middle.x, at.y - middle.y);
+    const nearer = box.size * Math.sqrt(Math.max(FIRST ** 2 - across ** 2, 0));
+    const found = viewer()?.unproject({ ...at, depth: Math.max(middle.depth - nearer, nearer) });
+    return found ? found.map((value, axis) => (value - box.middle[axis]) / box.size) : [0, 0, FIRST];
   }
   async function preview() {
     isStale = true;
@@ -229,8 +239,9 @@ export function createTools(page) {
     stageTick.value;
     const { mode: now } = page.state.value;
     centre.value;
-    const seen = now === "invert" ? viewer()?.project(point()) : null;
-    if (!seen) return nothing;
+    const projected = now === "invert" ? viewer()?.project(point()) : null;
+    if (!projected) return nothing;
+    const seen = { ...projected, ...within(projected) };
     /** @param {KeyboardEvent} event */
     function key(event) {
       const step = event.shiftKey ? 4 * STEP : STEP;
