@@ -9,7 +9,7 @@ import { createRun } from "./actions/run.js";
 import { createWhy } from "./actions/why.js";
 import { createNotes } from "./notes.js";
 
-/** @import { Store } from "./store.js" */
+/** @import { Mode, Store, Tab } from "./store.js" */
 
 /**
  * @param {Store} store
@@ -26,4 +26,20 @@ export function createPage(store, environment) {
   return { ...core, run, open, compare, why, edit: edits.edit };
 }
 
-/** @typedef {ReturnType<typeof createPage>} Page */
+/**
+ * What the views have beside that; see main.js.
+ * @typedef {object} Views
+ * @property {import("./view/stage.js").Stage} stage
+ * @property {ReturnType<typeof import("./save.js").createSave>} save
+ * @property {ReturnType<typeof import("./save.js").createFilm>} film
+ * @property {ReturnType<typeof import("./view/tools.js").createTools>} tools
+ * @property {import("@preact/signals-core").Signal<boolean>} keysOn
+ * @property {import("@preact/signals-core").Signal<({ id: string } & import("./library.js").Finding) | null>} finding
+ *   of the figure that was last judged
+ * @property {() => void} chooseFile
+ * @property {(tab: Tab) => void} turn
+ * @property {(mode: Mode) => void} tool
+ * @property {(on?: boolean) => void} present
+ */
+
+/** @typedef {ReturnType<typeof createPage> & Views} Page */

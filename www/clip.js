@@ -114,6 +114,7 @@ export function blend(before, a, b, after, share, out) {
 export class Clip {
   /** @type {Point[]} oldest first */
   points = [];
+  /** @type {Uint32Array} */
   #triangles = new Uint32Array();
   #size = 1;
   #bytes = 0;
@@ -249,7 +250,10 @@ export class Clip {
 const bytesOf = ({ positions, field, panes }) =>
   (positions?.byteLength ?? 0) +
   (field?.values.byteLength ?? 0) +
-  panes.reduce((sum, { triangles, wireEdges }) => sum + 2 * (triangles.length + wireEdges.length), 0);
+  panes.reduce(
+    (sum, { triangles, wireEdges }) => sum + 2 * (triangles.length + wireEdges.length),
+    0,
+  );
 
 /** @param {Field | null} a @param {Field | null} b @param {number} s @returns {Field | null} */
 function blendField(a, b, s) {

@@ -89,7 +89,8 @@ const takesSpace = (target) =>
 /** Single keys. They rest while something is typed or a dialog is open. @param {Page} page */
 export function listenForKeys(page) {
   addEventListener("keydown", (event) => {
-    const { dialog, question, mode, why, legend, tab, welcome, presenting, comparison } = page.get();
+    const { dialog, question, mode, why, legend, tab, welcome, presenting, comparison } =
+      page.get();
     if (event.key === "Escape" && !dialog && !question) {
       if (mode) page.edit.mode(null);
       else if (why) page.why.close();

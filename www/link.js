@@ -90,7 +90,12 @@ export function pageScene({ source, origin, figure, comparison, view, camera, go
   return /** @type {any} */ ({
     ...{ source, origin, camera, goal, shared },
     figure: figure?.id ?? null,
-    comparison: { panes, lockstep: lockstep === "time" ? "time" : "step", shown: shown === "side" ? null : shown, difference },
+    comparison: {
+      panes,
+      lockstep: lockstep === "time" ? "time" : "step",
+      shown: shown === "side" ? null : shown,
+      difference,
+    },
     view: { shading, wireframe, boundary, scale },
   });
 }

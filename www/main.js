@@ -22,6 +22,9 @@ import { createStage } from "./view/stage.js";
 import { createTools } from "./view/tools.js";
 import { top } from "./view/top.js";
 
+/** @import { Page } from "./actions.js" */
+/** @import { Mode, S, Tab } from "./store.js" */
+
 // Sentences are made when the views are: the language comes first.
 await openLanguage();
 
@@ -36,13 +39,13 @@ const file = /** @type {HTMLInputElement} */ (byId("file"));
 // Fewer samples a pixel draw faster where there is no graphics card.
 const samples = new URLSearchParams(location.search).get("msaa") === "1" ? 1 : 4;
 
-/** @type {import("./actions.js").Page} */
+/** @type {Page} */
 const page = Object.assign(/** @type {any} */ (bare), {
   keysOn: signal(remembered("keys") !== "off"),
   finding: signal(null),
   chooseFile: () => file.click(),
-  turn: (/** @type {import("./store.js").Tab} */ tab) => turn(page, tab),
-  tool(/** @type {import("./store.js").Mode} */ mode) {
+  turn: (/** @type {Tab} */ tab) => turn(page, tab),
+  tool(/** @type {Mode} */ mode) {
     page.patch({ tab: "surface" });
     page.edit.mode(mode);
   },
@@ -55,20 +58,29 @@ page.film = createFilm(page);
 page.tools = createTools(page);
 
 const theme = remembered("theme");
-page.run.view({ systemDark: dark.matches, ...(theme === "light" || theme === "dark" ? { theme } : {}) });
+page.run.view({
+  systemDark: dark.matches,
+  ...(theme === "light" || theme === "dark" ? { theme } : {}),
+});
 dark.addEventListener("change", () => page.run.view({ systemDark: dark.matches }));
 
-/** A view in its place, anew whenever what it shows changes. @param {string} id @param {(page: import("./actions.js").Page) => unknown} view */
-const mount = (id, view) => effect(() => render(view(page) ?? nothing, byId(id)));
+/** A view in its place, anew whenever what it shows changes. @param {string} id @param {(page: Page) => unknown} view */
+const mount = (id, view) =>
+  effect(() => {
+    render(view(page) ?? nothing, byId(id));
+  });
 
 mount("top", top);
 mount("rail", rail);
 mount("drawer", drawer);
 mount("dock", dock);
-mount("cards", (p) => html`${p.tools.bar()}${p.tools.handle()}${cards(p)}${legend(p)}${present(p)}`);
+mount(
+  "cards",
+  (p) => html`${p.tools.bar()}${p.tools.handle()}${cards(p)}${legend(p)}${present(p)}`,
+);
 for (const [id, view, isOpen] of /** @type {const} */ ([
-  ["dialog", dialog, (/** @type {import("./store.js").S} */ s) => s.dialog !== null],
-  ["ask", question, (/** @type {import("./store.js").S} */ s) => s.question !== null],
+  ["dialog", dialog, (/** @type {S} */ s) => s.dialog !== null],
+  ["ask", question, (/** @type {S} */ s) => s.question !== null],
 ])) {
   const element = /** @type {HTMLDialogElement} */ (byId(id));
   mount(id, view);
@@ -101,7 +113,10 @@ effect(() => {
   const { figure, reading, running } = page.state.value;
   const isMoving = page.player.motion.value !== "still";
   if (!figure || !reading || running || isMoving) return;
-  const isFar = figure.steps === "rest" ? reading.status !== "ready" : reading.step >= figure.steps || reading.status !== "ready";
+  const isFar =
+    figure.steps === "rest"
+      ? reading.status !== "ready"
+      : reading.step >= figure.steps || reading.status !== "ready";
   const place = `${figure.id} ${reading.step} ${reading.energy}`;
   if (!isFar || place === judged) return;
   judged = place;
@@ -169,7 +184,8 @@ effect(() => {
 
 // The event's address and not `location`: by now the old scene may have been written there.
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));
-if (!embedding && location.hash.length < 2 && remembered("visited") === null) page.patch({ welcome: true });
+if (!embedding && location.hash.length < 2 && remembered("visited") === null)
+  page.patch({ welcome: true });
 const opened = Promise.resolve(embedding?.wanted).then(() => {
   try {
     page.solver.begin();

@@ -82,4 +82,3 @@ export function createNotes(store) {
 }
 
 /** @typedef {ReturnType<typeof createNotes>} Notes */
-

@@ -32,7 +32,7 @@ export function formatBeside(value, scale) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   if (Math.abs(value) < 1e-6 * Math.max(Math.abs(scale), 1)) return "0";
   const decimals = Math.min(Math.max(3 - Math.floor(Math.log10(Math.abs(value))), 0), 6);
-  return Math.abs(value) >= 1e6 ? value.toExponential(3) : value.toFixed(decimals > 4 ? 4 : decimals);
+  return Math.abs(value) >= 1e6 ? value.toExponential(3) : value.toFixed(Math.min(decimals, 4));
 }
 
 /** For people alone: with a true minus. @param {number} value */

@@ -72,7 +72,16 @@ export function isRead(name, { flow, scheme, goal }) {
 }
 
 /** What is asked about a flow first; the rest is under *Advanced*. */
-const basic = ["boundary", "goal", "detail", "smoothSteps", "p", "keep", "reducedVolume", "criterion"];
+const basic = [
+  "boundary",
+  "goal",
+  "detail",
+  "smoothSteps",
+  "p",
+  "keep",
+  "reducedVolume",
+  "criterion",
+];
 
 /** @param {string} name  of an option */
 export const isBasic = (name) => basic.includes(name);

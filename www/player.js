@@ -32,7 +32,13 @@ const LONGEST = 0.25;
  * @param {() => void} page.onEnd  the last step is shown and no more will come
  * @param {(draw: (time: number) => void) => unknown} [page.nextFrame]
  */
-export function createPlayer({ tracks, lockstep, isCalm, onEnd, nextFrame = requestAnimationFrame }) {
+export function createPlayer({
+  tracks,
+  lockstep,
+  isCalm,
+  onEnd,
+  nextFrame = requestAnimationFrame,
+}) {
   /** @type {import("@preact/signals-core").Signal<Motion>} */
   const motion = signal("still");
   /** Changes whenever something else is to be drawn. */

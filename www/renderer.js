@@ -106,9 +106,7 @@ async function loadWebgl(reason, isForced) {
   if (!hasContext()) {
     throw fault(
       "NoRenderer",
-      isForced
-        ? say("renderer-no-webgl")
-        : say("renderer-neither", { reason }),
+      isForced ? say("renderer-no-webgl") : say("renderer-neither", { reason }),
       say("renderer-neither.hint"),
     );
   }

@@ -58,7 +58,10 @@ export function createSave(page) {
   /** @param {string} kind @returns {Promise<{ format: string, blob: Blob }>} */
   async function contents(kind) {
     if (kind === "recipe") {
-      return { format: kind, blob: new Blob([await page.open.recipe()], { type: "application/json" }) };
+      return {
+        format: kind,
+        blob: new Blob([await page.open.recipe()], { type: "application/json" }),
+      };
     }
     if (kind !== "png") {
       const { format, bytes } = await page.run.export(kind);

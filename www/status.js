@@ -1,10 +1,10 @@
 // @ts-check
 // What the flow is doing, in words.
 
+import { sampleName } from "./library.js";
+import { formatNumber } from "./number.js";
 import { isOver } from "./standing.js";
 import { say } from "./words.js";
-import { formatNumber } from "./number.js";
-import { sampleName } from "./library.js";
 
 /** @import { State as Reading } from "./generated/types.js" */
 /** @import { S } from "./store.js" */

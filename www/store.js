@@ -64,7 +64,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {"progress" | "step" | "time"} lockstep
  * @property {"side" | number} shown   all side by side, or one in the place of all
  * @property {number | null} difference  the pane that distances are measured to, and colours show
- * @property {boolean} then  whether the start stands beside
+ * @property {boolean} withStart  whether the start stands beside
  */
 
 /**
@@ -127,7 +127,7 @@ export const alone = Object.freeze({
   lockstep: "progress",
   shown: "side",
   difference: null,
-  then: false,
+  withStart: false,
 });
 
 /** @type {S} */

@@ -331,7 +331,9 @@ class SurfaceView {
   snapshot() {
     this.#redrawn();
     return new Promise((resolve, reject) => {
-      this.#drawnOn.toBlob((blob) => (blob ? resolve(blob) : reject(lostFault(say("viewer-no-picture")))));
+      this.#drawnOn.toBlob((blob) =>
+        blob ? resolve(blob) : reject(lostFault(say("viewer-no-picture"))),
+      );
     });
   }
 
@@ -357,7 +359,9 @@ class SurfaceView {
    * @returns {Promise<{ width: number, height: number, data: Uint8Array }>}
    */
   pixels() {
-    return this.#viewer ? this.#viewer.readPixels() : Promise.reject(lostFault(say("viewer-rebuilding")));
+    return this.#viewer
+      ? this.#viewer.readPixels()
+      : Promise.reject(lostFault(say("viewer-rebuilding")));
   }
 
   /**

@@ -2,9 +2,9 @@
 // Flows beside that of the page: a worker and a clip each. They solve at their own pace; the
 // player shows them in step.
 
-import { changeOf, MOST_PANES, optionsOf, timeUnitsAgree } from "../comparison.js";
 import { LOST } from "../channel.js";
 import { Clip } from "../clip.js";
+import { changeOf, MOST_PANES, optionsOf, timeUnitsAgree } from "../comparison.js";
 import { isRead } from "../options.js";
 import { createSolver, withSelection } from "../solver.js";
 import { alone } from "../store.js";
@@ -18,7 +18,10 @@ import { take } from "./core.js";
 /** What a second pane does otherwise at first: the first that makes sense. @type {Record<string, readonly Partial<Options>[]>} */
 const contrasts = {
   flow: [{ flow: "mean-curvature" }, { flow: "circle" }],
-  p: [{ flow: "p-willmore", p: 4 }, { flow: "p-willmore", p: 2 }],
+  p: [
+    { flow: "p-willmore", p: 4 },
+    { flow: "p-willmore", p: 2 },
+  ],
   regularise: [
     { flow: "p-willmore", regularise: "off" },
     { flow: "p-willmore", regularise: "nonlinear" },
@@ -189,7 +192,7 @@ export function createCompare(core) {
         close();
         const { options, reading } = get();
         if (what === "then") {
-          if (reading) compared({ then: true });
+          if (reading) compared({ withStart: true });
           return;
         }
         for (const one of contrasts[what]) {
@@ -197,7 +200,8 @@ export function createCompare(core) {
           if (Object.keys(change).length === 0) continue;
           // An exponent is of a flow that reads it.
           const own = { ...options, ...one };
-          if (change.flow && what !== "flow" && !isRead(what, options)) await core.configure(optionsOf(options, { flow: own.flow }));
+          if (change.flow && what !== "flow" && !isRead(what, options))
+            await core.configure(optionsOf(options, { flow: own.flow }));
           const now = get().options;
           await add(changeOf(now, optionsOf(now, one)));
           return;
@@ -209,7 +213,10 @@ export function createCompare(core) {
         await rest();
         const { options, comparison } = get();
         if (comparison.rivals.length >= MOST_PANES - 1) return;
-        const taken = [options, ...comparison.rivals.map(({ change }) => optionsOf(options, change))];
+        const taken = [
+          options,
+          ...comparison.rivals.map(({ change }) => optionsOf(options, change)),
+        ];
         const flows = ["circle", "mean-curvature", "p-willmore", "surface-diffusion", "willmore"];
         const flow = flows.find((id) => taken.every((one) => one.flow !== id)) ?? "mmcv";
         await add({ flow: /** @type {Options["flow"]} */ (flow) });
@@ -232,7 +239,11 @@ export function createCompare(core) {
     remove: (id) =>
       enqueue(async () => {
         await rest();
-        compared({ rivals: get().comparison.rivals.filter((one) => one.id !== id), shown: "side", difference: null });
+        compared({
+          rivals: get().comparison.rivals.filter((one) => one.id !== id),
+          shown: "side",
+          difference: null,
+        });
         dismiss();
       }),
     close: () => enqueue(() => rest().then(close)),
@@ -243,8 +254,8 @@ export function createCompare(core) {
     },
     /** The first pane in the place of all, then the second, and so on. */
     flip() {
-      const { rivals: all, shown, then } = get().comparison;
-      const count = 1 + all.length + (then ? 1 : 0);
+      const { rivals: all, shown, withStart } = get().comparison;
+      const count = 1 + all.length + (withStart ? 1 : 0);
       if (count > 1) compared({ shown: shown === "side" ? 1 : (shown + 1) % count });
       else notes.answer(say("nothing-to-flip"));
     },
@@ -256,14 +267,24 @@ export function createCompare(core) {
       const lockstep = linked.lockstep === "time" ? "time" : "progress";
       const made = panes.map(({ change }) => {
         lastId += 1;
-        return { id: lastId, change, phase: /** @type {const} */ ("loading"), reason: "", running: false, reading: null, held: null };
+        return {
+          id: lastId,
+          change,
+          phase: /** @type {const} */ ("loading"),
+          reason: "",
+          running: false,
+          reading: null,
+          held: null,
+        };
       });
       compared({ rivals: made, lockstep, shown, difference });
     },
     /** Where the panes of a link stand. @param {readonly (number | null)[]} steps @param {number} main */
     runTo: (steps, main) =>
       Promise.all(
-        get().comparison.rivals.map(({ id }, n) => ((steps[n] ?? main) > 0 ? runOne(id, steps[n] ?? main) : null)),
+        get().comparison.rivals.map(({ id }, n) =>
+          (steps[n] ?? main) > 0 ? runOne(id, steps[n] ?? main) : null,
+        ),
       ),
   };
   return compare;

@@ -15,7 +15,7 @@ import { say, sayFault } from "../words.js";
 /** @import { Notes } from "../notes.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Track } from "../player.js" */
-/** @import { Field, FieldName, Store } from "../store.js" */
+/** @import { FieldName, Store } from "../store.js" */
 /** @import { Fault } from "../words.js" */
 
 /** @typedef {import("../generated/types.js").Frame & { run: number, stored: boolean }} Frame */

@@ -138,7 +138,9 @@ export function createEdit(core) {
       change(async () => {
         const { report, loaded } = await solver.invert(centre);
         await edited(loaded, say("edit-inversion"));
-        notes.answer(say("inverted", { change: Math.abs(report.after.circle - report.before.circle) }));
+        notes.answer(
+          say("inverted", { change: Math.abs(report.after.circle - report.before.circle) }),
+        );
       }),
     /** Shows the surface inverted. @param {number[]} centre @returns {Promise<void>} refusals are the caller's */
     async preview(centre) {

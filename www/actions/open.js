@@ -175,7 +175,9 @@ export function createOpen(core, run, compare) {
     const { reading } = get();
     if (!reading) return;
     const values = { expected: card.energy, got: reading.energy };
-    notes.answer(say("recipe-compared", { same: String(reading.energy === card.energy), ...values }));
+    notes.answer(
+      say("recipe-compared", { same: String(reading.energy === card.energy), ...values }),
+    );
   }
 
   /** @param {Uint8Array<ArrayBuffer>} bytes */
@@ -213,7 +215,11 @@ export function createOpen(core, run, compare) {
       if (!running && phase !== "loading") return;
       await new Promise((resolve) => {
         const end = core.store.state.subscribe((s) => {
-          if (!s.running && s.phase !== "loading") queueMicrotask(() => (end(), resolve(null)));
+          if (!s.running && s.phase !== "loading")
+            queueMicrotask(() => {
+              end();
+              resolve(null);
+            });
         });
       });
     }
@@ -229,11 +235,19 @@ export function createOpen(core, run, compare) {
     if (!isScene || mesh !== asked || scene.check === null || !reading) return;
     const found = await solver.checkLink(scene.check, scene.step).catch(() => null);
     if (!found || get().mesh !== asked) return;
-    const why = isFile === false ? "file" : scene.version !== null && scene.version !== version ? "version" : isFile === null ? "unknown" : "same";
+    const why =
+      isFile === false
+        ? "file"
+        : scene.version !== null && scene.version !== version
+          ? "version"
+          : isFile === null
+            ? "unknown"
+            : "same";
     const values = { ...found, wanted: scene.step, theirs: scene.version ?? "", ours: version };
     const message = say("link-checked", values);
     const hint = found.outcome === "same" ? "" : say("link-differs", { why, ...values });
-    if (found.outcome === "same" || found.outcome === "near") notes.answer(`${message} ${hint}`.trim());
+    if (found.outcome === "same" || found.outcome === "near")
+      notes.answer(`${message} ${hint}`.trim());
     else notes.error({ message, hint });
   }
 
@@ -270,7 +284,8 @@ export function createOpen(core, run, compare) {
           const isNamed = stem(file.name) === scene.mesh;
           // What was done to another mesh means nothing on this one.
           await loadFile(file, bytes, isFile || isNamed ? (isFile === false ? bare : scene) : {});
-          if (isFile === false) notes.note(say("link-other-file", { name: file.name, mesh: scene.mesh }));
+          if (isFile === false)
+            notes.note(say("link-other-file", { name: file.name, mesh: scene.mesh }));
           if (isFile || isNamed) check(scene, isFile);
         } else await loadFile(file, bytes, {});
       }),

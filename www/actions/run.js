@@ -130,7 +130,11 @@ export function createRun(core, adopt) {
         await rest();
         const { options: before, reading, applies, comparison } = get();
         const isOther = change.flow !== undefined && change.flow !== before.flow;
-        const options = { ...before, ...(isOther ? toFlow(change.flow ?? before.flow) : {}), ...change };
+        const options = {
+          ...before,
+          ...(isOther ? toFlow(change.flow ?? before.flow) : {}),
+          ...change,
+        };
         const isHere =
           !fromStart &&
           applies === "here" &&

@@ -61,7 +61,8 @@ export function createWhy(core, { adopt, edit }, run) {
         new Set([...faces, ...trianglesAt(mesh.triangles, vertices)]),
       );
       patch({ marks: { edges, triangles } });
-      const near = triangles.length > 0 ? triangles : trianglesAt(mesh.triangles, edges.subarray(0, 2));
+      const near =
+        triangles.length > 0 ? triangles : trianglesAt(mesh.triangles, edges.subarray(0, 2));
       const turned = camera && facing(camera, vectorArea(positions, mesh.triangles, near));
       if (turned) patch({ camera: turned });
     },
@@ -79,7 +80,8 @@ export function createWhy(core, { adopt, edit }, run) {
         await rest();
         const { reading } = get();
         if (!reading) return;
-        if (remedy.id === "back") return void (await solver.seek(Math.max(reading.step - remedy.steps, 0)));
+        if (remedy.id === "back")
+          return void (await solver.seek(Math.max(reading.step - remedy.steps, 0)));
         if (remedy.id === "keepAndFlips") await flip();
         else if (Object.keys(remedy.change).length > 0) await change(remedy);
       });

@@ -104,11 +104,7 @@ export function wordsToSet(words) {
 /** @param {Request} request @returns {number} */
 export function stepOf({ step }) {
   if (typeof step === "number" && Number.isInteger(step) && step >= 0 && step < 1e7) return step;
-  throw fault(
-    "BadStep",
-    say("embed-bad-step", { step: String(step).slice(0, 60) }),
-    "",
-  );
+  throw fault("BadStep", say("embed-bad-step", { step: String(step).slice(0, 60) }), "");
 }
 
 /** @param {Request} request @returns {string} */
@@ -126,11 +122,7 @@ export function fileOf({ name, bytes }) {
   if (bytes === undefined) return null;
   const isBytes = bytes instanceof ArrayBuffer || bytes instanceof Uint8Array;
   if (!isBytes || typeof name !== "string" || !/^[^/\\]{1,200}$/.test(name)) {
-    throw fault(
-      "BadMesh",
-      say("embed-bad-mesh"),
-      "",
-    );
+    throw fault("BadMesh", say("embed-bad-mesh"), "");
   }
   return new File([/** @type {ArrayBuffer} */ (bytes)], name);
 }

@@ -32,7 +32,9 @@ function welcome(page) {
     <h2 id="welcome-heading">${say("welcome")}</h2><p>${say("welcome-text")}</p>
     <button type="button" class="button primary go" @click=${leave(page.run.play)}>${icon("play")}${say("watch")}</button>
     <div class="starters">${starters.map(
-      (id) => html`<button type="button" class="starter" @click=${leave(() => page.open.sample(id))}>
+      (
+        id,
+      ) => html`<button type="button" class="starter" @click=${leave(() => page.open.sample(id))}>
         <span class="thumb">${pictureOf(id)}</span>${say(`starter-${id}`)}<small>${say(`starter-${id}.small`)}</small></button>`,
     )}<button type="button" class="starter" @click=${leave(() => page.chooseFile())}>
         <span class="thumb">${icon("open")}</span>${say("starter-own")}<small>${say("starter-own.small")}</small></button>
@@ -46,8 +48,14 @@ function onwards(page) {
   return [
     next
       ? button(say("next-figure"), () => page.open.figure(next), { kind: "small primary" })
-      : button(say("starter-vesicle"), () => page.open.sample("vesicle"), { kind: "small primary" }),
-    button(say("what-measures"), () => page.patch({ tab: "measure", section: "equation", why: null }), { kind: "small" }),
+      : button(say("starter-vesicle"), () => page.open.sample("vesicle"), {
+          kind: "small primary",
+        }),
+    button(
+      say("what-measures"),
+      () => page.patch({ tab: "measure", section: "equation", why: null }),
+      { kind: "small" },
+    ),
   ];
 }
 
@@ -56,8 +64,13 @@ function why(page) {
   const { why: shown, reading } = page.state.value;
   if (!shown) return nothing;
   const { diagnosis } = shown;
-  const arrived = reading && isOver(reading.status) && reading.message ? say(reading.message) : say("nothing-wrong");
-  const elements = diagnosis ? diagnosis.vertices.length + diagnosis.faces.length + diagnosis.edges.length : 0;
+  const arrived =
+    reading && isOver(reading.status) && reading.message
+      ? say(reading.message)
+      : say("nothing-wrong");
+  const elements = diagnosis
+    ? diagnosis.vertices.length + diagnosis.faces.length + diagnosis.edges.length
+    : 0;
   const show = () => {
     if (!diagnosis) return;
     if (shown.isShown) page.edit.mark(null);
@@ -67,11 +80,15 @@ function why(page) {
   return html`<section class="card why" aria-labelledby="why-heading">
     ${close(page.why.close)}
     <h2 id="why-heading">${say("why-heading")}</h2><p id="why-sentence">${diagnosis ? say(diagnosis.message) : arrived}</p>
-    <div class="row">${diagnosis
-      ? diagnosis.remedies.map((remedy, n) =>
-          button(say(remedy.label), () => page.why.remedy(remedy), { kind: n === 0 ? "small primary" : "small" }),
-        )
-      : onwards(page)}
+    <div class="row">${
+      diagnosis
+        ? diagnosis.remedies.map((remedy, n) =>
+            button(say(remedy.label), () => page.why.remedy(remedy), {
+              kind: n === 0 ? "small primary" : "small",
+            }),
+          )
+        : onwards(page)
+    }
     ${elements > 0 ? button(say("why-show"), show, { kind: "small", pressed: shown.isShown }) : nothing}</div>
   </section>`;
 }

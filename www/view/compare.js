@@ -3,8 +3,8 @@
 
 import { html, nothing, svg } from "lit-html";
 import { letter, MOST_PANES, optionsOf, timeUnitsAgree } from "../comparison.js";
-import { formatNumber } from "../number.js";
 import { flows } from "../generated/schema.js";
+import { formatNumber } from "../number.js";
 import { asText, flowLabel, rowOf } from "../options.js";
 import { say } from "../words.js";
 import { field, fieldsOf } from "./flow.js";
@@ -31,9 +31,9 @@ export function sayChange(main, change) {
 export function compare(page) {
   const s = page.state.value;
   const { comparison, options, mesh, colour } = s;
-  const { rivals, lockstep, shown, difference, then } = comparison;
+  const { rivals, lockstep, shown, difference, withStart } = comparison;
   if (!mesh) return nothing;
-  const isOpen = rivals.length > 0 || then;
+  const isOpen = rivals.length > 0 || withStart;
   const all = [options, ...rivals.map(({ change }) => optionsOf(options, change))];
   const agree = timeUnitsAgree(all);
   const steps = [
@@ -41,7 +41,9 @@ export function compare(page) {
     ...(agree ? [{ id: "time", label: say("lockstep-time") }] : []),
     { id: "step", label: say("lockstep-step") },
   ];
-  const flowChoices = flows.filter(({ id }) => id !== "flips").map(({ id }) => ({ id, label: flowLabel(id) }));
+  const flowChoices = flows
+    .filter(({ id }) => id !== "flips")
+    .map(({ id }) => ({ id, label: flowLabel(id) }));
   return html`
     <p class="hint">${say("compare-hint")}</p>
     <div class="row">${contrasts.map((what) => button(say(`contrast-${what}`), () => page.compare.contrast(what), { kind: "chip" }))}</div>
@@ -51,18 +53,24 @@ export function compare(page) {
       const name = letter(n + 1);
       return html`<fieldset class="pane-form"><legend><b class="pane-${n + 1}">${name}</b></legend>
         ${select(say("pane-flow", { name }), flowChoices, own.flow, (flow) => page.compare.change(id, { flow: /** @type {Options["flow"]} */ (flow) }))}
-        ${fieldsOf(page, own, true).concat(rowOf("tau")).map((row) => field(page, row, own, (edit) => page.compare.change(id, edit)))}
+        ${fieldsOf(page, own, true)
+          .concat(rowOf("tau"))
+          .map((row) => field(page, row, own, (edit) => page.compare.change(id, edit)))}
         ${phase === "lost" ? html`<p class="hint danger">${reason}</p>` : nothing}
         ${iconButton("close", say("remove-pane", { name }), () => page.compare.remove(id))}</fieldset>`;
     })}
     ${rivals.length > 0 && rivals.length < MOST_PANES - 1 ? button(say("add-pane", { name: letter(rivals.length + 1) }), page.compare.add, { kind: "small" }) : nothing}
-    ${isOpen
-      ? html`<hr />
+    ${
+      isOpen
+        ? html`<hr />
         ${rivals.length > 0 ? segmented(say("lockstep"), steps, lockstep, (id) => page.compare.show({ lockstep: /** @type {any} */ (id) })) : nothing}
         ${agree ? nothing : html`<p class="hint">${say("times-differ")}</p>`}
         ${segmented(
           say("show-panes"),
-          [{ id: "side", label: say("side-by-side") }, { id: "place", label: say("in-place") }],
+          [
+            { id: "side", label: say("side-by-side") },
+            { id: "place", label: say("in-place") },
+          ],
           shown === "side" ? "side" : "place",
           (id) => page.compare.show({ shown: id === "side" ? "side" : 0 }),
         )}
@@ -71,13 +79,17 @@ export function compare(page) {
           say("pane-colours"),
           [
             { id: "", label: say(`colour-${colour}`) },
-            ...[options, ...rivals].map((_, n) => ({ id: String(n), label: say("distance-to", { name: letter(n) }) })),
+            ...[options, ...rivals].map((_, n) => ({
+              id: String(n),
+              label: say("distance-to", { name: letter(n) }),
+            })),
           ],
           difference === null ? "" : String(difference),
           (id) => page.compare.show({ difference: id === "" ? null : Number(id) }),
         )}
         ${button(say("close-comparison"), page.compare.close, { kind: "small" })}`
-      : nothing}`;
+        : nothing
+    }`;
 }
 
 /** The curves of all, as shares of their starts, on a logarithmic axis. @param {Page} page */
@@ -86,14 +98,18 @@ export function comparedCurve(page) {
   const { comparison } = page.state.value;
   const { lockstep } = comparison;
   const tracks = [page.lead, ...page.rivals.values()];
-  const furthest = Math.max(...tracks.map(({ clip }) => clip.last?.state[lockstep === "time" ? "time" : "step"] ?? 0), 1e-12);
+  const furthest = Math.max(
+    ...tracks.map(({ clip }) => clip.last?.state[lockstep === "time" ? "time" : "step"] ?? 0),
+    1e-12,
+  );
   let foot = 1;
   const shares = tracks.map(({ clip }) => {
     const first = clip.points[0]?.state.energy || 1;
     return clip.points.map((point) => {
       const share = Math.max(point.state.energy / first, FOOT);
       foot = Math.min(foot, share);
-      const x = lockstep === "progress" ? point.sum / (clip.total || 1) : point.state[lockstep] / furthest;
+      const x =
+        lockstep === "progress" ? point.sum / (clip.total || 1) : point.state[lockstep] / furthest;
       return [x * WIDTH, share];
     });
   });
@@ -111,7 +127,9 @@ export function comparedCurve(page) {
   /** @param {PointerEvent} event */
   function drag(event) {
     const box = /** @type {Element} */ (event.currentTarget).getBoundingClientRect();
-    page.run.scrub(Math.min(Math.max((event.clientX - box.left) / box.width, 0), 1) * lead.clip.total);
+    page.run.scrub(
+      Math.min(Math.max((event.clientX - box.left) / box.width, 0), 1) * lead.clip.total,
+    );
   }
   return html`<div class="curve compared"><span class="most" aria-hidden="true">${formatNumber(100 * most, 3)} %</span><span class="least" aria-hidden="true">${formatNumber(100 * foot, 2)} %</span>
     <div class="plot" role="slider" tabindex="0" aria-label=${say("history")} aria-valuemin="0" aria-valuemax="100" aria-valuenow=${Math.round(100 * head)}
@@ -123,7 +141,7 @@ export function comparedCurve(page) {
       @lostpointercapture=${() => page.run.scrubbed()}>
     <svg viewBox="0 0 ${WIDTH} 100" preserveAspectRatio="none" aria-hidden="true">
       <line class="base" x1="0" x2=${WIDTH} y1=${BOTTOM} y2=${BOTTOM} />
-      ${shares.map((points, n) => points.length < 2 ? nothing : svg`<path class="pane-${n}" d="M${points.map(([x, value]) => `${x.toFixed(1)} ${y(value).toFixed(1)}`).join("L")}" />`)}
+      ${shares.map((points, n) => (points.length < 2 ? nothing : svg`<path class="pane-${n}" d="M${points.map(([x, value]) => `${x.toFixed(1)} ${y(value).toFixed(1)}`).join("L")}" />`))}
     </svg><i class="head line" .style=${`--x:${100 * head}%;--y:0%`}></i>
     <span class="step first" aria-hidden="true" .style=${"--x:0%"}>${say("start")}</span>
     <span class="step last" aria-hidden="true" .style=${"--x:100%"}>${say(`axis-${lockstep}`)}</span></div></div>`;

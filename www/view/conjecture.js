@@ -40,7 +40,9 @@ async function ask(page) {
     const report = await page.edit.conjecture();
     survey.value = { report, of };
     chosen.value = null;
-    const edges = Array.from({ length: Math.min(report.counterexamples, 20_000) }, (_, n) => cornersOf(report, n).slice(0, 2)).flat();
+    const edges = Array.from({ length: Math.min(report.counterexamples, 20_000) }, (_, n) =>
+      cornersOf(report, n).slice(0, 2),
+    ).flat();
     page.edit.mark({ edges: Uint32Array.from(edges), triangles: new Uint32Array() });
   } catch (error) {
     page.report(error);
@@ -58,7 +60,8 @@ async function choose(page, report, n) {
   const triangles = [];
   for (let t = 0; 3 * t < all.length; t += 1) {
     const own = [all[3 * t], all[3 * t + 1], all[3 * t + 2]];
-    if (own.includes(i) && own.includes(j) && (own.includes(k) || own.includes(l))) triangles.push(t);
+    if (own.includes(i) && own.includes(j) && (own.includes(k) || own.includes(l)))
+      triangles.push(t);
   }
   page.edit.mark({ edges: Uint32Array.of(i, j), triangles: Uint32Array.from(triangles) });
   chosen.value = { n, quad: await page.edit.quadrilateral(corners) };
@@ -66,7 +69,8 @@ async function choose(page, report, n) {
 
 /** f_a against f_l; both axes are stretched by the cube root, as most edges lie near zero. @param {ConjectureReport} report */
 function scatter({ area, localised, counterexamples }) {
-  const largest = (/** @type {Float32Array} */ values) => Math.cbrt(values.reduce((most, v) => Math.max(most, Math.abs(v)), 1e-30));
+  const largest = (/** @type {Float32Array} */ values) =>
+    Math.cbrt(values.reduce((most, v) => Math.max(most, Math.abs(v)), 1e-30));
   const [right, high] = [largest(area), largest(localised)];
   const every = Math.max(1, Math.ceil(area.length / DOTS));
   const dots = [...area.keys()].filter((n) => n < counterexamples || n % every === 0);
@@ -79,13 +83,17 @@ function scatter({ area, localised, counterexamples }) {
 
 /** @param {QuadReport} quad */
 function quadrilateral({ points, area, localised, totalArea, foldDegrees, minAngleDegrees }) {
-  const both = (/** @type {number[]} */ [before, after]) => `${formatNumber(before, 4)}° → ${formatNumber(after, 4)}°`;
+  const both = (/** @type {number[]} */ [before, after]) =>
+    `${formatNumber(before, 4)}° → ${formatNumber(after, 4)}°`;
   return table(say("quad"), [
     ["f_a", say("quad-gained", { gained: signed(area), area: formatNumber(totalArea, 5) })],
     ["f_l", signed(localised)],
     [say("quad-fold"), both(foldDegrees)],
     [say("reading-angle"), both(minAngleDegrees)],
-    ["i, j, k, l", points.map((point) => `(${point.map((x) => Number(x.toPrecision(6))).join(", ")})`).join(" ")],
+    [
+      "i, j, k, l",
+      points.map((point) => `(${point.map((x) => Number(x.toPrecision(6))).join(", ")})`).join(" "),
+    ],
   ]);
 }
 
@@ -101,11 +109,24 @@ export function conjecture(page) {
   const against = areaOnly + localisedOnly;
   const names = Array.from({ length: Math.min(counterexamples, LISTED) }, (_, n) => {
     const [i, j] = cornersOf(report, n);
-    return { id: String(n), label: say("counterexample", { i, j, area: signed(report.area[n]), localised: signed(report.localised[n]) }) };
+    return {
+      id: String(n),
+      label: say("counterexample", {
+        i,
+        j,
+        area: signed(report.area[n]),
+        localised: signed(report.localised[n]),
+      }),
+    };
   });
   return html`<p>${say("conjecture-holds", { total, against, percent: total > 0 ? ((100 * (total - against)) / total).toFixed(2) : "100" })}</p>
     ${scatter(report)}
-    ${table(say("conjecture"), [[say("both-fall"), both], [say("neither-falls"), neither], [say("only-area"), areaOnly], [say("only-localised"), localisedOnly]])}
+    ${table(say("conjecture"), [
+      [say("both-fall"), both],
+      [say("neither-falls"), neither],
+      [say("only-area"), areaOnly],
+      [say("only-localised"), localisedOnly],
+    ])}
     ${names.length > 0 ? select(say("counterexamples"), names, String(chosen.value?.n ?? ""), (id) => choose(page, report, Number(id)).catch(page.report)) : nothing}
     ${chosen.value ? quadrilateral(chosen.value.quad) : nothing}`;
 }
@@ -127,12 +148,23 @@ async function draw(page) {
 /** @param {Page} page */
 export function lab(page) {
   const report = drawn.value;
-  const percent = (/** @type {number} */ part, /** @type {number} */ of) => (of === 0 ? "–" : `${((100 * part) / of).toPrecision(3)} %`);
+  const percent = (/** @type {number} */ part, /** @type {number} */ of) =>
+    of === 0 ? "–" : `${((100 * part) / of).toPrecision(3)} %`;
   return html`${button(say(isDrawing.value ? "lab-stop" : "lab-run"), () => draw(page), { kind: "small" })}
-    ${report
-      ? html`<p>${say("lab-found", { total: report.tetrahedra, against: report.counterexamples[0] + report.counterexamples[1], areaOnly: report.counterexamples[0], localisedOnly: report.counterexamples[1] })}</p>
-        ${grid(say("lab"), [say("quad-fold"), say("lab-total"), say("lab-against"), say("histogram-share")], report.classes.map(({ below, total, counterexamples }, n) => [
-          `${n === 0 ? 0 : report.classes[n - 1].below}–${below}°`, total, counterexamples, percent(counterexamples, total)]))}
+    ${
+      report
+        ? html`<p>${say("lab-found", { total: report.tetrahedra, against: report.counterexamples[0] + report.counterexamples[1], areaOnly: report.counterexamples[0], localisedOnly: report.counterexamples[1] })}</p>
+        ${grid(
+          say("lab"),
+          [say("quad-fold"), say("lab-total"), say("lab-against"), say("histogram-share")],
+          report.classes.map(({ below, total, counterexamples }, n) => [
+            `${n === 0 ? 0 : report.classes[n - 1].below}–${below}°`,
+            total,
+            counterexamples,
+            percent(counterexamples, total),
+          ]),
+        )}
         ${report.strongest ? quadrilateral(report.strongest) : nothing}`
-      : nothing}`;
+        : nothing
+    }`;
 }

@@ -15,7 +15,7 @@ const APART = 0.06;
 const [WIDTH, TOP, BOTTOM] = [1000, 6, 82];
 
 /** What a curve shows of a step. @param {Point} point */
-export const valueOf = ({ state }) => state.energy;
+export const energyOf = ({ state }) => state.energy;
 
 /** Some of the points of a long run. @param {readonly Point[]} points */
 export function thinned(points) {
@@ -43,7 +43,7 @@ export function labelled(points, total) {
 /** The end of the energy axis. @param {readonly Point[]} points */
 export function topOf(points) {
   let most = 0;
-  for (const point of points) most = Math.max(most, valueOf(point));
+  for (const point of points) most = Math.max(most, energyOf(point));
   return most || 1;
 }
 
@@ -59,7 +59,7 @@ export function curve(page) {
   /** @param {Point} point */
   const at = (point) => [
     (point.sum / total) * WIDTH,
-    BOTTOM - ((BOTTOM - TOP) * Math.max(valueOf(point), 0)) / most,
+    BOTTOM - ((BOTTOM - TOP) * Math.max(energyOf(point), 0)) / most,
   ];
   const line = (/** @type {number[][]} */ list) =>
     `M${list.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
@@ -109,7 +109,8 @@ export function curve(page) {
       aria-valuetext=${say("clause-step", { step })}
       @pointerdown=${press} @keydown=${key}
       @pointermove=${(/** @type {PointerEvent} */ event) =>
-        /** @type {Element} */ (event.currentTarget).hasPointerCapture(event.pointerId) && drag(event)}
+        /** @type {Element} */ (event.currentTarget).hasPointerCapture(event.pointerId) &&
+        drag(event)}
       @lostpointercapture=${() => page.run.scrubbed()}>
       <svg viewBox="0 0 ${WIDTH} 100" preserveAspectRatio="none" aria-hidden="true">
         <line class="base" x1="0" x2=${WIDTH} y1=${BOTTOM} y2=${BOTTOM} />
@@ -142,8 +143,9 @@ function branches(page) {
   const most = topOf(clip.points);
   return timeline.branches.map(({ from, energy }) => {
     const point = clip.points[Math.max(clip.indexOf(from), 0)];
-    const y = (/** @type {number} */ value) => BOTTOM - ((BOTTOM - TOP) * Math.min(Math.max(value, 0), most)) / most;
+    const y = (/** @type {number} */ value) =>
+      BOTTOM - ((BOTTOM - TOP) * Math.min(Math.max(value, 0), most)) / most;
     const x = (WIDTH * point.sum) / total;
-    return svg`<path class="branch" d="M${x} ${y(valueOf(point))}L${Math.min(x + 60, WIDTH)} ${y(energy)}" />`;
+    return svg`<path class="branch" d="M${x} ${y(energyOf(point))}L${Math.min(x + 60, WIDTH)} ${y(energy)}" />`;
   });
 }

@@ -2,8 +2,8 @@
 // What opens over everything: the library, help with its keys, the list of commands, the larger
 // plot, a question.
 
-import { html, nothing } from "lit-html";
 import { signal } from "@preact/signals-core";
+import { html, nothing } from "lit-html";
 import { commands, keyName } from "../commands.js";
 import { remember } from "../language.js";
 import { say } from "../words.js";
@@ -26,9 +26,12 @@ function help(page) {
       page.keysOn.value = on;
       remember("keys", on ? "on" : "off");
     })}
-    <dl class="keys">${commands.filter(({ keys }) => keys.length > 0).map(
-      ({ id, keys }) => html`<dt>${keys.map((key) => keycap(keyName(key)))}</dt><dd>${say(`command-${id}`)}</dd>`,
-    )}<dt>${keycap("← ↑ → ↓")}</dt><dd>${say("keys-turn")}</dd><dt>${keycap("Page ↓ ↑")}</dt><dd>${say("keys-clicker")}</dd></dl>
+    <dl class="keys">${commands
+      .filter(({ keys }) => keys.length > 0)
+      .map(
+        ({ id, keys }) =>
+          html`<dt>${keys.map((key) => keycap(keyName(key)))}</dt><dd>${say(`command-${id}`)}</dd>`,
+      )}<dt>${keycap("← ↑ → ↓")}</dt><dd>${say("keys-turn")}</dd><dt>${keycap("Page ↓ ↑")}</dt><dd>${say("keys-clicker")}</dd></dl>
     <h3>${say("surface-gestures")}</h3><p>${say("gestures")}</p>
     <div class="row">${button(say("welcome-again"), () => page.patch({ dialog: null, welcome: true, tab: null }))}</div>
     <p class="hint">${say("version", { version })} ${page.stage.renderer.value}</p>`;
@@ -67,7 +70,10 @@ function palette(page) {
           chosen.value = 0;
         }} />${close(() => shut(page))}</header>
     <ul id="commands" class="commands" role="listbox" aria-label=${say("commands")}>${found.map(
-      (command, n) => html`<li id="command-${command.id}" role="option" aria-selected=${String(n === at)} @click=${() => perform(command)}>
+      (
+        command,
+        n,
+      ) => html`<li id="command-${command.id}" role="option" aria-selected=${String(n === at)} @click=${() => perform(command)}>
         <span>${say(`command-${command.id}`)}</span>${command.keys.map((one) => keycap(keyName(one)))}</li>`,
     )}</ul>`;
 }

@@ -43,7 +43,9 @@ function line(page) {
   const rests = shown && shown.step > 0 && !s.running && !isPlaying && s.mode === null;
   const text = s.mode ? say(`mode-${s.mode}`) : clause(s, shown, isPlaying, last);
   return html`<span class="text">${text}</span>${
-    rests ? html`<button type="button" class="link" @click=${page.why.ask}>${say("why")}</button>` : nothing
+    rests
+      ? html`<button type="button" class="link" @click=${page.why.ask}>${say("why")}</button>`
+      : nothing
   }`;
 }
 
@@ -53,16 +55,32 @@ function status(page) {
   const s = page.state.value;
   const isPlaying = page.player.motion.value === "playing";
   const shown = page.shown();
-  const kind = s.running || isPlaying ? "run" : isTrouble(shown) ? "warn" : shown && shown.status !== "ready" ? "good" : "";
+  const kind =
+    s.running || isPlaying
+      ? "run"
+      : isTrouble(shown)
+        ? "warn"
+        : shown && shown.status !== "ready"
+          ? "good"
+          : "";
   const count = s.notes.length;
   return html`<div class="status ${kind}"><i class="dot"></i>
     <strong role="status">${statusText(s, shown, isPlaying)}</strong>${line(page)}<span class="space"></span>
-    ${count > 0 ? html`<button type="button" class="link quiet" aria-expanded=${String(s.section === "notes")}
-      @click=${() => page.patch({ section: s.section === "notes" ? null : "notes" })}>${say("notes", { count })}</button>` : nothing}
+    ${
+      count > 0
+        ? html`<button type="button" class="link quiet" aria-expanded=${String(s.section === "notes")}
+      @click=${() => page.patch({ section: s.section === "notes" ? null : "notes" })}>${say("notes", { count })}</button>`
+        : nothing
+    }
   </div>
-  ${s.section === "notes" && count > 0 ? html`<ul class="notes" aria-label=${say("messages")}>${s.notes.map(
-    (note) => html`<li>${note.text} ${note.hint} ${iconButton("close", say("dismiss"), () => page.notes.dismiss(note.id))}</li>`,
-  )}</ul>` : nothing}`;
+  ${
+    s.section === "notes" && count > 0
+      ? html`<ul class="notes" aria-label=${say("messages")}>${s.notes.map(
+          (note) =>
+            html`<li>${note.text} ${note.hint} ${iconButton("close", say("dismiss"), () => page.notes.dismiss(note.id))}</li>`,
+        )}</ul>`
+      : nothing
+  }`;
 }
 
 /** @param {Page} page */
@@ -73,7 +91,8 @@ function transport(page) {
   const { lead } = page;
   const usable = s.reading !== null && s.phase === "ready";
   const isAtStart = lead.u <= 0 && !s.reading?.canStepBack;
-  const isAtEnd = page.isOver() && lead.u >= lead.clip.total && page.lead.clip.last?.state.status !== "stepLimit";
+  const isAtEnd =
+    page.isOver() && lead.u >= lead.clip.total && page.lead.clip.last?.state.status !== "stepLimit";
   const name = isMoving ? "pause" : isAtEnd && lead.clip.points.length > 1 ? "again" : "play";
   return html`<div class="transport" role="group" aria-label=${say("transport")}>
     ${iconButton("start", say("reset"), page.run.reset, { key: "R", disabled: !usable || (isAtStart && !isMoving) })}
@@ -98,7 +117,10 @@ function energy(page) {
     })}</div>`;
   }
   const shown = page.shown();
-  const label = !shown || shown.step === 0 ? say("energy-of", { symbol: symbol(s) }) : say("energy-at", { symbol: symbol(s), step: shown.step });
+  const label =
+    !shown || shown.step === 0
+      ? say("energy-of", { symbol: symbol(s) })
+      : say("energy-at", { symbol: symbol(s), step: shown.step });
   return html`<div class="energy"><b>${formatBeside(shown?.energy, first)}</b><span>${label}</span></div>`;
 }
 
@@ -116,16 +138,20 @@ function clock(page) {
       @click=${() => page.run.speed(next)}>${player.speed.value}×</button>
     ${iconButton("loop", say("loop"), page.run.loop, { key: "L", pressed: player.loops.value })}
     ${iconButton("expand", say("larger-plot"), () => page.patch({ dialog: "plot" }), { key: "E" })}
-    ${timeline && timeline.branches.length > 0
-      ? html`<select class="branches" aria-label=${say("branches")} @change=${(/** @type {any} */ event) => {
-          if (event.target.value) page.run.branch(Number(event.target.value));
-          event.target.value = "";
-        }}><option value="">${say("count-branches", { count: timeline.branches.length })}</option>
+    ${
+      timeline && timeline.branches.length > 0
+        ? html`<select class="branches" aria-label=${say("branches")} @change=${(
+            /** @type {any} */ event,
+          ) => {
+            if (event.target.value) page.run.branch(Number(event.target.value));
+            event.target.value = "";
+          }}><option value="">${say("count-branches", { count: timeline.branches.length })}</option>
         ${timeline.branches.map(
           ({ id, from, last, energy: least }) =>
             html`<option value=${id}>${say("branch", { from, count: last - from, energy: least })}</option>`,
         )}</select>`
-      : nothing}
+        : nothing
+    }
   </div>`;
 }
 

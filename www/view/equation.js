@@ -2,8 +2,8 @@
 // The energy and the equation of the flow in force, symbol by symbol, with their values.
 
 import { html } from "lit-html";
-import { flowOf, isRead } from "../options.js";
 import { formatNumber } from "../number.js";
+import { flowOf, isRead } from "../options.js";
 import { say } from "../words.js";
 import { tex } from "./tex.js";
 
@@ -31,8 +31,10 @@ const steps = {
   "circle forward-euler": "\\frac{M}{dt} \\Delta x = -\\nabla E(x)",
   "circle backward-euler": "\\frac{M}{dt} \\Delta x = -\\nabla E(x + \\Delta x)",
   "circle l-bfgs": "\\Delta x = -\\alpha B_k \\nabla E(x)",
-  "p-willmore auto": "\\Bigl( \\frac{M}{dt} + L C L \\Bigr) \\Delta x = -\\Pi \\, 2^p (\\nabla E + \\lambda \\nabla A - \\mu \\nabla V)",
-  "p-willmore paper": "M \\frac{x^{k+1} - x^k}{dt} = -2^p (\\nabla E + \\lambda \\nabla A - \\mu \\nabla V)(\\tfrac12 (x^k + x^{k+1}))",
+  "p-willmore auto":
+    "\\Bigl( \\frac{M}{dt} + L C L \\Bigr) \\Delta x = -\\Pi \\, 2^p (\\nabla E + \\lambda \\nabla A - \\mu \\nabla V)",
+  "p-willmore paper":
+    "M \\frac{x^{k+1} - x^k}{dt} = -2^p (\\nabla E + \\lambda \\nabla A - \\mu \\nabla V)(\\tfrac12 (x^k + x^{k+1}))",
   curvature: "\\frac{\\varphi_i}{dt} = V_i^{k+1}(\\varphi), \\quad x^{k+1} = x^k + s \\varphi n",
   flips: "f(e) = W_m - W_n > 0",
 };
@@ -42,21 +44,74 @@ const steps = {
  * @type {readonly { tex: string, id: string, value?: (s: S, shown: Reading | null) => number | null | undefined, when: (s: S) => boolean }[]}
  */
 const rows = [
-  { tex: "\\beta_{ij}", id: "beta", when: ({ options }) => ["circle", "flips"].includes(flowOf(options.flow).family) },
-  { tex: "\\epsilon", id: "epsilon", value: ({ options }) => options.epsilon, when: ({ options }) => isRead("epsilon", options) },
-  { tex: "p", id: "p", value: ({ options }) => options.p, when: ({ options }) => isRead("p", options) },
+  {
+    tex: "\\beta_{ij}",
+    id: "beta",
+    when: ({ options }) => ["circle", "flips"].includes(flowOf(options.flow).family),
+  },
+  {
+    tex: "\\epsilon",
+    id: "epsilon",
+    value: ({ options }) => options.epsilon,
+    when: ({ options }) => isRead("epsilon", options),
+  },
+  {
+    tex: "p",
+    id: "p",
+    value: ({ options }) => options.p,
+    when: ({ options }) => isRead("p", options),
+  },
   { tex: "H", id: "mean", when: ({ options }) => flowOf(options.flow).family !== "flips" },
   { tex: "K", id: "gauss", when: ({ options }) => flowOf(options.flow).formula.includes("K") },
   { tex: "n", id: "normal", when: ({ options }) => flowOf(options.flow).family === "curvature" },
-  { tex: "H_0 \\ell", id: "spontaneous", value: ({ options }) => options.spontaneousCurvature, when: ({ options }) => isRead("p", options) && options.spontaneousCurvature !== 0 },
-  { tex: "\\lambda", id: "tension", value: (_, shown) => shown?.multipliers?.tension, when: ({ options }) => isRead("keep", options) && options.keep.includes("area") },
-  { tex: "\\mu", id: "pressure", value: (_, shown) => shown?.multipliers?.pressure, when: ({ options }) => isRead("keep", options) && options.keep.includes("volume") },
-  { tex: "M", id: "mass", when: ({ options }) => ["circle", "p-willmore"].includes(flowOf(options.flow).family) },
+  {
+    tex: "H_0 \\ell",
+    id: "spontaneous",
+    value: ({ options }) => options.spontaneousCurvature,
+    when: ({ options }) => isRead("p", options) && options.spontaneousCurvature !== 0,
+  },
+  {
+    tex: "\\lambda",
+    id: "tension",
+    value: (_, shown) => shown?.multipliers?.tension,
+    when: ({ options }) => isRead("keep", options) && options.keep.includes("area"),
+  },
+  {
+    tex: "\\mu",
+    id: "pressure",
+    value: (_, shown) => shown?.multipliers?.pressure,
+    when: ({ options }) => isRead("keep", options) && options.keep.includes("volume"),
+  },
+  {
+    tex: "M",
+    id: "mass",
+    when: ({ options }) => ["circle", "p-willmore"].includes(flowOf(options.flow).family),
+  },
   { tex: "K_+", id: "matrix", when: ({ options }) => flowOf(options.flow).family === "circle" },
-  { tex: "dt", id: "dt", value: ({ configured }, shown) => shown?.dt ?? configured?.dt, when: ({ options }) => isRead("dt", options) },
-  { tex: "\\tau", id: "tau", value: ({ configured }, shown) => shown?.tau ?? configured?.tau, when: ({ options }) => isRead("tau", options) },
-  { tex: "h", id: "edge", value: ({ configured }) => configured?.meanEdgeLength, when: ({ options }) => isRead("epsilon", options) },
-  { tex: "\\ell", id: "size", value: ({ mesh }) => mesh && Math.sqrt(mesh.info.area / (4 * Math.PI)), when: ({ options }) => isRead("p", options) },
+  {
+    tex: "dt",
+    id: "dt",
+    value: ({ configured }, shown) => shown?.dt ?? configured?.dt,
+    when: ({ options }) => isRead("dt", options),
+  },
+  {
+    tex: "\\tau",
+    id: "tau",
+    value: ({ configured }, shown) => shown?.tau ?? configured?.tau,
+    when: ({ options }) => isRead("tau", options),
+  },
+  {
+    tex: "h",
+    id: "edge",
+    value: ({ configured }) => configured?.meanEdgeLength,
+    when: ({ options }) => isRead("epsilon", options),
+  },
+  {
+    tex: "\\ell",
+    id: "size",
+    value: ({ mesh }) => mesh && Math.sqrt(mesh.info.area / (4 * Math.PI)),
+    when: ({ options }) => isRead("p", options),
+  },
   { tex: "W_m, W_n", id: "localised", when: ({ options }) => isRead("criterion", options) },
 ];
 

@@ -3,10 +3,10 @@
 
 import { html, nothing } from "lit-html";
 import * as schema from "../generated/schema.js";
-import { asText, choiceLabel, choicesOf, isBasic, isRead } from "../options.js";
 import { formatNumber, formatShort } from "../number.js";
+import { asText, choiceLabel, choicesOf, isBasic, isRead } from "../options.js";
 import { say } from "../words.js";
-import { button, idOf, segmented, select, section, toggle } from "./parts.js";
+import { button, idOf, section, segmented, select, toggle } from "./parts.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { Row } from "../generated/schema.js" */
@@ -26,11 +26,15 @@ function flows(page) {
   const { options } = page.state.value;
   /** @param {KeyboardEvent} event */
   function move(event) {
-    const all = [.../** @type {HTMLElement} */ (event.currentTarget).querySelectorAll("[role=option]")];
+    const all = [
+      .../** @type {HTMLElement} */ (event.currentTarget).querySelectorAll("[role=option]"),
+    ];
     const at = all.indexOf(/** @type {HTMLElement} */ (event.target));
     const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-    if (event.key === "Enter" || event.key === " ") /** @type {HTMLElement} */ (event.target).click();
-    else if (by !== undefined) /** @type {HTMLElement} */ (all[(at + by + all.length) % all.length]).focus();
+    if (event.key === "Enter" || event.key === " ")
+      /** @type {HTMLElement} */ (event.target).click();
+    else if (by !== undefined)
+      /** @type {HTMLElement} */ (all[(at + by + all.length) % all.length]).focus();
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -59,7 +63,7 @@ function automatic(page, name) {
 
 /**
  * @param {Page} page @param {Row} row @param {Options} options
- * @param {(change: Partial<Options>) => unknown} change
+ * @param {(change: any) => unknown} change  of options, or of how edge flips are shown
  */
 export function field(page, row, options, change) {
   const { name, kind, absent, unit, range } = row;
@@ -80,7 +84,9 @@ export function field(page, row, options, change) {
     return html`<fieldset class="field"><legend>${label}</legend><span class="checks">${row.ids.map(
       (id) => html`<label><input type="checkbox" .checked=${value.includes(id)}
         @change=${(/** @type {any} */ event) =>
-          set(row.ids.filter((one) => (one === id ? event.target.checked : value.includes(one))))} />
+          set(
+            row.ids.filter((one) => (one === id ? event.target.checked : value.includes(one))),
+          )} />
         ${choiceLabel(name, id)}</label>`,
     )}</span></fieldset>`;
   }
@@ -141,21 +147,36 @@ export function flow(page) {
   return html`${flows(page)}<hr />
     ${fieldsOf(page, options, true).map((row) => field(page, row, options, change))}
     ${display(page)}
-    ${isPart && configured
-      ? html`<p class="hint">${say("region-count", { free: configured.freeVertices, all })}
+    ${
+      isPart && configured
+        ? html`<p class="hint">${say("region-count", { free: configured.freeVertices, all })}
           ${button(say("clear-paint"), () => page.edit.select(null), { kind: "small" })}</p>`
-      : nothing}
-    ${moved && mesh
-      ? segmented(
-          say("applies"),
-          [{ id: "start", label: say("start-word") }, { id: "here", label: say("this-step") }],
-          applies,
-          (id) => page.run.applies(id === "here" ? "here" : "start"),
-        )
-      : nothing}
+        : nothing
+    }
+    ${
+      moved && mesh
+        ? segmented(
+            say("applies"),
+            [
+              { id: "start", label: say("start-word") },
+              { id: "here", label: say("this-step") },
+            ],
+            applies,
+            (id) => page.run.applies(id === "here" ? "here" : "start"),
+          )
+        : nothing
+    }
     ${reading?.flips ? button(say("flip-all"), page.edit.finish, { kind: "small" }) : nothing}
-    ${advanced.length > 0
-      ? section(page, "advanced", say("advanced"), () => html`${advanced.map((row) => field(page, row, options, change))}
-          ${button(say("recommended"), page.run.recommend, { kind: "small" })}`, say("advanced-what"))
-      : nothing}`;
+    ${
+      advanced.length > 0
+        ? section(
+            page,
+            "advanced",
+            say("advanced"),
+            () => html`${advanced.map((row) => field(page, row, options, change))}
+          ${button(say("recommended"), page.run.recommend, { kind: "small" })}`,
+            say("advanced-what"),
+          )
+        : nothing
+    }`;
 }

@@ -16,7 +16,10 @@ const STOPS = 17;
 /** The colours of data from low to high, as the viewer has them. @param {Page} page @param {boolean} signed */
 function ramp(page, signed) {
   const colours = page.stage.colours(signed, STOPS);
-  const stops = Array.from({ length: colours.length / 3 }, (_, n) => `rgb(${[...colours.subarray(3 * n, 3 * n + 3)].join(" ")})`);
+  const stops = Array.from(
+    { length: colours.length / 3 },
+    (_, n) => `rgb(${[...colours.subarray(3 * n, 3 * n + 3)].join(" ")})`,
+  );
   return stops.length > 0 ? `background: linear-gradient(90deg, ${stops.join(", ")})` : "";
 }
 
@@ -26,7 +29,11 @@ function round(page) {
   const area = page.shown()?.area;
   if (!area) return null;
   const radius = Math.sqrt(area / (4 * Math.PI));
-  return { "mean-curvature": 1 / radius, "gauss-curvature": 1 / radius ** 2 }[/** @type {string} */ (colour)] ?? null;
+  return (
+    { "mean-curvature": 1 / radius, "gauss-curvature": 1 / radius ** 2 }[
+      /** @type {string} */ (colour)
+    ] ?? null
+  );
 }
 
 /** @param {Page} page */
@@ -44,13 +51,16 @@ function scale(page) {
   const ticks = [
     [low, signed ? `≤ ${formatSigned(low)}` : formatShort(low), "first"],
     ...(signed ? [/** @type {[number, string, string]} */ ([0, "0", ""])] : []),
-    ...(hasBall && ball !== null ? [/** @type {[number, string, string]} */ ([ball, say("round"), ""])] : []),
+    ...(hasBall && ball !== null
+      ? [/** @type {[number, string, string]} */ ([ball, say("round"), ""])]
+      : []),
     [high, `≥ ${formatShort(high)}`, "last"],
   ];
   return html`<div class="ramp" .style=${ramp(page, signed)}></div>
     ${hasBall && ball !== null ? html`<i class="ball" .style=${`--x:${place(ball)}%`}></i>` : nothing}
     <div class="ticks" aria-hidden="true">${ticks.map(
-      ([value, text, kind]) => html`<span class=${kind} .style=${`--x:${place(value)}%`}>${text}</span>`,
+      ([value, text, kind]) =>
+        html`<span class=${kind} .style=${`--x:${place(value)}%`}>${text}</span>`,
     )}</div>
     <p class="held">${icon("lock")}${say("range-held")}</p>`;
 }
@@ -73,7 +83,10 @@ function optionsOf(page) {
     ${toggle(say("boundary-lines"), view.boundary, (boundary) => page.run.view({ boundary }))}
     ${segmented(
       say("shading"),
-      [{ id: "smooth", label: say("shading-smooth") }, { id: "flat", label: say("shading-flat") }],
+      [
+        { id: "smooth", label: say("shading-smooth") },
+        { id: "flat", label: say("shading-flat") },
+      ],
       view.shading,
       (id) => page.run.view({ shading: id === "flat" ? "flat" : "smooth" }),
     )}
@@ -98,9 +111,7 @@ export function legend(page) {
   const s = page.state.value;
   if (!s.mesh || s.welcome) return nothing;
   const what =
-    s.comparison.difference === null
-      ? say(`colour-${s.colour}`)
-      : say("colour-distance");
+    s.comparison.difference === null ? say(`colour-${s.colour}`) : say("colour-distance");
   const isPlain = s.colour === "none" && s.comparison.difference === null;
   return html`<figure class="legend ${isPlain ? "plain" : ""} ${s.legend ? "open" : ""}" role="group" aria-label=${say("legend")}>
     ${s.legend ? optionsOf(page) : nothing}

@@ -12,10 +12,15 @@ import { button, close, icon, idOf, keycap } from "./parts.js";
 /** @import { Figure, Sample } from "../library.js" */
 
 /** What there is a picture of, by name. @type {Record<string, string>} */
-const pictures = import.meta.glob("../thumbnails/*.{webp,png}", { query: "?url", import: "default", eager: true });
+const pictures = import.meta.glob("../thumbnails/*.{webp,png}", {
+  query: "?url",
+  import: "default",
+  eager: true,
+});
 
 /** @param {string} name @returns {string | undefined} */
-const addressOf = (name) => pictures[`../thumbnails/${name}.webp`] ?? pictures[`../thumbnails/${name}.png`];
+const addressOf = (name) =>
+  pictures[`../thumbnails/${name}.webp`] ?? pictures[`../thumbnails/${name}.png`];
 
 /** @param {string} name */
 export function pictureOf(name) {
@@ -26,7 +31,15 @@ export function pictureOf(name) {
 /** Where one begins. */
 const firsts = ["bumpy-sphere", "vesicle", "coarse-torus", "six-sided-hole"];
 /** Shelves, in their order. */
-export const shelves = /** @type {const} */ (["first", "closed", "tubes", "boundary", "repair", "flips", "papers"]);
+export const shelves = /** @type {const} */ ([
+  "first",
+  "closed",
+  "tubes",
+  "boundary",
+  "repair",
+  "flips",
+  "papers",
+]);
 
 const filter = signal("all");
 const search = signal("");
@@ -59,7 +72,10 @@ const asFigure = (figure) => ({
 
 /** @param {Item} item @param {string} wanted  in lower case */
 const matches = ({ title, text, note, id }, wanted) =>
-  `${title} ${text} ${note} ${id}`.toLowerCase().replaceAll(".", "").includes(wanted.replaceAll(".", ""));
+  `${title} ${text} ${note} ${id}`
+    .toLowerCase()
+    .replaceAll(".", "")
+    .includes(wanted.replaceAll(".", ""));
 
 /** @param {Page} page @param {Item} item */
 function card(page, item) {

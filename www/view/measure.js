@@ -10,9 +10,9 @@ import { symbol } from "../status.js";
 import { say } from "../words.js";
 import { conjecture, lab } from "./conjecture.js";
 import { equation } from "./equation.js";
-import { vertex } from "./vertex.js";
 import { grid, section, table } from "./parts.js";
 import { study } from "./study.js";
+import { vertex } from "./vertex.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { State as Reading } from "../generated/types.js" */
@@ -30,7 +30,8 @@ function since(now, first) {
 }
 
 /** @param {string} text @param {string} change */
-const changed = (text, change) => html`${text}${change ? html` <small>${change}</small>` : nothing}`;
+const changed = (text, change) =>
+  html`${text}${change ? html` <small>${change}</small>` : nothing}`;
 
 /** The step size in the table. @param {Reading} reading */
 function stepSize({ flips, dt, tau }) {
@@ -43,7 +44,9 @@ function stepSize({ flips, dt, tau }) {
 function volume({ volume: now, reducedVolume }) {
   if (now === null) return say("volume-none");
   const text = formatNumber(now, 6);
-  return reducedVolume === null ? text : say("volume-reduced", { volume: text, reduced: reducedVolume });
+  return reducedVolume === null
+    ? text
+    : say("volume-reduced", { volume: text, reduced: reducedVolume });
 }
 
 /** @param {Page} page */
@@ -60,12 +63,22 @@ function readings(page) {
   if (shown) {
     rows.push(
       [say("reading-energy"), formatNumber(shown.energy, 6), "energy"],
-      ...(options.flow === "circle" ? [/** @type {const} */ (["W/2", formatNumber(shown.energyNormalised, 6), "half"])] : []),
+      ...(options.flow === "circle"
+        ? [/** @type {const} */ (["W/2", formatNumber(shown.energyNormalised, 6), "half"])]
+        : []),
       [say("reading-step"), String(shown.step), "step"],
       [say("reading-time"), formatNumber(shown.time), "time"],
       [say("reading-dt"), stepSize(shown), "dt"],
-      [say("reading-area"), changed(formatNumber(shown.area, 6), since(shown.area, first?.area ?? null)), "area"],
-      [say("reading-volume"), changed(volume(shown), since(shown.volume, first?.volume ?? null)), "volume"],
+      [
+        say("reading-area"),
+        changed(formatNumber(shown.area, 6), since(shown.area, first?.area ?? null)),
+        "area",
+      ],
+      [
+        say("reading-volume"),
+        changed(volume(shown), since(shown.volume, first?.volume ?? null)),
+        "volume",
+      ],
     );
   }
   rows.push(
@@ -76,10 +89,16 @@ function readings(page) {
   if (shown) {
     rows.push(
       [say("reading-angle"), `${formatNumber(shown.minAngleDegrees, 4)}°`, "angle"],
-      [say("reading-milliseconds"), shown.milliseconds > 0 ? formatNumber(shown.milliseconds, 3) : "–", "milliseconds"],
+      [
+        say("reading-milliseconds"),
+        shown.milliseconds > 0 ? formatNumber(shown.milliseconds, 3) : "–",
+        "milliseconds",
+      ],
     );
-    if (shown.multipliers?.tension != null) rows.push([say("reading-tension"), formatNumber(shown.multipliers.tension, 4)]);
-    if (shown.multipliers?.pressure != null) rows.push([say("reading-pressure"), formatNumber(shown.multipliers.pressure, 4)]);
+    if (shown.multipliers?.tension != null)
+      rows.push([say("reading-tension"), formatNumber(shown.multipliers.tension, 4)]);
+    if (shown.multipliers?.pressure != null)
+      rows.push([say("reading-pressure"), formatNumber(shown.multipliers.pressure, 4)]);
   }
   const jump = s.extras?.jump;
   if (jump) rows.push([say("reading-jump"), formatNumber(jump.relative, 3)]);
@@ -95,7 +114,8 @@ function spread(page) {
   const shares = histogram(field.values, range, BINS);
   const most = Math.max(...shares, 1e-9);
   const colours = page.stage.colours(field.signed, BINS);
-  const rgb = (/** @type {number} */ n) => `rgb(${[...colours.subarray(3 * n, 3 * n + 3)].join(" ")})`;
+  const rgb = (/** @type {number} */ n) =>
+    `rgb(${[...colours.subarray(3 * n, 3 * n + 3)].join(" ")})`;
   const bars = shares.map(
     (share, n) =>
       svg`<rect x=${2 + n * 13.4} y=${70 - (66 * share) / most} width="12.4" height=${(66 * share) / most} fill=${colours.length ? rgb(n) : "currentColor"} />`,
@@ -110,10 +130,14 @@ function spread(page) {
       <text x="298" y="83" text-anchor="end">≥ ${formatShort(range[1])}</text>
     </svg>
     ${section(page, "bins", say("histogram-table"), () =>
-      grid(say("histogram-table"), [say("histogram-from"), say("histogram-share")], shares.map((share, n) => [
-        formatShort(range[0] + n * step),
-        `${(100 * share).toFixed(2)} %`,
-      ])),
+      grid(
+        say("histogram-table"),
+        [say("histogram-from"), say("histogram-share")],
+        shares.map((share, n) => [
+          formatShort(range[0] + n * step),
+          `${(100 * share).toFixed(2)} %`,
+        ]),
+      ),
     )}`;
 }
 
@@ -156,7 +180,7 @@ function allSteps(page) {
 
 /** @param {Page} page */
 export function measure(page) {
-  const { options, reading } = page.state.value;
+  const { reading } = page.state.value;
   const isFlips = reading?.flips !== null && reading !== null;
   return html`${figure(page)}${readings(page)}${spread(page)}
     ${isFlips ? section(page, "conjecture", say("conjecture"), () => conjecture(page)) : nothing}

@@ -31,7 +31,8 @@ const paths = {
   open: "M3 6V4.500h5L9.5 6H17v10H3zM3 6h14",
   paint: "M16.5 3.500L9 11M9 11c-2-.5-4 .5-4 3 0 1.5-1 2-2 2.3 3 1.2 7 .4 7.3-2.6z",
   fill: "M10 4c4 0 7 2.5 7 6s-3 6-7 6-7-2.5-7-6 3-6 7-6zM10 8v4M8 10h4",
-  invert: "M10 3a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM10 8.800a1.2 1.2 0 1 0 0 2.4 1.2 1.2 0 0 0 0-2.400z",
+  invert:
+    "M10 3a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM10 8.800a1.2 1.2 0 1 0 0 2.4 1.2 1.2 0 0 0 0-2.400z",
   subdivide: "M10 3l7 13H3zM6.5 9.500h7L10 16z",
   undo: "M7 4.500L3.5 8 7 11.500M3.5 8H12a4.5 4.5 0 0 1 0 9H8",
 };
@@ -60,7 +61,11 @@ export const iconButton = (name, label, act, { key = "", pressed, disabled = fal
  * @param {unknown} label @param {() => unknown} act
  * @param {{ kind?: string, icon?: string, disabled?: boolean, pressed?: boolean, title?: string }} [more]
  */
-export const button = (label, act, { kind = "", icon: name, disabled = false, pressed, title } = {}) =>
+export const button = (
+  label,
+  act,
+  { kind = "", icon: name, disabled = false, pressed, title } = {},
+) =>
   html`<button type="button" class="button ${kind}" aria-disabled=${String(disabled)} title=${title ?? nothing}
     aria-pressed=${pressed ?? nothing} @click=${() => disabled || act()}>${name ? icon(name) : nothing}${label}</button>`;
 
@@ -99,7 +104,9 @@ export function select(label, choices, chosen, choose, hint = "") {
   const id = idOf(label);
   const groups = [...new Set(choices.map(({ group }) => group))];
   const options = (/** @type {typeof choices} */ some) =>
-    some.map((one) => html`<option value=${one.id} ?selected=${one.id === chosen}>${one.label}</option>`);
+    some.map(
+      (one) => html`<option value=${one.id} ?selected=${one.id === chosen}>${one.label}</option>`,
+    );
   return html`<div class="field"><label for=${id}>${label}</label>
     <select id=${id} .value=${chosen} @change=${(/** @type {any} */ event) => choose(event.target.value)}>
       ${groups.map((group) => {

@@ -7,8 +7,8 @@ import { letter } from "../comparison.js";
 import { formatShort } from "../number.js";
 import { symbol } from "../status.js";
 import { say } from "../words.js";
-import { segmented, select } from "./parts.js";
 import { thinned } from "./curve.js";
+import { segmented, select } from "./parts.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { Point } from "../clip.js" */
@@ -44,13 +44,19 @@ export function ticksOf(low, high, isLog) {
   if (isLog) {
     const [from, to] = [Math.ceil(Math.log10(low) - 1e-9), Math.floor(Math.log10(high) + 1e-9)];
     const stride = Math.max(1, Math.ceil((to - from) / 6));
-    return Array.from({ length: Math.max(0, Math.floor((to - from) / stride) + 1) }, (_, n) => 10 ** (from + n * stride));
+    return Array.from(
+      { length: Math.max(0, Math.floor((to - from) / stride) + 1) },
+      (_, n) => 10 ** (from + n * stride),
+    );
   }
   const rough = (high - low || 1) / 5;
   const power = 10 ** Math.floor(Math.log10(rough));
   const stride = ([1, 2, 5, 10].find((one) => one * power >= rough) ?? 10) * power;
   const first = Math.ceil(low / stride - 1e-9);
-  return Array.from({ length: Math.floor(high / stride + 1e-9) - first + 1 }, (_, n) => (first + n) * stride);
+  return Array.from(
+    { length: Math.floor(high / stride + 1e-9) - first + 1 },
+    (_, n) => (first + n) * stride,
+  );
 }
 
 /** @param {Page} page */
@@ -73,20 +79,31 @@ export function plot(page) {
   const right = Math.max(...lines.flat().map(([x]) => x), 1e-12);
   const left = Math.min(...lines.flat().map(([x]) => x), right);
   const f = (/** @type {number} */ value) => (isLog ? Math.log(Math.max(value, low)) : value);
-  const y = (/** @type {number} */ value) => BOTTOM - ((BOTTOM - GAP) * (f(value) - f(low))) / (f(high) - f(low) || 1);
-  const x = (/** @type {number} */ value) => LEFT + ((WIDTH - LEFT - GAP) * (value - left)) / (right - left || 1);
-  const path = (/** @type {number[][]} */ list) => `M${list.map(([a, b]) => `${x(a).toFixed(1)} ${y(b).toFixed(1)}`).join("L")}`;
+  const y = (/** @type {number} */ value) =>
+    BOTTOM - ((BOTTOM - GAP) * (f(value) - f(low))) / (f(high) - f(low) || 1);
+  const x = (/** @type {number} */ value) =>
+    LEFT + ((WIDTH - LEFT - GAP) * (value - left)) / (right - left || 1);
+  const path = (/** @type {number[][]} */ list) =>
+    `M${list.map(([a, b]) => `${x(a).toFixed(1)} ${y(b).toFixed(1)}`).join("L")}`;
   const shown = page.shown();
   const here = shown && (abscissa.value === "time" ? shown.time : shown.step);
-  const names = Object.keys(quantities).map((id) => ({ id, label: id === "energy" ? `${say("reading-energy")} ${symbol(s)}` : say(`quantity-${id}`) }));
+  const names = Object.keys(quantities).map((id) => ({
+    id,
+    label: id === "energy" ? `${say("reading-energy")} ${symbol(s)}` : say(`quantity-${id}`),
+  }));
   const scales = ["auto", "log", "linear"].map((id) => ({ id, label: say(`scale-${id}`) }));
   return html`<div class="row plot-options">
       ${select(say("quantity"), names, quantity.value, (id) => {
         quantity.value = id;
       })}
-      ${segmented(say("against"), ["step", "time"].map((id) => ({ id, label: say(`against-${id}`) })), abscissa.value, (id) => {
-        abscissa.value = id;
-      })}
+      ${segmented(
+        say("against"),
+        ["step", "time"].map((id) => ({ id, label: say(`against-${id}`) })),
+        abscissa.value,
+        (id) => {
+          abscissa.value = id;
+        },
+      )}
       ${segmented(say("scale"), scales, s.view.scale, (id) => page.run.view({ scale: /** @type {any} */ (id) }))}
     </div>
     <svg class="large-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label=${say("plot-label", { what: say(`quantity-${quantity.value}`) })}>

@@ -11,7 +11,7 @@ import { formatBeside } from "../number.js";
 import { isTrouble, sceneTitle, symbol } from "../status.js";
 import { say } from "../words.js";
 import { starters } from "./cards.js";
-import { thinned, topOf, valueOf } from "./curve.js";
+import { energyOf, thinned, topOf } from "./curve.js";
 
 /** @import { Page } from "../actions.js" */
 
@@ -69,7 +69,8 @@ export function listenToClicker(page) {
     const { presenting, dialog } = page.get();
     const act = Object.hasOwn(keys, event.key) ? keys[event.key] : null;
     if (!act || !presenting || dialog || event.defaultPrevented || event.repeat) return;
-    if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || takesKeys(event.target)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || takesKeys(event.target))
+      return;
     // Arrow keys belong to what has the focus: they turn the surface.
     if (event.key.startsWith("Arrow") && document.activeElement !== document.body) return;
     event.preventDefault();
@@ -107,12 +108,16 @@ function line(page) {
   const { points, total } = page.lead.clip;
   if (points.length < 2) return nothing;
   const most = topOf(points);
-  const list = thinned(points).map((point) => [(600 * point.sum) / (total || 1), 140 - (128 * Math.max(valueOf(point), 0)) / most]);
+  const list = thinned(points).map((point) => [
+    (600 * point.sum) / (total || 1),
+    140 - (128 * Math.max(energyOf(point), 0)) / most,
+  ]);
   const x = (600 * page.lead.u) / (total || 1);
   const { index, share } = page.lead.clip.at(page.lead.u);
   const [a, b] = [points[index], points[index + 1] ?? points[index]];
-  const y = 140 - (128 * Math.max(valueOf(a) + share * (valueOf(b) - valueOf(a)), 0)) / most;
-  const path = (/** @type {number[][]} */ some) => `M${some.map((at) => at.map((one) => one.toFixed(1)).join(" ")).join("L")}`;
+  const y = 140 - (128 * Math.max(energyOf(a) + share * (energyOf(b) - energyOf(a)), 0)) / most;
+  const path = (/** @type {number[][]} */ some) =>
+    `M${some.map((at) => at.map((one) => one.toFixed(1)).join(" ")).join("L")}`;
   return html`<svg class="present-line" viewBox="0 0 600 150" aria-hidden="true">
     <line x1="0" x2="600" y1="140" y2="140" /><path class="computed" d=${path(list)} />
     <path class="played" d=${path([...list.filter(([left]) => left < x), [x, y]])} /><circle cx=${x} cy=${y} r="9" /></svg>`;
@@ -126,7 +131,9 @@ export function present(page) {
   const shown = page.shown();
   const first = page.lead.clip.points[0]?.state.energy ?? 0;
   const title = s.figure ? sayFigure(s.figure, "title") : sceneTitle(s.source);
-  const clause = s.figure ? `${say(`paper-${s.figure.paper}.authors`)}, ${sayFigure(s.figure)}` : say(`flow-${s.options.flow}`);
+  const clause = s.figure
+    ? `${say(`paper-${s.figure.paper}.authors`)}, ${sayFigure(s.figure)}`
+    : say(`flow-${s.options.flow}`);
   return html`<div class="present-number"><b>${formatBeside(shown?.energy, first)}</b><span>${symbol(s)}</span></div>
     <div class="present-caption"><h2 id="presented">${title}</h2><p>${clause}</p></div>${line(page)}
     ${isTrouble(shown) ? html`<i class="present-trouble"></i>` : nothing}

@@ -1,8 +1,8 @@
 // @ts-check
 // The tab for what leaves the page: the link, pictures, films, meshes, recipes, code for other pages.
 
-import { html, nothing } from "lit-html";
 import { signal } from "@preact/signals-core";
+import { html, nothing } from "lit-html";
 import { formats, meshFormats, named } from "../options.js";
 import { elementCode, iframeCode, pageAddress, sayLack, sizes } from "../share.js";
 import { sceneTitle } from "../status.js";
@@ -30,7 +30,11 @@ async function copy(page, text, said) {
 async function copyLink(page) {
   if (page.player.motion.peek() !== "still") await page.run.pause();
   const { text, lacks } = await page.open.writeLink(true);
-  await copy(page, `${pageAddress(location)}#${text}`, [say("link-copied"), ...lacks.map(sayLack)].join(" "));
+  await copy(
+    page,
+    `${pageAddress(location)}#${text}`,
+    [say("link-copied"), ...lacks.map(sayLack)].join(" "),
+  );
 }
 
 /** @param {Page} page */
@@ -48,8 +52,12 @@ async function copyCode(page) {
 
 /** How large a ZIP would be. @param {Page} page */
 async function measure(page) {
-  const found = await page.edit.sequenceSize(sequence.format.value, sequence.every.value).catch(() => null);
-  sequence.size.value = found ? say("sequence-size", { meshes: found.meshes, megabytes: found.bytes / 1e6 }) : "";
+  const found = await page.edit
+    .sequenceSize(sequence.format.value, sequence.every.value)
+    .catch(() => null);
+  sequence.size.value = found
+    ? say("sequence-size", { meshes: found.meshes, megabytes: found.bytes / 1e6 })
+    : "";
 }
 
 /** @param {Page} page */
@@ -73,7 +81,10 @@ export function share(page) {
   const { mesh, source } = page.state.value;
   if (!mesh) return nothing;
   const { film } = page;
-  const tools = [{ id: "iframe", label: say("embed-iframe") }, { id: "element", label: say("embed-element") }];
+  const tools = [
+    { id: "iframe", label: say("embed-iframe") },
+    { id: "element", label: say("embed-element") },
+  ];
   return html`
     <p class="hint">${say("share-hint", { name: sceneTitle(source) })}</p>
     ${button(say("copy-link"), () => copyLink(page).catch(page.report), { kind: "primary" })}
@@ -88,13 +99,23 @@ export function share(page) {
       <span class="hint">${film.isAble ? film.time.value : say("film-unable")}</span></div>
     <p class="hint">${say("film-hint")}</p>
     ${section(page, "zip", say("save-all-steps"), () => zip(page))}
-    ${section(page, "embed", say("embed"), () => html`
+    ${section(
+      page,
+      "embed",
+      say("embed"),
+      () => html`
       ${select(say("embed-as"), tools, embedAs.value, (id) => {
         embedAs.value = id;
       })}
-      ${select(say("embed-size"), sizes.map((id) => ({ id, label: id })), embedSize.value, (id) => {
-        embedSize.value = id;
-      })}
-      ${button(say("copy-code"), () => copyCode(page).catch(page.report))}`)}
+      ${select(
+        say("embed-size"),
+        sizes.map((id) => ({ id, label: id })),
+        embedSize.value,
+        (id) => {
+          embedSize.value = id;
+        },
+      )}
+      ${button(say("copy-code"), () => copyCode(page).catch(page.report))}`,
+    )}
     `;
 }

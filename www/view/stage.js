@@ -9,8 +9,8 @@ import { choiceLabel, flowLabel, rowOf } from "../options.js";
 import { overlayOf } from "../overlay.js";
 import { rangeOf, roundedUp } from "../range.js";
 import { rim } from "../selection.js";
-import { isDark } from "../store.js";
 import { surfaceLabel, symbol } from "../status.js";
+import { isDark } from "../store.js";
 import { say } from "../words.js";
 import { sayChange } from "./compare.js";
 
@@ -70,7 +70,7 @@ class PaneView {
     this.#has = {};
   }
 
-  /** @param {S} s @param {Shown} shown @param {import("../viewer.js").Style} style */
+  /** @param {S} s @param {Shown} shown @param {import("../viewer.js").Style} style @returns {void} */
   draw(s, shown, style) {
     const { viewer } = this;
     const has = this.#has;
@@ -85,7 +85,11 @@ class PaneView {
       this.#has = { style: has.style, mesh: s.mesh, drawable: shown.drawable };
       return this.draw(s, shown, style);
     }
-    if (shown.positions !== has.positions || shown.place !== has.place || shown.field !== has.field) {
+    if (
+      shown.positions !== has.positions ||
+      shown.place !== has.place ||
+      shown.field !== has.field
+    ) {
       viewer.setFrame(shown.positions, shown.field, shown.marked);
       has.marked = shown.marked;
     }
@@ -166,8 +170,15 @@ export function createStage(page, root, samples) {
     const panes = picture?.panes ?? [];
     const ownPane = panes.find(({ name }) => name === chosen);
     const state = page.shown();
-    const isSide = comparison.rivals.length > 0 || comparison.then || panes.length > (ownPane ? 1 : 0);
-    const note = state ? say("pane-note", { step: state.step, symbol: symbol(s), energy: formatNumber(state.energy, 4) }) : "";
+    const isSide =
+      comparison.rivals.length > 0 || comparison.withStart || panes.length > (ownPane ? 1 : 0);
+    const note = state
+      ? say("pane-note", {
+          step: state.step,
+          symbol: symbol(s),
+          energy: formatNumber(state.energy, 4),
+        })
+      : "";
     /** @type {Shown[]} */
     const shown = [
       {
@@ -179,7 +190,11 @@ export function createStage(page, root, samples) {
         marked: marks?.triangles ?? picture?.marked ?? none,
         highlight: marks?.edges ?? ownPane?.highlight ?? ringOf(s, set),
         held: ownPane ? null : set,
-        title: isSide ? (comparison.rivals.length > 0 || comparison.then ? flowLabel(s.options.flow) : paneName(chosen)) : "",
+        title: isSide
+          ? comparison.rivals.length > 0 || comparison.withStart
+            ? flowLabel(s.options.flow)
+            : paneName(chosen)
+          : "",
         note,
       },
     ];
@@ -199,14 +214,28 @@ export function createStage(page, root, samples) {
         highlight: none,
         held: rival.held,
         title: sayChange(s.options, rival.change),
-        note: rival.phase === "lost" ? rival.reason : at ? say("pane-note", { step: at.step, symbol: symbol({ options: { ...s.options, ...rival.change } }), energy: formatNumber(at.energy, 4) }) : "",
+        note:
+          rival.phase === "lost"
+            ? rival.reason
+            : at
+              ? say("pane-note", {
+                  step: at.step,
+                  symbol: symbol({ options: { ...s.options, ...rival.change } }),
+                  energy: formatNumber(at.energy, 4),
+                })
+              : "",
       });
     }
-    if (comparison.then) {
+    if (comparison.withStart) {
       const start = lead.clip.points[0];
       shown.push({
         ...{ key: "then", drawable: mesh, positions: start?.positions ?? mesh.positions, place: 0 },
-        ...{ field: held(start?.field ?? null, s.range), marked: none, highlight: none, held: null },
+        ...{
+          field: held(start?.field ?? null, s.range),
+          marked: none,
+          highlight: none,
+          held: null,
+        },
         ...{ title: say("start"), note: "" },
       });
     }
@@ -214,7 +243,12 @@ export function createStage(page, root, samples) {
       if (pane === ownPane) continue;
       shown.push({
         ...{ key: `pane-${pane.name}`, drawable: pane, positions: pane.positions, place: pane },
-        ...{ field: held(pane.field, s.range), marked: none, highlight: pane.highlight, held: null },
+        ...{
+          field: held(pane.field, s.range),
+          marked: none,
+          highlight: pane.highlight,
+          held: null,
+        },
         ...{ title: paneName(pane.name), note: paneNote(s, pane) },
       });
     }
@@ -314,14 +348,22 @@ export function createStage(page, root, samples) {
       pane.figure.classList.toggle("away", isHidden);
       pane.figure.style.order = String(n);
       caption(pane.caption, shown.length > 1 ? n : -1, one);
-      const title = n === 0 ? surfaceLabel(s, page.shown()) : say("surface-pane", { name: letter(n), what: `${one.title}, ${one.note}` });
+      const title =
+        n === 0
+          ? surfaceLabel(s, page.shown())
+          : say("surface-pane", { name: letter(n), what: `${one.title}, ${one.note}` });
       if (pane.canvas.ariaLabel !== title) pane.canvas.ariaLabel = title;
       pane.draw(s, one, style);
     });
     if (shown.length === 0) canvas.ariaLabel = surfaceLabel(s, null);
     const look = (s.preview ?? s.extras)?.look ?? null;
     const isTrue = page.player.motion.peek() === "still";
-    first.overlay(look && isTrue ? overlayOf(look, isDark(s)) : null, isTrue && look ? `${look.ends.length} ${look.probe?.vertex} ${isDark(s)} ${page.shown()?.step}` : null);
+    first.overlay(
+      look && isTrue ? overlayOf(look, isDark(s)) : null,
+      isTrue && look
+        ? `${look.ends.length} ${look.probe?.vertex} ${isDark(s)} ${page.shown()?.step}`
+        : null,
+    );
     for (const listener of listeners) listener();
   }
   /** @type {Set<() => unknown>} */
@@ -389,7 +431,11 @@ function paneNote({ reading }, { name, standing }) {
   if (standing) return say("pane-step", { step: standing.step });
   const run = reading?.flips?.find(({ criterion }) => criterion === name);
   if (!run) return "";
-  return say("pane-flips", { flips: run.flips, area: formatNumber(run.area, 6), circle: formatNumber(run.circle, 5) });
+  return say("pane-flips", {
+    flips: run.flips,
+    area: formatNumber(run.area, 6),
+    circle: formatNumber(run.circle, 5),
+  });
 }
 
 /** @param {HTMLElement} element @param {number} n  −1 without one @param {Shown} shown */

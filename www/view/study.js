@@ -16,7 +16,13 @@ import { button, grid, select } from "./parts.js";
 /** @import { Solver } from "../solver.js" */
 
 /** @type {Readonly<Record<string, string>>} */
-const symbols = { area: "A", circle: "W/2", cotangent: "∫H² cot", fitted: "∫H² fit", power: "∫|H|^p" };
+const symbols = {
+  area: "A",
+  circle: "W/2",
+  cotangent: "∫H² cot",
+  fitted: "∫H² fit",
+  power: "∫|H|^p",
+};
 
 /** @type {import("@preact/signals-core").Signal<StudyReport | null>} */
 const result = signal(null);
@@ -31,7 +37,14 @@ function finding({ quantity, tendency, smooth, isKnown, values, orders }, p) {
   const order = orders.at(-1);
   return say("trend", {
     name: say("trend-name", { quantity, p }),
-    tendency: tendency === "converges" && !isKnown ? (smooth === null ? "settles" : "nears") : tendency === "elsewhere" && !smooth ? "elsewhereThanZero" : tendency,
+    tendency:
+      tendency === "converges" && !isKnown
+        ? smooth === null
+          ? "settles"
+          : "nears"
+        : tendency === "elsewhere" && !smooth
+          ? "elsewhereThanZero"
+          : tendency,
     smooth: formatNumber(smooth, 5),
     order: order === null || order === undefined ? "–" : order.toFixed(1),
     ratio: smooth ? formatNumber(last / smooth, 3) : "–",
@@ -60,7 +73,13 @@ async function run(page) {
   if (solver.peek() || !mesh) return;
   const nothingTold = () => {};
   const own = createSolver({
-    ...{ onReady: nothingTold, onFrame: nothingTold, onStopped: nothingTold, onProgress: nothingTold, onSilent: nothingTold },
+    ...{
+      onReady: nothingTold,
+      onFrame: nothingTold,
+      onStopped: nothingTold,
+      onProgress: nothingTold,
+      onSilent: nothingTold,
+    },
     onCrashed(reason) {
       said.value = say("study-crashed", { reason });
       end();
@@ -70,7 +89,10 @@ async function run(page) {
   result.value = null;
   said.value = say("study-preparing");
   const p = options.flow === "p-willmore" ? options.p : 2;
-  const sample = subject.peek() === "shape" && source?.kind === "sample" ? samples.find(({ id }) => id === source.id) : undefined;
+  const sample =
+    subject.peek() === "shape" && source?.kind === "sample"
+      ? samples.find(({ id }) => id === source.id)
+      : undefined;
   try {
     /** @type {Partial<StudyOptions> | null} */
     let next = { p };
@@ -99,11 +121,18 @@ async function run(page) {
 
 /** @param {StudyReport} study */
 function shown(study) {
-  const heads = [say("reading-vertices"), "h", ...study.trends.map(({ quantity }) => symbols[quantity])];
+  const heads = [
+    say("reading-vertices"),
+    "h",
+    ...study.trends.map(({ quantity }) => symbols[quantity]),
+  ];
   const rows = study.rows.map(({ vertices, h }, k) => [
     vertices,
     formatNumber(h, 3),
-    ...study.trends.map(({ values, orders }) => html`${formatNumber(values[k], 5)}${orders[k] === null || orders[k] === undefined ? nothing : html`<br /><small>${say("study-order", { order: Number(orders[k]).toFixed(2) })}</small>`}`),
+    ...study.trends.map(
+      ({ values, orders }) =>
+        html`${formatNumber(values[k], 5)}${orders[k] === null || orders[k] === undefined ? nothing : html`<br /><small>${say("study-order", { order: Number(orders[k]).toFixed(2) })}</small>`}`,
+    ),
   ]);
   const smooth = study.trends.map((one) => {
     const text = one.smooth === null ? "–" : formatNumber(one.smooth, 5);
@@ -122,8 +151,8 @@ export function study(page) {
     { id: "surface", label: say("study-surface") },
   ];
   return html`${select(say("study-of"), choices, subject.value, (id) => {
-      subject.value = id;
-    })}
+    subject.value = id;
+  })}
     ${solver.value ? button(say("study-cancel"), end, { kind: "small" }) : button(say("study-run"), () => run(page), { kind: "small primary" })}
     <p class="hint" role="note">${said.value}</p>${result.value ? shown(result.value) : nothing}`;
 }

@@ -7,7 +7,16 @@ const NAMESPACE = "http://www.w3.org/1998/Math/MathML";
 const symbols = {
   ...{ nabla: "∇", Delta: "Δ", sum: "∑", int: "∫", beta: "β", pi: "π", epsilon: "ε", lambda: "λ" },
   ...{ mu: "μ", tau: "τ", varphi: "φ", sigma: "σ", kappa: "κ", alpha: "α", mapsto: "↦", cdot: "·" },
-  ...{ Pi: "Π", ell: "ℓ", quad: "\u2003", ",": "\u2009", ";": "\u2005", "|": "‖", langle: "⟨", rangle: "⟩" },
+  ...{
+    Pi: "Π",
+    ell: "ℓ",
+    quad: "\u2003",
+    ",": "\u2009",
+    ";": "\u2005",
+    "|": "‖",
+    langle: "⟨",
+    rangle: "⟩",
+  },
 };
 /** Sizes of brackets that MathML finds by itself. */
 const sizes = ["bigl", "bigr", "Bigl", "Bigr", "left", "right"];
@@ -75,7 +84,8 @@ function parse(source) {
       let depth = 1;
       const from = source.indexOf("{", place(at - 1)) + 1;
       let to = from;
-      for (; depth > 0 && to < source.length; to += 1) depth += source[to] === "{" ? 1 : source[to] === "}" ? -1 : 0;
+      for (; depth > 0 && to < source.length; to += 1)
+        depth += source[to] === "{" ? 1 : source[to] === "}" ? -1 : 0;
       while (at < tokens.length && place(at) < to) at += 1;
       return element("mtext", `\u2005${source.slice(from, to - 1)}\u2005`);
     }

@@ -37,7 +37,10 @@ export function boxOf(positions) {
 export function nearestVertex(positions, [x, y, z]) {
   let [best, nearest] = [Infinity, 0];
   for (let v = 0; v < positions.length / 3; v += 1) {
-    const square = (positions[3 * v] - x) ** 2 + (positions[3 * v + 1] - y) ** 2 + (positions[3 * v + 2] - z) ** 2;
+    const square =
+      (positions[3 * v] - x) ** 2 +
+      (positions[3 * v + 1] - y) ** 2 +
+      (positions[3 * v + 2] - z) ** 2;
     if (square < best) [best, nearest] = [square, v];
   }
   return nearest;
@@ -51,7 +54,10 @@ export function createTools(page) {
   const { stage } = page;
   const { canvas } = stage;
   const viewer = () => stage.first.viewer;
-  const positions = () => page.lead.clip.picture(page.lead.u)?.positions ?? page.get().mesh?.positions ?? new Float32Array();
+  const positions = () =>
+    page.lead.clip.picture(page.lead.u)?.positions ??
+    page.get().mesh?.positions ??
+    new Float32Array();
 
   // Paint.
   /** @type {Uint8Array} 1 where held */
@@ -69,7 +75,9 @@ export function createTools(page) {
   }
   function takeHeld() {
     const { configured, options, mesh } = page.get();
-    held = Uint8Array.from(configured?.heldVertices ?? new Uint8Array((mesh?.positions.length ?? 0) / 3));
+    held = Uint8Array.from(
+      configured?.heldVertices ?? new Uint8Array((mesh?.positions.length ?? 0) / 3),
+    );
     isUntouched = !options.free && !options.fixed;
     count();
   }
@@ -117,7 +125,9 @@ export function createTools(page) {
   }
   /** @param {number} n */
   function turnLoop(n) {
-    chosen.value = chosen.peek().includes(n) ? chosen.peek().filter((one) => one !== n) : [...chosen.peek(), n].sort((a, b) => a - b);
+    chosen.value = chosen.peek().includes(n)
+      ? chosen.peek().filter((one) => one !== n)
+      : [...chosen.peek(), n].sort((a, b) => a - b);
     showChosen();
   }
   /** @param {MouseEvent} event */
@@ -133,7 +143,8 @@ export function createTools(page) {
     if (n >= 0) turnLoop(n);
   }
   /** @param {import("../generated/types.js").Loops} which @param {boolean} [connect] */
-  const fill = (which, connect = false) => page.edit.fill({ loops: which, connect, maxVertices: most.peek() });
+  const fill = (which, connect = false) =>
+    page.edit.fill({ loops: which, connect, maxVertices: most.peek() });
 
   // Invert.
   const centre = signal([0, 0, FIRST]);
@@ -158,7 +169,9 @@ export function createTools(page) {
     const across = pixel * Math.hypot(at.x - middle.x, at.y - middle.y);
     const nearer = box.size * Math.sqrt(Math.max(FIRST ** 2 - across ** 2, 0));
     const found = viewer()?.unproject({ ...at, depth: Math.max(middle.depth - nearer, nearer) });
-    return found ? found.map((value, axis) => (value - box.middle[axis]) / box.size) : [0, 0, FIRST];
+    return found
+      ? found.map((value, axis) => (value - box.middle[axis]) / box.size)
+      : [0, 0, FIRST];
   }
   async function preview() {
     isStale = true;
@@ -220,9 +233,10 @@ export function createTools(page) {
     stroke(event);
   });
   canvas.addEventListener("pointermove", (event) => isPainting && event.isPrimary && stroke(event));
-  for (const kind of ["pointerup", "pointercancel"]) canvas.addEventListener(kind, () => {
-    isPainting = false;
-  });
+  for (const kind of ["pointerup", "pointercancel"])
+    canvas.addEventListener(kind, () => {
+      isPainting = false;
+    });
   canvas.addEventListener("click", (event) => {
     if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > STILL) return;
     if (mode === "fill") clickLoop(event);
@@ -269,18 +283,23 @@ export function createTools(page) {
   }
   const stageTick = signal(0);
   stage.onDrawn(() => {
-    if (mode === "invert") queueMicrotask(() => {
-      stageTick.value += 1;
-    });
+    if (mode === "invert")
+      queueMicrotask(() => {
+        stageTick.value += 1;
+      });
   });
 
   const small = { kind: "small" };
   const bars = {
     paint: () => html`
       ${[true, false].map((value) =>
-        button(say(value ? "paint-free" : "paint-hold"), () => {
-          frees.value = value;
-        }, { kind: "small", pressed: frees.value === value }),
+        button(
+          say(value ? "paint-free" : "paint-hold"),
+          () => {
+            frees.value = value;
+          },
+          { kind: "small", pressed: frees.value === value },
+        ),
       )}
       <label class="inline">${say("brush-size")} <input type="range" min="6" max="80" .value=${String(radius.value)}
         @input=${(/** @type {any} */ { target }) => {
@@ -295,9 +314,17 @@ export function createTools(page) {
       const count = chosen.value.length;
       const all = loops.value.length;
       return html`<span class="hint">${say("loops-chosen", { count, all })}</span>
-        ${loops.value.length <= 12
-          ? loops.value.map((loop, n) => button(String(n), () => turnLoop(n), { kind: "small", pressed: chosen.value.includes(n), title: say("boundary-loop", { edges: loop.edges, length: loop.length }) }))
-          : nothing}
+        ${
+          loops.value.length <= 12
+            ? loops.value.map((loop, n) =>
+                button(String(n), () => turnLoop(n), {
+                  kind: "small",
+                  pressed: chosen.value.includes(n),
+                  title: say("boundary-loop", { edges: loop.edges, length: loop.length }),
+                }),
+              )
+            : nothing
+        }
         ${count > 0 ? button(say("fill-chosen", { count }), () => fill([...chosen.value]), { kind: "small primary" }) : nothing}
         ${count > 1 ? button(say("bridge"), () => fill([...chosen.value], true), small) : nothing}
         ${button(say("fill-all", { count: all }), () => fill("all"), { kind: count > 0 ? "small" : "small primary" })}
@@ -313,10 +340,17 @@ export function createTools(page) {
       const { preview: shown } = page.state.value;
       return html`
         ${["x", "y", "z"].map(
-          (axis, n) => html`<label class="inline" for=${idOf(`centre-${axis}`)}>${axis} <input id=${idOf(`centre-${axis}`)} class="short" type="number" step="any"
-            .value=${String(Number(centre.value[n].toFixed(4)))} @change=${(/** @type {any} */ { target }) => {
+          (
+            axis,
+            n,
+          ) => html`<label class="inline" for=${idOf(`centre-${axis}`)}>${axis} <input id=${idOf(`centre-${axis}`)} class="short" type="number" step="any"
+            .value=${String(Number(centre.value[n].toFixed(4)))} @change=${(
+              /** @type {any} */ { target },
+            ) => {
               if (!target.reportValidity()) return;
-              centre.value = centre.value.map((value, k) => (k === n ? target.valueAsNumber : value));
+              centre.value = centre.value.map((value, k) =>
+                k === n ? target.valueAsNumber : value,
+              );
               preview();
             }} /></label>`,
         )}

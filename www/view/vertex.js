@@ -26,9 +26,15 @@ export function rowsOf(probe) {
     [say("vertex-defect"), `${formatNumber(defect, 6)} (${degrees(defect)})`],
     [say("vertex-mean"), formatNumber(probe.meanCurvature, 6)],
     [say("vertex-gauss"), probe.boundary ? "–" : formatNumber(probe.gaussCurvature, 6)],
-    [say("vertex-principal"), principal ? principal.map((value) => formatNumber(value, 5)).join(", ") : "–"],
+    [
+      say("vertex-principal"),
+      principal ? principal.map((value) => formatNumber(value, 5)).join(", ") : "–",
+    ],
     [say("vertex-area"), formatNumber(probe.area, 6)],
-    [say("vertex-radii"), `${formatNumber(Math.min(...radii), 4)} … ${formatNumber(Math.max(...radii), 4)}`],
+    [
+      say("vertex-radii"),
+      `${formatNumber(Math.min(...radii), 4)} … ${formatNumber(Math.max(...radii), 4)}`,
+    ],
   ];
 }
 
@@ -41,23 +47,36 @@ function probed(page, probe) {
     page.edit.mark({ edges: Uint32Array.of(vertex, neighbour), triangles: new Uint32Array() });
   return html`${note ? html`<p class="hint">${note}</p>` : nothing}
     ${table(say("vertex-numbers", { vertex }), rowsOf(probe))}
-    ${grid(say("vertex-edges"), [say("vertex-to"), say("vertex-length"), "β"], edges.map(({ neighbour, length, beta }) => [
-      html`<button type="button" class="link" aria-label=${say("vertex-go", { neighbour })} @focus=${() => mark(neighbour)} @pointerenter=${() => mark(neighbour)}
+    ${grid(
+      say("vertex-edges"),
+      [say("vertex-to"), say("vertex-length"), "β"],
+      edges.map(({ neighbour, length, beta }) => [
+        html`<button type="button" class="link" aria-label=${say("vertex-go", { neighbour })} @focus=${() => mark(neighbour)} @pointerenter=${() => mark(neighbour)}
         @blur=${() => page.edit.mark(null)} @pointerleave=${() => page.edit.mark(null)} @click=${() => page.edit.inspect({ probe: neighbour })}>${neighbour}</button>`,
-      formatNumber(length, 4),
-      beta === null ? say("vertex-none") : degrees(beta),
-    ]))}`;
+        formatNumber(length, 4),
+        beta === null ? say("vertex-none") : degrees(beta),
+      ]),
+    )}`;
 }
 
 /** @param {Drawn | null | undefined} circles */
-const circlesText = (circles) => (circles ? say("circles-drawn", { ...circles, some: String(circles.drawn + circles.leftOut < circles.total) }) : "");
+const circlesText = (circles) =>
+  circles
+    ? say("circles-drawn", {
+        ...circles,
+        some: String(circles.drawn + circles.leftOut < circles.total),
+      })
+    : "";
 
 /** @param {Look | null} look */
 function directionsText(look) {
   const { directions, alignment } = look ?? {};
   if (!directions || !alignment) return "";
   const { aligned, edges } = alignment;
-  return say("directions-drawn", { ...directions, share: edges > 0 ? ((100 * aligned) / edges).toFixed(1) : "–" });
+  return say("directions-drawn", {
+    ...directions,
+    share: edges > 0 ? ((100 * aligned) / edges).toFixed(1) : "–",
+  });
 }
 
 /** @param {Page} page */
