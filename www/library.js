@@ -39,8 +39,19 @@ import { say } from "./words.js";
  * @typedef {{ ok: boolean, message: import("./generated/types.js").Message }} Finding
  */
 
-/** @type {readonly Figure["paper"][]} in the order of the gallery */
-export const papers = ["circle", "p-willmore", "flips", "curvature"];
+/** Samples that one begins with. */
+export const firsts = ["bumpy-sphere", "vesicle", "coarse-torus", "six-sided-hole"];
+
+/** Shelves of the library, in their order. */
+export const shelves = /** @type {const} */ ([
+  "first",
+  "closed",
+  "tubes",
+  "boundary",
+  "repair",
+  "flips",
+  "papers",
+]);
 
 /** @param {string} id */
 export const sampleName = (id) => say(`sample-${id}`);

@@ -68,6 +68,8 @@ function saidHere() {
       const { name } = node.callee;
       const [first, , third] = node.arguments.map(literal);
       if (name === "say" && first) found.add(first);
+      const second = literal(node.arguments[1]);
+      if (name === "refusal" && second) found.add(second).add(`${second}.hint`);
       if (name === "badRecipe" && first) found.add(first).add(`${first}.hint`);
       if (name === "check" && third) found.add(`must-be-${third}`);
     }

@@ -102,7 +102,7 @@ export function field(page, row, options, change) {
       min=${range?.also === null ? range.low : nothing} max=${range?.high ?? nothing}
       placeholder=${absent === null ? nothing : automatic(page, name)}
       .value=${value === null ? "" : formatShort(value, 6)} @change=${type} />
-      ${unit ? html`<span class="unit">${say("unit", { unit })}</span>` : nothing}</span>
+      ${unit ? html`<span class="unit">${say("unit", { unit, kind: unit.split(" ")[0] })}</span>` : nothing}</span>
     <p class="hint">${hint}</p></div>`;
 }
 

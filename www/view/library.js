@@ -4,7 +4,7 @@
 import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
 import { figures, samples } from "../generated/library.js";
-import { sampleName, sayFigure } from "../library.js";
+import { firsts, sampleName, sayFigure, shelves } from "../library.js";
 import { say } from "../words.js";
 import { button, close, icon, idOf, keycap } from "./parts.js";
 
@@ -27,19 +27,6 @@ export function pictureOf(name) {
   const address = addressOf(name);
   return address ? html`<img src=${address} alt="" loading="lazy" />` : icon("surface");
 }
-
-/** Where one begins. */
-const firsts = ["bumpy-sphere", "vesicle", "coarse-torus", "six-sided-hole"];
-/** Shelves, in their order. */
-export const shelves = /** @type {const} */ ([
-  "first",
-  "closed",
-  "tubes",
-  "boundary",
-  "repair",
-  "flips",
-  "papers",
-]);
 
 const filter = signal("all");
 const search = signal("");

@@ -83,6 +83,18 @@ option-tauGrowth-help = Faktor der Schrittweite nach jedem Schritt
 option-tauMax = Größtes τ
 option-tauMax-help = größte Schrittweite ohne Einheit
 
+option-compare = Daneben
+    .none = Nichts
+    .start = Der Anfang
+    .criteria = Die anderen Kriterien
+    .flows = Die anderen Flüsse
+option-compare-help = was nebeneinander steht
+option-subdivide = Unterteilt zeigen
+option-subdivide-help = so viele Male, nach Loop, nur im Bild
+option-flipsPerStep = Flips je Schritt
+    .absent = alle
+option-flipsPerStep-help = wie viele Flips ein Schritt sind
+
 option-integrator = Integrator
     .semi-implicit = Semi-implizit
     .forward-euler = Explizites Euler-Verfahren

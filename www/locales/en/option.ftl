@@ -83,6 +83,18 @@ option-tauGrowth-help = factor on the step size after each step
 option-tauMax = Largest τ
 option-tauMax-help = largest step size without a unit
 
+option-compare = Beside it
+    .none = Nothing
+    .start = The start
+    .criteria = The other criteria
+    .flows = The other flows
+option-compare-help = what stands side by side
+option-subdivide = Show subdivided
+option-subdivide-help = so many times, by Loop’s scheme, in the picture only
+option-flipsPerStep = Flips a step
+    .absent = all
+option-flipsPerStep-help = how many flips are one step
+
 option-integrator = Integrator
     .semi-implicit = Semi-implicit
     .forward-euler = Forward Euler

@@ -181,8 +181,8 @@ pick-hint = Its numbers stand under Measure.
 
 flow-unsuitable = Not for this surface.
 automatic = automatic
-unit = { $unit ->
-    [mean edge lengths] mean edges
+unit = { $kind ->
+    [mean] mean edges
     [steps] steps
     [flips] flips
    *[other] { $unit }
@@ -477,7 +477,7 @@ no-picture = There is no picture to save.
 solver-crashed = The solver stopped unexpectedly ({ $reason }); a new one goes on from step { $step }.
     .hint = If it was short of memory, close other tabs or use a mesh with fewer faces.
 solver-ended = The computation was ended; the surface is as after step { $step }.
-    .hint = {""}
+    .hint = Play goes on from there.
 solver-not-started = The solver could not be started.
     .hint = Reload the page; its address keeps the scene.
 worker-forbidden = The solver may not be started here: { $reason }
