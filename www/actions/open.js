@@ -207,6 +207,9 @@ export function createOpen(core, run, compare) {
     return digest === "" ? null : digest.startsWith(hash);
   }
 
+  /** Files that were chosen: a link that is still being read does not take their place. */
+  let chosen = 0;
+
   /** Settled once nothing runs or loads. */
   const still = async () => {
     for (;;) {
@@ -265,8 +268,9 @@ export function createOpen(core, run, compare) {
         return loadSample(figure.sample, scene);
       }),
     /** A mesh, a recipe, or the mesh that a recipe or a link waits for. @param {File} file @param {Partial<Scene>} [given] */
-    open: (file, given) =>
-      enqueue(async () => {
+    open(file, given) {
+      chosen += 1;
+      return enqueue(async () => {
         const bytes = new Uint8Array(await file.arrayBuffer());
         patch({ dialog: null, welcome: false });
         if (given) return loadFile(file, bytes, given);
@@ -288,7 +292,8 @@ export function createOpen(core, run, compare) {
             notes.note(say("link-other-file", { name: file.name, mesh: scene.mesh }));
           if (isFile || isNamed) check(scene, isFile);
         } else await loadFile(file, bytes, {});
-      }),
+      });
+    },
 
     /**
      * The scene of an address; where a word in it cannot be, there is none.
@@ -304,10 +309,12 @@ export function createOpen(core, run, compare) {
     async openLink(address, plain) {
       /** @type {unknown} */
       let refusal = null;
+      const before = chosen;
       const read = await open.readLink(address).catch((error) => {
         refusal = error;
         return null;
       });
+      if (chosen !== before) return;
       // Where nothing is shown yet, that would be a dead end.
       const scene = read ?? (get().mesh ? null : plain);
       if (scene) {

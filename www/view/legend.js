@@ -46,7 +46,7 @@ function scale(page) {
   const signed = s.comparison.difference === null && (field?.signed ?? low < 0);
   const place = (/** @type {number} */ value) => (100 * (value - low)) / (high - low);
   const ball = round(page);
-  const hasBall = ball !== null && place(ball) < 88 && place(ball) > (signed ? 64 : 12);
+  const hasBall = ball !== null && place(ball) < 88 && place(ball) > (signed ? 58 : 12);
   /** @type {[number, string, string][]} */
   const ticks = [
     [low, signed ? `≤ ${formatSigned(low)}` : formatShort(low), "first"],
