@@ -78,7 +78,7 @@ export const commands = [
 /** @param {EventTarget | null} target whether a key belongs to a control that takes text or choices */
 export function takesKeys(target) {
   if (!(target instanceof HTMLElement)) return false;
-  if (target.isContentEditable || target.matches("select, textarea, [role=option]")) return true;
+  if (target.isContentEditable || target.matches("select, textarea")) return true;
   return target instanceof HTMLInputElement && !["checkbox", "radio"].includes(target.type);
 }
 

@@ -91,10 +91,15 @@ for (const [id, view, isOpen] of /** @type {const} */ ([
     if (isOpen(s)) element.showModal();
     else element.close();
   });
-  element.addEventListener("close", () => {
-    if (id === "dialog") page.patch({ dialog: null });
-    else page.get().question?.answer(false);
-  });
+  // Of a dialog that is closed with its key this comes at once, and no key after it is lost.
+  for (const kind of ["cancel", "close"]) {
+    element.addEventListener(kind, () => {
+      // Opened again meanwhile.
+      if (kind === "close" && element.open) return;
+      if (id === "dialog") page.patch({ dialog: null });
+      else page.get().question?.answer(false);
+    });
+  }
   element.addEventListener("click", (event) => event.target === element && element.close());
 }
 effect(() => {

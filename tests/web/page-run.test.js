@@ -74,12 +74,10 @@ test("Pause stands on a true step, with its numbers, while the solver is far ahe
   await page.mouse.move(box.x + 0.5 * box.width, box.y + 20, { steps: 4 });
   await page.mouse.up();
   await until(page, /^Paused at step/);
-  const there = await stepOf(page);
+  const there = Number(await reading(page, "Step"));
   assert.ok(there > 0 && there < last);
-  assert.equal(await reading(page, "Step"), String(there));
   // Play goes on from here and ends where it ended.
-  await playToEnd(page, /^Converged/);
-  assert.equal(await stepOf(page), last);
+  await playToEnd(page, new RegExp(`^Converged after ${last} steps`));
   assert.deepEqual(faults, []);
   await close();
 });
@@ -115,7 +113,7 @@ test("forms come from the tables: what a flow does not read is not asked for", a
   await until(page, "Ready");
   await panel.getByLabel("Exponent p").fill("3");
   await panel.getByLabel("Exponent p").press("Enter");
-  await page.getByText("∫|H|^3").waitFor();
+  await page.locator(".energy").getByText("∫|H|^3").waitFor();
   await panel.getByRole("checkbox", { name: "Area" }).check();
   await until(page, "Ready");
   // Refused in words, and the field shows what is in force.

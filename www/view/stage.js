@@ -348,14 +348,11 @@ export function createStage(page, root, samples) {
       pane.figure.classList.toggle("away", isHidden);
       pane.figure.style.order = String(n);
       caption(pane.caption, shown.length > 1 ? n : -1, one);
-      const title =
-        n === 0
-          ? surfaceLabel(s, page.shown())
-          : say("surface-pane", { name: letter(n), what: `${one.title}, ${one.note}` });
-      if (pane.canvas.ariaLabel !== title) pane.canvas.ariaLabel = title;
+      const what = `${one.title}, ${one.note}`;
+      const title = say("surface-pane", { name: letter(n), what });
+      if (n > 0 && pane.canvas.ariaLabel !== title) pane.canvas.ariaLabel = title;
       pane.draw(s, one, style);
     });
-    if (shown.length === 0) canvas.ariaLabel = surfaceLabel(s, null);
     const look = (s.preview ?? s.extras)?.look ?? null;
     const isTrue = page.player.motion.peek() === "still";
     first.overlay(
@@ -370,8 +367,11 @@ export function createStage(page, root, samples) {
   const listeners = new Set();
 
   effect(() => {
-    page.state.value;
+    const s = page.state.value;
     page.player.tick.value;
+    // At once, whenever the picture follows.
+    const label = surfaceLabel(s, s.mesh && page.shown());
+    if (canvas.ariaLabel !== label) canvas.ariaLabel = label;
     draw();
   });
 

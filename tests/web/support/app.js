@@ -15,7 +15,7 @@ import { serve } from "./server.js";
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 
 /** Software graphics on a busy machine: long, since nothing waits for longer than it must. */
-const PATIENCE = 90_000;
+const PATIENCE = Number(process.env.UMBILIC_PATIENCE ?? 90_000);
 
 /**
  * One server and one browser for a test file.
@@ -74,7 +74,7 @@ export async function until(page, wanted) {
   const status = page.locator("[role=status]");
   const exact = typeof wanted === "string" ? new RegExp(`^${wanted}$`) : wanted;
   try {
-    await status.filter({ hasText: exact }).waitFor();
+    await status.filter({ hasText: exact }).waitFor({ timeout: PATIENCE });
   } catch (error) {
     const said = await status.textContent().catch(() => "nothing");
     throw new Error(`waited for ${exact}; the status line says “${said}”`, { cause: error });
@@ -237,7 +237,8 @@ export async function playAndPause(page, steps) {
   }, first + steps);
   // A small surface may come to rest within a frame or two.
   await until(page, /^(Paused at step|Converged after) \d+/);
-  return stepOf(page);
+  const said = await page.locator("[role=status]").textContent();
+  return Number(/\d+/.exec(said ?? "")?.[0]);
 }
 
 /** Plays to the end at four times the usual pace. @param {Page} page @param {RegExp} [end] */
