@@ -84,6 +84,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     batch(() => {
       const isFollowed = !stored && player.motion.peek() === "still";
       take(lead, frame, isFollowed);
+      if (isFollowed) player.place(lead.u);
       const { range } = get();
       const first = lead.clip.points[0]?.field;
       patch({

@@ -280,6 +280,8 @@ export function createEmbedding(page) {
     /** Tells what is new. */
     update() {
       const { reading, phase: loaded } = get();
+      // Between two flows there is nothing to tell.
+      if (page.lead.clip.points.length === 0 && loaded === "ready") return;
       const shown = page.shown();
       if (shown !== told && reading && loaded !== "loading") {
         told = shown;
