@@ -2,7 +2,8 @@
 // Flows side by side as data: what a pane does otherwise than the first, and what of two can be
 // compared.
 
-import { asText, flowOf, toFlow } from "./options.js";
+import { asText, flowLabel, flowOf, toFlow } from "./options.js";
+import { say } from "./words.js";
 
 /** @import { Options } from "./options.js" */
 /** @import { Track } from "./player.js" */
@@ -95,4 +96,13 @@ export function distances(a, b) {
     values[v] = Math.hypot(a[k] - b[k], a[k + 1] - b[k + 1], a[k + 2] - b[k + 2]);
   }
   return values;
+}
+
+/** What a pane does otherwise, in words. @param {Options} main @param {Partial<Options>} change */
+export function sayChange(main, change) {
+  const { flow, ...others } = change;
+  const parts = Object.entries(others).map(
+    ([name, value]) => `${say(`option-${name}`)} ${asText(value, name)}`,
+  );
+  return [flowLabel(flow ?? main.flow), ...parts].join(", ");
 }

@@ -5,7 +5,6 @@ import { effect, signal } from "@preact/signals-core";
 import { html, nothing, render } from "lit-html";
 import { createPage } from "./actions.js";
 import { commands, listenForKeys } from "./commands.js";
-import { createEmbedding, isEmbedded } from "./embed/host.js";
 import { openLanguage, remembered } from "./language.js";
 import { createLinkWriter, plainScene } from "./link.js";
 import { keepOffline } from "./offline.js";
@@ -13,7 +12,7 @@ import { createFilm, createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
 import { createStore } from "./store.js";
 import { cards } from "./view/cards.js";
-import { dialog, question } from "./view/dialogs.js";
+import { dialog, question } from "./view/dialog.js";
 import { dock } from "./view/dock.js";
 import { drawer, rail, turn } from "./view/drawer.js";
 import { legend } from "./view/legend.js";
@@ -137,7 +136,8 @@ listenForKeys(page);
 listenToClicker(page);
 file.setAttribute("aria-keyshortcuts", commands.find(({ id }) => id === "open")?.keys[0] ?? "");
 
-const embedding = isEmbedded(location) ? createEmbedding(page) : null;
+const isEmbedded = new URLSearchParams(location.search).has("embed");
+const embedding = isEmbedded ? (await import("./embed/host.js")).createEmbedding(page) : null;
 if (embedding) {
   effect(() => {
     page.state.value;

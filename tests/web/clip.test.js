@@ -83,7 +83,8 @@ test("clip time goes by the change and not by the steps", () => {
 
 test("true steps are shown as they are, to the last bit", () => {
   const clip = shrinking([1, 0.8, 0.7, 0.65]);
-  for (const { sum, positions } of clip.points) assert.equal(clip.picture(sum)?.positions, positions);
+  for (const { sum, positions } of clip.points)
+    assert.equal(clip.picture(sum)?.positions, positions);
 });
 
 test("between two steps a surface lies between them, and moves on without a jerk", () => {
@@ -218,7 +219,8 @@ test("while the end is unknown the display waits for the solver, and ends after 
   assert.equal(ended(), 0);
   assert.ok(track.u <= clip.total && track.u > 0.9 * clip.total);
   assert.equal(player.isWaiting.value, true);
-  for (let step = 4; step < 12; step += 1) clip.add(point(step, ball(1 - 0.05 * step).positions), step);
+  for (let step = 4; step < 12; step += 1)
+    clip.add(point(step, ball(1 - 0.05 * step).positions), step);
   const share = track.u / clip.total;
   isOpen = false;
   run(2);

@@ -7,8 +7,8 @@ import { commands, keyName } from "../../www/commands.js";
 import { figures, samples } from "../../www/generated/library.js";
 import { arrangement, flows, options } from "../../www/generated/schema.js";
 import { chooseLanguage, languages, speak } from "../../www/language.js";
-import { choicesOf, colours, formats, named } from "../../www/options.js";
 import { shelves } from "../../www/library.js";
+import { choicesOf, colours, formats, named } from "../../www/options.js";
 import { say } from "../../www/words.js";
 
 after(() => speak("en"));
@@ -32,7 +32,10 @@ test("every label that is made of data has words in every language", async () =>
     ...["all", ...shelves].map((id) => `shelf-${id}`),
     ...shelves.map((id) => `shelf-${id}.about`),
     ...["surface", "flow", "measure", "compare", "share"].map((id) => `tab-${id}`),
-    ...["paint", "fill", "subdivide", "invert", "pick"].flatMap((id) => [`tool-${id}`, `mode-${id}`]),
+    ...["paint", "fill", "subdivide", "invert", "pick"].flatMap((id) => [
+      `tool-${id}`,
+      `mode-${id}`,
+    ]),
     ...["flow", "p", "regularise", "scheme", "then"].map((id) => `contrast-${id}`),
     ...["progress", "step", "time"].flatMap((id) => [`axis-${id}`, `lockstep-${id}`]),
     ...["editsTooLong", "editsUnknown", "file", "fileByDigest", "regionTooLong", "pathTooLong"].map(
@@ -45,9 +48,11 @@ test("every label that is made of data has words in every language", async () =>
     const labels = [...named(colours, "colour"), ...named(formats, "save-as")];
     for (const { id, label } of labels) assert.doesNotMatch(label, /^(colour|save-as)-/, id);
     for (const { name, kind } of options) {
-      if (kind === "choice") for (const { label } of choicesOf(name)) assert.doesNotMatch(label, /^option-/);
+      if (kind === "choice")
+        for (const { label } of choicesOf(name)) assert.doesNotMatch(label, /^option-/);
     }
-    for (const key of commands.flatMap(({ keys }) => keys)) assert.doesNotMatch(keyName(key), /^key-/);
+    for (const key of commands.flatMap(({ keys }) => keys))
+      assert.doesNotMatch(keyName(key), /^key-/);
   }
 });
 

@@ -10,7 +10,10 @@ const site = useSite();
 
 for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
   test(`nothing that axe finds, ${colorScheme}`, async () => {
-    const { page, close } = await site.blank({ colorScheme, viewport: { width: 1280, height: 720 } });
+    const { page, close } = await site.blank({
+      colorScheme,
+      viewport: { width: 1280, height: 720 },
+    });
     await page.goto(`${site.url}?msaa=1`);
     await until(page, "Ready");
     /** @type {string[]} */
@@ -80,9 +83,20 @@ test("on a phone targets are large, and with a sheet open there is still a surfa
   const canvas = await page.locator("#surface").boundingBox();
   assert.ok(canvas && canvas.height >= 0.28 * 844, String(canvas?.height));
   const small = await page.evaluate(() =>
-    [...document.querySelectorAll("button, select, [role=option], input:not(#file, .segments input)")]
-      .filter((one) => one.checkVisibility() && one.closest("#top, #rail, .transport, .panel > header, [role=listbox]"))
-      .map((one) => ({ box: one.getBoundingClientRect(), text: one.getAttribute("aria-label") ?? one.textContent }))
+    [
+      ...document.querySelectorAll(
+        "button, select, [role=option], input:not(#file, .segments input)",
+      ),
+    ]
+      .filter(
+        (one) =>
+          one.checkVisibility() &&
+          one.closest("#top, #rail, .transport, .panel > header, [role=listbox]"),
+      )
+      .map((one) => ({
+        box: one.getBoundingClientRect(),
+        text: one.getAttribute("aria-label") ?? one.textContent,
+      }))
       .filter(({ box }) => Math.min(box.width, box.height) < 43.5)
       .map(({ box, text }) => `${text}: ${box.width} × ${box.height}`),
   );

@@ -11,7 +11,9 @@ const site = useSite();
 const others = (page) => page.getByRole("img", { name: /^Surface [B-D]:/ });
 
 test("a comparison begins with a difference, and both clips end together", async () => {
-  const { page, faults, close } = await site.open("sample=letter-c&colour=mean-curvature&maxSteps=8");
+  const { page, faults, close } = await site.open(
+    "sample=letter-c&colour=mean-curvature&maxSteps=8",
+  );
   await openTab(page, "Compare");
   await button(page, "Flow").click();
   await others(page).waitFor();

@@ -186,7 +186,10 @@ test("the element plays, steps, seeks, is set, and gives its mesh away", async (
   }
   assert.match((await call(page, "seek", -3)).refused.message, /whole number/);
   assert.match((await call(page, "exportMesh", "exe")).refused.message, /no format “exe”/);
-  assert.match((await call(page, "load", { figure: "no-such" })).refused.message, /no figure/);
+  assert.match(
+    (await call(page, "load", { figure: "no-such" })).refused.message,
+    /“figure” cannot be “no-such”/,
+  );
   assert.equal((await call(page, "state")).step, paused.step);
   // Another scene altogether.
   const loaded = await call(page, "load", "sample=pipe&step=2");

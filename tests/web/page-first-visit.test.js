@@ -3,7 +3,16 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { button, canvas, colourBy, plotted, stepOf, until, untilDrawn, useSite } from "./support/app.js";
+import {
+  button,
+  canvas,
+  colourBy,
+  plotted,
+  stepOf,
+  until,
+  untilDrawn,
+  useSite,
+} from "./support/app.js";
 
 const site = useSite();
 
@@ -12,9 +21,11 @@ test("a sentence says what will happen, twelve controls at most, and no number",
   await page.goto(`${site.url}?msaa=1`);
   await until(page, "Ready");
   await untilDrawn(page);
-  const controls = page.locator("button:visible, select:visible, a:visible, input:not(#file):visible");
+  const controls = page.locator(
+    "button:visible, select:visible, a:visible, input:not(#file):visible",
+  );
   assert.ok((await controls.count()) <= 12, String(await controls.count()));
-  const text = await page.locator("body").innerText();
+  const text = await page.locator("body").textContent();
   assert.doesNotMatch(text, /\d/);
   assert.match(text, /In a few seconds it will be round/);
   await button(page, "Watch it flow").click();
@@ -53,12 +64,16 @@ test("the scale of colours is the same at the first and the last picture", async
   await colourBy(page, "Mean curvature H");
   const legend = page.getByRole("img", { name: /^Colours: Mean curvature H/ });
   const first = await legend.getAttribute("aria-label");
-  const ticks = await page.locator(".ticks").innerText();
+  const ticks = await page.locator(".ticks").textContent();
   assert.match(ticks, /\b0\b/);
   await button(page, "Play").click();
   await until(page, /^Converged/);
   assert.equal(await legend.getAttribute("aria-label"), first);
-  assert.match(await page.locator(".ticks").innerText(), /round/, "a finished ball has its place");
+  assert.match(
+    await page.locator(".ticks").textContent(),
+    /round/,
+    "a finished ball has its place",
+  );
   await close();
 });
 
@@ -86,7 +101,13 @@ test("a file that is chosen while the page starts is opened", async () => {
   await file.waitFor({ state: "attached" });
   const text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
   await page.waitForFunction(() => document.querySelector("#top button") !== null);
-  await file.setInputFiles({ name: "early.obj", mimeType: "text/plain", buffer: Buffer.from(text) });
-  await canvas(page).and(page.getByRole("img", { name: /early/ })).waitFor();
+  await file.setInputFiles({
+    name: "early.obj",
+    mimeType: "text/plain",
+    buffer: Buffer.from(text),
+  });
+  await canvas(page)
+    .and(page.getByRole("img", { name: /early/ }))
+    .waitFor();
   await close();
 });

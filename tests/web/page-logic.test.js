@@ -12,11 +12,18 @@ import { grown, painted, rim } from "../../www/selection.js";
 import { clause, statusText, surfaceLabel, symbol } from "../../www/status.js";
 import { initial } from "../../www/store.js";
 import { labelled, thinned } from "../../www/view/curve.js";
-import { boxOf, nearestVertex } from "../../www/view/tools.js";
 import { isLogarithmic, ticksOf } from "../../www/view/plot.js";
+import { boxOf, nearestVertex } from "../../www/view/tools.js";
 
 /** @param {any} [change] @returns {any} */
-const reading = (change) => ({ step: 0, status: "ready", message: null, energy: 8, area: 12, ...change });
+const reading = (change) => ({
+  step: 0,
+  status: "ready",
+  message: null,
+  energy: 8,
+  area: 12,
+  ...change,
+});
 
 /** A page with a mesh on it. @param {any} [change] @returns {any} */
 const page = (change) => ({
@@ -193,7 +200,10 @@ test("a camera is turned so that a place is seen from in front", () => {
   const [x, y, z, w] = turned.subarray(4, 8);
   // The direction to the eye, (0, 0, 1) turned.
   const backward = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
-  assert.ok(backward.every((value, n) => Math.abs(value - [1, 0, 0][n]) < 1e-6), String(backward));
+  assert.ok(
+    backward.every((value, n) => Math.abs(value - [1, 0, 0][n]) < 1e-6),
+    String(backward),
+  );
   assert.equal(facing(camera, [0, 1, 0]), null, "along the axis");
   assert.deepEqual([...trianglesAt(Uint32Array.of(0, 1, 2, 2, 3, 4), [3])], [1]);
 });

@@ -6,7 +6,16 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openSession } from "../../www/cli/solver.js";
 import { perform } from "../../www/session.js";
-import { button, colourBy, openPart, openTab, playToEnd, reading, until, useSite } from "./support/app.js";
+import {
+  button,
+  colourBy,
+  openPart,
+  openTab,
+  playToEnd,
+  reading,
+  until,
+  useSite,
+} from "./support/app.js";
 
 const site = useSite();
 
@@ -18,7 +27,10 @@ test("the readings are those of the solver, of the step that is shown", async ()
   const state = perform(session, "state");
   const { page, faults, close } = await site.open("sample=coarse-torus&step=4");
   const near = (/** @type {string} */ text, /** @type {number} */ value) =>
-    assert.ok(Math.abs(Number.parseFloat(text) - value) <= 1e-5 * Math.abs(value), `${text} ${value}`);
+    assert.ok(
+      Math.abs(Number.parseFloat(text) - value) <= 1e-5 * Math.abs(value),
+      `${text} ${value}`,
+    );
   near(await reading(page, "Energy"), state.energy);
   near(await reading(page, "W/2"), state.energyNormalised);
   near(await reading(page, "Area"), state.area);
@@ -41,14 +53,19 @@ test("colours have a histogram, a vertex its circles, a flow its equation", asyn
   await page.getByLabel("Number", { exact: true }).press("Enter");
   const numbers = page.getByRole("table", { name: "Vertex 5" });
   await numbers.waitFor();
-  const sum = /^([\d.]+)/.exec((await numbers.getByRole("row", { name: /^Σβ/ }).getByRole("cell").textContent()) ?? "");
+  const sum = /^([\d.]+)/.exec(
+    (await numbers.getByRole("row", { name: /^Σβ/ }).getByRole("cell").textContent()) ?? "",
+  );
   const own = await numbers.getByRole("row", { name: /^Wᵢ/ }).getByRole("cell").textContent();
   assert.ok(Math.abs(Number(sum?.[1]) - 2 * Math.PI - Number(own)) < 1e-4, "Wᵢ = Σβ − 2π");
   await page.getByRole("checkbox", { name: "Circumcircles" }).check();
   await page.getByText(/circles of \d+ triangles/).waitFor();
   await openPart(page, "Measure", /^The equation/);
   assert.ok((await page.locator("math").count()) >= 3);
-  await page.getByRole("table", { name: /^Symbols/ }).getByText("exponent").waitFor({ state: "detached" });
+  await page
+    .getByRole("table", { name: /^Symbols/ })
+    .getByText("exponent")
+    .waitFor({ state: "detached" });
   assert.deepEqual(faults, []);
   await close();
 });
@@ -57,7 +74,10 @@ test("a refinement study tells orders, and is a solver of its own", async () => 
   const { page, faults, close } = await site.open("sample=clifford-torus");
   await openPart(page, "Measure", "Refinement study");
   await page.getByRole("tabpanel").getByRole("button", { name: "Measure" }).click();
-  await page.getByText(/observed order [12]\.\d/).first().waitFor();
+  await page
+    .getByText(/observed order [12]\.\d/)
+    .first()
+    .waitFor();
   assert.deepEqual(faults, []);
   await close();
 });

@@ -22,14 +22,16 @@ const smallest = (page) =>
   });
 
 test("a clicker plays, goes on to the next, and back", async () => {
-  const { page, faults, close } = await site.open("sample=bumpy-sphere", { reducedMotion: "reduce" });
+  const { page, faults, close } = await site.open("sample=bumpy-sphere", {
+    reducedMotion: "reduce",
+  });
   await colourBy(page, "Mean curvature H");
   await page.keyboard.press("f");
   await page.locator("#presented").waitFor();
   await untilDrawn(page);
   assert.equal(await page.locator("#presented").textContent(), "Bumpy sphere");
   assert.ok((await smallest(page)) >= 24, String(await smallest(page)));
-  const text = await page.locator("body").innerText();
+  const text = await page.locator("body").textContent();
   assert.doesNotMatch(text, /step \d|Smallest angle|Converged/);
   await page.keyboard.press("PageDown");
   await page.waitForFunction(() => document.querySelector(".present-line .played"));

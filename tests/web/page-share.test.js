@@ -43,7 +43,10 @@ test("a link brings the scene back: flow, step, camera and colours", async () =>
   const second = await site.open(link.hash.slice(1));
   assert.equal(await energy(second.page), first);
   assert.equal(await reading(second.page, "Step"), "3");
-  await second.page.getByText(/The scene is as it was sent/).first().waitFor();
+  await second.page
+    .getByText(/The scene is as it was sent/)
+    .first()
+    .waitFor();
   await second.page.getByRole("img", { name: /^Colours: Willmore energy/ }).waitFor();
   assert.deepEqual([...faults, ...second.faults], []);
   await second.close();
@@ -61,11 +64,17 @@ test("a link to a mesh of one's own waits for the file", async () => {
   const first = await energy(page);
   await openTab(page, "Share");
   await button(page, "Copy link").click();
-  await page.getByText(/send the file too/).first().waitFor();
+  await page
+    .getByText(/send the file too/)
+    .first()
+    .waitFor();
   const { hash } = new URL(await copied(page));
   const second = await site.blank();
   await second.page.goto(`${site.url}?msaa=1${hash}`);
-  await second.page.getByRole("alert").getByText(/shows the mesh “wavy”/).waitFor();
+  await second.page
+    .getByRole("alert")
+    .getByText(/shows the mesh “wavy”/)
+    .waitFor();
   await upload(second.page, "wavy.obj", mesh);
   await until(second.page, "Paused at step 1");
   assert.equal(await energy(second.page), first);
@@ -82,7 +91,9 @@ test("what is downloaded is the step that is shown, as the command line measures
   assert.equal(name, "coarse-torus-circle-step0004.ply");
   const file = path.join(folder, name);
   writeFileSync(file, bytes);
-  const said = JSON.parse(execFileSync(process.execPath, [cli, "energy", file, "--json"], { encoding: "utf8" }));
+  const said = JSON.parse(
+    execFileSync(process.execPath, [cli, "energy", file, "--json"], { encoding: "utf8" }),
+  );
   assert.ok(Math.abs(said.circle - (await energy(page))) <= 1e-5 * said.circle);
   const csv = await download(page, "History, CSV");
   assert.equal(csv.bytes.toString().trim().split("\n").length, 1 + 4, "a head and a row a step");
@@ -99,7 +110,10 @@ test("a recipe does it again, to the last bit", async () => {
   const { bytes } = await download(page, "Recipe, JSON");
   const second = await site.open("sample=pipe");
   await upload(second.page, "again.recipe.json", bytes);
-  await second.page.getByText(/to the last bit/).first().waitFor();
+  await second.page
+    .getByText(/to the last bit/)
+    .first()
+    .waitFor();
   assert.equal(await energy(second.page), first);
   assert.equal(await reading(second.page, "Step"), "3");
   assert.deepEqual([...faults, ...second.faults], []);
@@ -128,7 +142,9 @@ test("all steps as a ZIP, the clip as a film", async () => {
     page.waitForEvent("download"),
     button(page, "Save the steps").click(),
   ]);
-  const names = readFileSync(await zip.path()).toString("latin1").match(/coarse-torus-step\d+\.ply/g);
+  const names = readFileSync(await zip.path())
+    .toString("latin1")
+    .match(/coarse-torus-step\d+\.ply/g);
   assert.deepEqual([...new Set(names)].length, 5);
   assert.deepEqual(faults, []);
   await close();

@@ -202,7 +202,8 @@ function page() {
     waits: { pause: 0 },
   });
   const file = /** @type {any} */ (new File(["v 0 0 0"], "own.obj"));
-  const status = () => statusText(store.get(), made.shown(), made.player.motion.value === "playing");
+  const status = () =>
+    statusText(store.get(), made.shown(), made.player.motion.value === "playing");
   const errors = () => store.get().notes.filter(({ kind }) => kind === "error");
   return { ...made, errors, status, load: () => made.open.open(file) };
 }

@@ -3,7 +3,17 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { button, canvas, openTab, plotted, reading, stepOf, surface, until, useSite } from "./support/app.js";
+import {
+  button,
+  canvas,
+  openTab,
+  plotted,
+  reading,
+  stepOf,
+  surface,
+  until,
+  useSite,
+} from "./support/app.js";
 
 const site = useSite();
 
@@ -39,7 +49,10 @@ test("holes are filled and faired, and Undo brings the run of before back", asyn
   await bar.getByRole("button", { name: "1", exact: true }).click();
   await bar.getByRole("button", { name: "Fill this one" }).click();
   await until(page, "Ready");
-  await page.getByText(/Filled 1 loop with \d+ new vertices/).first().waitFor();
+  await page
+    .getByText(/Filled 1 loop with \d+ new vertices/)
+    .first()
+    .waitFor();
   assert.ok(Number(await reading(page, "Vertices")) > before);
   await openTab(page, "Surface");
   await page.getByRole("button", { name: /^Undo the fill/ }).click();
@@ -68,7 +81,11 @@ test("what is painted moves, and nothing else", async () => {
   await bar.getByRole("button", { name: "Apply" }).click();
   await until(page, "Ready");
   await openTab(page, "Flow");
-  const now = (await page.getByRole("tabpanel").getByText(/vertices move/).textContent()) ?? "";
+  const now =
+    (await page
+      .getByRole("tabpanel")
+      .getByText(/vertices move/)
+      .textContent()) ?? "";
   assert.ok(Number(/(\d+) of/.exec(now)?.[1]) >= free, now);
   await page.getByRole("tabpanel").getByRole("button", { name: "Clear paint" }).click();
   await page.getByText(/vertices move/).waitFor({ state: "detached" });
@@ -82,7 +99,10 @@ test("subdivided, inverted, started from here, and back again", async () => {
   await openTab(page, "Surface");
   await button(page, "Subdivide").click();
   await button(page, "In place").click();
-  await page.getByText(/Subdivided into/).first().waitFor();
+  await page
+    .getByText(/Subdivided into/)
+    .first()
+    .waitFor();
   assert.equal(Number(await reading(page, "Faces")), 4 * faces);
   await page.keyboard.press("Control+z");
   await page.waitForFunction(
@@ -96,7 +116,10 @@ test("subdivided, inverted, started from here, and back again", async () => {
   await page.getByLabel("x", { exact: true }).fill("0.2");
   await page.getByLabel("x", { exact: true }).press("Enter");
   await button(page, "Apply").click();
-  await page.getByText(/The surface is inverted/).first().waitFor();
+  await page
+    .getByText(/The surface is inverted/)
+    .first()
+    .waitFor();
   await until(page, "Ready");
   await page.keyboard.press(".");
   await until(page, "Paused at step 1");
@@ -105,7 +128,10 @@ test("subdivided, inverted, started from here, and back again", async () => {
   await until(page, "Ready");
   assert.equal(await stepOf(page), 0);
   await button(page, "Even out triangles").click();
-  await page.getByText(/Regularised in|as even as they get/).first().waitFor();
+  await page
+    .getByText(/Regularised in|as even as they get/)
+    .first()
+    .waitFor();
   assert.deepEqual(faults, []);
   await close();
 });

@@ -23,9 +23,6 @@ import {
 } from "./messages.js";
 import { seek } from "./seek.js";
 
-/** @param {{ search: string }} address */
-export const isEmbedded = ({ search }) => new URLSearchParams(search).has("embed");
-
 /** Requests that wait for nothing that was asked before. */
 const isImmediate = ["pause", "state"];
 

@@ -6,8 +6,8 @@ import { figures } from "../generated/library.js";
 import { remember } from "../language.js";
 import { isOver } from "../standing.js";
 import { say } from "../words.js";
-import { pictureOf } from "./library.js";
 import { button, close, icon } from "./parts.js";
+import { pictureOf } from "./pictures.js";
 
 /** @import { Page } from "../actions.js" */
 

@@ -1,13 +1,11 @@
 // @ts-check
-// What opens over everything: the library, help with its keys, the list of commands, the larger
-// plot, a question.
+// What opens over everything: help with its keys, the list of commands, the larger plot.
 
 import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
 import { commands, keyName } from "../commands.js";
 import { remember } from "../language.js";
 import { say } from "../words.js";
-import { library } from "./library.js";
 import { button, close, idOf, keycap, toggle } from "./parts.js";
 import { plot } from "./plot.js";
 
@@ -17,7 +15,7 @@ import { plot } from "./plot.js";
 const shut = (page) => page.patch({ dialog: null });
 
 /** @param {Page} page */
-function help(page) {
+export function help(page) {
   const { version } = page.state.value;
   return html`<header><h2>${say("help")}</h2>${close(() => shut(page))}</header>
     <p>${say("help-what")}</p><p>${say("help-how")}</p><p>${say("help-private")}</p>
@@ -41,7 +39,7 @@ const wanted = signal("");
 const chosen = signal(0);
 
 /** @param {Page} page */
-function palette(page) {
+export function palette(page) {
   const text = wanted.value.trim().toLowerCase();
   const found = commands.filter(({ id }) => say(`command-${id}`).toLowerCase().includes(text));
   const at = Math.min(chosen.value, found.length - 1);
@@ -79,24 +77,6 @@ function palette(page) {
 }
 
 /** @param {Page} page */
-function largePlot(page) {
+export function largePlot(page) {
   return html`<header><h2>${say("larger-plot")}</h2>${close(() => shut(page))}</header>${plot(page)}`;
-}
-
-/** What each dialog holds. */
-const contents = { library, help, commands: palette, plot: largePlot };
-
-/** @param {Page} page */
-export const dialog = (page) => {
-  const { dialog: open } = page.state.value;
-  return open ? contents[open](page) : nothing;
-};
-
-/** @param {Page} page */
-export function question(page) {
-  const asked = page.state.value.question;
-  return asked
-    ? html`<p id="question">${asked.text}</p><div class="row">
-        ${button(say("run-them"), () => asked.answer(true), { kind: "primary" })}${button(say("leave-it"), () => asked.answer(false))}</div>`
-    : nothing;
 }

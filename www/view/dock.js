@@ -6,7 +6,7 @@ import { letter } from "../comparison.js";
 import { formatBeside } from "../number.js";
 import { clause, isTrouble, statusText, symbol } from "../status.js";
 import { say } from "../words.js";
-import { comparedCurve } from "./compare.js";
+import { comparedCurve } from "./compared.js";
 import { curve } from "./curve.js";
 import { button, icon, iconButton } from "./parts.js";
 

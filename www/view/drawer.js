@@ -3,18 +3,19 @@
 
 import { html, nothing } from "lit-html";
 import { say } from "../words.js";
-import { compare } from "./compare.js";
-import { flow } from "./flow.js";
-import { measure } from "./measure.js";
-import { close, icon } from "./parts.js";
-import { share } from "./share.js";
-import { surface } from "./surface.js";
+import { close, icon, lazy } from "./parts.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { Tab } from "../store.js" */
 
 /** @type {Record<Tab, (page: Page) => unknown>} */
-const contents = { surface, flow, measure, compare, share };
+const contents = {
+  surface: lazy(() => import("./surface.js").then(({ surface }) => surface)),
+  flow: lazy(() => import("./flow.js").then(({ flow }) => flow)),
+  measure: lazy(() => import("./measure.js").then(({ measure }) => measure)),
+  compare: lazy(() => import("./compare.js").then(({ compare }) => compare)),
+  share: lazy(() => import("./share.js").then(({ share }) => share)),
+};
 
 export const tabs = /** @type {readonly Tab[]} */ (Object.keys(contents));
 

@@ -7,26 +7,10 @@ import { figures, samples } from "../generated/library.js";
 import { firsts, sampleName, sayFigure, shelves } from "../library.js";
 import { say } from "../words.js";
 import { button, close, icon, idOf, keycap } from "./parts.js";
+import { addressOf, pictureOf } from "./pictures.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { Figure, Sample } from "../library.js" */
-
-/** What there is a picture of, by name. @type {Record<string, string>} */
-const pictures = import.meta.glob("../thumbnails/*.{webp,png}", {
-  query: "?url",
-  import: "default",
-  eager: true,
-});
-
-/** @param {string} name @returns {string | undefined} */
-const addressOf = (name) =>
-  pictures[`../thumbnails/${name}.webp`] ?? pictures[`../thumbnails/${name}.png`];
-
-/** @param {string} name */
-export function pictureOf(name) {
-  const address = addressOf(name);
-  return address ? html`<img src=${address} alt="" loading="lazy" />` : icon("surface");
-}
 
 const filter = signal("all");
 const search = signal("");

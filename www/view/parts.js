@@ -1,6 +1,7 @@
 // @ts-check
 // Pieces that every view is made of.
 
+import { signal } from "@preact/signals-core";
 import { html, nothing, svg } from "lit-html";
 import { say } from "../words.js";
 
@@ -168,3 +169,23 @@ export const closeButton = (label, act) => iconButton("close", label, act);
 
 /** Closes the part at hand. @param {() => unknown} act */
 export const close = (act) => closeButton(say("close"), act);
+
+/**
+ * A view that is fetched when it is first shown: the first picture does not wait for it.
+ * @param {() => Promise<(page: import("../actions.js").Page) => unknown>} load
+ * @returns {(page: import("../actions.js").Page) => unknown}
+ */
+export function lazy(load) {
+  /** @type {import("@preact/signals-core").Signal<((page: import("../actions.js").Page) => unknown) | null>} */
+  const view = signal(null);
+  let isAsked = false;
+  return (page) => {
+    if (!isAsked) {
+      isAsked = true;
+      load().then((loaded) => {
+        view.value = loaded;
+      }, page.report);
+    }
+    return view.value?.(page) ?? nothing;
+  };
+}

@@ -3,7 +3,7 @@
 // the picture is blended.
 
 import { effect, signal } from "@preact/signals-core";
-import { distances, letter } from "../comparison.js";
+import { distances, letter, sayChange } from "../comparison.js";
 import { formatNumber } from "../number.js";
 import { choiceLabel, flowLabel, rowOf } from "../options.js";
 import { overlayOf } from "../overlay.js";
@@ -12,7 +12,6 @@ import { rim } from "../selection.js";
 import { surfaceLabel, symbol } from "../status.js";
 import { isDark } from "../store.js";
 import { say } from "../words.js";
-import { sayChange } from "./compare.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { Field, S } from "../store.js" */
