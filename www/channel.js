@@ -4,8 +4,7 @@
 
 /** @import { Fault } from "./words.js" */
 
-import { t } from "./language.js";
-import { sayFault } from "./words.js";
+import { say, sayFault } from "./words.js";
 
 /** Milliseconds after which a worker that owes an answer and says nothing is called silent. */
 const PATIENCE = 10_000;
@@ -27,12 +26,8 @@ function begun() {
   } catch (error) {
     throw {
       kind: "NoWorker",
-      message: t("The solver may not be started here: {reason}", {
-        reason: /** @type {Error} */ (error).message,
-      }),
-      hint: t(
-        "If this page is in a frame with `sandbox`, that needs `allow-same-origin` beside `allow-scripts`.",
-      ),
+      message: say("worker-forbidden", { reason: /** @type {Error} */ (error).message }),
+      hint: say("worker-forbidden.hint"),
       detail: {},
     };
   }
@@ -47,8 +42,6 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
   /** Number of the run that goes on. @type {number | null} */
   let running = null;
   let isSilent = false;
-  /** Whether it waits for a frame to be drawn, which a hidden window does not do. */
-  let isUndrawn = false;
   let lastId = 0;
   /** @type {Map<number, { resolve: (ok: any) => void, reject: (fault: Fault) => void }>} */
   const waiting = new Map();
@@ -67,8 +60,7 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
     if (watch !== null || isSilent || !isReady || (waiting.size === 0 && running === null)) return;
     watch = setTimeout(() => {
       watch = null;
-      if (isUndrawn) expect();
-      else setSilent(true);
+      setSilent(true);
     }, patience);
   }
 
@@ -102,7 +94,7 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
     const started = begun();
     started.onmessage = ({ data }) => started === worker && receive(data);
     started.onerror = (event) => {
-      if (started === worker) onLost(event.message || t("it could not be loaded"));
+      if (started === worker) onLost(event.message || say("worker-not-loaded"));
     };
     worker = started;
     return started;
@@ -118,7 +110,6 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
       worker = null;
       isReady = false;
       running = null;
-      isUndrawn = false;
       heard();
       /** @type {Fault} */
       const fault = { kind: LOST, message: "The solver was stopped.", hint: "", detail: {} };
@@ -144,15 +135,7 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
       });
     },
 
-    /** Only when the page has had its turn to draw may the next frame come. @param {number} run */
-    acknowledge(run) {
-      const shown = worker;
-      isUndrawn = true;
-      requestAnimationFrame(() => {
-        if (shown !== worker) return;
-        isUndrawn = false;
-        worker?.postMessage({ ack: run });
-      });
-    },
+    /** The page has taken a frame. @param {number} run */
+    acknowledge: (run) => worker?.postMessage({ ack: run }),
   };
 }

@@ -67,3 +67,18 @@ export function facing(camera, direction) {
   );
   return turned;
 }
+
+/**
+ * Triangles with one of these corners.
+ * @param {Uint32Array} corners  of all triangles, three each
+ * @param {ArrayLike<number>} vertices
+ */
+export function trianglesAt(corners, vertices) {
+  const wanted = new Set(Array.from(vertices));
+  /** @type {Set<number>} */
+  const found = new Set();
+  corners.forEach((v, k) => {
+    if (wanted.has(v)) found.add(Math.floor(k / 3));
+  });
+  return Uint32Array.from(found);
+}

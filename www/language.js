@@ -1,6 +1,5 @@
 // @ts-check
-// The page's own labels, in the language of its reader. The English sentence is the key of its
-// translation. What the solver, the worker and recipes say comes in messages (see words.js).
+// The language of the page: asked for in the address, chosen before, or the browser's.
 //
 // Numbers keep the decimal point in every language: they are copied into other programs, and
 // stand beside the same numbers in files, tables and papers.
@@ -12,33 +11,11 @@ export const languages = /** @type {const} */ ({ en: "English", de: "Deutsch" })
 
 /** @typedef {keyof typeof languages} Language */
 
-const KEY = "umbilic-language";
-
 /** @type {Language} */
 let language = "en";
-/** By the English sentence. @type {Readonly<Record<string, string>>} */
-let german = {};
 
 /** The language that the page is in. */
 export const currentLanguage = () => language;
-
-/** @typedef {Readonly<Record<string, string | number>>} Values  formatted before, where they are numbers */
-
-/** @param {string} sentence  with `{name}` where a value stands @param {Values} values */
-const filled = (sentence, values) =>
-  sentence.replace(/\{(\w+)\}/g, (whole, name) =>
-    Object.hasOwn(values, name) ? String(values[name]) : whole,
-  );
-
-/**
- * A sentence with its values in place.
- * @param {string} english  a literal
- * @param {Values} [values]
- */
-export const t = (english, values = {}) => filled(translated(english), values);
-
-/** A sentence that comes as data, from a table of labels. @param {string} english */
-export const translated = (english) => (Object.hasOwn(german, english) ? german[english] : english);
 
 /** @param {string | null | undefined} tag  as `de-CH` @returns {Language | null} */
 function known(tag) {
@@ -59,48 +36,41 @@ export function chooseLanguage(search, stored, preferred) {
   return asked ?? known(stored) ?? preferred.map(known).find(Boolean) ?? "en";
 }
 
-/** Storage may be forbidden. @returns {string | null} */
-function remembered() {
+/**
+ * What the page remembers from visit to visit; storage may be forbidden.
+ * @param {string} key @returns {string | null}
+ */
+export function remembered(key) {
   try {
-    return localStorage.getItem(KEY);
+    return localStorage.getItem(`umbilic-${key}`);
   } catch {
     return null;
   }
 }
 
-/** @param {Language} wanted @returns {boolean} whether it is kept */
-export function rememberLanguage(wanted) {
+/** @param {string} key @param {string} value */
+export function remember(key, value) {
   try {
-    localStorage.setItem(KEY, wanted);
-    return true;
+    localStorage.setItem(`umbilic-${key}`, value);
   } catch {
-    return false;
+    // Then it lasts as long as the page.
   }
 }
 
-/**
- * Speaks another language from now on, in sentences that are made from now on.
- * @param {Language} wanted
- */
+/** Speaks another language from now on. @param {Language} wanted */
 export async function speak(wanted) {
-  language = wanted;
   await speakWords(wanted);
-  german = wanted === "de" ? (await import("./strings.js")).german : {};
+  language = wanted;
 }
 
-/** The page in the language of its reader. To be done before any part of it is built. */
+/** The page in the language of its reader, before any of it is built. */
 export async function openLanguage() {
-  const wanted = chooseLanguage(location.search, remembered(), navigator.languages);
-  if (wanted === "en") return;
+  const wanted = chooseLanguage(location.search, remembered("language"), navigator.languages);
   try {
     await speak(wanted);
-    const { translateDocument } = await import("./document-text.js");
-    translateDocument(document.documentElement, translated);
-    document.documentElement.lang = wanted;
-    document.documentElement.dir = "ltr";
   } catch (error) {
     // Better in English than not at all.
-    await speak("en");
     console.error(error);
   }
+  document.documentElement.lang = language;
 }

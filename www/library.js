@@ -4,9 +4,8 @@
 /** @import { FlowOptions } from "./generated/schema.js" */
 /** @import { Arrangement } from "./generated/types.js" */
 /** @import { FillOptions } from "./generated/types.js" */
-/** @import { FieldName } from "./state.js" */
+/** @import { FieldName } from "./store.js" */
 
-import { figures } from "./generated/library.js";
 import { say } from "./words.js";
 
 /**
@@ -40,8 +39,19 @@ import { say } from "./words.js";
  * @typedef {{ ok: boolean, message: import("./generated/types.js").Message }} Finding
  */
 
-/** In the order of the gallery. */
-export const papers = [...new Set(figures.map(({ paper }) => paper))];
+/** Samples that one begins with. */
+export const firsts = ["bumpy-sphere", "vesicle", "coarse-torus", "six-sided-hole"];
+
+/** Shelves of the library, in their order. */
+export const shelves = /** @type {const} */ ([
+  "first",
+  "closed",
+  "tubes",
+  "boundary",
+  "repair",
+  "flips",
+  "papers",
+]);
 
 /** @param {string} id */
 export const sampleName = (id) => say(`sample-${id}`);

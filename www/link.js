@@ -3,9 +3,8 @@
 // reads and writes its words; here is what it needs of the page.
 
 /** @import { LinkScene, PageScene, ScriptText } from "./generated/types.js" */
-/** @import { FieldName, PageState } from "./state.js" */
+/** @import { FieldName, PageState } from "./store.js" */
 
-import { samples } from "./generated/library.js";
 import { plainArrangement } from "./options.js";
 
 /**
@@ -20,10 +19,10 @@ import { plainArrangement } from "./options.js";
  * @property {Partial<import("./options.js").Options>} options
  * @property {Partial<import("./generated/types.js").Arrangement>} arrangement
  * @property {FieldName} colour
- * @property {import("./actions/compare.js").Linked | null} comparison
+ * @property {{ panes: readonly { change: Partial<import("./options.js").Options>, step: number | null }[], lockstep: "step" | "time", shown: "side" | number, difference: number | null } | null} comparison  step: null, as the first
  * @property {number} step
  * @property {Float32Array | null} camera
- * @property {Partial<import("./state.js").View>} view
+ * @property {Partial<import("./store.js").View>} view
  * @property {string | null} check    the energy at `step`, as it was when the link was written
  * @property {string | null} version  of the solver that computed it
  * @property {number} manySteps       as many as one would rather be asked about; else 0
@@ -38,21 +37,12 @@ import { plainArrangement } from "./options.js";
 export const linkIn = ({ search, hash }) =>
   hash.length > 1 ? { text: hash.slice(1), isOwn: true } : { text: search.slice(1), isOwn: false };
 
-/**
- * Whether an address shows the first sample as the page does without a link, so that its picture
- * need not wait for the solver.
- * @param {Address} address
- */
-export function isFirstPicture(address) {
-  const words = new URLSearchParams(linkIn(address).text);
-  const others = ["mesh", "figure", "edits", "step", "camera", "shading", "wireframe", "border"];
-  const sample = words.get("sample");
-  return (sample === null || sample === samples[0].id) && !others.some((word) => words.has(word));
-}
+/** What is shown at first. */
+const first = "bumpy-sphere";
 
 /** Without a link. @type {Readonly<Scene>} */
 export const plainScene = Object.freeze({
-  sample: samples[0].id,
+  sample: first,
   mesh: null,
   hash: null,
   figure: null,
@@ -68,11 +58,17 @@ export const plainScene = Object.freeze({
   manySteps: 0,
 });
 
-/** @param {LinkScene} link @returns {Scene} */
+/** Words that say which surface it is. */
+const ofSurfaces = ["sample", "mesh", "figure", "edits"];
+
+/** The scene of a link; where it names no surface, on the one that is shown at first. @param {LinkScene} link @returns {Scene} */
 export function sceneOf({ text, edited, hasPath, colour, comparison, estimate, ...link }) {
   const script = { link: text };
+  const words = new URLSearchParams(text);
+  const isBare = !ofSurfaces.some((word) => words.has(word));
   return /** @type {Scene} */ ({
     ...link,
+    ...(isBare && { sample: plainScene.sample }),
     colour: colour ?? "none",
     comparison: comparison && { ...comparison, shown: comparison.shown ?? "side" },
     manySteps: estimate.isLong ? estimate.steps : 0,
@@ -94,13 +90,18 @@ export function pageScene({ source, origin, figure, comparison, view, camera, go
   return /** @type {any} */ ({
     ...{ source, origin, camera, goal, shared },
     figure: figure?.id ?? null,
-    comparison: { panes, lockstep, shown: shown === "side" ? null : shown, difference },
+    comparison: {
+      panes,
+      lockstep: lockstep === "time" ? "time" : "step",
+      shown: shown === "side" ? null : shown,
+      difference,
+    },
     view: { shading, wireframe, boundary, scale },
   });
 }
 
 /** Whether there is a scene. @param {Readonly<PageState> | null} state @returns {state is Readonly<PageState>} */
-const isThere = (state) => state !== null && state.phase !== "loading" && state.reading !== null;
+const isThere = (state) => state !== null && state.phase === "ready" && state.reading !== null;
 
 /**
  * Keeps an address in step with the state: at most twice a second, because browsers refuse more

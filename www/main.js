@@ -1,205 +1,206 @@
 // @ts-check
-// Builds the parts, wires them to the state, and opens the scene in the address.
+// Builds the page: the state, what can be asked for, the views, and the scene in the address.
 
-import { createArrival } from "./arrival.js";
-import { createController } from "./controller.js";
-import { createEmbedding, isEmbedded } from "./embed/host.js";
-import { samples } from "./generated/library.js";
-import { openLanguage, t } from "./language.js";
-import { createLinkWriter, isFirstPicture, linkIn, plainScene } from "./link.js";
+import { effect, signal } from "@preact/signals-core";
+import { html, nothing, render } from "lit-html";
+import { createPage } from "./actions.js";
+import { commands, listenForKeys } from "./commands.js";
+import { openLanguage, remembered } from "./language.js";
+import { createLinkWriter, plainScene } from "./link.js";
 import { keepOffline } from "./offline.js";
-import { createStore } from "./state.js";
-import { createChoices } from "./ui/choices.js";
-import { createHelp, createPanel } from "./ui/chrome.js";
-import { createColourBar } from "./ui/colour-bar.js";
-import { createComparisonForm } from "./ui/comparison-form.js";
-import { createComparisonPlot } from "./ui/comparison-plot.js";
-import { createConjecture } from "./ui/conjecture.js";
-import { createCrossings } from "./ui/crossings.js";
-import { createCurvatureForm } from "./ui/curvature-form.js";
-import { createDownload } from "./ui/download.js";
-import { createEditsForm } from "./ui/edits.js";
-import { createEnergyPlot } from "./ui/energy-plot.js";
-import { createEquations } from "./ui/equations.js";
-import { createFlipPlots } from "./ui/flip-plots.js";
-import { createFlipsForm } from "./ui/flips-form.js";
-import { createGallery } from "./ui/gallery.js";
-import { createGoingOn } from "./ui/going-on.js";
-import { createHistogram } from "./ui/histogram.js";
-import { createHoles } from "./ui/holes.js";
-import { createKeys } from "./ui/keys.js";
-import { createLab } from "./ui/lab.js";
-import { createLanguageChoice } from "./ui/language-choice.js";
-import { createLook } from "./ui/look.js";
-import { createMeshInput } from "./ui/mesh-input.js";
-import { createMessages } from "./ui/messages.js";
-import { createMethodForm } from "./ui/method-form.js";
-import { createMoebius } from "./ui/moebius.js";
-import { createPWillmoreForm } from "./ui/p-willmore-form.js";
-import { createPanes } from "./ui/panes.js";
-import { createPicture } from "./ui/picture.js";
-import { createPresenter } from "./ui/presenter.js";
-import { createReadings } from "./ui/readings.js";
-import { createRecord } from "./ui/record.js";
-import { createRegion } from "./ui/region.js";
-import { createScrubber } from "./ui/scrubber.js";
-import { createShare } from "./ui/share.js";
-import { createStatus } from "./ui/status.js";
-import { createStudy } from "./ui/study.js";
-import { createTransport } from "./ui/transport.js";
-import { createViewForm } from "./ui/view-form.js";
-import { createWhy } from "./ui/why.js";
+import { createFilm, createSave } from "./save.js";
+import { sceneTitle } from "./status.js";
+import { createStore } from "./store.js";
+import { cards } from "./view/cards.js";
+import { dialog, question } from "./view/dialog.js";
+import { dock } from "./view/dock.js";
+import { drawer, rail, turn } from "./view/drawer.js";
+import { legend } from "./view/legend.js";
+import { listenToClicker, present } from "./view/present.js";
+import { createStage } from "./view/stage.js";
+import { createTools } from "./view/tools.js";
+import { top } from "./view/top.js";
 
-// Sentences are made when the parts are built: the language comes first.
+/** @import { Page } from "./actions.js" */
+/** @import { Mode, S, Tab } from "./store.js" */
+
+// Sentences are made when the views are: the language comes first.
 await openLanguage();
+
+/** @param {string} id @returns {HTMLElement} */
+const byId = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+const calm = matchMedia("(prefers-reduced-motion: reduce)");
+const dark = matchMedia("(prefers-color-scheme: dark)");
 const store = createStore();
-const messages = createMessages();
-const controller = createController(store, messages);
+const bare = createPage(store, { isCalm: () => calm.matches });
+const file = /** @type {HTMLInputElement} */ (byId("file"));
 // Fewer samples a pixel draw faster where there is no graphics card.
-const msaa = new URLSearchParams(location.search).get("msaa") === "1" ? 1 : 4;
-const picture = createPicture(controller, store.get, msaa);
-const panes = createPanes(controller, picture, msaa);
-const help = createHelp();
-const arrival = createArrival(controller, store.get, messages);
-const gallery = createGallery(controller);
-const study = createStudy(controller);
+const samples = new URLSearchParams(location.search).get("msaa") === "1" ? 1 : 4;
 
-createPanel();
-createLanguageChoice(controller, store.get);
-createLab(controller);
-createKeys(controller, store.get, help.open);
-createDownload(controller, store.get, panes.snapshot);
-// The page without a link shows its sample before the solver is there.
-const isFirst = isFirstPicture(location);
-/** A link to a mesh names it only; its scene waits for the user to open the file. */
-let awaited = plainScene;
-const pictured = picture.start(isFirst ? samples[0].parameters.level : null);
+/** @type {Page} */
+const page = Object.assign(/** @type {any} */ (bare), {
+  keysOn: signal(remembered("keys") !== "off"),
+  finding: signal(null),
+  chooseFile: () => file.click(),
+  turn: (/** @type {Tab} */ tab) => turn(page, tab),
+  tool(/** @type {Mode} */ mode) {
+    page.patch({ tab: "surface" });
+    page.edit.mode(mode);
+  },
+  present: (/** @type {boolean | undefined} */ on) =>
+    page.patch({ presenting: on ?? !page.get().presenting, dialog: null, welcome: false }),
+});
+page.stage = createStage(page, byId("panes"), samples);
+page.save = createSave(page);
+page.film = createFilm(page);
+page.tools = createTools(page);
 
-const { get } = store;
-const { snapshot } = panes;
-const { still } = arrival;
-const embedding = isEmbedded(location)
-  ? createEmbedding({ controller, get, still, openLink, readScene, messages, snapshot })
-  : null;
+const theme = remembered("theme");
+page.run.view({
+  systemDark: dark.matches,
+  ...(theme === "light" || theme === "dark" ? { theme } : {}),
+});
+dark.addEventListener("change", () => page.run.view({ systemDark: dark.matches }));
 
-const parts = [
-  createTransport(controller),
-  createScrubber(controller),
-  createGoingOn(controller),
-  createStatus(),
-  createWhy(controller, messages, { camera: picture.camera, study: study.begin }),
-  createChoices(controller),
-  createReadings(),
-  study,
-  createPWillmoreForm(controller),
-  createFlipsForm(controller),
-  createCurvatureForm(controller),
-  createHoles(controller, picture.nearestEdge),
-  createEditsForm(controller),
-  createRecord(controller, store.get, panes),
-  createRegion(controller, picture),
-  createMethodForm(controller),
-  createViewForm(controller, picture.fit),
-  picture,
-  createMoebius(controller, picture, pictured),
-  createLook(controller, picture),
-  createCrossings(controller),
-  createHistogram(picture.colours),
-  createEquations(),
-  panes,
-  createComparisonForm(controller),
-  createComparisonPlot(controller),
-  createColourBar(picture.colours, pictured),
-  createEnergyPlot(controller, pictured),
-  createFlipPlots(controller),
-  createConjecture(controller, picture.nearestEdge),
-  gallery,
-  createPresenter(controller, store.get, gallery.open),
-  ...(embedding ? [embedding] : []),
-  createLinkWriter(
-    () => controller.writeLink(embedding !== null).then(({ text }) => text),
-    embedding?.linkTo ?? ((hash) => opening === 0 && history.replaceState(null, "", hash)),
-  ),
-  createShare(controller),
-  arrival,
-  help,
-];
-for (const part of parts) store.subscribe((state) => part.update(state));
+/** A view in its place, anew whenever what it shows changes. @param {string} id @param {(page: Page) => unknown} view */
+const mount = (id, view) =>
+  effect(() => {
+    render(view(page) ?? nothing, byId(id));
+  });
 
-/**
- * The scene of a link; none where it is refused, or takes longer than one wants.
- * @param {import("./link.js").Address} address
- */
-async function readScene(address) {
-  const scene = await controller.readLink(linkIn(address));
-  if (scene.manySteps === 0) return scene;
-  const steps = scene.manySteps.toLocaleString("en");
-  return (await messages.ask(t("This link runs about {steps} steps.", { steps }))) ? scene : null;
+mount("top", top);
+mount("rail", rail);
+mount("drawer", drawer);
+mount("dock", dock);
+mount(
+  "cards",
+  (p) => html`${p.tools.bar()}${p.tools.handle()}${cards(p)}${legend(p)}${present(p)}`,
+);
+for (const [id, view, isOpen] of /** @type {const} */ ([
+  ["dialog", dialog, (/** @type {S} */ s) => s.dialog !== null],
+  ["ask", question, (/** @type {S} */ s) => s.question !== null],
+])) {
+  const element = /** @type {HTMLDialogElement} */ (byId(id));
+  mount(id, view);
+  effect(() => {
+    const s = page.state.value;
+    element.className = s.dialog ?? "";
+    if (isOpen(s) === element.open) return;
+    if (isOpen(s)) element.showModal();
+    else element.close();
+  });
+  // Of a dialog that is closed with its key this comes at once, and no key after it is lost.
+  for (const kind of ["cancel", "close"]) {
+    element.addEventListener(kind, () => {
+      // Opened again meanwhile.
+      if (kind === "close" && element.open) return;
+      if (id === "dialog") page.patch({ dialog: null });
+      else page.get().question?.answer(false);
+    });
+  }
+  element.addEventListener("click", (event) => event.target === element && element.close());
+}
+effect(() => {
+  const s = page.state.value;
+  const root = document.documentElement;
+  const isDark = s.view.theme === "dark" || (s.view.theme === "auto" && s.view.systemDark);
+  root.dataset.theme = isDark ? "dark" : "light";
+  root.dataset.tab = s.tab ?? "";
+  const title = sceneTitle(s.source);
+  document.title = title ? `${title} · Umbilic` : "Umbilic";
+});
+
+// A figure is judged where it has come as far as it goes.
+let judged = "";
+effect(() => {
+  const { figure, reading, running } = page.state.value;
+  const isMoving = page.player.motion.value !== "still";
+  if (!figure || !reading || running || isMoving) return;
+  const isFar =
+    figure.steps === "rest"
+      ? reading.status !== "ready"
+      : reading.step >= figure.steps || reading.status !== "ready";
+  const place = `${figure.id} ${reading.step} ${reading.energy}`;
+  if (!isFar || place === judged) return;
+  judged = place;
+  page.edit.judge(figure).then(
+    (found) => {
+      if (found && judged === place) page.finding.value = { id: figure.id, ...found };
+    },
+    () => {},
+  );
+});
+
+listenForKeys(page);
+listenToClicker(page);
+file.setAttribute("aria-keyshortcuts", commands.find(({ id }) => id === "open")?.keys[0] ?? "");
+
+const isEmbedded = new URLSearchParams(location.search).has("embed");
+const embedding = isEmbedded ? (await import("./embed/host.js")).createEmbedding(page) : null;
+if (embedding) {
+  effect(() => {
+    page.state.value;
+    page.player.tick.value;
+    page.player.motion.value;
+    queueMicrotask(embedding.update);
+  });
+}
+const pictured = page.stage.start();
+
+// Whoever embeds the page could take away what a visitor opens in it. A file that is chosen or
+// dropped before the solver is there waits for it.
+if (!embedding) {
+  file.addEventListener("change", () => {
+    if (file.files?.[0]) page.open.open(file.files[0]);
+    file.value = "";
+  });
+  addEventListener("dragover", (event) => {
+    event.preventDefault();
+    document.documentElement.classList.add("dropping");
+  });
+  for (const kind of ["dragleave", "drop"]) {
+    addEventListener(kind, () => document.documentElement.classList.remove("dropping"));
+  }
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    const dropped = event.dataTransfer?.files[0];
+    if (dropped) page.open.open(dropped);
+  });
 }
 
 /** Links being opened: until their scene is there, the address is theirs. */
 let opening = 0;
-
 /** @param {import("./link.js").Address} address */
-async function openLink(address) {
+function openLink(address) {
   opening += 1;
-  const scene = await shown(address).finally(() => {
+  return page.open.openLink(address, plainScene).finally(() => {
     opening -= 1;
   });
-  if (scene) return arrival.check(scene);
 }
-
-/**
- * Shows the scene of a link.
- * @param {import("./link.js").Address} address
- * @returns {Promise<import("./link.js").Scene | null>} null where there is nothing to compare
- */
-async function shown(address) {
-  /** @type {unknown} */
-  let refusal = null;
-  const read = await readScene(address).catch((error) => {
-    refusal = error;
-    return null;
-  });
-  // Where nothing is shown yet, that would be a dead end.
-  const scene = read ?? (store.get().mesh ? null : plainScene);
-  if (scene) {
-    awaited = scene;
-    controller.view(scene.view);
-    if (scene.sample) await controller.sample(scene.sample, scene);
-    else {
-      messages.error({
-        message: t("This link shows the mesh “{mesh}”, a file on its author’s computer.", {
-          mesh: scene.mesh ?? "",
-        }),
-        hint: t("Open that file here; the scene then follows."),
-      });
-    }
-  }
-  // Said now: a mesh that is loaded clears what was said before.
-  if (refusal) controller.report(refusal);
-  return scene?.sample ? scene : null;
-}
-
-// Whoever embeds the page could take away what a visitor opens in it.
-if (!embedding) {
-  createMeshInput(async (file) => {
-    const open = () => arrival.open(awaited, file);
-    if (!(await controller.takes(file, open))) open();
-  });
-}
+const writer = createLinkWriter(
+  () => page.open.writeLink(embedding !== null).then(({ text }) => text),
+  embedding?.linkTo ?? ((hash) => opening === 0 && history.replaceState(null, "", hash)),
+);
+effect(() => {
+  const s = page.state.value;
+  if (!s.running && page.player.motion.value === "still") writer.update(s);
+});
 
 // The event's address and not `location`: by now the old scene may have been written there.
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));
-// The solver is the larger half: the first picture does not wait for it to be fetched, nor
-// the solver for a picture that takes its time.
-const patience = new Promise((resolve) => setTimeout(resolve, 4000));
-const opened = (isFirst ? Promise.race([pictured, patience]) : Promise.resolve())
-  .then(() => embedding?.wanted)
-  .then(() => {
-    controller.begin();
-    if (!embedding?.isFed) return openLink(location);
-  });
+if (!embedding && location.hash.length < 2 && remembered("visited") === null)
+  page.patch({ welcome: true });
+const opened = Promise.resolve(embedding?.wanted).then(() => {
+  try {
+    page.solver.begin();
+  } catch (error) {
+    page.patch({ phase: "failed" });
+    throw error;
+  }
+  if (!embedding?.isFed) return openLink(location);
+});
+opened.catch(page.report);
 embedding?.begin(opened);
 // In another page it is that one's concern.
-if (!embedding) keepOffline(Promise.all([pictured, opened]), messages.note);
+if (!embedding) keepOffline(Promise.all([pictured, opened]), page.notes.note);

@@ -2,7 +2,7 @@
 // Keeps the built site for when there is no connection. A page that cannot do that works as
 // before, and says nothing of it.
 
-import { t } from "./language.js";
+import { say } from "./words.js";
 
 /** Milliseconds after the first picture until the rest of the site is fetched. */
 const CALM = 5000;
@@ -29,7 +29,7 @@ export async function keepOffline(pictured, note) {
   if (!container) return;
   container.addEventListener("controllerchange", async () => {
     await pictured;
-    if (isKept) note(t("A new version is ready: reload the page to use it."));
+    if (isKept) note(say("new-version"));
   });
   try {
     await pictured;

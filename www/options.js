@@ -82,6 +82,20 @@ export const settled = (options) => ({
   ...usual(schema.options.filter(({ flows }) => !flows.includes(options.flow))),
   ...flowOf(options.flow).sets,
 });
+/** What is asked about a flow first; the rest is under *Advanced*. */
+const basic = [
+  "boundary",
+  "goal",
+  "detail",
+  "smoothSteps",
+  "p",
+  "keep",
+  "reducedVolume",
+  "criterion",
+];
+
+/** @param {string} name  of an option */
+export const isBasic = (name) => basic.includes(name);
 
 /** Options that a word of a link can hold; vertices are written otherwise. */
 export const wordOptions = schema.options.filter(({ kind }) => kind !== "vertices");
@@ -107,29 +121,24 @@ export const choiceLabel = (name, id) =>
 export const choicesOf = (name) =>
   rowOf(name).ids.map((id) => ({ id, label: choiceLabel(name, id) }));
 
-/** The choices of a field to colour by, and of formats to save in. */
-export const choices = {
-  colour: [
-    { id: "none", label: "Nothing" },
-    { id: "mean-curvature", label: "Mean curvature H" },
-    { id: "gauss-curvature", label: "Gaussian curvature K" },
-    { id: "willmore", label: "Willmore energy Wᵢ" },
-    { id: "gradient", label: "Gradient size" },
-    { id: "displacement", label: "Displacement" },
-  ],
-  format: [
-    { id: "ply", label: "PLY" },
-    { id: "ply-ascii", label: "PLY, text" },
-    { id: "obj", label: "OBJ" },
-    { id: "off", label: "OFF" },
-    { id: "stl", label: "STL" },
-    { id: "stl-ascii", label: "STL, text" },
-    { id: "glb", label: "glTF (GLB)" },
-    { id: "csv", label: "History, CSV" },
-    { id: "recipe", label: "Recipe, JSON" },
-    { id: "png", label: "Picture, PNG" },
-  ],
-};
+/** What a surface can be coloured by. */
+export const colours = /** @type {readonly import("./store.js").FieldName[]} */ ([
+  "none",
+  "mean-curvature",
+  "gauss-curvature",
+  "willmore",
+  "gradient",
+  "displacement",
+]);
+
+/** Formats of meshes. */
+export const meshFormats = ["ply", "ply-ascii", "obj", "off", "stl", "stl-ascii", "glb"];
+
+/** All that can be saved. */
+export const formats = [...meshFormats, "csv", "recipe", "png"];
+
+/** @param {readonly string[]} ids @param {"colour" | "save-as"} kind */
+export const named = (ids, kind) => ids.map((id) => ({ id, label: say(`${kind}-${id}`) }));
 
 /**
  * How far `smooth` goes: halves every wavelength of L½ ≈ 6.7 (N τ)^¼ h, so N steps

@@ -3,9 +3,8 @@
 // shader compiler, is several times as large, and is fetched only then. `?renderer=webgl`
 // or `?renderer=webgpu` in the page's address forces the choice.
 
-import { t } from "./language.js";
 import { hasContext } from "./webgl-context.js";
-import { sayFault } from "./words.js";
+import { say, sayFault } from "./words.js";
 
 /** @import { Fault as Refusal } from "./generated/types.js" */
 /** @import { Fault } from "./words.js" */
@@ -82,16 +81,16 @@ export async function openViewer(canvas, options) {
 /** @returns {Promise<Renderer>} */
 async function choose() {
   const forced = new URLSearchParams(location.search).get("renderer");
-  if (forced === "webgpu") return loadWebgpu(t("the address asks for it"), true);
-  if (forced === "webgl") return loadWebgl(t("the address asks for it"), true);
+  if (forced === "webgpu") return loadWebgpu(say("renderer-asked"), true);
+  if (forced === "webgl") return loadWebgl(say("renderer-asked"), true);
   const gpu = /** @type {any} */ (navigator).gpu;
-  const none = t("this browser has no WebGPU, or the page is not served securely");
+  const none = say("renderer-no-webgpu");
   if (!gpu) return loadWebgl(none, false);
   // Fetched meanwhile: browsers that have WebGPU mostly have an adapter too.
-  const webgpu = loadWebgpu(t("this browser offers it"), false);
+  const webgpu = loadWebgpu(say("renderer-offered"), false);
   webgpu.catch(() => {});
   const adapter = await gpu.requestAdapter({ powerPreference: "high-performance" });
-  return adapter ? webgpu : loadWebgl(t("WebGPU offers no graphics adapter"), false);
+  return adapter ? webgpu : loadWebgl(say("renderer-no-adapter"), false);
 }
 
 /** @param {string} reason @param {boolean} isForced @returns {Promise<Renderer>} */
@@ -107,12 +106,8 @@ async function loadWebgl(reason, isForced) {
   if (!hasContext()) {
     throw fault(
       "NoRenderer",
-      isForced
-        ? t("this browser has no WebGL2")
-        : t("{reason}; there is no WebGL2 either", { reason }),
-      t(
-        "Use a current Chrome, Edge, Firefox or Safari, over https or on localhost, and switch on hardware acceleration in its settings.",
-      ),
+      isForced ? say("renderer-no-webgl") : say("renderer-neither", { reason }),
+      say("renderer-neither.hint"),
     );
   }
   const wasm = new URL("./pkg/viewer-webgl/viewer-webgl_bg.wasm", import.meta.url);
@@ -134,10 +129,8 @@ async function load(fetchModule, wasm) {
   } catch (error) {
     throw fault(
       "ViewerNotLoaded",
-      t("the viewer could not be loaded: {reason}", {
-        reason: error instanceof Error ? error.message : String(error),
-      }),
-      t("Check the connection and reload the page."),
+      say("viewer-not-loaded", { reason: error instanceof Error ? error.message : String(error) }),
+      say("viewer-not-loaded.hint"),
     );
   }
 }

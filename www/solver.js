@@ -5,7 +5,7 @@
 /** @import { Arrangement, FlowOptions } from "./generated/schema.js" */
 /** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, Wanted, WrittenLink } from "./generated/types.js" */
 /** @import { Finding } from "./library.js" */
-/** @import { Field, FieldName } from "./state.js" */
+/** @import { Field, FieldName } from "./store.js" */
 /** @import { Fault } from "./words.js" */
 
 import { createChannel, LOST } from "./channel.js";
@@ -15,7 +15,7 @@ import { say, sayFault } from "./words.js";
 /**
  * @typedef {object} Listener
  * @property {(version: string) => void} onReady
- * @property {(frame: Frame & { run: number }) => void} onFrame
+ * @property {(frame: Frame & { run: number, stored: boolean }) => void} onFrame  `stored`: one of the path, and not where it stands
  * @property {(state: State, fault: Fault | null) => void} onStopped  with the fault of a step that failed
  * @property {(progress: { stage: string, fraction: number }) => void} onProgress
  * @property {(reason: string) => void} onCrashed  the worker is gone; `revive` brings the scene back
@@ -91,7 +91,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     else if (message.run !== run) return;
     else if (message.type === "frame") {
       scene.options = message.flow?.options ?? scene.options;
-      scene.last = message;
+      if (!message.stored) scene.last = message;
       listener.onFrame(message);
       channel.acknowledge(message.run);
     } else if (message.type === "stopped") {
@@ -361,6 +361,8 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     reset: () => move("reset"),
     /** Shows a stored step. @param {number} step @returns {Promise<State>} */
     seek: (step) => move("seek", { step }),
+    /** Every stored step of the path as a frame. @returns {Promise<boolean>} whether all came */
+    stored: () => ask("stored"),
     /** @param {number} branch @returns {Promise<State>} */
     branch: (branch) => move("branch", { branch }),
     /** @param {string} text @returns {Promise<RecipeCard>} */

@@ -4,14 +4,13 @@
 // graphics device is lost.
 
 import { listenForGestures } from "./gestures.js";
-import { t } from "./language.js";
 import { chooseRenderer, giveUpWebgpu, openViewer } from "./renderer.js";
 import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
 import { say } from "./words.js";
 
 /**
  * @typedef {Pick<import("./generated/types.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
- * @typedef {import("./state.js").Field} Field
+ * @typedef {import("./store.js").Field} Field
  * @typedef {import("./words.js").Fault} Fault
  * @typedef {import("./pkg/viewer/viewer.js").Viewer} WasmViewer
  */
@@ -164,7 +163,7 @@ class SurfaceView {
   /** Of a lost WebGPU device the viewer is told; of a lost WebGL context, the canvas is. */
   #watchContext() {
     watchContext(this.#drawnOn, this.#listening.signal, () => {
-      if (this.#viewer) this.#recover(t("the browser took the WebGL context away"));
+      if (this.#viewer) this.#recover(say("viewer-context-taken"));
     });
   }
 
@@ -378,7 +377,9 @@ class SurfaceView {
   snapshot() {
     this.#redrawn();
     return new Promise((resolve, reject) => {
-      this.#drawnOn.toBlob((blob) => (blob ? resolve(blob) : reject(lostFault(t("no picture")))));
+      this.#drawnOn.toBlob((blob) =>
+        blob ? resolve(blob) : reject(lostFault(say("viewer-no-picture"))),
+      );
     });
   }
 
@@ -404,7 +405,9 @@ class SurfaceView {
    * @returns {Promise<{ width: number, height: number, data: Uint8Array }>}
    */
   pixels() {
-    return this.#viewer ? this.#viewer.readPixels() : Promise.reject(lostFault(t("rebuilding")));
+    return this.#viewer
+      ? this.#viewer.readPixels()
+      : Promise.reject(lostFault(say("viewer-rebuilding")));
   }
 
   /**

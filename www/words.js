@@ -10,7 +10,7 @@
 
 import { FluentBundle, FluentNumber, FluentResource, FluentType } from "@fluent/bundle";
 import { english, fetchWords } from "#locales";
-import { formatShort } from "./ui/number.js";
+import { formatShort } from "./number.js";
 
 /** @import { Message, Fault as Refusal } from "./generated/types.js" */
 
@@ -68,6 +68,8 @@ function bundleOf(language, words) {
 
 /** @type {FluentBundle | null} made for the first message */
 let bundle = null;
+/** Sentences without values, which views ask for at every change. @type {Map<string, string>} */
+const said = new Map();
 
 /** @param {Value} value @returns {string | FluentType<any>} */
 function shown(value) {
@@ -84,14 +86,22 @@ function shown(value) {
  * @param {Readonly<Record<string, any>>} [values]  of a message that is given by its id
  * @returns {string}
  */
-export function say(message, values = {}) {
+export function say(message, values) {
   if (typeof message !== "string") return say(message.id, message.values);
+  if (values) return put(message, values);
+  const known = said.get(message) ?? put(message, {});
+  said.set(message, known);
+  return known;
+}
+
+/** @param {string} message @param {Readonly<Record<string, any>>} values @returns {string} */
+function put(message, values) {
   bundle ??= bundleOf("en", english);
   const [name, part] = message.split(".");
   const words = bundle.getMessage(name);
   const pattern = part === undefined ? words?.value : words?.attributes[part];
   if (!pattern) return message;
-  const args = Object.entries(values ?? {}).map(([key, value]) => [key, shown(value)]);
+  const args = Object.entries(values).map(([key, value]) => [key, shown(value)]);
   // A value that is missing shows as its name.
   return bundle.formatPattern(pattern, Object.fromEntries(args), []);
 }
@@ -107,4 +117,5 @@ export const sayFault = ({ kind, message, hint, detail }) => ({
 /** Says what follows in another language. @param {"en" | "de"} language */
 export async function speakWords(language) {
   bundle = bundleOf(language, await fetchWords(language));
+  said.clear();
 }

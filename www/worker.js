@@ -27,15 +27,14 @@ let run = 0;
 let running = false;
 /** @type {number | null} the step to pause at by itself */
 let until = null;
-/** Whether the page has taken the last frame of the run. */
-let taken = true;
-/** Whether each step is to be seen: edge flips are far faster than any screen. */
-let paced = false;
+/** Frames of the run that the page has not taken: every step is shown, so a fast run waits. */
+let owed = 0;
+const MOST_OWED = 4;
 /** Work shorter than this says nothing of its progress. */
 const PATIENCE = 500;
 let nextProgress = 0;
 let nextLife = 0;
-/** What is done a piece at a time; whatever begins a run ends it. @type {object | null} */
+/** What is done a piece at a time; whatever begins a run ends it. @type {{ end: () => unknown } | null} */
 let task = null;
 /** Milliseconds between two looks at the messages, where pieces are short. */
 const TURN = 30;
@@ -48,8 +47,8 @@ turns.port1.onmessage = ({ data }) => running && data === run && guarded(advance
 
 /** One step of a run. */
 function advance() {
-  // Goes on when the page has taken the last frame.
-  if (paced && until === null && !taken) return;
+  // Goes on when the page has taken some.
+  if (owed >= MOST_OWED) return;
   /** @type {Refusal | null} */
   let fault = null;
   let report = null;
@@ -60,7 +59,6 @@ function advance() {
     fault = asRefusal(error);
   }
   const state = perform(session, "state");
-  paced = state.flips !== null;
   // On the way to a step a limit is none: how far a minute goes depends on the machine.
   const isEnd = isOver(state.status) && !(report && until !== null && state.status === "stepLimit");
   if (!report || isEnd || report.step >= (until ?? Infinity)) {
@@ -69,33 +67,53 @@ function advance() {
     page.postMessage({ type: "stopped", run, state, fault });
     return;
   }
-  if (taken) frame();
+  frame();
   turns.port2.postMessage(run);
 }
 
-/** Shows the page where the session stands. */
-function frame() {
+/** Shows the page where the session stands. @param {boolean} [stored]  and not that it has moved */
+function frame(stored = false) {
   const shown = session.frame();
-  page.postMessage({ type: "frame", run, ...shown }, buffersOf(shown));
-  taken = false;
+  page.postMessage({ type: "frame", run, stored, ...shown }, buffersOf(shown));
+  owed += 1;
 }
 
 /** Gives up what is done a piece at a time. */
 function endTask() {
   if (!task) return;
+  const { end } = task;
   task = null;
-  perform(session, "cancelReplay");
+  end();
+}
+
+/** Shows every stored step of the path, and goes back to where it stood. */
+async function stored() {
+  endTask();
+  const { at, start } = perform(session, "timeline");
+  const end = () => perform(session, "seek", { step: at });
+  /** @type {number | null} */
+  let next = start;
+  const done = await inTurns(() => {
+    if (next === null) return true;
+    perform(session, "seek", { step: next });
+    frame(true);
+    ({ next } = perform(session, "timeline"));
+    return null;
+  }, end);
+  if (done) end();
+  return done !== null;
 }
 
 /**
  * Does pieces of work, letting messages in after each.
  * @template T
  * @param {() => T | null} piece  null until it is the last
+ * @param {() => unknown} [end]   what is to be done where something else comes first
  * @returns {Promise<T | null>} null where something else came first
  */
-async function inTurns(piece) {
+async function inTurns(piece, end = () => perform(session, "cancelReplay")) {
   const { port1, port2 } = new MessageChannel();
-  const begun = {};
+  const begun = { end };
   task = begun;
   try {
     while (task === begun) {
@@ -152,7 +170,7 @@ const own = {
   /** Steps until `until`, or until the run is over: ends with one `stopped` unless paused. */
   run(fields) {
     until = fields.until;
-    taken = true;
+    owed = 0;
     running = true;
     turns.port2.postMessage(run);
     return true;
@@ -175,6 +193,7 @@ const own = {
     await replayed("follow", fields);
     return perform(session, "state");
   },
+  stored,
   sequence: ({ format, every }) =>
     sequence(session, format, every, (share) => tell("sequence", share)),
   sequenceSize: ({ format, every }) => sequenceSize(session, format, every),
@@ -229,11 +248,12 @@ function guarded(work) {
   }
 }
 
-/** The page has taken the last frame of a run. @param {number} number */
+/** The page has taken a frame of a run. @param {number} number */
 function acknowledge(number) {
-  if (number !== run || taken) return;
-  taken = true;
-  if (running && paced && until === null) turns.port2.postMessage(run);
+  if (number !== run || owed === 0) return;
+  const waited = owed >= MOST_OWED;
+  owed -= 1;
+  if (running && waited) turns.port2.postMessage(run);
 }
 
 /** @param {Request} request */

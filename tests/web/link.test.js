@@ -4,15 +4,15 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { checked } from "../../www/arrival.js";
 import { openSession } from "../../www/cli/solver.js";
 import { sha256 } from "../../www/digest.js";
 import { samples } from "../../www/generated/library.js";
-import { isFirstPicture, plainScene } from "../../www/link.js";
+import { plainScene } from "../../www/link.js";
 import { defaults, plainArrangement } from "../../www/options.js";
 import { perform } from "../../www/session.js";
-import { initial } from "../../www/state.js";
-import { elementCode, iframeCode, pageAddress, sayLack } from "../../www/ui/share.js";
+import { elementCode, iframeCode, pageAddress, sayLack } from "../../www/share.js";
+import { initial } from "../../www/store.js";
+import { say } from "../../www/words.js";
 import { readScene, writeScene } from "./support/scene.js";
 
 test("a scene comes back from its link as it was", async () => {
@@ -86,37 +86,23 @@ test("a link is refused by its word, and a long one tells how long", () => {
   assert.deepEqual([{ ...plain }, manySteps], [{ ...expected, arrangement: {} }, none]);
 });
 
-test("the first picture waits for no solver, unless a link asks for another", () => {
-  const first = (/** @type {string} */ hash) => isFirstPicture({ search: "", hash });
-  assert.ok(first("") && first("#flow=mmcv") && first(`#sample=${samples[0].id}&epsilon=0.5`));
-  for (const word of ["sample=pipe", "mesh=a", "step=2", "camera=1,2", "shading=flat"]) {
-    assert.ok(!first(`#${word}`), word);
-  }
-  assert.ok(!isFirstPicture({ search: "?sample=pipe", hash: "" }));
-});
-
 test("what came of a link is said, with what is off and why it may be", () => {
-  const energy = 12.345678901234567;
-  const state = { ...initial, version: "0.2.0" };
-  /** @param {any} found @param {string | null} [version] @param {boolean | null} [isFile] */
-  const say = (found, version = "0.2.0", isFile = true) => {
-    const scene = { ...plainScene, step: 7, version };
-    return checked(scene, { step: 7, energy, sent: 13, ...found }, state, isFile);
-  };
-  assert.match(say({ outcome: "same" }).message, /as it was sent: W = 12\.34/);
-  assert.match(say({ outcome: "near" }).message, /to six digits: W = 12\.34.*0\.65 from the 13/);
-  const off = say({ outcome: "off" });
-  assert.equal(off.isGood, false);
-  assert.match(off.message, /not as it was sent.*step 7.*13\.0000.*0\.65/);
-  assert.match(off.hint, /same version/);
-  assert.match(say({ outcome: "off" }, "0.1.0").hint, /0\.1\.0.*0\.2\.0/);
-  assert.match(say({ outcome: "off" }, "0.2.0", false).hint, /not the file/);
-  const short = say({ outcome: "endsEarly", step: 5 });
-  assert.match(short.message, /step 7.*ends at step 5/);
+  const values = { energy: 12.345678901234567, sent: 13, step: 7, wanted: 7 };
+  const checked = (/** @type {string} */ outcome, more = {}) =>
+    say("link-checked", { ...values, outcome, ...more });
+  assert.match(checked("same"), /as it was sent: energy 12\.3457/);
+  assert.match(checked("near"), /to six digits: energy 12\.3457/);
+  assert.match(checked("off"), /not as it was sent.*12\.3457 at step 7.*13/);
+  assert.match(checked("endsEarly", { step: 5 }), /step 7.*ends at step 5/);
+  const why = (/** @type {string} */ reason) =>
+    say("link-differs", { why: reason, theirs: "0.1.0", ours: "0.2.0" });
+  assert.match(why("same"), /same version/);
+  assert.match(why("version"), /0\.1\.0.*0\.2\.0/);
+  assert.match(why("file"), /not the file/);
 });
 
 test("what a link lacks is said", () => {
-  assert.match(sayLack("fileByDigest"), /send the file along.*SHA-256/);
+  assert.match(sayLack("fileByDigest"), /send the file too.*SHA-256/);
   assert.doesNotMatch(sayLack("file"), /SHA-256/);
   assert.match(sayLack("editsTooLong"), /edits are too large for a link/);
 });

@@ -1,160 +1,135 @@
 // @ts-check
-// The rules of WCAG 2.2 A and AA that a program can check, in every state of the page.
+// Accessibility: axe on every part of the page in both themes, keys alone, zoom, touch targets.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { button, choice, openMesh, playAndPause, until, upload, useSite } from "./support/app.js";
+import { button, colourBy, openPart, openTab, stepOf, until, useSite } from "./support/app.js";
 import { accessibilityFaults } from "./support/axe.js";
-import { obj, wavyTorus } from "./support/meshes.js";
 
 const site = useSite();
 
-/** @typedef {import("playwright-core").Page} Page */
-
-const desktop = { viewport: { width: 1280, height: 720 } };
-const phone = { viewport: { width: 390, height: 844 }, hasTouch: true };
-
-/** Everything that can be shown, shown. @param {Page} page */
-async function crowd(page) {
-  const panel = button(page, "Panel");
-  if ((await panel.getAttribute("aria-expanded")) === "false") await panel.click();
-  await openMesh(page, "wavy.obj", obj(wavyTorus()));
-  const parts = ["#method", "#view", "#plot-data", ".explain", "#share", "#record"];
-  for (const part of parts) {
-    await page.locator(`${part} > summary`).filter({ visible: true }).click();
-  }
-  await choice(page, "Colour by").selectOption({ label: "Mean curvature H" });
-  await page.getByRole("img", { name: /^Colours:/ }).waitFor();
-  await playAndPause(page, 2);
-  await upload(page, "broken.obj", "v 0 0 0\nf 1 2 3\n");
-  await page.getByRole("alert").locator(".message").waitFor();
-  await until(page, /^Paused/);
-}
-
-/** Opens every section. @param {Page} page */
-const unfold = (page) =>
-  page.evaluate(() => {
-    for (const part of document.querySelectorAll("details")) part.open = true;
-  });
-
-for (const [device, shape] of Object.entries({ desktop, phone })) {
-  // Without transitions: a colour on its way from one to the other is neither.
-  const context = { ...shape, reducedMotion: /** @type {const} */ ("reduce") };
-
-  /** In light and in dark. @param {Page} page @param {string} state */
-  async function check(page, state) {
-    for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-      await page.emulateMedia({ colorScheme });
-      assert.deepEqual(await accessibilityFaults(page), [], `${state}, ${colorScheme}`);
-    }
-  }
-
-  test(`${device}: no rule is broken, whatever is shown in the panel`, async () => {
-    const { page, faults, close } = await site.open("", context);
-    await check(page, "at the start");
-    await crowd(page);
-    await check(page, "with everything open, and an error");
-    await page.keyboard.press("Escape");
-    // Beside the error there may be a note of the flow.
-    await page.locator("#errors").getByRole("button", { name: "Dismiss" }).click();
-    await choice(page, "Flow").selectOption({ label: "p-Willmore" });
-    await page.locator("#p-willmore").waitFor();
-    await page.locator(".explain > summary").filter({ visible: true }).click();
-    await page.getByLabel("Volume", { exact: true }).check();
-    await until(page, "Ready");
-    await button(page, "Step").click();
-    await until(page, "Paused at step 1");
-    await check(page, "under the p-Willmore flow");
-    await choice(page, "Flow").selectOption({ label: "Edge flips" });
-    await choice(page, "Beside it").selectOption({ label: "All three criteria" });
-    await page.locator("#region").waitFor({ state: "hidden" });
-    await page.locator("#conjecture > summary").click();
-    await page.locator("#flip-data > summary").click();
-    await page.locator("#lab > summary").click();
-    await button(page, "Draw quadrilaterals").click();
-    await page.locator("#lab-rows tr").first().waitFor();
-    await button(page, "Stop").click();
-    await button(page, "Flip to the end").click();
-    await page
-      .locator("#counterexamples option")
-      .or(page.getByText(/holds for all/))
-      .first()
-      .waitFor();
-    await check(page, "with edge flips side by side");
-    await choice(page, "Sample").selectOption({ label: "Four bumps, flows compared" });
-    await until(page, "Ready");
-    await unfold(page);
-    for (const label of ["Mean curvature", "Surface diffusion", "Willmore by fitted operators"]) {
-      await choice(page, "Flow").selectOption({ label });
-      await page.locator("#brief", { hasText: /^(Area|∫H²) = / }).waitFor({ state: "attached" });
-      await check(page, `under ${label}`);
-    }
-    await choice(page, "Flow").selectOption({ label: "Minimal curvature variation, sixth order" });
-    await page.locator("#brief", { hasText: "∫|∇H|² = " }).waitFor({ state: "attached" });
-    await page.getByLabel("All four flows side by side").check();
-    await page.locator("#loops input").first().check();
-    await button(page, "Paint").click();
-    await page.locator("#flows-rows tr").nth(3).waitFor();
-    await check(page, "with flows side by side, a loop chosen and the brush in hand");
-    assert.deepEqual(faults, []);
-    await close();
-  });
-
-  test(`${device}: no rule is broken, running, presenting, in dialogs and in German`, async () => {
-    const { page, faults, close } = await site.open("", context);
-    await button(page, "Play").click();
-    await until(page, /^Converged/);
-    await check(page, "converged");
-    await page.evaluate(() => {
-      const box = /** @type {HTMLInputElement} */ (document.querySelector("[name=contrast]"));
-      box.click();
+for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+  test(`nothing that axe finds, ${colorScheme}`, async () => {
+    const { page, close } = await site.blank({
+      colorScheme,
+      viewport: { width: 1280, height: 720 },
     });
-    await page.locator("#colour").selectOption("gauss-curvature", { force: true });
-    await page.getByRole("img", { name: /^Colours:/ }).waitFor();
-    await check(page, "with high contrast");
-    await openMesh(page, "wavy.obj", obj(wavyTorus(160, 80)));
-    await button(page, "Play").click();
-    await until(page, "Running");
-    await check(page, "running");
-    await button(page, "Pause").click();
-    await until(page, /^(Paused|Stopped|Converged)/);
-    const panel = button(page, "Panel");
-    await panel.click();
-    await check(page, "with the panel opened or closed");
-    await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
-    await page.keyboard.press("?");
-    await page.getByRole("dialog").waitFor();
-    await check(page, "with the help open");
-    await page.keyboard.press("Escape");
-    await button(page, "Figures").click();
-    await page.locator(".card").first().waitFor();
-    await check(page, "with the gallery open");
-    await page.locator(".card").first().click();
-    await page.locator("#figure-heading", { hasText: "Fig. 6" }).waitFor({ state: "attached" });
+    await page.goto(`${site.url}?msaa=1`);
     await until(page, "Ready");
-    await page.keyboard.press("f");
-    await page.locator("html.presenting").waitFor();
-    await check(page, "presenting");
-    await page.locator("html.idle").waitFor();
-    await check(page, "presenting, its controls gone");
+    /** @type {string[]} */
+    const found = [];
+    const look = async (/** @type {string} */ where) =>
+      found.push(...(await accessibilityFaults(page)).map((fault) => `${where}: ${fault}`));
+    await look("welcome");
     await page.keyboard.press("Escape");
-    await page.goto(`${site.url}?msaa=1&lang=de`);
-    await page.locator("#status", { hasText: "Bereit" }).waitFor();
-    if (device === "phone") await button(page, "Bedienfeld").click();
-    await unfold(page);
-    await check(page, "in German");
-    assert.deepEqual(faults, []);
+    await page.keyboard.press(".");
+    await until(page, "Paused at step 1");
+    await colourBy(page, "Mean curvature H");
+    await page.getByRole("group", { name: "Legend" }).getByRole("button").last().click();
+    await look("legend");
+    for (const tab of ["Surface", "Flow", "Measure", "Compare", "Share"]) {
+      await openTab(page, tab);
+      await look(tab);
+    }
+    for (const part of [/^Look at one vertex/, /^The equation/, /^Table of all steps/]) {
+      await openPart(page, "Measure", part);
+      await look(String(part));
+    }
+    await openTab(page, "Surface");
+    await button(page, "Invert").click();
+    await look("tool");
+    await page.keyboard.press("Escape");
+    await button(page, "Why?").click();
+    await page.getByRole("region", { name: "Why does it stand so?" }).waitFor();
+    await look("why");
+    await page.keyboard.press("Escape");
+    for (const key of ["/", "?", "e", "Control+k"]) {
+      await page.keyboard.press(key);
+      await page.getByRole("dialog").waitFor();
+      await look(key);
+      await page.keyboard.press("Escape");
+      await page.getByRole("dialog").waitFor({ state: "detached" });
+    }
+    await page.keyboard.press("f");
+    await look("presenting");
+    assert.deepEqual(found, []);
     await close();
   });
 }
 
-test("what the live regions say is short, and there is one heading of the first level", async () => {
-  const { page, faults, close } = await site.open();
-  assert.equal(await page.getByRole("status").count(), 1);
-  assert.ok(((await page.getByRole("status").textContent()) ?? "").length < 60);
-  assert.equal(await page.getByRole("heading", { level: 1 }).count(), 1);
-  assert.equal(await page.getByRole("main").count(), 1);
-  assert.equal(await page.locator("html").getAttribute("lang"), "en");
+test("everything by keys: tabs, flow, commands, and nothing lost out of sight", async () => {
+  const { page, faults, close } = await site.open("sample=coarse-torus");
+  await page.keyboard.press("2");
+  await page.getByRole("option", { selected: true }).focus();
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  await page.getByRole("option", { name: /^p-Willmore/, selected: true }).waitFor();
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("one step on");
+  await page.keyboard.press("Enter");
+  await until(page, "Paused at step 1");
+  assert.equal(await stepOf(page), 1);
   assert.deepEqual(faults, []);
   await close();
 });
+
+test("on a phone targets are large, and with a sheet open there is still a surface", async () => {
+  const { page, faults, close } = await site.open("sample=pipe", {
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+  });
+  await page.getByRole("tab", { name: "Flow" }).tap();
+  await page.getByRole("tabpanel").waitFor();
+  const canvas = await page.locator("#surface").boundingBox();
+  assert.ok(canvas && canvas.height >= 0.28 * 844, String(canvas?.height));
+  const small = await page.evaluate(() =>
+    [
+      ...document.querySelectorAll(
+        "button, select, [role=option], input:not(#file, .segments input)",
+      ),
+    ]
+      .filter(
+        (one) =>
+          one.checkVisibility() &&
+          one.closest("#top, #rail, .transport, .panel > header, [role=listbox]"),
+      )
+      .map((one) => ({
+        box: one.getBoundingClientRect(),
+        text: one.getAttribute("aria-label") ?? one.textContent,
+      }))
+      .filter(({ box }) => Math.min(box.width, box.height) < 43.5)
+      .map(({ box, text }) => `${text}: ${box.width} × ${box.height}`),
+  );
+  assert.deepEqual(small, []);
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  assert.ok(overflow <= 0, String(overflow));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+for (const [width, height] of [
+  [1280, 720],
+  [800, 600],
+  [320, 256],
+]) {
+  test(`at ${width} × ${height} nothing lies over the transport, and drawers stay short`, async () => {
+    const { page, close } = await site.open("sample=pipe", { viewport: { width, height } });
+    const play = button(page, "Play");
+    await play.click({ trial: true });
+    assert.ok(await play.isVisible());
+    if (height >= 700) {
+      for (const tab of ["Surface", "Flow", "Measure", "Compare", "Share"]) {
+        await openTab(page, tab);
+        const tall = await page.locator(".panel .body").evaluate((body) => body.scrollHeight);
+        assert.ok(tall <= 1.5 * height, `${tab}: ${tall}`);
+      }
+      await openTab(page, "Flow");
+      const all = page.getByRole("listbox", { name: "Flow" }).getByRole("option");
+      assert.ok(await all.last().isVisible());
+      const { y = 0, height: own = 0 } = (await all.last().boundingBox()) ?? {};
+      const body = await page.locator(".panel .body").boundingBox();
+      assert.ok(body && y + own <= body.y + body.height, "all flows without scrolling");
+    }
+    await close();
+  });
+}

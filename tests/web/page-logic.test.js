@@ -1,156 +1,106 @@
 // @ts-check
-// The page without a browser: state, links, the words of the status line, file names.
+// The page without a browser: the words of the status line, numbers, colours, selections, axes.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { facing, trianglesAt } from "../../www/facing.js";
 import { flows } from "../../www/generated/schema.js";
+import { formatBeside, formatNumber } from "../../www/number.js";
 import { defaults, settled, smoothingTau } from "../../www/options.js";
-import { createStore, initial, transitions as to } from "../../www/state.js";
-import { fileName } from "../../www/ui/download.js";
-import { formatNumber } from "../../www/ui/number.js";
-import { grown, painted, rim } from "../../www/ui/selection.js";
-import { reasonText, statusText, symbol } from "../../www/ui/status.js";
+import { histogram, rangeOf, roundedUp } from "../../www/range.js";
+import { fileName } from "../../www/save.js";
+import { grown, painted, rim } from "../../www/selection.js";
+import { clause, statusText, surfaceLabel, symbol } from "../../www/status.js";
+import { initial } from "../../www/store.js";
+import { labelled, thinned } from "../../www/view/curve.js";
+import { isLogarithmic, ticksOf } from "../../www/view/plot.js";
+import { boxOf, nearestVertex } from "../../www/view/tools.js";
 
-/** @typedef {import("../../www/generated/types.js").State} Reading */
-
-/** @param {Partial<Reading>} [change] @returns {Reading} */
+/** @param {any} [change] @returns {any} */
 const reading = (change) => ({
   step: 0,
-  time: 0,
   status: "ready",
   message: null,
   energy: 8,
-  energyNormalised: 4,
-  dt: 0.1,
-  tau: 1,
   area: 12,
-  volume: 4,
-  minAngleDegrees: 30,
-  monitored: "smoothedCircle",
-  objective: 8,
-  gradientNorm: 1,
-  milliseconds: 0,
-  canStepBack: false,
-  multipliers: null,
-  reducedVolume: null,
-  flips: null,
   ...change,
 });
 
-/** A page with a mesh on it. @param {import("../../www/state.js").Source} [source] */
-function page(source = { kind: "sample", id: "icosahedron" }) {
-  const store = createStore();
-  const loaded = /** @type {any} */ ({ name: "icosphere", positions: new Float32Array(9) });
-  store.update(to.solverReady, "1");
-  store.update(to.loading, "icosphere");
-  store.update(to.loaded, source, loaded);
-  const configured = { freeVertices: 3, meanEdgeLength: 1, dt: 0.1, tau: 1, state: reading() };
-  const heldVertices = new Uint8Array(3);
-  store.update(to.configured, defaults, { ...configured, heldVertices });
-  return store;
-}
-
-/** @param {number} step @param {number} energy @returns {any} the frame after a step */
-const frame = (step, energy) => ({
-  state: reading({ step, energy }),
-  reports: [{ step, energy, time: step, dt: 0.1 }],
-  positions: new Float32Array(9),
-  field: null,
-  flippedTriangles: new Uint32Array(0),
-  panes: [],
-  curves: null,
-  jump: null,
+/** A page with a mesh on it. @param {any} [change] @returns {any} */
+const page = (change) => ({
+  ...initial,
+  ...{ version: "1", phase: "ready", source: { kind: "sample", id: "icosahedron" } },
+  mesh: { name: "icosphere", positions: new Float32Array(9) },
+  reading: reading(),
+  ...change,
 });
 
 test("the status line says what is going on", () => {
-  assert.equal(statusText(initial), "Starting the solver…");
-  const store = page();
-  assert.equal(statusText(store.get()), "Ready");
-  store.update(to.started, null);
-  assert.equal(statusText(store.get()), "Running");
-  store.update(to.stopped, reading({ step: 12 }));
-  assert.equal(statusText(store.get()), "Paused at step 12");
-  store.update(to.stopped, reading({ step: 24, status: "converged" }));
-  assert.equal(statusText(store.get()), "Converged after 24 steps");
-  store.update(to.stopped, reading({ step: 1, status: "stalled" }));
-  assert.equal(statusText(store.get()), "Stalled after 1 step");
-  store.update(to.stopped, reading({ step: 7, status: "stepLimit" }));
-  assert.equal(statusText(store.get()), "Stopped after 7 steps");
-  store.update(to.stopped, reading({ step: 2, status: "singular" }));
-  assert.equal(statusText(store.get()), "Singular after 2 steps");
-  store.update(to.stopped, reading({ step: 2, status: "collapsed" }));
-  assert.equal(statusText(store.get()), "Collapsed after 2 steps");
+  const status = (/** @type {any} */ s, /** @type {any} */ shown = s.reading, isPlaying = false) =>
+    statusText(s, shown, isPlaying);
+  assert.equal(status(initial), "Starting the solver…");
+  assert.equal(status(page()), "Ready");
+  assert.equal(status(page({ running: true })), "Running");
+  assert.equal(status(page(), reading({ step: 3 }), true), "Running", "the clip is played");
+  assert.equal(status(page({ running: true, goal: 20 })), "Running to step 20");
+  // Of the step that is shown, wherever the solver is.
+  const there = page({ reading: reading({ step: 24, status: "converged" }) });
+  assert.equal(status(there, reading({ step: 12 })), "Paused at step 12");
+  assert.equal(status(there), "Converged after 24 steps");
+  for (const [state, said] of [
+    ["stalled", "Stalled after 1 step"],
+    ["stepLimit", "Stopped after 1 step"],
+    ["singular", "Singular after 1 step"],
+    ["collapsed", "Collapsed after 1 step"],
+  ]) {
+    assert.equal(status(page({ reading: reading({ step: 1, status: state }) })), said);
+  }
+  assert.equal(status(page({ phase: "loading", loadingName: "own.obj" })), "Loading own.obj…");
+  assert.equal(status(page({ phase: "loading", loadingName: null })), "Restoring the surface…");
+  assert.equal(status(page({ phase: "failed" })), "The solver is not running");
 });
 
-test("the reason is what the solver says beyond the status line", () => {
-  const of = (/** @type {Partial<Reading>} */ change) => {
-    const store = page();
-    store.update(to.stopped, reading(change));
-    return reasonText(store.get());
-  };
+test("one clause follows: what to do, how far it is, or why it ended", () => {
+  const of = (/** @type {any} */ change) => clause(page(), reading(change), false, 10);
+  assert.equal(of({}), "Press Play, or the space bar.");
+  assert.equal(of({ step: 3 }), "");
   const [cause, advice] = [{ id: "cause-fold" }, { id: "advice-finer-mesh" }];
   const message = { id: "reason-refused", values: { cause, advice } };
   assert.equal(
     of({ step: 1, status: "stalled", message }),
     "every step tried was refused, the last because faces would fold over; a finer mesh helps",
   );
-  const place = { time: 0.04, vertex: 7, place: [0.5, 1e-9, 2], advice };
-  const pinch = { id: "reason-pinched-neck", values: place };
-  assert.match(
-    of({ step: 12, status: "singular", message: pinch }),
-    /^at time 0\.04 a neck pinches off at vertex 7, near \(0\.5, 1e-9, 2\);.* a finer mesh helps$/,
-  );
   const limit = { id: "reason-step-limit", values: { steps: 10 } };
   assert.equal(
     of({ step: 10, status: "stepLimit", message: limit }),
     "the limit of 10 steps is reached. Play goes on.",
   );
-  assert.equal(of({ step: 3 }), "");
+  assert.equal(clause(page(), reading({ step: 7 }), true, 23), "step 7 of 23");
 });
 
-test("what never rises is kept beside the energy, of stored steps too", () => {
-  const store = page();
-  store.update(to.started, null);
-  const first = frame(1, 7);
-  store.update(to.frame, { ...first, reports: [{ ...first.reports[0], objective: 7.5 }] });
-  assert.deepEqual(
-    store.get().history.map(({ energy, objective }) => [energy, objective]),
-    [
-      [8, 8],
-      [7, 7.5],
-    ],
+test("the surface is told in words, with the name of its sample", () => {
+  assert.equal(surfaceLabel(initial, null), "Surface: none yet");
+  assert.equal(
+    surfaceLabel(page(), reading({ step: 2, energy: 7.5 })),
+    "Surface: Subdivided icosahedron, step 2, energy 7.500, area 12.00",
   );
 });
 
-test("history follows the steps, forwards and backwards", () => {
-  const store = page();
-  store.update(to.started, null);
-  for (const step of [1, 2, 3]) store.update(to.frame, frame(step, 8 - step));
-  const steps = () => store.get().history.map(({ step }) => step);
-  assert.deepEqual(steps(), [0, 1, 2, 3]);
-  store.update(to.stopped, reading({ step: 3 }));
-  store.update(to.frame, { ...frame(2, 6), reports: [] });
-  assert.deepEqual(steps(), [0, 1, 2]);
-  store.update(to.frame, { ...frame(0, 8), reports: [] });
-  assert.deepEqual(steps(), [0]);
-  assert.equal(store.get().phase, "ready");
-});
-
-test("a refused mesh leaves the one before", () => {
-  const store = page();
-  const before = store.get();
-  store.update(to.loading, "broken.obj");
-  assert.equal(store.get().phase, "loading");
-  store.update(to.refused);
-  assert.equal(store.get().mesh, before.mesh);
-  assert.equal(store.get().phase, "ready");
+test("what falls has a symbol", () => {
+  const of = (/** @type {any} */ change) => symbol({ options: { ...initial.options, ...change } });
+  assert.equal(of({}), "Willmore energy W");
+  assert.equal(of({ flow: "p-willmore" }), "∫H²");
+  assert.equal(of({ flow: "p-willmore", p: 4 }), "∫|H|^4");
+  assert.equal(of({ flow: "p-willmore", p: 0 }), "Area");
+  assert.equal(of({ flow: "p-willmore", tension: 1 }), "Energy");
+  assert.equal(of({ flow: "mmcv" }), "∫|∇H|²");
 });
 
 test("files are named after mesh, flow and step", () => {
-  const store = page();
-  store.update(to.stopped, reading({ step: 12 }));
-  assert.equal(fileName(store.get(), "ply"), "icosphere-circle-step0012.ply");
-  assert.equal(fileName(store.get(), "stl-ascii"), "icosphere-circle-step0012.stl");
+  const s = page({ reading: reading({ step: 12 }) });
+  assert.equal(fileName(s, "ply"), "icosphere-circle-step0012.ply");
+  assert.equal(fileName(s, "stl-ascii"), "icosphere-circle-step0012.stl");
+  assert.equal(fileName(s, "recipe"), "icosphere-circle-step0012.recipe.json");
 });
 
 test("numbers keep their digits and stay readable by machines", () => {
@@ -161,6 +111,49 @@ test("numbers keep their digits and stay readable by machines", () => {
   for (const value of [1e-12, 0.02, 3.5, 99999.7, 1e9, -4.2]) {
     assert.ok(Math.abs(Number(formatNumber(value)) - value) <= 5e-5 * Math.abs(value));
   }
+});
+
+test("a number that is lost in rounding beside its start shows as 0", () => {
+  assert.equal(formatBeside(113.957, 113.957), "114.0");
+  assert.equal(formatBeside(35.393, 113.957), "35.39");
+  assert.equal(formatBeside(0.0742, 113.957), "0.0742");
+  assert.equal(formatBeside(3e-9, 113.957), "0");
+  assert.equal(formatBeside(undefined, 1), "–");
+});
+
+test("a range of colours is round, about zero where values are signed, and leaves outliers out", () => {
+  assert.deepEqual([0.31, 2.91, 4, 61].map(roundedUp), [0.4, 3, 4, 80]);
+  const values = Float32Array.from({ length: 1000 }, (_, n) => (n === 999 ? 500 : n / 999 - 0.2));
+  assert.deepEqual(rangeOf({ values, signed: true }), [-0.8, 0.8]);
+  assert.deepEqual(rangeOf({ values, signed: false }), [0, 0.8]);
+  assert.deepEqual(rangeOf({ values: new Float32Array(4), signed: true }), [-1, 1]);
+});
+
+test("a histogram counts everything, what is beyond the range at its ends", () => {
+  const shares = histogram(Float32Array.of(-9, -0.9, 0.1, 0.9, 9, Number.NaN), [-1, 1], 4);
+  assert.deepEqual(shares, [2 / 5, 0, 1 / 5, 2 / 5]);
+});
+
+test("steps below the curve have numbers where there is room", () => {
+  const points = /** @type {any} */ (
+    [0, 0.01, 0.3, 0.31, 0.5, 0.97, 1].map((sum, step) => ({ sum, state: { step } }))
+  );
+  assert.deepEqual(
+    labelled(points, 1).map(({ state }) => state.step),
+    [0, 2, 4, 6],
+  );
+  const long = Array.from({ length: 5001 }, (_, step) => ({ sum: step, state: { step } }));
+  const some = thinned(/** @type {any} */ (long));
+  assert.ok(some.length <= 601);
+  assert.equal(some.at(-1)?.state.step, 5000);
+});
+
+test("an axis has round ticks, and powers of ten where it falls far", () => {
+  assert.deepEqual(ticksOf(0, 114, false), [0, 50, 100]);
+  assert.deepEqual(ticksOf(0.01, 200, true).map(Math.log10).map(Math.round), [-2, -1, 0, 1, 2]);
+  assert.equal(isLogarithmic("auto", [100, 1, 0]), true);
+  assert.equal(isLogarithmic("auto", [100, 50]), false);
+  assert.equal(isLogarithmic("linear", [100, 1]), false);
 });
 
 test("ten steps of τ = 0.01 remove detail below 3.8 edge lengths", () => {
@@ -188,37 +181,38 @@ test("a brush paints what lies in its ball, and regions grow by rings", () => {
   assert.deepEqual([...set], [1, 0, 0, 1, 1], "the set itself is not changed by growing");
 });
 
-test("a new solver knows nothing of the edits of the old one", () => {
-  const store = page();
-  const { mesh, source, options } = store.get();
-  const earlier = /** @type {any} */ ([{ source, options, what: "3 flips" }]);
-  store.update(to.edited, /** @type {any} */ (source), /** @type {any} */ (mesh), earlier);
-  assert.equal(store.get().earlier.length, 1);
-  store.update(to.reviving);
-  assert.equal(store.get().earlier.length, 0);
-});
-
-test("as many edits can be undone as the solver keeps", () => {
-  const store = page();
-  const { mesh, options } = store.get();
-  const source = /** @type {const} */ ({ kind: "file", name: "icosphere" });
-  const edit = { source, options, history: [] };
-  const earlier = Array.from({ length: 9 }, (_, n) => ({ ...edit, what: String(n) }));
-  store.update(to.edited, source, /** @type {any} */ (mesh), earlier);
-  const kept = store.get().earlier.map(({ what }) => what);
-  assert.deepEqual(kept, ["1", "2", "3", "4", "5", "6", "7", "8"]);
-});
-
 test("the rim of a region is where one end of an edge is in it", () => {
   const edges = Uint32Array.from([0, 1, 1, 2, 2, 3, 3, 0]);
   assert.deepEqual([...rim(Uint8Array.from([1, 1, 0, 0]), edges)], [1, 2, 3, 0]);
   assert.equal(rim(Uint8Array.from([1, 1, 1, 1]), edges).length, 0);
 });
 
+test("a box has its middle and its diagonal, and a point its nearest vertex", () => {
+  const positions = Float32Array.of(0, 0, 0, 2, 0, 0, 2, 4, 4);
+  assert.deepEqual(boxOf(positions), { middle: [1, 2, 2], size: 6 });
+  assert.equal(nearestVertex(positions, [1.8, 0.1, 0]), 1);
+});
+
+test("a camera is turned so that a place is seen from in front", () => {
+  // Target, distance, rotation, axis.
+  const camera = Float32Array.of(0, 0, 0, 5, 0, 0, 0, 1, 0, 1, 0);
+  const turned = facing(camera, [1, 0, 0]);
+  assert.ok(turned);
+  const [x, y, z, w] = turned.subarray(4, 8);
+  // The direction to the eye, (0, 0, 1) turned.
+  const backward = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
+  assert.ok(
+    backward.every((value, n) => Math.abs(value - [1, 0, 0][n]) < 1e-6),
+    String(backward),
+  );
+  assert.equal(facing(camera, [0, 1, 0]), null, "along the axis");
+  assert.deepEqual([...trianglesAt(Uint32Array.of(0, 1, 2, 2, 3, 4), [3])], [1]);
+});
+
 test("every flow has a symbol for what it lowers, whatever was chosen for another", () => {
   for (const { id } of flows) {
     const options = { ...defaults, flow: id };
-    assert.match(symbol({ options }), /^(W|Area|∫H²|∫\|∇H\|²)$/, id);
+    assert.match(symbol({ options }), /^(Willmore energy W|Area|∫H²|∫\|∇H\|²)$/, id);
     const before = { ...options, p: 4, tension: 3, keep: /** @type {"area"[]} */ (["area"]) };
     if (id === "p-willmore") assert.equal(symbol({ options: before }), "Energy");
     else assert.equal(symbol({ options: before }), symbol({ options }), id);

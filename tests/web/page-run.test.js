@@ -1,167 +1,184 @@
 // @ts-check
-// A mesh of the user's: opened, played, paused, stepped, taken back; readings and plot follow.
+// Play, Pause, Step, Back, Reset, the scrubber and its keys; changes of the flow, and branches.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import {
   button,
+  choice,
   energy,
   openMesh,
+  openPart,
+  openTab,
   playAndPause,
+  playToEnd,
   plotted,
   reading,
-  sharedMesh,
+  stepOf,
   surface,
   until,
   useSite,
 } from "./support/app.js";
-import { obj, ply, wavyTorus } from "./support/meshes.js";
+import { obj, wavyTorus } from "./support/meshes.js";
 
 const site = useSite();
 
-const readings = [
-  "Energy",
-  "Step",
-  "Time",
-  "Step size",
-  "Area",
-  "Volume",
-  "Genus",
-  "Vertices",
-  "Faces",
-  "Smallest angle",
-  "Milliseconds per step",
-];
-
-test("a mesh is opened, flows, and goes back", async () => {
-  const { page, faults, close } = await site.open();
-  await openMesh(page, "wavy.obj", obj(wavyTorus()));
-  assert.match(await surface(page), /^Surface: wavy, step 0, /);
-  assert.deepEqual(
-    [await reading(page, "Vertices"), await reading(page, "Faces"), await reading(page, "Genus")],
-    ["1152", "2304", "1"],
-  );
-  const atStart = await energy(page);
-
-  const step = await playAndPause(page, 3);
-  assert.ok(step >= 3);
-  assert.ok((await energy(page)) < atStart, "the energy falls");
-  assert.equal((await plotted(page)).length, step + 1);
-
-  const paused = await energy(page);
-  await button(page, "Step").click();
-  await until(page, `Paused at step ${step + 1}`);
-  assert.match(await surface(page), new RegExp(`^Surface: wavy, step ${step + 1}, `));
-  assert.notEqual(await energy(page), paused);
+test("steps forwards and backwards, each press one, and back to the start", async () => {
+  const { page, faults, close } = await site.open("sample=coarse-torus");
+  const first = await energy(page);
+  for (let n = 0; n < 5; n += 1) await page.keyboard.press(".");
+  await until(page, "Paused at step 5");
+  assert.equal(await reading(page, "Step"), "5");
+  const fifth = await energy(page);
+  assert.ok(fifth < first);
   await button(page, "Back").click();
-  await until(page, `Paused at step ${step}`);
-  assert.equal(await energy(page), paused, "one step back has the energy of before");
-
+  await button(page, "Back").click();
+  await until(page, "Paused at step 3");
+  // The same steps give the same numbers, to the last digit shown.
+  await page.keyboard.press(".");
+  await page.keyboard.press(".");
+  await until(page, "Paused at step 5");
+  assert.equal(await energy(page), fifth);
   await button(page, "Reset").click();
   await until(page, "Ready");
-  assert.equal(await energy(page), atStart);
-  assert.equal((await plotted(page)).length, 1);
-  // Nothing is lost: the steps are still there to be shown.
-  await page.getByRole("slider", { name: "History", exact: true }).focus();
-  await page.keyboard.press("End");
+  assert.equal(await energy(page), first);
+  assert.match(await surface(page), /^Surface: Subdivided coarse torus, step 0, energy/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("Pause stands on a true step, with its numbers, while the solver is far ahead", async () => {
+  const { page, faults, close } = await site.open("sample=bumpy-sphere");
+  const step = await playAndPause(page, 3);
+  await until(page, `Paused at step ${step}`);
+  const rows = await plotted(page);
+  assert.ok(rows.length > step + 1, "more steps are there already");
+  assert.equal(await reading(page, "Step"), String(step));
+  assert.ok(Math.abs(rows[step][3] - (await energy(page))) <= 1e-4 * rows[step][3]);
+  // The curve is the scrubber: keys go step by step, and to both ends.
+  const scrubber = page.getByRole("slider", { name: "History" });
+  await scrubber.focus();
+  await page.keyboard.press("ArrowRight");
   await until(page, `Paused at step ${step + 1}`);
-  assert.equal((await plotted(page)).length, step + 2);
+  await page.keyboard.press("End");
+  await until(page, /^Converged/);
+  const last = rows.at(-1)?.[0] ?? 0;
+  assert.equal(await scrubber.getAttribute("aria-valuenow"), String(last));
+  await page.keyboard.press("Home");
+  await until(page, "Ready");
+  // Dragging shows any moment, and rests on a step.
+  const box = await scrubber.boundingBox();
+  assert.ok(box);
+  await page.mouse.move(box.x + 2, box.y + 20);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 20, { steps: 4 });
+  await page.mouse.up();
+  await until(page, /^Paused at step/);
+  const there = Number(await reading(page, "Step"));
+  assert.ok(there > 0 && there < last);
+  // Play goes on from here and ends where it ended.
+  await playToEnd(page, new RegExp(`^Converged after ${last} steps`));
   assert.deepEqual(faults, []);
   await close();
 });
 
-test("the readings are all there, and agree with the numbers of the plot", async () => {
-  const { page, faults, close } = await site.open();
-  const table = page.getByRole("table", { name: "Readings" });
-  assert.deepEqual(await table.getByRole("rowheader").allTextContents(), readings);
-  await openMesh(page, "wavy.obj", obj(wavyTorus()));
-  const step = await playAndPause(page, 4);
-  for (const text of await table.getByRole("cell").allTextContents()) {
-    assert.match(text, /^[-\d.]+/, "every reading is a number");
-  }
-  const rows = await plotted(page);
-  assert.deepEqual(
-    rows.map(([number]) => number),
-    Array.from({ length: step + 1 }, (_, i) => i),
-  );
-  const last = rows[step];
-  assert.equal(last[1], Number(await reading(page, "Time")));
-  assert.equal(last[2], Number.parseFloat(await reading(page, "Step size")));
-  assert.equal(last[3], await energy(page));
-  for (let i = 1; i <= step; i += 1) {
-    assert.ok(rows[i][1] > rows[i - 1][1], "time goes on");
-    // U_ε falls from step to step, and W lies below it.
-    assert.ok(rows[i][4] <= rows[i - 1][4] && rows[i][3] < rows[i][4], `${rows[i]}`);
-  }
+test("a change applies from the start, or from this step, which keeps what came as a branch", async () => {
+  const { page, faults, close } = await site.open("sample=bumpy-sphere");
+  const step = await playAndPause(page, 2);
+  await openTab(page, "Flow");
+  await page.getByRole("radio", { name: "This step" }).check();
+  await page.getByRole("option", { name: /^p-Willmore/ }).click();
+  await until(page, `Paused at step ${step}`);
+  await page.keyboard.press(".");
+  await until(page, `Paused at step ${step + 1}`);
+  await page.getByRole("combobox", { name: "Branches" }).selectOption({ index: 1 });
+  await until(page, /^(Converged|Paused)/);
+  assert.ok((await plotted(page)).length > step + 2, "the path of before is back");
+  await openTab(page, "Flow");
+  await page.getByRole("radio", { name: "Start", exact: true }).check();
+  await page.getByRole("option", { name: /^Mean curvature/ }).click();
+  await until(page, "Ready");
   assert.deepEqual(faults, []);
   await close();
 });
 
-test("a run goes on until it converges, and says so", async () => {
-  const { page, faults, close } = await site.open();
+test("forms come from the tables: what a flow does not read is not asked for", async () => {
+  const { page, faults, close } = await site.open("sample=bumpy-sphere");
+  await openTab(page, "Flow");
+  const panel = page.getByRole("tabpanel");
+  const list = page.getByRole("listbox", { name: "Flow" });
+  assert.equal(await list.getByRole("option").count(), 7);
+  assert.equal(await panel.getByLabel("Boundary").count(), 0, "there is none");
+  await list.getByRole("option", { name: /^p-Willmore/ }).click();
+  await until(page, "Ready");
+  await panel.getByLabel("Exponent p").fill("3");
+  await panel.getByLabel("Exponent p").press("Enter");
+  await page.locator(".energy").getByText("∫|H|^3").waitFor();
+  await panel.getByRole("checkbox", { name: "Area" }).check();
+  await until(page, "Ready");
+  // Refused in words, and the field shows what is in force.
+  await panel.getByLabel("Exponent p").fill("0.5");
+  await panel.getByLabel("Exponent p").press("Enter");
+  await page.getByRole("alert").waitFor();
+  await panel.locator("input[type=number]").first().and(page.locator(":valid")).waitFor();
+  await openPart(page, "Flow", /^Advanced/);
+  await panel.getByLabel("Time step τ").fill("1e-9");
+  await panel.getByLabel("Time step τ").press("Enter");
+  await until(page, "Ready");
+  await page.keyboard.press("Escape");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a boundary has its own choice, and a limit of steps goes on with Play", async () => {
+  const { page, faults, close } = await site.open("sample=pipe&maxSteps=3");
+  await openTab(page, "Flow");
+  assert.ok((await choice(page, "Boundary").inputValue()) === "clamped");
+  await playToEnd(page, /^Stopped after 3 steps/);
   await button(page, "Play").click();
-  await until(page, /^Converged after \d+ steps$/);
-  assert.ok((await energy(page)) < 1, `W = ${await energy(page)} is far from a round sphere's 0`);
-  assert.equal(await button(page, "Play").isVisible(), true);
-  const converged = (await page.locator("[role=status]").textContent()) ?? "";
-  const rows = await plotted(page);
-  assert.equal(rows.length, Number(await reading(page, "Step")) + 1);
-
-  // Finer faces of the surface it came to, and the way back.
-  const [low, faces] = [await energy(page), Number(await reading(page, "Faces"))];
-  await button(page, "Subdivide").click();
-  const count = page.locator("[data-reading=faces]");
-  await count.filter({ hasText: String(4 * faces) }).waitFor();
+  await until(page, /^Stopped after 6 steps/);
+  await choice(page, "Boundary").selectOption({ label: "Free" });
   await until(page, "Ready");
-  // The same point set, with new vertices that lie in its faces.
-  assert.ok((await energy(page)) > low);
-  await button(page, "Step").click();
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a mesh of one's own is loaded, named, and flows", async () => {
+  const { page, faults, close } = await site.open("sample=pipe");
+  await openMesh(page, "wavy.obj", obj(wavyTorus(24, 12)));
+  assert.equal(await reading(page, "Vertices"), String(24 * 12));
+  assert.equal(await reading(page, "Genus"), "1");
+  const first = await energy(page);
+  await page.keyboard.press(".");
   await until(page, "Paused at step 1");
-  await button(page, "Undo").click();
-  await count.filter({ hasText: new RegExp(`^${faces}$`) }).waitFor();
-  // The run is back too, to be scrubbed and gone on with.
-  await until(page, converged);
-  assert.equal(await energy(page), low);
-  assert.deepEqual(await plotted(page), rows);
-  await button(page, "Back").click();
-  await until(page, `Paused at step ${rows.length - 2}`);
-  assert.equal(await energy(page), rows[rows.length - 2][3]);
+  assert.ok((await energy(page)) < first);
+  // One that cannot be read is refused in words; the one before stays.
+  await page.getByLabel("Open mesh", { exact: true }).setInputFiles({
+    name: "broken.obj",
+    mimeType: "text/plain",
+    buffer: Buffer.from("f 1 2 3"),
+  });
+  await page.getByRole("alert").waitFor();
+  assert.equal(await reading(page, "Step"), "1");
+  await page.getByRole("button", { name: "Dismiss" }).click();
+  assert.equal(await page.getByRole("alert").count(), 0);
   assert.deepEqual(faults, []);
   await close();
 });
 
-test("a dropped file opens like a chosen one, in any format", async () => {
-  const { page, faults, close } = await site.open();
-  await page.evaluate(
-    (text) => {
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([text], "dropped.ply"));
-      for (const type of ["dragenter", "dragover", "drop"]) {
-        window.dispatchEvent(
-          new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }),
-        );
-      }
-    },
-    ply(wavyTorus(16, 8)),
-  );
-  await page.waitForFunction(() => document.querySelector("#title")?.textContent === "dropped");
-  await until(page, "Ready");
-  assert.equal(await reading(page, "Vertices"), "128");
-  assert.equal(await page.locator("#drop").isVisible(), false);
-  assert.deepEqual(faults, []);
-  await close();
-});
-
-const spot = sharedMesh("spot_low_resolution.obj");
-test("a model of the field's opens and flows", { skip: spot ? false : "no mesh" }, async () => {
-  const { page, faults, close } = await site.open();
-  await openMesh(page, "spot.obj", readFileSync(spot ?? ""));
-  assert.equal(await reading(page, "Vertices"), "829");
-  assert.equal(await reading(page, "Faces"), "1654");
-  const atStart = await energy(page);
-  await playAndPause(page, 2);
-  assert.ok((await energy(page)) < atStart);
-  assert.deepEqual(faults, []);
+test("keys rest while something is typed, and can be switched off", async () => {
+  const { page, close } = await site.open("sample=coarse-torus");
+  await page.keyboard.press("/");
+  const search = page.getByRole("searchbox");
+  await search.fill("b.f r");
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Escape");
+  assert.equal(await stepOf(page), 0);
+  await page.keyboard.press("?");
+  await page.getByRole("checkbox", { name: "Single keys" }).uncheck();
+  await page.keyboard.press("Escape");
+  await page.keyboard.press(".");
+  await page.keyboard.press("Control+k");
+  assert.equal(await stepOf(page), 0);
   await close();
 });

@@ -4,14 +4,14 @@
 
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
+import { createPage } from "../../www/actions.js";
 import { LOST } from "../../www/channel.js";
 import { loadSolver } from "../../www/cli/solver.js";
-import { createController } from "../../www/controller.js";
 import { plyOf } from "../../www/ply.js";
 import { perform } from "../../www/session.js";
 import { createSolver } from "../../www/solver.js";
-import { createStore } from "../../www/state.js";
-import { statusText } from "../../www/ui/status.js";
+import { statusText } from "../../www/status.js";
+import { createStore } from "../../www/store.js";
 import { say } from "../../www/words.js";
 import { FakeWorker } from "./support/fake-worker.js";
 import { obj, wavyTorus } from "./support/meshes.js";
@@ -178,22 +178,14 @@ test("an owed answer that stays away is noticed, and a sign of life takes that b
   assert.deepEqual(heard("onSilent").at(-1), ["onSilent", false]);
 });
 
-test("a run owes frames, but not to a window that draws none", async (context) => {
+test("a run owes frames until it has stopped, and each is acknowledged at once", async (context) => {
   const { solver, heard } = listened(10_000);
   await run(solver, 1);
   await new Promise(setImmediate);
   context.mock.timers.enable({ apis: ["setTimeout"] });
   await solver.run(null);
-  /** @type {(() => void)[]} */
-  const drawing = [];
-  Object.assign(globalThis, {
-    requestAnimationFrame: (/** @type {any} */ draw) => drawing.push(draw),
-  });
   FakeWorker.last.frame();
-  assert.equal(drawing.length, 1);
-  context.mock.timers.tick(30_000);
-  assert.deepEqual(heard("onSilent"), []);
-  drawing[0]();
+  assert.ok(FakeWorker.last.acknowledged > 0);
   context.mock.timers.tick(10_000);
   assert.deepEqual(heard("onSilent"), [["onSilent", true]]);
   FakeWorker.last.say({ type: "stopped", run: FakeWorker.last.run, state: {}, fault: null });
@@ -204,41 +196,35 @@ test("a run owes frames, but not to a window that draws none", async (context) =
 /** The page without its document. */
 function page() {
   const store = createStore();
-  /** @type {any[]} */
-  const errors = [];
-  const voice = {
-    error: (/** @type {any} */ fault) => errors.push(fault),
-    ...{ note() {}, answer() {}, clear() {}, ask: async () => true },
-  };
-  const controller = createController(store, voice, { pause: 0 });
+  const made = createPage(store, {
+    isCalm: () => false,
+    nextFrame: (draw) => setImmediate(() => draw(performance.now())),
+    waits: { pause: 0 },
+  });
   const file = /** @type {any} */ (new File(["v 0 0 0"], "own.obj"));
-  return { store, controller, errors, open: () => controller.open(file) };
+  const status = () =>
+    statusText(store.get(), made.shown(), made.player.motion.value === "playing");
+  const errors = () => store.get().notes.filter(({ kind }) => kind === "error");
+  return { ...made, errors, status, load: () => made.open.open(file) };
 }
 
 test("two crashes within a second cost the stored steps, and the page says so once", async () => {
-  const { store, controller, errors, open } = page();
-  await open();
-  for (let n = 0; n < 3; n += 1) await controller.step();
-  assert.equal(statusText(store.get()), "Paused at step 3");
+  const { store, run, open, errors, status, load, lead, shown } = page();
+  await load();
+  for (let n = 0; n < 3; n += 1) await run.step();
+  assert.equal(status(), "Paused at step 3");
   assert.equal(store.get().timeline?.stored, 4);
-  /** @type {(number | undefined)[]} */
-  const seen = [];
+  assert.equal(lead.clip.points.length, 4);
   FakeWorker.crashesAt = ({ name }, worker) =>
     name === "restore" && FakeWorker.all.indexOf(worker) === 1;
   /** @type {string[]} */
   const statuses = [];
-  /** @type {Set<number | undefined>} */
-  const offered = new Set();
-  store.subscribe((state) => {
-    if (statuses.at(-1) !== statusText(state)) statuses.push(statusText(state));
-    if (state.phase !== "loading") return;
-    seen.push(state.frame?.positions[0]);
-    offered.add(state.timeline?.start);
+  store.state.subscribe(() => {
+    if (statuses.at(-1) !== status()) statuses.push(status());
   });
   FakeWorker.last.crash("made by the test");
-  await controller.goOn(null);
-  await controller.step().catch(() => {});
-  const state = store.get();
+  await run.seek(3);
+  await run.step();
   assert.equal(FakeWorker.all.length, 3);
   assert.deepEqual(statuses, [
     "Paused at step 3",
@@ -246,46 +232,93 @@ test("two crashes within a second cost the stored steps, and the page says so on
     "Paused at step 3",
     "Paused at step 4",
   ]);
-  assert.deepEqual([...new Set(seen)], [1], "the last frame stays until it is there again");
-  assert.deepEqual([...offered], [undefined, 3], "steps that are gone are not offered");
-  assert.equal(errors.length, 1);
-  assert.match(errors[0].message, /made by the test.*step 3/);
-  assert.ok(errors[0].hint.startsWith(say("lost-with-solver", { what: "steps" })));
+  assert.equal(errors().length, 1);
+  assert.match(errors()[0].text, /made by the test.*step 3/);
+  assert.ok(errors()[0].hint.startsWith(say("lost-with-solver", { what: "steps" })));
   // Back offers what is there.
-  assert.equal(state.timeline?.start, 3);
-  await controller.back();
+  await run.back();
+  assert.equal(shown()?.step, 3);
   assert.equal(store.get().reading?.canStepBack, false);
-  assert.equal(store.get().reading?.step, 3);
-  // Which file it was is known.
+  // Which file it was is known, and why there is no recipe.
   const { origin } = store.get();
   assert.ok(origin && "file" in origin && origin.file === "own.obj");
+  await assert.rejects(open.recipe(), { kind: "NoRecipe", message: say("app-no-recipe") });
 });
 
-test("a solver that is given up leaves the picture, its file and a way to start another", async () => {
-  const { store, controller, errors, open } = page();
-  await open();
-  await controller.step();
-  const shown = store.get().frame;
+test("a solver that is given up leaves its file and a way to start another", async () => {
+  const { store, run, errors, status, load } = page();
+  await load();
+  await run.step();
   FakeWorker.crashesAt = ({ name }) => name === "restore";
   FakeWorker.last.crash("for good");
   // Behind it in the queue.
-  await controller.back();
+  await run.back();
   assert.equal(store.get().phase, "failed");
-  assert.equal(store.get().frame, shown);
-  assert.equal(errors.at(-1).message, say("solver-lost-again"));
-  assert.equal((await controller.export("obj")).format, "ply");
+  assert.equal(errors().at(-1)?.text, say("solver-lost-again"));
+  assert.equal((await run.export("obj")).format, "ply");
   FakeWorker.crashesAt = () => false;
-  controller.halt();
-  await controller.step();
-  assert.equal(statusText(store.get()), "Paused at step 2");
+  run.halt();
+  await run.step();
+  assert.equal(status(), "Paused at step 2");
 });
 
 test("“Restoring” is said of a lost solver and not of a mesh on its way", async () => {
-  const { store, open } = page();
+  const { store, status, load } = page();
   /** @type {Set<string>} */
   const statuses = new Set();
-  store.subscribe((state) => statuses.add(statusText(state)));
-  await open();
+  store.state.subscribe(() => statuses.add(status()));
+  await load();
   assert.ok(statuses.has("Loading own.obj…"), [...statuses].join());
   assert.ok(!statuses.has("Restoring the surface…"), [...statuses].join());
+});
+
+test("each press of Step is a step, however fast they come", async () => {
+  const { run, load, shown } = page();
+  await load();
+  for (let n = 0; n < 7; n += 1) run.step();
+  await run.step();
+  assert.equal(shown()?.step, 8);
+  run.back();
+  run.back();
+  await run.back();
+  assert.equal(shown()?.step, 5);
+  // What was there is shown again, and not computed anew.
+  const asked = FakeWorker.last.asked.filter(({ name }) => name === "step").length;
+  await run.step();
+  assert.equal(shown()?.step, 6);
+  assert.equal(FakeWorker.last.asked.filter(({ name }) => name === "step").length, asked);
+});
+
+test("a refused mesh leaves the one before, and a refused option what is in force", async () => {
+  const { store, open, run, load, errors, status } = page();
+  await load();
+  const before = store.get().mesh;
+  await open.open(/** @type {any} */ (new File(["v"], "broken.obj")));
+  assert.equal(store.get().mesh, before);
+  assert.equal(status(), "Ready");
+  assert.equal(errors().length, 1);
+  FakeWorker.refuses = ({ name }) => name === "configure";
+  const { options } = store.get();
+  await run.configure({ epsilon: 0.5 });
+  assert.deepEqual(store.get().options, options);
+  assert.notEqual(store.get().options, options, "told again, so that the form shows it");
+});
+
+test("the display ends with the solver where it stands: at the last step", async () => {
+  const { store, run, load, lead, player, shown } = page();
+  await load();
+  player.speed.value = 200;
+  await run.play();
+  const worker = FakeWorker.last;
+  for (let n = 0; n < 5; n += 1) {
+    worker.perform("step", {});
+    worker.frame();
+  }
+  const state = { ...worker.state(), status: "converged" };
+  worker.say({ type: "stopped", run: worker.run, state, fault: null });
+  while (player.motion.value !== "still") await new Promise(setImmediate);
+  await run.seek(5);
+  assert.equal(lead.clip.points.length, 6);
+  assert.equal(shown()?.step, 5);
+  assert.equal(store.get().reading?.step, 5);
 });

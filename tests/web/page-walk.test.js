@@ -7,9 +7,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { loadSolver } from "../../www/cli/solver.js";
 import { samples } from "../../www/generated/library.js";
+import { formatNumber } from "../../www/number.js";
 import { defaults } from "../../www/options.js";
 import { perform } from "../../www/session.js";
-import { formatNumber } from "../../www/ui/number.js";
 import { useSite } from "./support/app.js";
 import { readScene } from "./support/scene.js";
 

@@ -1,23 +1,287 @@
 // @ts-check
-// What every group of actions is made with. Types only: nothing here runs.
+// What all actions share: the solver, the clip that its frames make, the queue in which things
+// are done one at a time, and how a lost solver is replaced.
 
-/** @import { Arrangement } from "../generated/types.js" */
-/** @import { Frame } from "../state.js" */
-/** @import { FieldName } from "../state.js" */
+import { batch } from "@preact/signals-core";
+import { LOST } from "../channel.js";
+import { Clip } from "../clip.js";
+import { createPlayer } from "../player.js";
+import { rangeOf } from "../range.js";
+import { CANCELLED, createSolver } from "../solver.js";
+import { isOver } from "../standing.js";
+import { say, sayFault } from "../words.js";
+
+/** @import { State as Reading } from "../generated/types.js" */
+/** @import { Notes } from "../notes.js" */
 /** @import { Options } from "../options.js" */
+/** @import { Track } from "../player.js" */
+/** @import { FieldName, Store } from "../store.js" */
+/** @import { Fault } from "../words.js" */
+
+/** @typedef {import("../generated/types.js").Frame & { run: number, stored: boolean }} Frame */
 
 /**
- * @typedef {object} Core
- * @property {import("../state.js").Store} store
- * @property {import("../solver.js").Solver} solver
- * @property {import("../controller.js").Voice} voice
- * @property {(job: () => Promise<unknown>) => Promise<void>} enqueue  one thing at a time; a failure is reported
- * @property {() => Promise<void>} rest  pauses, if a flow runs
- * @property {<T>(ask: () => Promise<T>) => Promise<{ answer: T, frame: Frame | undefined }>} framed  asks
- *   for what changes the flow; its frame is not shown yet
- * @property {(options: Options) => Promise<void>} configure  goes back to the start
- * @property {(name: FieldName) => Promise<void>} colour
- * @property {(change: Partial<Arrangement>) => Promise<void>} arrange
+ * Puts a frame into a clip.
+ * @param {Track} track @param {Frame} frame @param {boolean} follows  whether the display goes there
  */
+export function take(track, frame, follows) {
+  const { state, positions, field, panes, flippedTriangles, timeline } = frame;
+  const at = track.clip.at(track.u);
+  const shown = track.clip.points[at.index]?.state.step;
+  track.clip.add({ state, positions, field, panes, marked: flippedTriangles }, timeline.last);
+  if (follows) track.u = track.clip.points[track.clip.indexOf(state.step)].sum;
+  else if (frame.stored && shown !== undefined) {
+    // The display stays at its step while others are put in before it.
+    track.u = track.clip.points[Math.max(track.clip.indexOf(shown), 0)].sum;
+  }
+}
 
-export {};
+/**
+ * @param {Store} store
+ * @param {Notes} notes
+ * @param {{ isCalm: () => boolean, nextFrame?: (draw: (time: number) => void) => unknown,
+ *   waits?: Parameters<typeof createSolver>[1] }} environment
+ */
+export function createCore(store, notes, { isCalm, nextFrame, waits }) {
+  const { get, patch } = store;
+  /** @type {Track} */
+  const lead = { clip: new Clip(), u: 0, isOpen: () => get().running };
+  /** Those that go on beside it. @type {Map<number, Track & { solver: import("../solver.js").Solver }>} */
+  const rivals = new Map();
+
+  const solver = createSolver(
+    {
+      onReady: (version) => patch({ version }),
+      onFrame,
+      onStopped(reading, fault) {
+        patch({ reading, running: false, goal: null, progress: null });
+        if (fault) notes.error(fault, core.offers(fault));
+        // The last step's own report does not know that it was the last.
+        const { last } = lead.clip;
+        if (last?.state.step === reading.step) last.state = reading;
+        player.redraw();
+        if (player.motion.peek() === "still") show(reading.step);
+      },
+      onProgress: (progress) => patch({ progress }),
+      onSilent: (isSilent) => patch({ isSilent }),
+      onCrashed: (reason) => revive((step) => ({ id: "solver-crashed", values: { reason, step } })),
+    },
+    waits,
+  );
+
+  const player = createPlayer({
+    tracks: () => [lead, ...rivals.values()],
+    lockstep: () => get().comparison.lockstep,
+    isCalm,
+    nextFrame,
+    // What is asked of the solver is of what is shown.
+    onEnd: () => void enqueue(settle),
+  });
+
+  /** @param {Frame} frame */
+  function onFrame(frame) {
+    const { state, stored, timeline, curves, jump, look, flow, reports } = frame;
+    batch(() => {
+      const isFollowed = !stored && player.motion.peek() === "still";
+      take(lead, frame, isFollowed);
+      if (isFollowed) player.place(lead.u);
+      const { range } = get();
+      const first = lead.clip.points[0]?.field;
+      patch({
+        timeline,
+        ...(stored ? {} : { reading: state, progress: null, preview: null }),
+        ...(isFollowed || !get().extras ? { extras: { curves, jump, look } } : {}),
+        ...(range === null && first ? { range: rangeOf(first) } : {}),
+        ...(flow
+          ? { options: { ...get().options, ...flow.options }, configured: flow.configured }
+          : {}),
+      });
+      player.arrived();
+    });
+    for (const warning of reports.flatMap(({ warnings }) => warnings)) {
+      notes.note(say(warning), warning.id);
+    }
+  }
+
+  /** Shows a step of the clip. @param {number} step */
+  function show(step) {
+    const point = lead.clip.points[Math.max(lead.clip.indexOf(step), 0)];
+    if (point) player.place(point.sum);
+  }
+
+  /** The step that is shown: while it plays the last that was passed. */
+  const shownIndex = () =>
+    player.motion.peek() === "playing" ? lead.clip.at(lead.u).index : lead.clip.nearest(lead.u);
+  /** @returns {Reading | null} */
+  const shown = () => lead.clip.points[shownIndex()]?.state ?? get().reading;
+
+  /** @param {any} error  a `Fault`, a refusal, or an error of the page's own */
+  function report(error) {
+    // Whoever ended the solver has said so already.
+    if (error?.kind === LOST || error?.kind === CANCELLED) return;
+    // A worker that could not be asked refuses in no language.
+    const fault = typeof error?.message === "object" ? sayFault(error) : error;
+    if (error?.kind) notes.error(fault, core.offers(fault));
+    else notes.error({ message: String(error?.message ?? error), hint: "" });
+    if (!error?.kind) console.error(error);
+  }
+
+  // One thing at a time: a load followed by its options must not mix with another load.
+  let queue = Promise.resolve();
+  // What was asked of a solver that is gone is not asked of the next one.
+  let age = 0;
+  /** @param {() => Promise<unknown>} job @returns {Promise<void>} */
+  function enqueue(job) {
+    const asked = age;
+    queue = queue.then(() => (asked === age ? job() : null)).then(() => {}, report);
+    return queue;
+  }
+
+  /** Ends a run, and puts the solver where the display stands: at a true step. */
+  async function settle() {
+    if (get().running) {
+      const reading = await solver.pause();
+      patch({ reading, running: false, goal: null, progress: null });
+    }
+    await Promise.all([...rivals.keys()].map((id) => core.settleRival(id)));
+    if (player.motion.peek() === "playing") return;
+    player.stop();
+    const wanted = shown();
+    const { reading } = get();
+    if (wanted && reading && wanted.step !== reading.step) await solver.seek(wanted.step);
+    else if (wanted) show(wanted.step);
+  }
+
+  /** The display and the solver come to rest. */
+  async function rest() {
+    if (player.motion.peek() !== "still") player.stop();
+    await settle();
+  }
+
+  /** A clip of another surface, or of the same from its start. @param {boolean} [isSame] */
+  function anew(isSame = false) {
+    player.stop();
+    lead.clip.clear(get().mesh?.triangles);
+    lead.u = 0;
+    patch({ extras: null, marks: null, ...(isSame ? {} : { range: null }) });
+    player.redraw();
+  }
+
+  /**
+   * Another flow, from the start or on from what is shown.
+   * @param {Options} options
+   * @param {"configure" | "continueWith"} [way]
+   */
+  async function configure(options, way = "configure") {
+    const before = get().options;
+    // Its frame comes before its answer, and is of this flow.
+    patch({ options });
+    try {
+      if (way === "configure") anew(true);
+      const configured = await solver[way](options);
+      patch({ configured, reading: configured.state, running: false });
+    } catch (error) {
+      patch({ options: { ...before } });
+      throw error;
+    }
+    await core.followRivals();
+  }
+
+  /** Colours of all steps that are kept. @param {FieldName} name */
+  async function colour(name) {
+    const field = await solver.colour(name);
+    const { clip } = lead;
+    patch({ colour: name, range: null });
+    for (const point of clip.points) point.field = null;
+    const point = clip.points[clip.indexOf(get().reading?.step ?? 0)];
+    if (point) point.field = field;
+    if (clip.points.length === 1 && field) patch({ range: rangeOf(field) });
+    player.redraw();
+    await core.colourRivals(name);
+    if (clip.points.length > 1 && name !== "none") await solver.stored();
+  }
+
+  /** Ends the worker and goes on in a new one. @param {(step: number) => { id: string, values: any }} tell */
+  function revive(tell) {
+    age += 1;
+    solver.dismiss();
+    player.stop();
+    return enqueue(async () => {
+      const { timeline, earlier, mesh, version } = get();
+      const losses = [
+        ...(timeline && timeline.stored > 1 ? ["steps"] : []),
+        ...(earlier.length > 0 ? ["edits"] : []),
+      ];
+      const what = losses.length > 1 ? "both" : losses[0];
+      // The new solver has a mesh edited here as a file of its own.
+      const origin = earlier.length === 0 ? get().origin : null;
+      const lost = { running: false, goal: null, progress: null, timeline: null };
+      patch({ ...lost, phase: "loading", loadingName: null, earlier: [], origin });
+      try {
+        if (version === "") {
+          const [message, hint] = [say("solver-not-started"), say("solver-not-started.hint")];
+          throw { kind: "NoSolver", message, hint };
+        }
+        anew(true);
+        const reading = await solver.revive();
+        patch({ phase: mesh ? "ready" : "empty", reading });
+        const { id, values } = tell(reading?.step ?? 0);
+        const hint = [...(what ? [say("lost-with-solver", { what })] : []), say(`${id}.hint`)];
+        notes.error({ message: say(id, values), hint: hint.filter((one) => one).join(" ") });
+      } catch (error) {
+        // Ended once more: then another one is on its way.
+        if (/** @type {any} */ (error)?.kind === LOST) return;
+        patch({ phase: "failed" });
+        report(error);
+      }
+    });
+  }
+
+  /** Steps until told to pause, while the display follows at its own pace. */
+  async function run() {
+    const { last } = lead.clip;
+    if (last && get().reading?.step !== last.state.step) await solver.seek(last.state.step);
+    patch({ running: true });
+    await solver.run(null);
+  }
+
+  const core = {
+    store,
+    state: store.state,
+    get,
+    patch,
+    notes,
+    solver,
+    player,
+    lead,
+    rivals,
+    enqueue,
+    rest,
+    settle,
+    anew,
+    show,
+    shown,
+    shownIndex,
+    configure,
+    colour,
+    run,
+    revive,
+    report,
+    /** Whether the last step is the last there will be. */
+    isOver: () => isOver(lead.clip.last?.state.status ?? "ready"),
+    // What the groups of actions know, and put in their place.
+    /** @type {(fault: Fault) => readonly { label: string, act: () => unknown }[]} */
+    offers: () => [],
+    /** @type {(id: number) => Promise<unknown>} */
+    settleRival: async () => {},
+    /** @type {() => Promise<unknown>} */
+    followRivals: async () => {},
+    /** @type {() => Promise<unknown>} */
+    runRivals: async () => {},
+    /** @type {(name: FieldName) => Promise<unknown>} */
+    colourRivals: async () => {},
+  };
+  return core;
+}
+
+/** @typedef {ReturnType<typeof createCore>} Core */

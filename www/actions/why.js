@@ -1,75 +1,123 @@
 // @ts-check
-// Why the flow stands as it does, and what helps.
+// Why the flow stands as it does, where that is, and what helps.
 
-/** @import { Remedy } from "../generated/types.js" */
+import { facing, trianglesAt, vectorArea } from "../facing.js";
+import { say } from "../words.js";
+import { stepsOf } from "./run.js";
+
+/** @import { Diagnosis, Remedy } from "../generated/types.js" */
+/** @import { Fault } from "../words.js" */
 /** @import { Core } from "./core.js" */
 
-import { t } from "../language.js";
-import { stepsOf } from "./edits.js";
+/** Refusals of a flow, not of a file: their elements are those of the mesh on screen. */
+const ofFlows = ["NotTriangular", "ZeroLengthEdge", "SelectionOutOfRange", "Unfit"];
 
 /**
  * @param {Core} core
- * @param {ReturnType<typeof import("./edits.js").createEdits>} edits
- * @param {(until: number | null) => Promise<void>} run
+ * @param {ReturnType<typeof import("./edit.js").createEdit>} edits
+ * @param {ReturnType<typeof import("./run.js").createRun>} run
  */
-export function createWhyActions(core, edits, run) {
-  const { store, solver, enqueue, rest, configure } = core;
-  const goOn = () => run(null);
+export function createWhy(core, { adopt, edit }, run) {
+  const { get, patch, solver, enqueue, rest } = core;
 
   /** Other options, from the start or from the surface as it is. @param {Remedy} remedy */
   async function change(remedy) {
-    const { options, reading } = store.get();
+    const { options, reading } = get();
     const wanted = { ...options, ...remedy.change };
-    if (remedy.fromStart || !reading || reading.step === 0) await configure(wanted);
-    else await edits.adopt(wanted, stepsOf(reading.step));
+    if (remedy.fromStart || !reading || reading.step === 0) await core.configure(wanted);
+    else await adopt(wanted, stepsOf(reading.step));
   }
 
   /** All flips that gain anything, and back to the flow. */
   async function flip() {
-    const { options, reading, arrangement } = store.get();
+    const { options, reading, arrangement } = get();
     const flips = /** @type {const} */ ({ flow: "flips", criterion: "localised" });
-    await edits.adopt({ ...options, ...flips }, stepsOf(reading?.step ?? 0));
+    await adopt({ ...options, ...flips }, stepsOf(reading?.step ?? 0));
     await solver.arrange({ ...arrangement, flipsPerStep: null });
     await solver.step();
     await solver.arrange(arrangement);
-    await edits.adopt(options, t("the edge flips"));
+    await adopt(options, say("edit-flips"));
   }
 
-  /** @param {number} steps */
-  async function back(steps) {
-    for (let n = 0; n < steps && store.get().reading?.canStepBack; n += 1) await solver.back();
-  }
-
-  return {
-    why: () => solver.why(),
+  const why = {
+    /** Opens the card that says why. */
+    ask: () =>
+      enqueue(async () => {
+        await rest();
+        if (get().reading) patch({ why: { diagnosis: await solver.why(), isShown: false } });
+      }),
+    close: () => patch({ why: null, marks: null }),
 
     /**
-     * Carries a remedy out, and goes on with the flow. A study is the page's own.
-     * @param {Remedy} remedy
+     * Marks elements, and turns to them.
+     * @param {Pick<Diagnosis, "vertices" | "faces" | "edges">} elements
+     * @param {Float32Array | null} camera
      */
+    point({ vertices, faces, edges }, camera) {
+      const { mesh } = get();
+      const positions = core.lead.clip.picture(core.lead.u)?.positions;
+      if (!mesh || !positions) return;
+      const triangles = Uint32Array.from(
+        new Set([...faces, ...trianglesAt(mesh.triangles, vertices)]),
+      );
+      patch({ marks: { edges, triangles } });
+      const near =
+        triangles.length > 0 ? triangles : trianglesAt(mesh.triangles, edges.subarray(0, 2));
+      const turned = camera && facing(camera, vectorArea(positions, mesh.triangles, near));
+      if (turned) patch({ camera: turned });
+    },
+
+    /** Carries a remedy out, and goes on with the flow. @param {Remedy} remedy */
     async remedy(remedy) {
+      why.close();
+      if (remedy.id === "refine") return patch({ tab: "measure", section: "study" });
       if (remedy.id === "regularise") {
         if (remedy.fromStart) await enqueue(() => rest().then(() => change(remedy)));
-        await edits.actions.regularise();
+        await edit.regularise();
       }
-      if (remedy.id === "subdivide") await edits.actions.subdivide("loop");
-      return enqueue(async () => {
+      if (remedy.id === "subdivide") await edit.subdivide("loop");
+      await enqueue(async () => {
         await rest();
-        if (!store.get().reading) return;
-        if (remedy.id === "back") return back(remedy.steps);
+        const { reading } = get();
+        if (!reading) return;
+        if (remedy.id === "back")
+          return void (await solver.seek(Math.max(reading.step - remedy.steps, 0)));
         if (remedy.id === "keepAndFlips") await flip();
         else if (Object.keys(remedy.change).length > 0) await change(remedy);
-        await goOn();
       });
-    },
-
-    /**
-     * The surface to be studied, as a file: a study has a solver of its own, and the flow goes on.
-     * @returns {Promise<{ name: string, bytes: ArrayBuffer }>}
-     */
-    async presentSurface() {
-      const { bytes } = await solver.export("ply");
-      return { name: "surface.ply", bytes: bytes.buffer };
+      if (remedy.id !== "back") await run.play();
     },
   };
+
+  /** What helps against a refusal of a mesh that is on screen. @param {Fault} fault */
+  core.offers = ({ kind, detail }) => {
+    const { mesh, options } = get();
+    if (!mesh) return [];
+    const { flow, free, fixed } = options;
+    const circle =
+      flow === "circle"
+        ? []
+        : [{ label: say("remedy-use-circle"), act: () => run.configure({ flow: "circle" }) }];
+    const fill = () => patch({ tab: "surface", mode: "fill" });
+    /** @type {Record<string, { label: string, act: () => unknown }[]>} */
+    const known = {
+      NotClosed: [{ label: say("tool-fill"), act: fill }, ...circle],
+      NotOriented: circle,
+      NothingFree: [
+        { label: say("offer-fixed"), act: () => run.configure({ boundary: "fixed" }) },
+        ...(free || fixed
+          ? [{ label: say("offer-free"), act: () => run.configure({ free: null, fixed: null }) }]
+          : []),
+      ],
+      TooLarge: [
+        { label: say("remedy-recommended-scheme"), act: () => run.configure({ scheme: "auto" }) },
+      ],
+    };
+    const list = (/** @type {string} */ name) => Uint32Array.from(detail?.[name] ?? []);
+    const elements = { vertices: list("vertices"), faces: list("faces"), edges: new Uint32Array() };
+    const isHere = ofFlows.includes(kind) && elements.vertices.length + elements.faces.length > 0;
+    const place = { label: say("why-show"), act: () => why.point(elements, get().camera) };
+    return [...(isHere ? [place] : []), ...(known[kind] ?? [])];
+  };
+  return why;
 }

@@ -2,10 +2,20 @@
 // The slides about Willmore flow.
 
 import { openLanguage } from "../language.js";
+import { formatNumber } from "../number.js";
 import { keepOffline } from "../offline.js";
-import { byId } from "../ui/element.js";
-import { formatNumber } from "../ui/number.js";
 import { createDeck } from "./deck.js";
+
+/**
+ * @template {HTMLElement} T
+ * @param {string} id @param {new () => T} type
+ * @returns {T}
+ */
+function byId(id, type) {
+  const found = document.getElementById(id);
+  if (!(found instanceof type)) throw new Error(`demo.html has no ${type.name} #${id}`);
+  return found;
+}
 
 /** @typedef {HTMLElement & { play(): Promise<unknown>, pause(): Promise<unknown>, state(): Promise<{ phase: string, isWaiting: boolean }> }} Surface */
 

@@ -2,15 +2,13 @@
 // The page inside another one: answers what that asks, tells what happens, and rests while
 // nobody sees it. Works only in an address with `?embed`.
 
-/** @import { Controller } from "../controller.js" */
-/** @import { PageState } from "../state.js" */
+/** @import { Page } from "../actions.js" */
 /** @import { Request } from "./messages.js" */
 
-import { t } from "../language.js";
-import { linkIn } from "../link.js";
-import { fileName } from "../ui/download.js";
-import { byId } from "../ui/element.js";
-import { pageAddress } from "../ui/share.js";
+import { linkIn, plainScene, sceneOf } from "../link.js";
+import { fileName } from "../save.js";
+import { pageAddress } from "../share.js";
+import { say } from "../words.js";
 import {
   asHash,
   asRequest,
@@ -25,31 +23,18 @@ import {
 } from "./messages.js";
 import { seek } from "./seek.js";
 
-/** @param {{ search: string }} address */
-export const isEmbedded = ({ search }) => new URLSearchParams(search).has("embed");
-
 /** Requests that wait for nothing that was asked before. */
 const isImmediate = ["pause", "state"];
 
-/**
- * @typedef {object} Page  what is embedded
- * @property {Controller} controller
- * @property {() => Readonly<PageState>} get
- * @property {() => Promise<unknown>} still  nothing runs or loads any more
- * @property {(address: import("../link.js").Address) => unknown} openLink
- * @property {(address: import("../link.js").Address) => Promise<import("../link.js").Scene | null>} readScene
- * @property {{ error: (fault: { message: string, hint: string }) => void }} messages
- * @property {() => Promise<Blob | null>} snapshot
- */
-
 /** @param {Page} page */
 export function createEmbedding(page) {
-  const { controller, get, still, openLink, readScene, messages, snapshot } = page;
+  const { get, run, open, notes, player } = page;
   const asked = new URLSearchParams(location.search);
   const root = document.documentElement;
   root.classList.add("embedded");
   root.classList.toggle("bare", asked.get("controls") === "none");
   const fullPage = addFullPage();
+  const isMoving = () => get().running || player.motion.peek() !== "still";
 
   const host = window.parent === window ? null : window.parent;
   /** Whoever embeds, once it has spoken; events hold nothing of a mesh but its numbers. */
@@ -67,16 +52,27 @@ export function createEmbedding(page) {
   let isIntersecting = false;
   const isSeen = () => isIntersecting && document.visibilityState === "visible";
 
+  /** @returns {"empty" | "loading" | "failed" | "running" | "ready" | "paused"} */
+  function phaseNow() {
+    const { phase } = get();
+    if (phase !== "ready") return phase;
+    if (isMoving()) return "running";
+    const shown = page.shown();
+    return shown && shown.step === 0 && shown.status === "ready" ? "ready" : "paused";
+  }
+
   /** Where it stands. */
   function standing() {
-    const { phase, reading, mesh, options, version, frame: shown } = get();
+    const { mesh, options, version, extras } = get();
+    const reading = page.shown();
     const { step = 0, time = 0, energy = null, area = null, status = null } = reading ?? {};
-    const { volume = null, message = "", canStepBack = false } = reading ?? {};
+    const { volume = null, message = null } = reading ?? {};
     const { vertices = 0, faces = 0 } = mesh?.info ?? {};
     return {
-      ...{ step, time, energy, area, volume, status, message, canStepBack },
-      jump: shown?.jump?.relative ?? null,
-      ...{ phase, isWaiting: isSuspended, flow: options.flow, version },
+      ...{ step, time, energy, area, volume, status, message: message ? say(message) : "" },
+      canStepBack: page.lead.u > 0 || (reading?.canStepBack ?? false),
+      jump: extras?.jump?.relative ?? null,
+      ...{ phase: phaseNow(), isWaiting: isSuspended, flow: options.flow, version },
       ...{ name: mesh?.name ?? null, vertices, faces },
     };
   }
@@ -84,9 +80,9 @@ export function createEmbedding(page) {
   // Errors are shown here and told there.
   /** @type {Set<{ message: string, hint: string }[]>} */
   const hearing = new Set();
-  const show = messages.error;
-  messages.error = (said) => {
-    show(said);
+  const show = notes.error;
+  notes.error = (said, offers) => {
+    show(said, offers);
     const { message, hint } = said;
     for (const list of hearing) list.push({ message, hint });
     // What goes wrong with a request is its answer.
@@ -95,14 +91,14 @@ export function createEmbedding(page) {
 
   /** Lets a run rest while nobody sees it, and go on after. */
   function settle() {
-    const { phase, goal, pausing } = get();
+    const { phase, goal } = get();
     // On the way to a step it goes on: somebody waits for that.
-    if (!isSeen() && phase === "running" && goal === null && !pausing) {
+    if (!isSeen() && isMoving() && goal === null && player.motion.peek() !== "easing") {
       isSuspended = true;
-      controller.pause();
-    } else if (isSeen() && isSuspended && phase !== "running" && phase !== "loading") {
+      run.pause();
+    } else if (isSeen() && isSuspended && !isMoving() && phase === "ready") {
       isSuspended = false;
-      controller.play();
+      run.play();
     }
   }
 
@@ -134,26 +130,26 @@ export function createEmbedding(page) {
   }
 
   /** @param {number} step */
-  const toStep = (step) => seek({ ...controller, still }, get, step);
+  const toStep = (step) => seek({ ...run, still: open.still }, get, step);
 
   /** @type {Record<string, (request: Request) => Promise<unknown>>} */
   const answers = {
     async load(request) {
       const file = fileOf(request);
       const address = { search: "", hash: asHash(request.scene ?? "") };
-      const scene = file && (await readScene(address));
-      if (file) await controller.open(file, scene ?? {});
-      else await openLink(address);
-      await still();
+      const scene = file && (await open.readLink(address));
+      if (file) await open.open(file, scene ?? {});
+      else await open.openLink(address, plainScene);
+      await open.still();
       arrived();
     },
     async play() {
       isSuspended = !isSeen();
-      if (!isSuspended) await controller.play();
+      if (!isSuspended) await run.play();
     },
     async pause() {
       isSuspended = false;
-      await controller.pause();
+      await run.pause();
     },
     async seek(request) {
       const step = stepOf(request);
@@ -162,13 +158,13 @@ export function createEmbedding(page) {
     },
     async set({ words }) {
       const { hash, named } = wordsToSet(words);
-      const scene = await controller.readLink(linkIn({ search: "", hash }));
+      const scene = sceneOf(await page.solver.readLink(linkIn({ search: "", hash })));
       const { options, arrangement, colour, camera, view, step } = scene;
-      if (Object.keys(options).length > 0) await controller.configure(options, { fromStart: true });
-      if (Object.keys(arrangement).length > 0) await controller.arrange(arrangement);
-      if (named.has("colour")) await controller.colour(colour);
-      controller.view(view);
-      if (camera) controller.look(camera);
+      if (Object.keys(options).length > 0) await run.configure(options, { fromStart: true });
+      if (Object.keys(arrangement).length > 0) await run.arrange(arrangement);
+      if (named.has("colour")) await run.colour(colour);
+      run.view(view);
+      if (camera) run.look(camera);
       if (named.has("step")) await toStep(step);
     },
     state: async () => {},
@@ -176,7 +172,7 @@ export function createEmbedding(page) {
   for (const move of /** @type {const} */ (["step", "back", "reset"])) {
     answers[move] = async () => {
       isSuspended = false;
-      await controller[move]();
+      await run[move]();
     };
   }
 
@@ -184,10 +180,10 @@ export function createEmbedding(page) {
   async function exported(request) {
     const asked = formatOf(request);
     const shown = get();
-    if (!shown.mesh) throw fault("NoMesh", t("There is no mesh yet."), "");
-    const picture = async () => ({ format: asked, bytes: await snapshot() });
-    const file = await (asked === "png" ? picture() : controller.export(asked));
-    if (file.bytes === null) throw fault("NoPicture", t("There is no picture to save."), "");
+    if (!shown.mesh) throw fault("NoMesh", say("no-mesh-yet"), "");
+    const picture = async () => ({ format: asked, bytes: await page.save.picture() });
+    const file = await (asked === "png" ? picture() : run.export(asked));
+    if (file.bytes === null) throw fault("NoPicture", say("no-picture"), "");
     const bytes = new Uint8Array(await new Blob([file.bytes]).arrayBuffer());
     return { name: fileName(shown, file.format), bytes };
   }
@@ -228,8 +224,8 @@ export function createEmbedding(page) {
         const known = [...Object.keys(answers), "export"].join(", ");
         throw fault(
           "UnknownRequest",
-          t("There is no request “{type}”.", { type: type.slice(0, 60) }),
-          t("Known are {known}.", { known }),
+          say("embed-no-request", { type: type.slice(0, 60) }),
+          say("embed-known", { known: [known] }),
         );
       }
       hearing.add(faults);
@@ -250,9 +246,9 @@ export function createEmbedding(page) {
     receive(request);
   });
 
-  /** @type {PageState["frame"]} */
-  let frame = null;
-  /** @type {PageState["phase"] | null} */
+  /** @type {unknown} */
+  let told = null;
+  /** @type {string | null} */
   let phase = null;
   /** @type {Promise<unknown>} the scene of the address */
   let loaded = Promise.resolve();
@@ -268,8 +264,8 @@ export function createEmbedding(page) {
      */
     begin(opened) {
       const theme = asked.get("theme");
-      if (theme === "light" || theme === "dark") controller.view({ theme });
-      loaded = opened.then(still).then(arrived, controller.report);
+      if (theme === "light" || theme === "dark") run.view({ theme });
+      loaded = opened.then(open.still).then(arrived, page.report);
       tell("listening", { version: get().version });
     },
 
@@ -278,14 +274,19 @@ export function createEmbedding(page) {
       fullPage.href = pageAddress(location) + hash;
     },
 
-    /** @param {Readonly<PageState>} state */
-    update(state) {
-      if (state.frame !== frame && state.reading && state.phase !== "loading") {
-        frame = state.frame;
+    /** Tells what is new. */
+    update() {
+      const { reading, phase: loaded } = get();
+      // Between two flows there is nothing to tell.
+      if (page.lead.clip.points.length === 0 && loaded === "ready") return;
+      const shown = page.shown();
+      if (shown !== told && reading && loaded !== "loading") {
+        told = shown;
         tell("frame", standing());
       }
-      if (state.phase !== phase) {
-        phase = state.phase;
+      const now = phaseNow();
+      if (now !== phase) {
+        phase = now;
         tell("statechange", standing());
       }
       // After everybody has been told of this state.
@@ -296,13 +297,13 @@ export function createEmbedding(page) {
   /** A way to the whole page, with the scene as it is. */
   function addFullPage() {
     const link = document.createElement("a");
-    link.id = "full-page";
+    link.className = "full-page";
     link.target = "_blank";
     link.rel = "noopener";
-    link.textContent = t("Full page");
-    link.title = t("Open this scene in the whole page");
+    link.textContent = say("full-page");
+    link.title = say("full-page.title");
     link.href = pageAddress(location) + location.hash;
-    byId("transport", HTMLElement).append(link);
+    document.getElementById("stage")?.append(link);
     return link;
   }
 }

@@ -22,8 +22,7 @@
 
 /** @import { Fault } from "../words.js" */
 
-import { t } from "../language.js";
-import { asText, choices } from "../options.js";
+import { asText, formats } from "../options.js";
 import { say } from "../words.js";
 
 /** The version of what is said here. */
@@ -94,8 +93,8 @@ export function wordsToSet(words) {
     if (ofScenes.includes(word)) {
       throw fault(
         "BadValue",
-        t("“{word}” cannot be “{text}”.", { word, text: text.slice(0, 60) }),
-        t("Copy a link from the page to see how its words are written."),
+        say("embed-bad-value", { word, text: text.slice(0, 60) }),
+        say("embed-bad-value.hint"),
       );
     }
   }
@@ -105,20 +104,16 @@ export function wordsToSet(words) {
 /** @param {Request} request @returns {number} */
 export function stepOf({ step }) {
   if (typeof step === "number" && Number.isInteger(step) && step >= 0 && step < 1e7) return step;
-  throw fault(
-    "BadStep",
-    t("A step is a whole number from 0 on, not “{step}”.", { step: String(step).slice(0, 60) }),
-    "",
-  );
+  throw fault("BadStep", say("embed-bad-step", { step: String(step).slice(0, 60) }), "");
 }
 
 /** @param {Request} request @returns {string} */
 export function formatOf({ format = "ply" }) {
-  if (choices.format.some(({ id }) => id === format)) return /** @type {string} */ (format);
+  if (formats.some((id) => id === format)) return /** @type {string} */ (format);
   throw fault(
     "UnknownFormat",
-    t("There is no format “{format}”.", { format: String(format).slice(0, 60) }),
-    t("Known are {formats}.", { formats: choices.format.map(({ id }) => id).join(", ") }),
+    say("embed-no-format", { format: String(format).slice(0, 60) }),
+    say("embed-known", { known: [...formats] }),
   );
 }
 
@@ -127,11 +122,7 @@ export function fileOf({ name, bytes }) {
   if (bytes === undefined) return null;
   const isBytes = bytes instanceof ArrayBuffer || bytes instanceof Uint8Array;
   if (!isBytes || typeof name !== "string" || !/^[^/\\]{1,200}$/.test(name)) {
-    throw fault(
-      "BadMesh",
-      t("A mesh is sent as `name`, with its extension, and `bytes`, an ArrayBuffer."),
-      "",
-    );
+    throw fault("BadMesh", say("embed-bad-mesh"), "");
   }
   return new File([/** @type {ArrayBuffer} */ (bytes)], name);
 }

@@ -1,7 +1,7 @@
 // @ts-check
 // To any step, forwards or backwards.
 
-/** @import { PageState } from "../state.js" */
+/** @import { PageState } from "../store.js" */
 
 /**
  * @typedef {object} Moves

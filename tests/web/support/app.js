@@ -15,7 +15,7 @@ import { serve } from "./server.js";
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 
 /** Software graphics on a busy machine: long, since nothing waits for longer than it must. */
-const PATIENCE = 90_000;
+const PATIENCE = Number(process.env.UMBILIC_PATIENCE ?? 90_000);
 
 /**
  * One server and one browser for a test file.
@@ -74,7 +74,7 @@ export async function until(page, wanted) {
   const status = page.locator("[role=status]");
   const exact = typeof wanted === "string" ? new RegExp(`^${wanted}$`) : wanted;
   try {
-    await status.filter({ hasText: exact }).waitFor();
+    await status.filter({ hasText: exact }).waitFor({ timeout: PATIENCE });
   } catch (error) {
     const said = await status.textContent().catch(() => "nothing");
     throw new Error(`waited for ${exact}; the status line says “${said}”`, { cause: error });
@@ -140,8 +140,30 @@ export const button = (page, name) => page.getByRole("button", { name, exact: tr
 /** @param {Page} page @param {string} name */
 export const choice = (page, name) => page.getByRole("combobox", { name, exact: true });
 
+/** Opens a tab of the rail, where it is not open yet. @param {Page} page @param {string} name */
+export async function openTab(page, name) {
+  const tab = page.getByRole("tab", { name });
+  if ((await tab.getAttribute("aria-selected")) !== "true") await tab.click();
+}
+
+/** Opens a part of a tab, where it is not open yet. @param {Page} page @param {string} tab @param {string | RegExp} name */
+export async function openPart(page, tab, name) {
+  await openTab(page, tab);
+  const heading = page.getByRole("tabpanel").getByRole("button", { name, expanded: false });
+  if ((await heading.count()) > 0) await heading.first().click();
+}
+
+/** Colours the surface. @param {Page} page @param {string} label */
+export async function colourBy(page, label) {
+  const title = page.getByRole("group", { name: "Legend" }).getByRole("button").last();
+  if ((await title.getAttribute("aria-expanded")) !== "true") await title.click();
+  await choice(page, "Colour by").selectOption({ label });
+  await title.click();
+}
+
 /** A cell of the readings. @param {Page} page @param {string} name */
 export async function reading(page, name) {
+  await openTab(page, "Measure");
   const header = page.getByRole("rowheader", { name, exact: true });
   const row = page
     .getByRole("table", { name: "Readings" })
@@ -153,13 +175,21 @@ export async function reading(page, name) {
 /** @param {Page} page @returns {Promise<number>} */
 export const energy = async (page) => Number(await reading(page, "Energy"));
 
-/** Rows of the plot's table, numbers each: step, time, step size, energy. @param {Page} page */
+/** Rows of the table of all steps, numbers each: step, time, step size, energy. @param {Page} page */
 export async function plotted(page) {
-  const rows = page.locator("#plot-rows tr");
+  await openPart(page, "Measure", "Table of all steps");
+  const rows = page.locator("#plot-rows tbody tr");
   return rows.evaluateAll((all) =>
-    all.map((row) => [...row.children].map((cell) => Number(cell.textContent))),
+    all.map((row) =>
+      [...row.children].map((cell) =>
+        Number(cell.querySelector("[title]")?.getAttribute("title") ?? cell.textContent),
+      ),
+    ),
   );
 }
+
+/** Number of the step that is shown, as the surface is told in words. @param {Page} page */
+export const stepOf = async (page) => Number(/step (\d+)/.exec(await surface(page))?.[1] ?? 0);
 
 /** The surface in words. @param {Page} page */
 export const surface = async (page) => (await canvas(page).getAttribute("aria-label")) ?? "";
@@ -191,23 +221,32 @@ export async function openMesh(page, name, contents) {
 }
 
 /**
- * Plays until some steps are done, and pauses. The page itself presses Pause: a fast
- * solver would come to the step limit before we could.
+ * Plays until some steps are shown, and pauses.
  * @param {Page} page
  * @param {number} steps  at least
  * @returns {Promise<number>} the step it stands at
  */
 export async function playAndPause(page, steps) {
-  const first = Number(await reading(page, "Step"));
+  const first = await stepOf(page);
   await button(page, "Play").click();
   await page.evaluate(async (wanted) => {
-    const step = () => Number(document.querySelector("[data-reading=step]")?.textContent);
+    const label = () => document.querySelector("#surface")?.getAttribute("aria-label") ?? "";
+    const step = () => Number(/step (\d+)/.exec(label())?.[1] ?? 0);
     while (!(step() >= wanted)) await new Promise(requestAnimationFrame);
-    /** @type {HTMLElement | null} */ (document.querySelector("#play"))?.click();
+    /** @type {HTMLElement | null} */ (document.querySelector(".play"))?.click();
   }, first + steps);
   // A small surface may come to rest within a frame or two.
   await until(page, /^(Paused at step|Converged after) \d+/);
-  return Number(await reading(page, "Step"));
+  const said = await page.locator("[role=status]").textContent();
+  return Number(/\d+/.exec(said ?? "")?.[0]);
+}
+
+/** Plays to the end at four times the usual pace. @param {Page} page @param {RegExp} [end] */
+export async function playToEnd(page, end = /^(Converged|Stalled|Stopped)/) {
+  const speed = page.getByRole("button", { name: /^Speed/ });
+  while (!/4×/.test((await speed.textContent()) ?? "")) await speed.click();
+  await button(page, "Play").click();
+  await until(page, end);
 }
 
 /**
@@ -216,6 +255,7 @@ export async function playAndPause(page, steps) {
  * @returns {Promise<{ name: string, bytes: Buffer }>}
  */
 export async function download(page, format) {
+  await openTab(page, "Share");
   await choice(page, "Save as").selectOption({ label: format });
   const [saved] = await Promise.all([
     page.waitForEvent("download"),

@@ -19,6 +19,9 @@ export class FakeWorker {
   /** Whether one leaves a request without an answer. @type {(request: Request) => boolean} */
   static ignores = () => false;
 
+  /** Whether one refuses a request. @type {(request: Request) => boolean} */
+  static refuses = () => false;
+
   static get last() {
     return FakeWorker.all[FakeWorker.all.length - 1];
   }
@@ -28,9 +31,9 @@ export class FakeWorker {
     FakeWorker.all = [];
     FakeWorker.crashesAt = () => false;
     FakeWorker.ignores = () => false;
+    FakeWorker.refuses = () => false;
     Object.assign(globalThis, {
       Worker: FakeWorker,
-      requestAnimationFrame: (/** @type {() => void} */ draw) => setImmediate(draw),
     });
   }
 
@@ -49,6 +52,8 @@ export class FakeWorker {
   /** Steps that can be shown. @type {number[]} */
   stored = [];
   at = 0;
+  /** Frames that the page has taken. */
+  acknowledged = 0;
 
   constructor() {
     FakeWorker.all.push(this);
@@ -71,6 +76,7 @@ export class FakeWorker {
 
   /** @param {any} message */
   postMessage(message) {
+    if (message.ack !== undefined) this.acknowledged += 1;
     if (message.id === undefined) return;
     // As in a browser, it is answered later.
     setImmediate(() => this.answer(message));
@@ -109,6 +115,7 @@ export class FakeWorker {
     if (FakeWorker.ignores(request)) return;
     if (run !== undefined) this.run = run;
     try {
+      if (FakeWorker.refuses(request)) throw refusal("Refused");
       const ok = this.perform(name, fields);
       if (shown) this.frame();
       this.say({ id, ok });
@@ -142,6 +149,10 @@ export class FakeWorker {
     else if (name === "adopt") return this.loaded();
     else if (name === "export") return Uint8Array.of(this.at);
     else if (name === "run") return true;
+    else if (name === "seek") {
+      this.at = fields.step;
+      this.exact = exactAt(this.at);
+    } else if (name === "writeRecipe") throw refusal("NoRecipe", "app-no-recipe");
     if (name === "configure") {
       const heldVertices = new Uint8Array(3);
       return {

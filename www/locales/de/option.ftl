@@ -1,13 +1,21 @@
 # Flüsse und ihre Optionen, wie Formulare, Menüs und `umbilic flow --help` sie nennen.
 
 flow-circle = Willmore durch Kreiswinkel
+    .plain = So rund wie möglich. Geschlossene und berandete Netze.
 flow-p-willmore = p-Willmore
+    .plain = Inhalt oder Volumen bleiben, Exponent p nach Wahl. Geschlossene Netze.
 flow-mean-curvature = Mittlere Krümmung
+    .plain = Verkleinert den Flächeninhalt so schnell wie möglich.
 flow-volume-preserving = Mittlere Krümmung bei festem Volumen
+    .plain = Verkleinert den Flächeninhalt bei festem Volumen: Am besten ist eine Kugel. Geschlossene Netze.
 flow-surface-diffusion = Oberflächendiffusion
+    .plain = Verkleinert den Flächeninhalt, das Volumen bleibt.
 flow-willmore = Willmore durch angepasste Operatoren
+    .plain = Biegt sich so wenig wie möglich zwischen dem Festen.
 flow-mmcv = Minimale Krümmungsvariation, sechster Ordnung
+    .plain = Das glatteste Stück: die Krümmung ändert sich am wenigsten.
 flow-flips = Kantenflips
+    .plain = Bewegt keine Ecke, tauscht nur Kanten.
 
 option-flow = Fluss
 option-flow-help = welcher Fluss
@@ -59,8 +67,8 @@ option-guardFolds = Kein Flip darf eine Facette umklappen
 option-guardFolds-help = kein Flip klappt eine Facette um; das verbietet auch das Zurückklappen
 
 option-goal = Ziel
-    .relax = Zu einem Minimum hin entspannen
-    .smooth = Um ein festes Maß glätten
+    .relax = Zur Ruhe kommen
+    .smooth = Etwas glätten
 option-goal-help = relax geht zu einem Minimum; smooth entfernt ein festes Maß an Einzelheiten
 option-detail = Einzelheiten unter L glätten
 option-detail-help = entfernt Einzelheiten unter so vielen mittleren Kantenlängen
@@ -76,6 +84,18 @@ option-tauGrowth = Wachstum von τ
 option-tauGrowth-help = Faktor der Schrittweite nach jedem Schritt
 option-tauMax = Größtes τ
 option-tauMax-help = größte Schrittweite ohne Einheit
+
+option-compare = Daneben
+    .none = Nichts
+    .start = Der Anfang
+    .criteria = Die anderen Kriterien
+    .flows = Die anderen Flüsse
+option-compare-help = was nebeneinander steht
+option-subdivide = Unterteilt zeigen
+option-subdivide-help = so viele Male, nach Loop, nur im Bild
+option-flipsPerStep = Flips je Schritt
+    .absent = alle
+option-flipsPerStep-help = wie viele Flips ein Schritt sind
 
 option-integrator = Integrator
     .semi-implicit = Semi-implizit

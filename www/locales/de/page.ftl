@@ -14,10 +14,6 @@ count-fills = { $count ->
     [one] das Füllen von { $count } Randkurve
    *[other] das Füllen von { $count } Randkurven
 }
-boundary-loops = { $count ->
-    [one] { $count } Randkurve.
-   *[other] { $count } Randkurven.
-}
 crossings = { $count ->
     [one] { $count } Dreieckspaar durchdringt sich.
    *[other] { $count } Dreieckspaare durchdringen sich.

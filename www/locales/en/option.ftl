@@ -1,13 +1,21 @@
 # Flows and their options, as forms, menus and `umbilic flow --help` call them.
 
 flow-circle = Willmore by circle angles
+    .plain = As round as it can be. Any closed or open mesh.
 flow-p-willmore = p-Willmore
+    .plain = Area or volume kept, any exponent p. Closed meshes.
 flow-mean-curvature = Mean curvature
+    .plain = Shrinks the area as fast as possible.
 flow-volume-preserving = Volume-preserving mean curvature
+    .plain = Shrinks the area while the volume stays: a ball is best. Closed meshes.
 flow-surface-diffusion = Surface diffusion
+    .plain = Shrinks the area, the volume stays.
 flow-willmore = Willmore by fitted operators
+    .plain = Bends as little as it can between what is held.
 flow-mmcv = Minimal curvature variation, sixth order
+    .plain = The smoothest patch: curvature varies least.
 flow-flips = Edge flips
+    .plain = Moves no vertex, only swaps edges.
 
 option-flow = Flow
 option-flow-help = which flow
@@ -59,8 +67,8 @@ option-guardFolds = No flip may turn a face over
 option-guardFolds-help = no flip turns a face over; that also forbids unfolding
 
 option-goal = Goal
-    .relax = Relax towards a minimum
-    .smooth = Smooth by a set amount
+    .relax = Come to rest
+    .smooth = Smooth a bit
 option-goal-help = relax goes to a minimum; smooth removes a set amount of detail
 option-detail = Smooth away detail below L
 option-detail-help = removes detail below so many mean edge lengths
@@ -76,6 +84,18 @@ option-tauGrowth = Growth of τ
 option-tauGrowth-help = factor on the step size after each step
 option-tauMax = Largest τ
 option-tauMax-help = largest step size without a unit
+
+option-compare = Beside it
+    .none = Nothing
+    .start = The start
+    .criteria = The other criteria
+    .flows = The other flows
+option-compare-help = what stands side by side
+option-subdivide = Show subdivided
+option-subdivide-help = so many times, by Loop’s scheme, in the picture only
+option-flipsPerStep = Flips a step
+    .absent = all
+option-flipsPerStep-help = how many flips are one step
 
 option-integrator = Integrator
     .semi-implicit = Semi-implicit

@@ -14,10 +14,6 @@ count-fills = { $count ->
     [one] the fill of { $count } loop
    *[other] the fill of { $count } loops
 }
-boundary-loops = { $count ->
-    [one] { $count } boundary loop.
-   *[other] { $count } boundary loops.
-}
 crossings = { $count ->
     [one] { $count } pair of triangles passes through each other.
    *[other] { $count } pairs of triangles pass through each other.

@@ -1,0 +1,152 @@
+// @ts-check
+// Tools are modes: the surface changes on Apply and not before, and Undo brings it back.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import {
+  button,
+  canvas,
+  openTab,
+  plotted,
+  reading,
+  stepOf,
+  surface,
+  until,
+  useSite,
+} from "./support/app.js";
+
+const site = useSite();
+
+/** What Download would give, of the solver itself. @param {import("playwright-core").Page} page */
+const where = async (page) => [await surface(page), await reading(page, "Area")];
+
+test("opening a tab or a tool changes no vertex", async () => {
+  const { page, faults, close } = await site.open("sample=pipe");
+  const before = await where(page);
+  for (const name of ["Surface", "Flow", "Measure", "Compare", "Share"]) await openTab(page, name);
+  await openTab(page, "Surface");
+  for (const name of ["Paint", "Fill holes", "Subdivide", "Invert"]) {
+    await button(page, name).click();
+    await page.getByRole("toolbar", { name }).waitFor();
+  }
+  // The centre of an inversion begins well outside, and stays in reach.
+  const handle = page.getByRole("button", { name: "Centre of the inversion" });
+  await handle.waitFor();
+  await page.keyboard.press("Escape");
+  assert.equal(await page.getByRole("toolbar").count(), 0);
+  assert.deepEqual(await where(page), before);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("holes are filled and faired, and Undo brings the run of before back", async () => {
+  const { page, faults, close } = await site.open("sample=pipe&step=3");
+  const before = Number(await reading(page, "Vertices"));
+  await openTab(page, "Surface");
+  await button(page, "Fill…").click();
+  const bar = page.getByRole("toolbar", { name: "Fill holes" });
+  await bar.getByText("0 of 2 chosen").waitFor();
+  await bar.getByRole("button", { name: "1", exact: true }).click();
+  await bar.getByRole("button", { name: "Fill this one" }).click();
+  await until(page, "Ready");
+  await page
+    .getByText(/Filled 1 loop with \d+ new vertices/)
+    .first()
+    .waitFor();
+  assert.ok(Number(await reading(page, "Vertices")) > before);
+  await openTab(page, "Surface");
+  await page.getByRole("button", { name: /^Undo the fill/ }).click();
+  await until(page, "Paused at step 3");
+  assert.equal(Number(await reading(page, "Vertices")), before);
+  assert.equal((await plotted(page)).length, 4, "with its steps");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("what is painted moves, and nothing else", async () => {
+  const { page, faults, close } = await site.open("sample=bumpy-sphere");
+  await openTab(page, "Surface");
+  await button(page, "Paint").click();
+  const box = await canvas(page).boundingBox();
+  assert.ok(box);
+  const bar = page.getByRole("toolbar", { name: "Paint" });
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 30, box.y + box.height / 2, { steps: 3 });
+  await page.mouse.up();
+  const said = (await bar.getByText(/vertices move/).textContent()) ?? "";
+  const free = Number(/^(\d+) of 2562/.exec(said)?.[1]);
+  assert.ok(free > 5 && free < 1000, said);
+  await bar.getByRole("button", { name: "Grow" }).click();
+  await bar.getByRole("button", { name: "Apply" }).click();
+  await until(page, "Ready");
+  await openTab(page, "Flow");
+  const now =
+    (await page
+      .getByRole("tabpanel")
+      .getByText(/vertices move/)
+      .textContent()) ?? "";
+  assert.ok(Number(/(\d+) of/.exec(now)?.[1]) >= free, now);
+  await page.getByRole("tabpanel").getByRole("button", { name: "Clear paint" }).click();
+  await page.getByText(/vertices move/).waitFor({ state: "detached" });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("subdivided, inverted, started from here, and back again", async () => {
+  const { page, faults, close } = await site.open("sample=coarse-torus");
+  const faces = Number(await reading(page, "Faces"));
+  await openTab(page, "Surface");
+  await button(page, "Subdivide").click();
+  await button(page, "In place").click();
+  await page
+    .getByText(/Subdivided into/)
+    .first()
+    .waitFor();
+  assert.equal(Number(await reading(page, "Faces")), 4 * faces);
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction(
+    (wanted) => document.querySelector("[data-reading=faces]")?.textContent === String(wanted),
+    faces,
+  );
+  await openTab(page, "Surface");
+  await button(page, "Invert").click();
+  const note = page.getByRole("toolbar", { name: "Invert" }).getByRole("note");
+  await note.getByText(/W .* → /).waitFor();
+  await page.getByLabel("x", { exact: true }).fill("0.2");
+  await page.getByLabel("x", { exact: true }).press("Enter");
+  await button(page, "Apply").click();
+  await page
+    .getByText(/The surface is inverted/)
+    .first()
+    .waitFor();
+  await until(page, "Ready");
+  await page.keyboard.press(".");
+  await until(page, "Paused at step 1");
+  await openTab(page, "Surface");
+  await button(page, "Start from here").click();
+  await until(page, "Ready");
+  assert.equal(await stepOf(page), 0);
+  await button(page, "Even out triangles").click();
+  await page
+    .getByText(/Regularised in|as even as they get/)
+    .first()
+    .waitFor();
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("Why? says what is the matter and offers what helps", async () => {
+  const { page, faults, close } = await site.open("sample=coarse-torus&scheme=paper&tau=5");
+  await button(page, "Step").click();
+  await until(page, /^(Paused|Stalled|Failed|Converged)/);
+  await button(page, "Why?").click();
+  const card = page.getByRole("region", { name: "Why does it stand so?" });
+  await card.waitFor();
+  assert.ok(((await card.locator("#why-sentence").textContent()) ?? "").length > 20);
+  assert.ok((await card.getByRole("button").count()) >= 2);
+  await page.keyboard.press("Escape");
+  assert.equal(await card.count(), 0);
+  assert.deepEqual(faults, []);
+  await close();
+});

@@ -1,0 +1,45 @@
+// @ts-check
+// What a user can ask for. Nothing here touches the document.
+
+import { createCompare } from "./actions/compare.js";
+import { createCore } from "./actions/core.js";
+import { createEdit } from "./actions/edit.js";
+import { createOpen } from "./actions/open.js";
+import { createRun } from "./actions/run.js";
+import { createWhy } from "./actions/why.js";
+import { createNotes } from "./notes.js";
+
+/** @import { Mode, Store, Tab } from "./store.js" */
+
+/**
+ * @param {Store} store
+ * @param {Parameters<typeof createCore>[2]} environment
+ */
+export function createPage(store, environment) {
+  const notes = createNotes(store);
+  const core = createCore(store, notes, environment);
+  const edits = createEdit(core);
+  const run = createRun(core, edits.adopt);
+  const compare = createCompare(core);
+  const open = createOpen(core, run, compare);
+  const why = createWhy(core, edits, run);
+  return { ...core, run, open, compare, why, edit: edits.edit };
+}
+
+/**
+ * What the views have beside that; see main.js.
+ * @typedef {object} Views
+ * @property {import("./view/stage.js").Stage} stage
+ * @property {ReturnType<typeof import("./save.js").createSave>} save
+ * @property {ReturnType<typeof import("./save.js").createFilm>} film
+ * @property {ReturnType<typeof import("./view/tools.js").createTools>} tools
+ * @property {import("@preact/signals-core").Signal<boolean>} keysOn
+ * @property {import("@preact/signals-core").Signal<({ id: string } & import("./library.js").Finding) | null>} finding
+ *   of the figure that was last judged
+ * @property {() => void} chooseFile
+ * @property {(tab: Tab) => void} turn
+ * @property {(mode: Mode) => void} tool
+ * @property {(on?: boolean) => void} present
+ */
+
+/** @typedef {ReturnType<typeof createPage> & Views} Page */

@@ -1,0 +1,196 @@
+// @ts-check
+// Playing, stepping, going back; which flow, and with what.
+
+import { defaults, toFlow } from "../options.js";
+import { isOver } from "../standing.js";
+import { say } from "../words.js";
+
+/** @import { Arrangement } from "../generated/types.js" */
+/** @import { Options } from "../options.js" */
+/** @import { FieldName, View } from "../store.js" */
+/** @import { Core } from "./core.js" */
+
+/** What going on from a surface takes back when it is undone. @param {number} count */
+export const stepsOf = (count) => say("count-steps", { count });
+
+/**
+ * @param {Core} core
+ * @param {(options: Options, what: string) => Promise<void>} adopt  makes the surface the start
+ */
+export function createRun(core, adopt) {
+  const { get, patch, notes, solver, player, lead, rivals, enqueue, rest, settle } = core;
+
+  const isUsable = () => get().reading !== null && get().phase === "ready";
+  const isMoving = () => get().running || player.motion.peek() !== "still";
+  const isAtEnd = () => lead.u >= lead.clip.total * (1 - 1e-9);
+
+  /** Whether anybody has steps to take. */
+  const maySolve = () => {
+    const status = lead.clip.last?.state.status ?? "ready";
+    return !isOver(status) || (status === "stepLimit" && isAtEnd());
+  };
+
+  const others = () => [...rivals.values()].map((track) => track.solver);
+
+  async function play() {
+    if (!isUsable() || isMoving()) return;
+    patch({ welcome: false, mode: null, preview: null });
+    if (core.isOver() && !maySolve() && isAtEnd()) player.begin(true);
+    else {
+      if (maySolve()) await core.run();
+      await core.runRivals();
+      player.begin();
+    }
+  }
+
+  const run = {
+    play: () => enqueue(play),
+    pause() {
+      if (player.motion.peek() === "playing") player.rest(lead.clip.nearest(lead.u));
+      else if (get().running) core.show(core.shown()?.step ?? 0);
+      return enqueue(settle);
+    },
+    toggle: () => (isMoving() ? run.pause() : run.play()),
+
+    /** Each press is a step. */
+    step: () =>
+      enqueue(async () => {
+        await rest();
+        if (!isUsable()) return;
+        const next = lead.clip.points[core.shownIndex() + 1];
+        if (next) await solver.seek(next.state.step);
+        else await Promise.all([solver.step(), ...others().map((other) => other.step())]);
+      }),
+    back: () =>
+      enqueue(async () => {
+        await rest();
+        if (!isUsable()) return;
+        const before = lead.clip.points[core.shownIndex() - 1];
+        if (before) await solver.seek(before.state.step);
+        else if (get().reading?.canStepBack) await solver.back();
+      }),
+    reset: () =>
+      enqueue(async () => {
+        await rest();
+        if (!isUsable()) return;
+        core.anew(true);
+        await Promise.all([
+          solver.reset(),
+          ...[...rivals.values()].map((track) => {
+            track.clip.clear();
+            track.u = 0;
+            return track.solver.reset();
+          }),
+        ]);
+      }),
+    /** Shows a stored step. @param {number} step */
+    seek: (step) =>
+      enqueue(async () => {
+        await rest();
+        if (isUsable()) await solver.seek(step);
+      }),
+    /** Starts, and pauses by itself there; the display follows at once. @param {number} step */
+    runTo: (step) =>
+      enqueue(async () => {
+        await rest();
+        if (!isUsable()) return;
+        patch({ running: true, goal: step });
+        await solver.run(step);
+      }),
+    /** While the scrubber is held. @param {number} u */
+    scrub(u) {
+      if (player.motion.peek() !== "still") player.stop();
+      player.place(u);
+    },
+    /** It was let go. */
+    scrubbed() {
+      player.rest(lead.clip.nearest(lead.u));
+      return enqueue(settle);
+    },
+    /** @param {number} id */
+    branch: (id) =>
+      enqueue(async () => {
+        await rest();
+        if (!isUsable()) return;
+        core.anew(true);
+        await solver.branch(id);
+        await solver.stored();
+      }),
+    /** @param {number} value */
+    speed: (value) => {
+      player.speed.value = value;
+    },
+    loop: () => {
+      player.loops.value = !player.loops.peek();
+    },
+
+    /** @param {Partial<Options>} change @param {{ fromStart?: boolean }} [how] */
+    configure: (change, { fromStart = false } = {}) =>
+      enqueue(async () => {
+        await rest();
+        const { options: before, reading, applies, comparison } = get();
+        const isOther = change.flow !== undefined && change.flow !== before.flow;
+        const options = {
+          ...before,
+          ...(isOther ? toFlow(change.flow ?? before.flow) : {}),
+          ...change,
+        };
+        const isHere =
+          !fromStart &&
+          applies === "here" &&
+          (reading?.step ?? 0) > 0 &&
+          ![before.flow, options.flow].includes("flips") &&
+          comparison.rivals.length === 0;
+        if (before.flow === "flips" && options.flow !== "flips" && reading && reading.step > 0) {
+          // The point of better edges is what is done with them next.
+          await adopt(options, say("count-flips", { count: reading.step }));
+          notes.answer(say("flips-adopted"));
+        } else await core.configure(options, isHere ? "continueWith" : "configure");
+      }),
+    /** @param {"start" | "here"} applies */
+    applies: (applies) => patch({ applies }),
+    /** Everything as usual, but for flow and surface. */
+    recommend() {
+      const { flow, boundary, free, fixed, p, keep } = get().options;
+      return run.configure({ ...defaults, flow, boundary, free, fixed, p, keep });
+    },
+    /** How edge flips are shown. @param {Partial<Arrangement>} change */
+    arrange: (change) => enqueue(() => run.arranged(change)),
+    /** @param {Partial<Arrangement>} change */
+    async arranged(change) {
+      const arrangement = { ...get().arrangement, ...change };
+      patch({ arrangement });
+      await solver.arrange(arrangement);
+    },
+    /** @param {FieldName} name */
+    colour: (name) =>
+      enqueue(() => {
+        patch({ comparison: { ...get().comparison, difference: null } });
+        return core.colour(name);
+      }),
+    /** @param {readonly [number, number] | null} range  null: that of the start */
+    range: (range) => patch({ range }),
+
+    /** @param {Float32Array} camera */
+    look: (camera) => patch({ camera }),
+    /** @param {Partial<View>} change */
+    view: (change) => patch({ view: Object.freeze({ ...get().view, ...change }) }),
+
+    /** Ends a step that takes too long, or a solver that is silent; starts one that is gone. */
+    halt: () => core.revive((step) => ({ id: "solver-ended", values: { step } })),
+
+    /**
+     * @param {string} format  of a mesh, or `csv`
+     * @returns {Promise<{ format: string, bytes: Uint8Array<ArrayBuffer> | string }>}  the format
+     *   is another where the solver cannot be asked
+     */
+    async export(format) {
+      if (player.motion.peek() !== "still") await run.pause();
+      if (format === "csv") return { format, bytes: await solver.history() };
+      const file = await solver.export(format);
+      if (file.format !== format) notes.answer(say("saved-own-copy"));
+      return file;
+    },
+  };
+  return run;
+}

@@ -1,0 +1,262 @@
+// @ts-check
+// A run as a clip: its true steps, how much the surface visibly changes from each to the next,
+// and surfaces between two of them. Nothing here knows of a screen or a solver.
+
+/** @import { Pane, State as Reading } from "./generated/types.js" */
+/** @import { Field, Marked } from "./store.js" */
+
+/**
+ * A true step.
+ * @typedef {object} Point
+ * @property {Reading} state
+ * @property {Float32Array | null} positions  null where memory was short
+ * @property {Field | null} field
+ * @property {readonly Pane[]} panes  what stands beside it, and in its place where triangles change
+ * @property {Marked} marked
+ * @property {number} change   visible change from the step before
+ * @property {number} sum      visible change from the start to here
+ * @property {boolean} isCut   it cannot be reached smoothly from the step before
+ * @property {boolean} isSharp an edge turns too far for a curve: straight lines
+ */
+
+/** Bytes of positions and colours that are kept. */
+const MOST_BYTES = 300e6;
+/** Triangles that the change is measured at. */
+const SAMPLED = 12_000;
+/** What a step takes at least, so that steps without a change have each their place. */
+const LEAST = 1e-5;
+/** Half of a turn of the normals counts as much as a displacement of the size. */
+const TURN = 0.5;
+const COS_40 = Math.cos((40 / 180) * Math.PI);
+
+/** Seconds that a clip of so many steps lasts. @param {number} steps */
+export const secondsOf = (steps) => (steps < 6 ? 6 : steps > 60 ? 10 : 8);
+
+/** @param {Float32Array} p  root mean square distance from the middle */
+function sizeOf(p) {
+  const count = p.length / 3;
+  const middle = [0, 0, 0];
+  for (let i = 0; i < p.length; i += 1) middle[i % 3] += p[i] / count;
+  let sum = 0;
+  for (let i = 0; i < p.length; i += 1) sum += (p[i] - middle[i % 3]) ** 2;
+  return Math.sqrt(sum / count) || 1;
+}
+
+/**
+ * The visible change between two surfaces of the same triangles: the root mean square of the
+ * displacement along the normal over the size, and half of that of the turn of the unit normals.
+ * @param {Float32Array} a @param {Float32Array} b
+ * @param {Uint32Array} triangles
+ * @param {number} size
+ * @returns {{ change: number, isSharp: boolean }}
+ */
+export function changeOf(a, b, triangles, size) {
+  const stride = 3 * Math.max(1, Math.floor(triangles.length / 3 / SAMPLED));
+  let [count, moved, turned] = [0, 0, 0];
+  let isSharp = false;
+  /** @param {Float32Array} p @param {number} i @param {number} j @param {number} k */
+  const normal = (p, i, j, k) => {
+    const [ux, uy, uz] = [p[j] - p[i], p[j + 1] - p[i + 1], p[j + 2] - p[i + 2]];
+    const [vx, vy, vz] = [p[k] - p[i], p[k + 1] - p[i + 1], p[k + 2] - p[i + 2]];
+    const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    return [x / length, y / length, z / length, ux, uy, uz];
+  };
+  for (let t = 0; t + 2 < triangles.length; t += stride) {
+    const [i, j, k] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
+    const m = normal(a, i, j, k);
+    const n = normal(b, i, j, k);
+    let along = 0;
+    for (let c = 0; c < 3; c += 1) {
+      along += (b[i + c] - a[i + c] + b[j + c] - a[j + c] + b[k + c] - a[k + c]) * m[c];
+      turned += (n[c] - m[c]) ** 2;
+    }
+    moved += (along / 3) ** 2;
+    const dot = m[3] * n[3] + m[4] * n[4] + m[5] * n[5];
+    const lengths = Math.hypot(m[3], m[4], m[5]) * Math.hypot(n[3], n[4], n[5]);
+    if (dot < COS_40 * lengths) isSharp = true;
+    count += 1;
+  }
+  if (count === 0) return { change: 0, isSharp: false };
+  return { change: Math.sqrt(moved / count) / size + TURN * Math.sqrt(turned / count), isSharp };
+}
+
+/**
+ * The surface between two steps: a cubic in the change of shape, with the velocities that the
+ * neighbouring steps give, or a straight line.
+ * @param {Point | undefined} before @param {Point} a @param {Point} b @param {Point | undefined} after
+ * @param {number} share  0 at a, 1 at b
+ * @param {Float32Array} out
+ */
+export function blend(before, a, b, after, share, out) {
+  const [p, q] = [a.positions, b.positions];
+  if (!p || !q) return;
+  const h = b.sum - a.sum;
+  const [o, r] = [before?.positions, after?.positions];
+  const isCurve = !b.isSharp && h > 0;
+  const s = share;
+  // Hermite's polynomials; tangents over the length of this piece.
+  const [h01, h10, h11] = [s * s * (3 - 2 * s), s * (1 - s) ** 2, s * s * (s - 1)];
+  const g = o && before && !a.isCut && !a.isSharp ? a.sum - before.sum : 0;
+  const k = r && after && !after.isCut && !after.isSharp ? after.sum - b.sum : 0;
+  for (let i = 0; i < p.length; i += 1) {
+    const d = q[i] - p[i];
+    if (!isCurve) {
+      out[i] = p[i] + s * d;
+      continue;
+    }
+    const m = o && g > 0 ? (d * g + ((p[i] - o[i]) * h * h) / g) / (g + h) : d;
+    const n = r && k > 0 ? (d * k + ((r[i] - q[i]) * h * h) / k) / (k + h) : d;
+    out[i] = p[i] + h01 * d + h10 * m + h11 * n;
+  }
+}
+
+export class Clip {
+  /** @type {Point[]} oldest first */
+  points = [];
+  /** @type {Uint32Array} */
+  #triangles = new Uint32Array();
+  #size = 1;
+  #bytes = 0;
+  /** Every so manyth step keeps its positions. */
+  #every = 1;
+
+  /** @param {Uint32Array} [triangles]  that the change is measured on */
+  clear(triangles = this.#triangles) {
+    this.points = [];
+    this.#triangles = triangles;
+    this.#bytes = 0;
+    this.#every = 1;
+  }
+
+  get total() {
+    return this.points.at(-1)?.sum ?? 0;
+  }
+
+  get last() {
+    return this.points.at(-1) ?? null;
+  }
+
+  /**
+   * Puts a step in its place; later ones than `last` are of another path, and go.
+   * @param {Omit<Point, "change" | "sum" | "isCut" | "isSharp">} made
+   * @param {number} last
+   */
+  add(made, last) {
+    const { step } = made.state;
+    while (this.points.length > 0 && this.points[this.points.length - 1].state.step > last) {
+      this.#bytes -= bytesOf(/** @type {Point} */ (this.points.pop()));
+    }
+    let index = this.points.length;
+    while (index > 0 && this.points[index - 1].state.step >= step) index -= 1;
+    const isThere = this.points[index]?.state.step === step;
+    if (isThere) this.#bytes -= bytesOf(this.points[index]);
+    const point = { ...made, change: 0, sum: 0, isCut: false, isSharp: false };
+    this.points.splice(index, isThere ? 1 : 0, point);
+    this.#bytes += bytesOf(point);
+    if (index === 0 && point.positions) this.#size = sizeOf(point.positions);
+    this.#measure(index);
+    if (this.#bytes > MOST_BYTES) this.#thin();
+  }
+
+  /** Sums from a point on, of which this one and the next have changed. @param {number} from */
+  #measure(from) {
+    for (let n = from; n < this.points.length; n += 1) {
+      const point = this.points[n];
+      const before = this.points[n - 1];
+      if (before && n <= from + 1) point.change = Math.max(this.#change(before, point), LEAST);
+      point.sum = before ? before.sum + point.change : 0;
+    }
+  }
+
+  /** @param {Point} a @param {Point} b */
+  #change(a, b) {
+    b.isCut = b.panes.length > 0 || a.panes.length > 0;
+    if (!a.positions || !b.positions || a.positions.length !== b.positions.length) {
+      b.isCut = true;
+      return 0;
+    }
+    if (b.isCut) return 0;
+    const { change, isSharp } = changeOf(a.positions, b.positions, this.#triangles, this.#size);
+    b.isSharp = isSharp;
+    return change;
+  }
+
+  /** Lets every other surface go; numbers stay. */
+  #thin() {
+    this.#every *= 2;
+    this.points.forEach((point, n) => {
+      if (n % this.#every === 0 || n === this.points.length - 1) return;
+      this.#bytes -= bytesOf(point);
+      [point.positions, point.field, point.panes] = [null, null, []];
+    });
+  }
+
+  /** The point at or before a place. @param {number} u  from 0 to `total` */
+  at(u) {
+    let [low, high] = [0, this.points.length - 1];
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (this.points[middle].sum <= u) low = middle;
+      else high = middle - 1;
+    }
+    const next = this.points[low + 1];
+    const share = next ? (u - this.points[low].sum) / (next.sum - this.points[low].sum) : 0;
+    return { index: Math.max(low, 0), share: Math.min(Math.max(share, 0), 1) };
+  }
+
+  /** The nearest point that has a surface. @param {number} u */
+  nearest(u) {
+    const { index, share } = this.at(u);
+    const near = share > 0.5 ? index + 1 : index;
+    for (let n = 0; n < this.points.length; n += 1) {
+      for (const m of [near - n, near + n]) if (this.points[m]?.positions) return m;
+    }
+    return near;
+  }
+
+  /** Where a step stands; that before where it is not there. @param {number} step */
+  indexOf(step) {
+    const at = this.points.findIndex(({ state }) => state.step > step);
+    return (at < 0 ? this.points.length : at) - 1;
+  }
+
+  /**
+   * What is to be drawn at a place: a true step, or a surface between two.
+   * @param {number} u
+   * @param {Float32Array | null} [scratch]  to write into
+   * @returns {{ positions: Float32Array | null, field: Field | null, panes: readonly Pane[], marked: Marked } | null}
+   */
+  picture(u, scratch) {
+    const { index, share } = this.at(u);
+    let n = index;
+    while (n > 0 && !this.points[n].positions) n -= 1;
+    const a = this.points[n];
+    if (!a) return null;
+    let m = n + 1;
+    while (m < this.points.length && !this.points[m].positions) m += 1;
+    const b = this.points[m];
+    const isBetween = b && (share > 0 || n < index) && !b.isCut;
+    if (!isBetween || !a.positions || !b?.positions) return a;
+    const s = (u - a.sum) / (b.sum - a.sum);
+    const out =
+      scratch?.length === a.positions.length ? scratch : new Float32Array(a.positions.length);
+    blend(this.points[n - 1], a, b, this.points[m + 1], s, out);
+    return { positions: out, field: blendField(a.field, b.field, s), panes: [], marked: a.marked };
+  }
+}
+
+/** @param {Point} point */
+const bytesOf = ({ positions, field, panes }) =>
+  (positions?.byteLength ?? 0) +
+  (field?.values.byteLength ?? 0) +
+  panes.reduce(
+    (sum, { triangles, wireEdges }) => sum + 2 * (triangles.length + wireEdges.length),
+    0,
+  );
+
+/** @param {Field | null} a @param {Field | null} b @param {number} s @returns {Field | null} */
+function blendField(a, b, s) {
+  if (!a || !b || a.name !== b.name || a.values.length !== b.values.length) return a;
+  return { ...a, values: a.values.map((value, v) => value + s * (b.values[v] - value)) };
+}

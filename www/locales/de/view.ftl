@@ -1,0 +1,653 @@
+# Die Beschriftung der Seite.
+
+## Oben, Leiste, Fenster
+
+library = Bibliothek
+present = Vorführen
+help = Hilfe
+close = Schließen
+dismiss = Verwerfen
+panels = Bereiche
+tab-surface = Fläche
+tab-flow = Fluss
+tab-measure = Messen
+tab-compare = Vergleich
+tab-share = Teilen
+messages = Meldungen
+run-them = Ausführen
+leave-it = Lassen
+
+## Die Statuszeile
+
+status-starting = Der Löser startet …
+status-loading = { $name } wird geladen …
+status-restoring = Die Fläche wird wiederhergestellt …
+status-failed = Der Löser läuft nicht
+status-stuck = Der Fluss kann nicht beginnen
+status-empty = Zum Beginn ein Netz öffnen
+status-ready = Bereit
+status-running = Läuft
+status-running-to = Läuft bis Schritt { $goal }
+status-paused = Angehalten bei Schritt { $step }
+clause-ready = Abspielen mit dem Knopf oder der Leertaste.
+clause-private = Was Sie hier öffnen, verlässt dieses Gerät nicht.
+clause-step = Schritt { $step }
+clause-step-of = Schritt { $step } von { $last }
+why = Warum?
+computing = Es wird gerechnet …
+stop-now = Jetzt abbrechen
+progress = Fortschritt
+notes = { $count ->
+    [one] { $count } Hinweis
+   *[other] { $count } Hinweise
+}
+stage-assemble = Aufstellen
+stage-factor = Faktorisieren
+stage-newton = Newton-Schritte
+stage-project = Inhalt und Volumen halten
+stage-regularise = Dreiecke ausgleichen
+stage-fill = Füllen
+stage-triangulate = Löcher triangulieren
+stage-remesh = Flicken neu vernetzen
+stage-flips = Kanten tauschen
+stage-finish = Fläche messen
+stage-replay = Dem Rezept folgen
+stage-sequence = Gespeicherte Schritte schreiben
+mode-paint = Über die Fläche ziehen, um Teile beweglich zu machen oder festzuhalten.
+mode-fill = Einen Rand anklicken, um ihn zu wählen.
+mode-subdivide = Wählen, wohin die neuen Ecken kommen.
+mode-invert = Den Mittelpunkt der Spiegelung ziehen.
+mode-pick = Eine Ecke anklicken.
+mode-edge = Eine Kante anklicken.
+
+## Das Pult
+
+transport = Wiedergabe
+play = Abspielen
+pause = Anhalten
+again = Noch einmal abspielen
+step = Schritt
+back = Zurück
+reset = Zum Anfang
+history = Verlauf
+start = Anfang
+curve-empty = Hier wird die Energie gezeichnet, während sie fällt
+energy-of = { $symbol }
+energy-at = { $symbol } bei Schritt { $step }
+speed = Tempo { $times }×
+speed-keys = Tempo ([ und ])
+loop = Endlos
+larger-plot = Größeres Schaubild
+branches = Zweige
+count-branches = { $count ->
+    [one] { $count } Zweig
+   *[other] { $count } Zweige
+}
+branch = Ab Schritt { $from }: { $count ->
+    [one] { $count } Schritt
+   *[other] { $count } Schritte
+}, Energie { $energy }
+symbol-circle = Willmore-Energie W
+symbol-mean-curvature = Flächeninhalt
+symbol-surface-diffusion = Flächeninhalt
+symbol-willmore = ∫H²
+symbol-mmcv = ∫|∇H|²
+symbol-flips = Willmore-Energie W
+symbol-area = Flächeninhalt
+symbol-helfrich = Energie
+
+## Die Fläche in Worten
+
+surface-none = Fläche: noch keine
+surface-named = Fläche: { $name }
+surface-at = Fläche: { $name }, Schritt { $step }, Energie { $energy }, Inhalt { $area }
+surface-pane = Fläche { $name }: { $what }
+pane-note = Schritt { $step } · { $symbol } { $energy }
+pane-step = Schritt { $step }
+pane-flips = { $flips ->
+    [one] { $flips } Flip
+   *[other] { $flips } Flips
+}, Inhalt { $area }, W { $circle }
+
+## Fläche
+
+sample = Beispiel
+yours = Eigene
+open-mesh = Netz öffnen …
+mesh-size = { $vertices } Ecken · { $faces } Seiten{ $loops ->
+    [0] {""}
+    [one] {" · "}{ $loops } Rand
+   *[other] {" · "}{ $loops } Ränder
+}
+found = In diesem Netz gefunden
+found-holes = { $count ->
+    [one] { $count } Rand
+   *[other] { $count } Ränder
+}
+    .hint = Jeder lässt sich füllen, oder zwei verbinden.
+found-closed = Geschlossen
+found-two-sided = Kein Rand, mit Innen und Außen.
+found-one-sided = Kein Rand, einseitig.
+found-even = Die Dreiecke sind gleichmäßig
+found-uneven = Manche Dreiecke sind Splitter
+found-angle = Kleinster Winkel { $angle }°
+fill-start = Füllen …
+even-out = Dreiecke ausgleichen
+crossings-hint = Die Flüsse laufen trotzdem.
+change-it = Verändern
+tool-paint = Anmalen
+tool-fill = Löcher füllen
+tool-subdivide = Unterteilen
+tool-invert = Spiegeln
+tool-pick = Ecke wählen
+tool-edge = Kante wählen
+start-from-here = Von hier beginnen
+undo = Zurücknehmen: { $what }
+edit-subdivision = die Unterteilung
+edit-inversion = die Spiegelung
+edit-flips = die Kantenflips
+
+## Werkzeuge
+
+apply = Anwenden
+done = Fertig
+paint-free = Bewegen lassen
+paint-hold = Festhalten
+brush-size = Größe
+grow = Wachsen
+shrink = Schrumpfen
+hold-boundary = Rand festhalten
+clear-paint = Farbe entfernen
+region-count = { $free } von { $all } Ecken bewegen sich.
+loops-chosen = { $count } von { $all } gewählt
+boundary-loop = { $edges } Kanten, Länge { NUMBER($length, digits: 3) }
+fill-chosen = { $count ->
+    [one] Diesen füllen
+   *[other] Diese { $count } füllen
+}
+fill-all = { $count ->
+    [one] Füllen
+   *[other] Alle { $count } füllen
+}
+bridge = Verbinden
+most-vertices = Neue Ecken höchstens
+subdivide-loop = Glatt (Loop)
+subdivide-linear = An Ort und Stelle
+inversion-centre = Mittelpunkt der Spiegelung
+inversion-numbers = W { $before } → { $after } (ändert sich um { $change }), ∫H² { $bending } → { $bendingNow }
+pick-hint = Ihre Zahlen stehen unter Messen.
+
+## Fluss
+
+flow-unsuitable = Nicht für diese Fläche.
+automatic = automatisch
+unit = { $kind ->
+    [mean] mittlere Kanten
+    [steps] Schritte
+    [flips] Flips
+   *[other] { $unit }
+}
+applies = Änderungen gelten ab
+start-word = Anfang
+this-step = diesem Schritt
+flip-all = Alle Flips auf einmal
+advanced = Weiteres
+advanced-what = Schrittweite, Verfahren, Grenzen
+recommended = Empfohlene Einstellungen
+
+## Farben und Zeichnung
+
+legend = Legende
+look = Aussehen
+colour-by = Färben nach
+colour-none = Nichts
+colour-mean-curvature = Mittlere Krümmung H
+colour-gauss-curvature = Gaußsche Krümmung K
+colour-willmore = Willmore-Energie Wᵢ
+colour-gradient = Größe des Gradienten
+colour-displacement = Verschiebung
+colour-distance = Abstand der Bilder
+colours-from-to = Farben: { $what }, von { $low } bis { $high }
+round = rund
+range-held = Skala für den ganzen Lauf
+fit-range = An diesen Schritt anpassen
+wireframe = Drahtgitter
+boundary-lines = Rand
+shading = Schattierung
+shading-smooth = Glatt
+shading-flat = Flach
+high-contrast = Hoher Kontrast
+theme = Farbschema
+theme-auto = System
+theme-light = Hell
+theme-dark = Dunkel
+language = Language / Sprache
+fit-view = Ansicht einpassen
+drawn-with = Gezeichnet mit { $name }: { $reason }.
+
+## Messen
+
+readings = Messwerte
+reading-energy = Energie
+reading-step = Schritt
+reading-time = Zeit
+reading-dt = Schrittweite
+reading-area = Flächeninhalt
+reading-volume = Volumen
+reading-genus = Geschlecht
+reading-vertices = Ecken
+reading-faces = Seiten
+reading-angle = Kleinster Winkel
+reading-milliseconds = Millisekunden je Schritt
+reading-tension = Spannung λ
+reading-pressure = Druck μ
+reading-jump = Sprung von H am Rand des Flickens
+genus-none = nicht orientierbar
+volume-none = keines umschlossen
+volume-reduced = { $volume } (reduziert { NUMBER($reduced, digits: 4) })
+what-w-says = W ist die Summe der Winkel zwischen Umkreisen und nur dann 0, wenn alle Ecken auf einer Kugel liegen. W/2 ist mit ∫(H² − K) dA vergleichbar.
+over-the-surface = { $what } über die Fläche
+histogram-table = Verteilung als Tabelle
+histogram-from = Ab
+histogram-share = Anteil
+figure-expects = Hier erwartet:
+figure-holds = ✓ Wie erwartet:
+figure-differs = Anders als erwartet:
+all-steps = Tabelle aller Schritte
+look-at-vertex = Eine Ecke ansehen
+equation = Die Gleichung, Zeichen für Zeichen
+study = Verfeinerungsstudie
+conjecture = Die Vermutung auf diesem Netz
+lab = Zufällige Vierecke
+
+## Das größere Schaubild
+
+quantity = Größe
+quantity-energy = Energie
+quantity-monitored = Was nie steigt
+quantity-area = Flächeninhalt
+quantity-volume = Volumen
+quantity-angle = Kleinster Winkel
+quantity-dt = Schrittweite
+against = Über
+against-step = Schritt
+against-time = Zeit
+scale = Achse
+scale-auto = Automatisch
+scale-log = Logarithmisch
+scale-linear = Linear
+plot-label = { $what } über den Lauf
+
+## Vergleich
+
+compare-hint = Gleicher Anfang, gleiche Kamera, gleiche Farben. Was sich unterscheidet:
+contrast-flow = Fluss
+contrast-p = Exponent p
+contrast-regularise = Netzpflege
+contrast-scheme = Schema
+contrast-then = Einst und jetzt
+pane-flow = Fluss von { $name }
+add-pane = { $name } dazunehmen
+remove-pane = { $name } entfernen
+lockstep = Im Takt nach
+lockstep-progress = Fortschritt
+lockstep-time = Zeit
+lockstep-step = Schritt
+axis-progress = Ende jedes Flusses
+axis-time = Zeit
+axis-step = Schritte
+times-differ = Ihre Zeiten sind nicht vergleichbar: die Flüsse messen Zeit in verschiedenen Einheiten.
+show-panes = Zeigen
+side-by-side = Nebeneinander
+in-place = Am selben Ort
+in-place-hint = Am selben Ort, eins nach dem anderen:
+pane-colours = Farben
+distance-to = Abstand zu { $name }
+close-comparison = Vergleich beenden
+nothing-to-flip = Es gibt noch kein zweites Bild: unter Vergleich wählen, was sich unterscheidet.
+pane-lost = Ein Bild daneben kann nicht weiter: { $reason }
+    .hint = Unter Vergleich ändern oder entfernen; die anderen laufen weiter.
+
+## Teilen
+
+share-hint = Ein Link trägt die ganze Szene: Fläche, Fluss, Schritt, Kamera und Farben.
+copy-link = Link kopieren
+link-copied = Der Link ist kopiert.
+not-copied = Der Browser lässt die Seite nicht kopieren. Hier ist es:
+save-as = Sichern als
+download = Herunterladen
+film = Film
+film-record = Film aufnehmen
+film-stop = Beenden und sichern
+film-unable = Dieser Browser kann keine Filme aufnehmen.
+film-hint = Aufgenommen wird, was auf der Bühne gespielt wird.
+film-failed = Der Browser hat die Aufnahme beendet.
+    .hint = Was bis dahin aufgenommen wurde, ist gesichert.
+save-all-steps = Alle Schritte als ZIP
+each-step-as = Jeder Schritt als
+every = Jeder wievielte
+save-steps = Schritte sichern
+sequence-size = { $meshes ->
+    [one] { $meshes } Netz
+   *[other] { $meshes } Netze
+}, etwa { NUMBER($megabytes, digits: 3) } MB vor dem Packen; höchstens 1 GB.
+embed = In einer anderen Seite
+embed-as = Einbetten als
+embed-iframe = Rahmen (iframe)
+embed-element = Element mit Skript
+embed-size = Größe
+copy-code = Code kopieren
+code-copied = Der Code ist kopiert.
+lack-editsTooLong = Die Bearbeitungen sind zu groß für einen Link: das heruntergeladene Netz oder ein Rezept mitschicken.
+lack-editsUnknown = Die Fläche wurde von Hand bearbeitet, was der Link nicht trägt: das heruntergeladene Netz mitschicken.
+lack-file = Der Link enthält Ihr Netz nicht: die Datei mitschicken.
+lack-fileByDigest = Der Link enthält Ihr Netz nicht: die Datei mitschicken. Sie wird an ihrer SHA-256 erkannt.
+lack-regionTooLong = Der bemalte Bereich ist zu groß für einen Link und fehlt darin.
+lack-pathTooLong = Was unterwegs geändert wurde, ist zu groß für einen Link: ein heruntergeladenes Rezept schicken.
+save-as-ply = PLY
+save-as-ply-ascii = PLY, Text
+save-as-obj = OBJ
+save-as-off = OFF
+save-as-stl = STL
+save-as-stl-ascii = STL, Text
+save-as-glb = glTF (GLB)
+save-as-csv = Verlauf, CSV
+save-as-recipe = Rezept, JSON
+save-as-png = Bild, PNG
+full-page = Ganze Seite
+    .title = Diese Szene auf der ganzen Seite öffnen
+
+## Karten
+
+welcome = Zusehen, wie eine Fläche ihre Form findet
+welcome-text = Dieser eingedellte Ball bewegt sich so, dass er sich möglichst wenig biegt. In wenigen Sekunden ist er rund, und jeder Schritt dahin ist zu sehen.
+watch = Fließen lassen
+starter-vesicle = Blutkörperchen
+    .small = Inhalt bleibt
+starter-coarse-torus = Ring
+    .small = zu Cliffords Torus
+starter-own = Eigenes Netz
+    .small = bleibt hier
+why-heading = Warum steht es so?
+why-show = Zeigen
+nothing-wrong = Alles in Ordnung. Es wurde angehalten, und Abspielen geht von hier weiter.
+next-figure = Nächste Abbildung
+what-measures = Was die Energie misst
+no-picture-here = Hier kein Bild
+no-picture-hint = Alles andere geht auch ohne: der Fluss läuft, Zahlen und Kurve folgen ihm, und das Netz lässt sich sichern.
+
+## Bibliothek
+
+search = Suchen
+search-hint = Suchen, zum Beispiel „Knoten“ oder „Abb 6“
+shelves = Regale
+open-now = Jetzt offen
+library-count = { $count ->
+    [one] { $count } Fläche oder Abbildung
+   *[other] { $count } Flächen und Abbildungen
+}
+shelf-all = Alle
+shelf-first = Zum Beginn
+    .about = Vier, die zeigen, was ein Fluss tut
+shelf-closed = Geschlossene Flächen
+    .about = Nichts wird festgehalten
+shelf-tubes = Röhren und Knoten
+    .about = Weite Wege
+shelf-boundary = Mit Rand
+    .about = Was am Rand gilt, entscheidet den Rest
+shelf-repair = Reparatur
+    .about = Scans, Narben und Löcher
+shelf-flips = Kantenflips
+    .about = Keine Ecke bewegt sich
+shelf-papers = Aus den Arbeiten
+    .about = Jede Abbildung, was die Arbeit sagt und was hier herauskommt
+
+## Hilfe
+
+help-what = Umbilic lässt Dreiecksnetze so fließen, dass sie sich weniger biegen, nach den Gleichungen von vier Arbeiten. Gerechnet wird in diesem Browser.
+help-how = Eine Fläche aus der Bibliothek wählen oder eine eigene öffnen, abspielen, und über die Kurve unten ziehen, um jeden Augenblick anzusehen. Fluss ändert die Gleichung, Messen zeigt ihre Zahlen, Vergleich stellt zwei nebeneinander.
+help-private = Was Sie öffnen, verlässt dieses Gerät nicht. Nach dem ersten Besuch geht die Seite auch ohne Verbindung.
+keys = Tasten
+keys-on = Einzelne Tasten
+keys-turn = drehen die Fläche, die den Fokus hat
+keys-clicker = weiter und zurück beim Vorführen
+surface-gestures = Auf der Fläche
+gestures = Ziehen dreht, mit Umschalt oder zwei Fingern verschiebt es, Rad oder Spreizen vergrößert, Doppelklick passt ein.
+welcome-again = Begrüßung noch einmal zeigen
+version = Version { $version }.
+commands = Befehle
+commands-hint = Was möchten Sie tun?
+key-space = Leertaste
+key-home = Pos1
+key-end = Ende
+key-ctrl-z = Strg Z
+key-ctrl-k = Strg K
+
+## Befehle
+
+command-play = Abspielen oder anhalten
+command-step = Einen Schritt weiter
+command-back = Einen Schritt zurück
+command-reset = Zurück zum Anfang
+command-end = Zum neuesten Schritt
+command-slower = Langsamer
+command-faster = Schneller
+command-loop = Endlos
+command-plot = Größeres Schaubild
+command-library = Bibliothek öffnen
+command-open = Netz öffnen …
+command-surface = Fläche
+command-flow = Fluss
+command-measure = Messen
+command-compare = Vergleichen
+command-share = Teilen
+command-colour = Nächste Farben
+command-wireframe = Drahtgitter
+command-fit = Ansicht einpassen
+command-flip-panes = Bilder tauschen
+command-present = Vorführen
+command-undo = Letzte Bearbeitung zurücknehmen
+command-commands = Liste der Befehle
+command-help = Hilfe
+command-paint = Bewegliches anmalen
+command-fill = Löcher füllen
+command-subdivide = Unterteilen
+command-invert = An einer Kugel spiegeln
+command-regularise = Dreiecke ausgleichen
+command-adopt = Von hier beginnen
+command-download = Netz herunterladen
+command-picture = Bild sichern
+command-boundary-lines = Rand zeigen
+command-contrast = Hoher Kontrast
+
+## Was geschehen ist
+
+flips-adopted = Der Fluss beginnt mit dem Netz der getauschten Kanten; Zurücknehmen bringt das vorige wieder.
+regular-already = { $pinned ->
+    [0] Die Dreiecke sind so gleichmäßig wie möglich.
+   *[other] Die Dreiecke sind so gleichmäßig wie möglich, solange { $pinned } Ecken auf Knicken bleiben; ein feineres Netz hat mehr zu bewegen.
+}
+subdivided = In { $count } Dreiecke unterteilt; Zurücknehmen macht es rückgängig.
+inverted = Die Fläche ist gespiegelt; W hat sich um { NUMBER($change, digits: 2) } geändert. Zurücknehmen bringt die vorige wieder.
+offer-fixed = Festen Rand verwenden
+offer-free = Freigeben, was der Fluss freigibt
+new-version = Eine neue Version ist bereit: zum Verwenden die Seite neu laden.
+no-picture = Es gibt kein Bild zu sichern.
+    .hint = Das Netz sichern.
+solver-crashed = Der Löser ist unerwartet stehen geblieben ({ $reason }); ein neuer macht bei Schritt { $step } weiter.
+    .hint = Wenn der Speicher knapp war: andere Tabs schließen oder ein Netz mit weniger Seiten nehmen.
+solver-ended = Die Rechnung wurde beendet; die Fläche ist wie nach Schritt { $step }.
+    .hint = Abspielen geht von dort weiter.
+solver-not-started = Der Löser ließ sich nicht starten.
+    .hint = Die Seite neu laden; ihre Adresse behält die Szene.
+worker-forbidden = Der Löser darf hier nicht starten: { $reason }
+    .hint = Wenn diese Seite in einem Rahmen mit `sandbox` steht, braucht der `allow-same-origin` neben `allow-scripts`.
+worker-not-loaded = er konnte nicht geladen werden
+
+## Links und Rezepte
+
+link-is-long = Dieser Link rechnet etwa { $steps } Schritte.
+link-wants-file = Dieser Link zeigt das Netz „{ $mesh }“, eine Datei auf dem Rechner dessen, der ihn gemacht hat.
+    .hint = Die Datei hier öffnen; die Szene folgt dann.
+link-other-file = „{ $name }“ ist nicht die Datei des Links, der „{ $mesh }“ zeigt; geöffnet ist sie trotzdem.
+link-checked = { $outcome ->
+    [same] Die Szene ist, wie sie geschickt wurde: Energie { NUMBER($energy, digits: 6) }.
+    [near] Die Szene ist auf sechs Stellen, wie sie geschickt wurde: Energie { NUMBER($energy, digits: 6) }.
+    [endsEarly] Der Link zeigt Schritt { $wanted }; hier endet der Fluss bei Schritt { $step }.
+   *[off] Die Szene ist nicht, wie sie geschickt wurde: die Energie ist { NUMBER($energy, digits: 6) } bei Schritt { $step }, wo der Link { NUMBER($sent, digits: 6) } sagt.
+}
+link-differs = { $why ->
+    [file] Das Netz ist nicht die Datei des Links.
+    [version] Der Link ist von Version { $theirs } des Lösers; diese ist { $ours }.
+    [unknown] Vielleicht ist es nicht die Datei, mit der der Link gemacht wurde.
+   *[same] Dieselbe Version sollte dieselben Zahlen geben; bitte mit dem Link melden.
+}
+recipe-is-long = Dieses Rezept rechnet etwa { $steps } Schritte.
+recipe-wants-mesh = Dieses Rezept ist für das Netz „{ $name }“. Diese Datei jetzt öffnen; das Rezept folgt.
+recipe-other-mesh = Das ist nicht das Netz „{ $name }“ des Rezepts: sein Inhalt ist ein anderer.
+recipe-compared = { $same ->
+    [true] Das Rezept gibt die versprochene Energie, bis aufs letzte Bit.
+   *[false] Das Rezept verspricht die Energie { NUMBER($expected, digits: 9) }; hier ist sie { NUMBER($got, digits: 9) }.
+}
+
+## Was eine einbettende Seite erfährt
+
+embed-bad-value = „{ $word }“ kann nicht „{ $text }“ sein.
+    .hint = Ein kopierter Link zeigt, wie seine Wörter geschrieben werden.
+embed-bad-step = Ein Schritt ist eine ganze Zahl ab 0, nicht „{ $step }“.
+embed-no-format = Es gibt kein Format „{ $format }“.
+embed-no-request = Es gibt keine Anfrage „{ $type }“.
+embed-known = Bekannt sind { $known }.
+embed-bad-mesh = Ein Netz wird als `name`, mit Endung, und `bytes`, ein ArrayBuffer, geschickt.
+
+## Der Betrachter
+
+viewer-context-taken = der Browser hat den WebGL-Kontext weggenommen
+viewer-no-picture = kein Bild
+viewer-rebuilding = im Aufbau
+viewer-not-loaded = der Betrachter konnte nicht geladen werden: { $reason }
+    .hint = Die Verbindung prüfen und die Seite neu laden.
+renderer-asked = die Adresse verlangt es
+renderer-no-webgpu = dieser Browser hat kein WebGPU, oder die Seite kommt nicht gesichert
+renderer-offered = dieser Browser bietet es an
+renderer-no-adapter = WebGPU bietet keine Grafikkarte an
+renderer-no-webgl = dieser Browser hat kein WebGL2
+renderer-neither = { $reason }; WebGL2 gibt es auch nicht
+    .hint = Einen aktuellen Chrome, Edge, Firefox oder Safari nehmen, über https oder von localhost, und in seinen Einstellungen die Hardwarebeschleunigung einschalten.
+
+## Die Gleichung
+
+equation-energy = Energie
+equation-flow = Gleichung
+symbols = Die Zeichen, wie sie jetzt sind
+symbols-beta = Winkel zwischen den Umkreisen der Dreiecke an der Kante ij
+symbols-epsilon = rundet die Kegelspitze bei Winkel 0 ab
+symbols-p = Exponent
+symbols-mean = mittlere Krümmung, (κ₁ + κ₂)/2, positiv auf einer Kugel
+symbols-gauss = Gaußsche Krümmung
+symbols-normal = äußere Normale
+symbols-spontaneous = spontane Krümmung, ohne Einheit
+symbols-tension = Spannung, die den Flächeninhalt hält
+symbols-pressure = Druck, der das Volumen hält oder führt
+symbols-mass = Masse einer Ecke
+symbols-matrix = zweite Variation der Kreisenergie, Stern für Stern semidefinit gemacht
+symbols-dt = Schrittweite
+symbols-tau = Schrittweite ohne Einheit
+symbols-edge = mittlere Kantenlänge am Anfang
+symbols-size = √(A/4π) am Anfang
+symbols-localised = lokale Energien vor und nach dem Flip
+
+## Eine Ecke
+
+vertex-number = Nummer
+vertex-leave = Keine
+vertex-missing = Es gibt keine Ecke { $vertex }.
+vertex-numbers = Ecke { $vertex }
+vertex-position = Ort
+vertex-valence = Grad
+vertex-outside = zählt nicht zur Energie
+vertex-defect = Kᵢ, Winkeldefekt
+vertex-mean = H, punktweise
+vertex-gauss = K, punktweise
+vertex-principal = κ₁, κ₂ durch Anpassung
+vertex-area = Inhalt, ein Drittel
+vertex-radii = Umkreisradien
+vertex-edges = Ihre Kanten
+vertex-to = Zu
+vertex-length = Länge
+vertex-none = keiner
+vertex-go = Zu Ecke { $neighbour }
+vertex-boundary = { $counts ->
+    [true] Eine Randecke: an ihren Randkanten steht β₂, gegen die Gerade durch eine Ecke im Unendlichen.
+   *[false] Eine Randecke: ihre { $count } Randkanten haben nur einen Kreis und kein β, und Wᵢ zählt unter dieser Randbedingung nicht zur Energie.
+}
+circles = Umkreise
+circles-drawn = { $some ->
+    [true] { $drawn } Kreise von { $total } Dreiecken, von mehr nur ein Teil.
+   *[false] { $drawn } Kreise von { $total } Dreiecken.
+} { $leftOut ->
+    [0] {""}
+   *[other] { $leftOut }, größer als die Fläche, fehlen.
+}
+directions = Krümmungslinien
+directions-drawn = { $drawn } von { $total } Ecken, { $leftOut } an Nabelpunkten haben keine. { $share } % der Kanten liegen höchstens 5° neben einer Krümmungslinie; zufällig wären es 11 %.
+
+## Verfeinerungsstudie
+
+study-of = Von
+study-sample = Das Beispiel, an seinem Anfang
+study-surface = Die Fläche, wie sie jetzt ist
+study-run = Messen
+study-cancel = Abbrechen
+study-crashed = Die Studie brach unerwartet ab ({ $reason }).
+study-preparing = Die Fläche wird vorbereitet …
+study-measuring = Auflösung { $level } wird gemessen …
+study-order = Ordnung { $order }
+study-smooth = Glatt
+study-manner = { $manner ->
+    [sampled] Die glatte Form, bei jeder Auflösung neu abgetastet; höchstens { $most } Ecken.
+    [polyhedron] Das Polyeder, seine Seiten jedes Mal geviertelt; höchstens { $most } Ecken.
+   *[loop] Die Grenzfläche von Loops Schema mit diesem Netz als Steuernetz, die etwas innerhalb liegt; höchstens { $most } Ecken.
+}
+trend-name = { $quantity ->
+    [area] Der Flächeninhalt
+    [circle] W/2
+    [cotangent] ∫H² durch Kotangens
+    [fitted] ∫H² durch quadratische Anpassung
+   *[power] ∫|H|^{ $p }
+}
+trend = { $tendency ->
+    [exact] { $name } stimmt bei jeder Auflösung, bis auf Rundung.
+    [converges] { $name } strebt gegen den glatten Wert { $smooth }; beobachtete Ordnung { $order }.
+    [nears] { $name } strebt gegen ∫(H²−K) dA, { $smooth } durch quadratische Anpassung auf dem feinsten Netz.
+    [settles] { $name } beruhigt sich; beobachtete Ordnung { $order }.
+    [elsewhere] { $name } strebt nicht gegen den glatten Wert { $smooth }, sondern gegen etwa das { $ratio }-fache.
+    [elsewhereThanZero] { $name } beruhigt sich, aber nicht beim glatten Wert { $smooth }.
+    [diverges] { $name } beruhigt sich nicht: jede Verfeinerung ändert es so sehr wie die davor.
+   *[unknown] Über { $name } sagen zwei Auflösungen nicht mehr.
+}
+study-polyhedron = Die Krümmung eines Polyeders sitzt in seinen Kanten: geteilte Seiten lösen sie immer schärfer auf, und jede Willmore-Energie wächst wie 1/h.
+study-lattice = Die Kreiswinkel-Energie strebt nur dann gegen die glatte, wenn die Kanten in einem rechtwinkligen Gitter den Krümmungslinien folgen. Auf anderen Gittern ist ihr Grenzwert größer, und wo Dreiecke nicht Delaunay sind, hat sie keinen (Bobenko und Schröder 2005, Abschnitt 2). Zwischen Schritten vergleichen, nicht zwischen Netzen.
+study-minimisers = Dass Werte auf gegebenen Netzen konvergieren, heißt nicht, dass Minimierer konvergieren: jede bisher vorgeschlagene stückweise lineare Willmore-Energie zu minimieren, führt nicht zu einer Lösung der glatten Aufgabe (Chen, Yu, Brogan, Kusner, Yang und Zigerelli, arXiv 1901.09990).
+
+## Die Vermutung
+
+conjecture-holds = { $against ->
+    [0] Auf diesem Netz gilt sie für alle { $total } Kanten: Inhalt und lokale Energie steigen oder fallen gemeinsam.
+   *[other] Auf diesem Netz steigen oder fallen Inhalt und lokale Energie bei { $percent } % von { $total } Kanten gemeinsam, bei { $against } nicht.
+}
+conjecture-plot = Was ein Flip jeder Kante gewinnt: Inhalt nach rechts, lokale Energie nach oben
+both-fall = Beide fallen
+neither-falls = Keine fällt
+only-area = Nur der Inhalt fällt
+only-localised = Nur die lokale Energie fällt
+counterexamples = Gegenbeispiele
+counterexample = Kante { $i }–{ $j }: f_a { $area }, f_l { $localised }
+quad = Viereck
+quad-gained = { $gained } von { $area }
+quad-fold = Winkel zwischen den Seiten
+lab-run = Vierecke ziehen
+lab-stop = Halt
+lab-found = { $total } zufällige Tetraeder, { $against } dagegen: { $areaOnly } senken nur den Inhalt, { $localisedOnly } nur die lokale Energie.
+lab-total = Gezogen
+lab-against = Dagegen

@@ -1,0 +1,151 @@
+// @ts-check
+// The energy over the clip: what is played is filled, true steps are ticks. It is the scrubber.
+
+import { html, nothing, svg } from "lit-html";
+import { formatShort } from "../number.js";
+import { say } from "../words.js";
+
+/** @import { Page } from "../actions.js" */
+/** @import { Point } from "../clip.js" */
+
+/** Most points of a line: as many as there are pixels to tell them apart. */
+const MOST = 600;
+/** Ticks with a number keep this much of the width between them. */
+const APART = 0.06;
+const [WIDTH, TOP, BOTTOM] = [1000, 6, 82];
+
+/** What a curve shows of a step. @param {Point} point */
+export const energyOf = ({ state }) => state.energy;
+
+/** Some of the points of a long run. @param {readonly Point[]} points */
+export function thinned(points) {
+  const every = Math.ceil(points.length / MOST);
+  return points.filter((_, n) => n % every === 0 || n === points.length - 1);
+}
+
+/**
+ * The steps that have a number below the curve.
+ * @param {readonly Point[]} points @param {number} total
+ * @returns {Point[]}
+ */
+export function labelled(points, total) {
+  const last = points.at(-1);
+  if (!last || points.length < 2) return [];
+  /** @type {Point[]} */
+  const chosen = [points[0]];
+  for (const point of points) {
+    const far = (point.sum - (chosen.at(-1)?.sum ?? 0)) / total;
+    if (far >= APART && (total - point.sum) / total >= 1.6 * APART) chosen.push(point);
+  }
+  return [...chosen, last];
+}
+
+/** The end of the energy axis. @param {readonly Point[]} points */
+export function topOf(points) {
+  let most = 0;
+  for (const point of points) most = Math.max(most, energyOf(point));
+  return most || 1;
+}
+
+/** @param {Page} page */
+export function curve(page) {
+  page.player.tick.value;
+  const s = page.state.value;
+  const { lead } = page;
+  const { points } = lead.clip;
+  const total = lead.clip.total || 1;
+  const most = topOf(points);
+  const some = thinned(points);
+  /** @param {Point} point */
+  const at = (point) => [
+    (point.sum / total) * WIDTH,
+    BOTTOM - ((BOTTOM - TOP) * Math.max(energyOf(point), 0)) / most,
+  ];
+  const line = (/** @type {number[][]} */ list) =>
+    `M${list.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
+  const whole = some.map(at);
+  const x = (lead.u / total) * WIDTH;
+  const { index, share } = lead.clip.at(lead.u);
+  const [a, b] = [points[index], points[index + 1]];
+  const y = b ? at(a)[1] + share * (at(b)[1] - at(a)[1]) : a ? at(a)[1] : BOTTOM;
+  const played = [...whole.filter(([left]) => left < x), [x, y]];
+  const under = (/** @type {number[][]} */ list) =>
+    `${line(list)}L${list[list.length - 1][0].toFixed(1)} ${BOTTOM}L0 ${BOTTOM}Z`;
+  const { step } = page.shown() ?? { step: 0 };
+  const ticks = points.length > 200 ? [] : points;
+
+  /** @param {PointerEvent} event */
+  function drag(event) {
+    const box = /** @type {Element} */ (event.currentTarget).getBoundingClientRect();
+    page.run.scrub(Math.min(Math.max((event.clientX - box.left) / box.width, 0), 1) * total);
+  }
+  /** @param {PointerEvent} event */
+  function press(event) {
+    if (points.length < 2) return;
+    /** @type {Element} */ (event.currentTarget).setPointerCapture(event.pointerId);
+    drag(event);
+  }
+  /** @param {KeyboardEvent} event */
+  function key(event) {
+    /** @type {Record<string, () => unknown>} */
+    const moves = {
+      ArrowLeft: page.run.back,
+      ArrowRight: page.run.step,
+      Home: () => page.run.seek(points[0].state.step),
+      End: () => page.run.seek(points[points.length - 1].state.step),
+    };
+    if (!Object.hasOwn(moves, event.key) || points.length === 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    moves[event.key]();
+  }
+  if (points.length < 2 && !s.running) {
+    return html`<div class="curve"><p class="empty">${say("curve-empty")}</p></div>`;
+  }
+  return html`<div class="curve">
+    <span class="most" aria-hidden="true">${formatShort(most)}</span><span class="least" aria-hidden="true">0</span>
+    <div class="plot" role="slider" tabindex="0" aria-label=${say("history")} aria-valuemin="0"
+      aria-valuemax=${points.at(-1)?.state.step ?? 0} aria-valuenow=${step}
+      aria-valuetext=${say("clause-step", { step })}
+      @pointerdown=${press} @keydown=${key}
+      @pointermove=${(/** @type {PointerEvent} */ event) =>
+        /** @type {Element} */ (event.currentTarget).hasPointerCapture(event.pointerId) &&
+        drag(event)}
+      @lostpointercapture=${() => page.run.scrubbed()}>
+      <svg viewBox="0 0 ${WIDTH} 100" preserveAspectRatio="none" aria-hidden="true">
+        <line class="base" x1="0" x2=${WIDTH} y1=${BOTTOM} y2=${BOTTOM} />
+        <path class="computed area" d=${under(whole)} /><path class="played area" d=${under(played)} />
+        <path class="computed" d=${line(whole)} /><path class="played" d=${line(played)} />
+        ${branches(page)}
+        ${ticks.map((point) => svg`<line class="tick" x1=${at(point)[0]} x2=${at(point)[0]} y1=${BOTTOM + 1} y2=${BOTTOM + 5} />`)}
+      </svg>
+      <i class="head" .style=${`--x:${(x / WIDTH) * 100}%;--y:${y}%`}></i>
+      ${labelled(points, total).map((point, n, all) =>
+        label(point, total, n === 0 ? "first" : n === all.length - 1 ? "last" : ""),
+      )}
+    </div>
+  </div>`;
+}
+
+/** @param {Point} point @param {number} total @param {string} place */
+function label({ state, sum }, total, place) {
+  const text = place === "first" && state.step === 0 ? say("start") : String(state.step);
+  return html`<span class="step ${place}" aria-hidden="true" .style=${`--x:${(100 * sum) / total}%`}
+    >${place === "last" ? say("clause-step", { step: state.step }) : text}</span>`;
+}
+
+/** Where branches left the path. @param {Page} page */
+function branches(page) {
+  const { timeline } = page.state.value;
+  const { clip } = page.lead;
+  if (!timeline || timeline.branches.length === 0) return nothing;
+  const total = clip.total || 1;
+  const most = topOf(clip.points);
+  return timeline.branches.map(({ from, energy }) => {
+    const point = clip.points[Math.max(clip.indexOf(from), 0)];
+    const y = (/** @type {number} */ value) =>
+      BOTTOM - ((BOTTOM - TOP) * Math.min(Math.max(value, 0), most)) / most;
+    const x = (WIDTH * point.sum) / total;
+    return svg`<path class="branch" d="M${x} ${y(energyOf(point))}L${Math.min(x + 60, WIDTH)} ${y(energy)}" />`;
+  });
+}

@@ -1,0 +1,106 @@
+// @ts-check
+// The tab of the surface: what it is, what was found in it, what can be changed.
+
+import { html, nothing } from "lit-html";
+import { samples } from "../generated/library.js";
+import { sampleName } from "../library.js";
+import { formatNumber } from "../number.js";
+import { sceneTitle } from "../status.js";
+import { say } from "../words.js";
+import { button, select } from "./parts.js";
+
+/** @import { Page } from "../actions.js" */
+
+/** Below this angle triangles are called uneven, in degrees. */
+const EVEN = 15;
+
+/** @param {string} text @param {string} hint @param {unknown} [act] */
+const finding = (text, hint, act = nothing) =>
+  html`<div class="finding"><div>${text}<p class="hint">${hint}</p></div>${act}</div>`;
+
+/** @param {Page} page */
+function findings(page) {
+  const { mesh } = page.state.value;
+  if (!mesh) return nothing;
+  const { boundaryLoops, minAngleDegrees, selfIntersections, oriented } = mesh.info;
+  const small = { kind: "small" };
+  const angle = page.shown()?.minAngleDegrees ?? minAngleDegrees;
+  const isEven = angle >= EVEN;
+  return html`<h3>${say("found")}</h3>
+    ${
+      boundaryLoops > 0
+        ? finding(
+            say("found-holes", { count: boundaryLoops }),
+            say("found-holes.hint"),
+            button(say("fill-start"), () => page.edit.mode("fill"), { kind: "small primary" }),
+          )
+        : finding(say("found-closed"), say(oriented ? "found-two-sided" : "found-one-sided"))
+    }
+    ${finding(
+      say(isEven ? "found-even" : "found-uneven"),
+      say("found-angle", { angle: formatNumber(angle, 3) }),
+      isEven ? nothing : button(say("even-out"), page.edit.regularise, small),
+    )}
+    ${
+      selfIntersections
+        ? finding(
+            say("crossings", { count: selfIntersections }),
+            say("crossings-hint"),
+            button(say("why-show"), () => showCrossings(page), small),
+          )
+        : nothing
+    }
+    ${mesh.info.warnings.map((warning) => html`<p class="hint">${say(warning)}</p>`)}`;
+}
+
+/** @param {Page} page */
+async function showCrossings(page) {
+  const found = await page.edit.selfIntersections().catch(page.report);
+  if (found) page.edit.mark({ edges: new Uint32Array(), triangles: found.triangles });
+}
+
+/** @param {Page} page */
+export function surface(page) {
+  const s = page.state.value;
+  const { mesh, source, mode, earlier, comparison } = s;
+  const isAlone = comparison.rivals.length === 0;
+  const choices = samples.map(({ id, group }) => ({
+    id,
+    label: sampleName(id),
+    group: say(`group-${group}`),
+  }));
+  const isSample = source?.kind === "sample";
+  const own =
+    isSample || !source ? [] : [{ id: "", label: sceneTitle(source), group: say("yours") }];
+  const undone = earlier.at(-1);
+  /** @param {"paint" | "fill" | "subdivide" | "invert"} tool */
+  const tool = (tool) =>
+    button(say(`tool-${tool}`), () => page.edit.mode(mode === tool ? null : tool), {
+      kind: "chip",
+      icon: tool,
+      pressed: mode === tool,
+    });
+  return html`
+    ${
+      mesh
+        ? html`<div><b class="name">${sceneTitle(source)}</b><p class="hint">${say("mesh-size", {
+            vertices: mesh.info.vertices,
+            faces: mesh.info.faces,
+            loops: mesh.info.boundaryLoops,
+          })}</p></div>`
+        : nothing
+    }
+    ${select(say("sample"), [...own, ...choices], isSample ? source.id : "", (id) => id && page.open.sample(id))}
+    <div class="row">${button(say("library"), () => page.patch({ dialog: "library" }), { icon: "library" })}
+      ${button(say("open-mesh"), () => page.chooseFile(), { icon: "open" })}</div>
+    <hr />${findings(page)}
+    ${
+      mesh && isAlone
+        ? html`<hr /><h3>${say("change-it")}</h3>
+        <div class="row">${tool("paint")}${mesh.info.boundaryLoops > 0 ? tool("fill") : nothing}${tool("subdivide")}${tool("invert")}</div>
+        <div class="row">${button(say("even-out"), page.edit.regularise, { kind: "small" })}
+          ${(page.shown()?.step ?? 0) > 0 ? button(say("start-from-here"), page.edit.adopt, { kind: "small" }) : nothing}
+          ${undone ? button(say("undo", { what: undone.what }), page.edit.undo, { kind: "small", icon: "undo" }) : nothing}</div>`
+        : nothing
+    }`;
+}

@@ -1,0 +1,26 @@
+// @ts-check
+// The bar at the top: what is shown, presenting, help.
+
+import { html } from "lit-html";
+import { flowLabel } from "../options.js";
+import { sceneTitle } from "../status.js";
+import { say } from "../words.js";
+import { icon, mark } from "./parts.js";
+
+/** @param {import("../actions.js").Page} page */
+export function top(page) {
+  const { source, options } = page.state.value;
+  const title = sceneTitle(source);
+  return html`
+    <h1 class="brand">${mark}<span>Umbilic</span></h1>
+    <button type="button" class="pick" aria-haspopup="dialog" title="${say("library")} (/)"
+      @click=${() => page.patch({ dialog: "library" })}>
+      <span id="title">${title || say("library")}</span>
+      <span class="flow">${title ? flowLabel(options.flow) : ""}</span>${icon("down")}
+    </button>
+    <span class="space"></span>
+    <button type="button" class="button quiet" title="${say("present")} (F)" aria-label=${say("present")}
+      @click=${() => page.present()}>${icon("present")}<span>${say("present")}</span></button>
+    <button type="button" class="button quiet" aria-haspopup="dialog" title="${say("help")} (?)" aria-label=${say("help")}
+      @click=${() => page.patch({ dialog: "help" })}>${icon("help")}<span>${say("help")}</span></button>`;
+}
