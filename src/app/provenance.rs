@@ -33,7 +33,7 @@ pub enum Edit {
     Flip(FlipOptions),
     /// Faces were divided into four.
     Subdivide(SubdivideOptions),
-    /// The surface was inverted in a sphere: its centre, in the units of [`Session::invert`].
+    /// The surface was inverted in a sphere: its centre, in the units of [`Session::invert`](crate::app::Session::invert).
     Invert([f64; 3]),
 }
 

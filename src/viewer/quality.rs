@@ -55,7 +55,7 @@ impl Quality {
 
     /// Takes note of how long a frame took in which a picture was drawn.
     ///
-    /// A page that is busy with something else is late too, now and then. So of [`PICTURES`]
+    /// A page that is busy with something else is late too, now and then. So of `PICTURES`
     /// frames the slower three quarters are not believed.
     pub fn record(&mut self, milliseconds: f32) {
         self.milliseconds.push(milliseconds);

@@ -2390,7 +2390,7 @@ finished: boolean,
 mostVertices: number, };
 
 /**
- * Options of [`Session::subdivide`].
+ * Options of [`Session::subdivide`](crate::app::Session::subdivide).
  */
 export type SubdivideOptions = { 
 /**

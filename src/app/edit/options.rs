@@ -57,7 +57,7 @@ pub enum SubdivisionScheme {
     Loop,
 }
 
-/// Options of [`Session::subdivide`].
+/// Options of [`Session::subdivide`](crate::app::Session::subdivide).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
