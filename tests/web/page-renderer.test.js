@@ -40,7 +40,7 @@ async function open(query) {
   opened.page.on("request", (request) => asked.push(request.url()));
   await opened.page.goto(`${site.url}?${query}`);
   await until(opened.page, "Ready");
-  const drawnBy = async () => (await opened.page.locator("#renderer").textContent()) ?? "";
+  const drawnBy = async () => (await opened.page.locator("#panes").getAttribute("data-renderer")) ?? "";
   const fetched = (/** @type {RegExp} */ name) => asked.filter((url) => name.test(url)).length;
   return { ...opened, drawnBy, fetched };
 }
@@ -81,7 +81,7 @@ test("an adapter without a device leaves the canvas to WebGL2", async () => {
   await page.goto(`${site.url}?msaa=1`);
   await untilDrawn(page);
   assert.match(
-    (await page.locator("#renderer").textContent()) ?? "",
+    (await page.locator("#panes").getAttribute("data-renderer")) ?? "",
     /^Drawn with WebGL2: the graphics adapter gives no device/,
   );
   await close();
@@ -113,7 +113,7 @@ test("where WebGPU is lost for good, WebGL2 goes on with the same picture", asyn
     .first()
     .waitFor({ state: "attached" });
   await untilPictured(page, before, (mean) => mean < MEAN);
-  assert.equal(await page.locator("#absence").isVisible(), false);
+  assert.equal(await page.locator(".absence").count(), 0);
   // It is the new canvas that is seen and saved, and the old one that is turned.
   await button(page, "Step").click();
   await until(page, "Paused at step 1");

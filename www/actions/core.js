@@ -222,8 +222,11 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
           const [message, hint] = [say("solver-not-started"), say("solver-not-started.hint")];
           throw { kind: "NoSolver", message, hint };
         }
-        anew(true);
         const reading = await solver.revive();
+        if (reading) {
+          lead.clip.forgetBefore(reading.step);
+          show(reading.step);
+        }
         patch({ phase: mesh ? "ready" : "empty", reading });
         const { id, values } = tell(reading?.step ?? 0);
         const hint = [...(what ? [say("lost-with-solver", { what })] : []), say(`${id}.hint`)];

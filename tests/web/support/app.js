@@ -56,7 +56,7 @@ export function useSite(options) {
      * @param {import("playwright-core").BrowserContextOptions} [context]
      * @param {string} [query]  the address from `?` on, without it
      */
-    async open(scene = "", context = {}, query = "msaa=1") {
+    async open(scene = "sample=icosahedron", context = {}, query = "msaa=1") {
       const opened = await this.blank(context);
       await opened.page.goto(`${server.url}?${query}#${scene}`);
       await until(opened.page, scene.includes("step=") ? /^Paused/ : "Ready");
