@@ -9,7 +9,7 @@ import { picture } from "./support/browser.js";
 const site = useSite();
 
 test("the first sample is drawn and described, without a click", async () => {
-  const { page, faults, close } = await site.open();
+  const { page, faults, close } = await site.open("");
   await untilDrawn(page);
   assert.match(await surface(page), /^Surface: Bumpy sphere, step 0, energy 114\.0, area /);
   assert.equal(await reading(page, "Vertices"), "2562");

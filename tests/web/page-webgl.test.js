@@ -6,6 +6,7 @@ import { test } from "node:test";
 import {
   button,
   canvas,
+  choice,
   colourBy,
   download,
   energy,

