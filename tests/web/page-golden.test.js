@@ -7,7 +7,14 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { useSite } from "./support/app.js";
 import { difference } from "./support/browser.js";
-import { context as browserContext, file, query, scenes, stored, takePicture } from "./support/golden.js";
+import {
+  context as browserContext,
+  file,
+  query,
+  scenes,
+  stored,
+  takePicture,
+} from "./support/golden.js";
 
 /**
  * Bounds on the difference, of 255: rounding and edges a pixel off differ between

@@ -10,6 +10,7 @@ import {
   download,
   energy,
   openMesh,
+  openTab,
   playAndPause,
   plotted,
   reading,
@@ -17,7 +18,8 @@ import {
   surface,
   until,
   untilPictured,
-  useSite, openTab } from "./support/app.js";
+  useSite,
+} from "./support/app.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 
 const site = useSite();
@@ -149,8 +151,7 @@ test("an exception that nobody caught is survived, colours and options with it",
 });
 
 /** What has been said of the solver, in all. @param {Page} page */
-const alerts = async (page) =>
-  page.getByRole("alert").locator(".what").count();
+const alerts = async (page) => page.getByRole("alert").locator(".what").count();
 
 test("a second crash on the way back costs no more than the first", async () => {
   const { page, faults, close } = await site.blank();
@@ -184,7 +185,10 @@ test("a second crash on the way back costs no more than the first", async () => 
   assert.equal(await page.getByRole("slider", { name: "History" }).count(), 0);
   await button(page, "Step").click();
   await until(page, "Paused at step 4");
-  assert.equal(await page.getByRole("slider", { name: "History" }).getAttribute("aria-valuemin"), "3");
+  assert.equal(
+    await page.getByRole("slider", { name: "History" }).getAttribute("aria-valuemin"),
+    "3",
+  );
   await button(page, "Back").click();
   await until(page, "Paused at step 3");
   assert.equal(await button(page, "Back").getAttribute("aria-disabled"), "true");

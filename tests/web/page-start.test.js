@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { canvas, reading, surface, until, untilDrawn, useSite, openTab } from "./support/app.js";
+import { canvas, openTab, reading, surface, until, untilDrawn, useSite } from "./support/app.js";
 import { picture } from "./support/browser.js";
 
 const site = useSite();
