@@ -129,6 +129,13 @@ export class Clip {
     this.#every = 1;
   }
 
+  /** Steps before this one can be shown no more. @param {number} step */
+  forgetBefore(step) {
+    const first = this.points.find(({ state }) => state.step >= step)?.sum ?? 0;
+    this.points = this.points.filter(({ state }) => state.step >= step);
+    for (const point of this.points) point.sum -= first;
+  }
+
   get total() {
     return this.points.at(-1)?.sum ?? 0;
   }

@@ -1,5 +1,5 @@
 // @ts-check
-// Where a run stands: what its status means, and what that is called.
+// Where a run stands: what its status means.
 
 /** @import { Status } from "./generated/types.js" */
 
@@ -7,14 +7,3 @@
 
 /** A run that came to its end, of its own accord or at a limit. @param {Status} status @returns {status is Ended} */
 export const isOver = (status) => status !== "ready";
-
-/** In a word or two. @type {Readonly<Record<Status, string>>} */
-export const standings = {
-  ready: "moving",
-  converged: "converged",
-  stalled: "stalled",
-  stepLimit: "at its limit",
-  singular: "singular",
-  collapsed: "collapsed",
-  failed: "failed",
-};

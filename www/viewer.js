@@ -4,7 +4,7 @@
 // graphics device is lost.
 
 import { listenForGestures } from "./gestures.js";
-import { chooseRenderer, giveUpWebgpu, openViewer } from "./renderer.js";
+import { giveUpWebgpu, openViewer } from "./renderer.js";
 import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
 import { say } from "./words.js";
 
@@ -87,17 +87,6 @@ export async function createViewer(canvas, options = {}) {
   const view = new SurfaceView(canvas, options);
   await view.open();
   return view;
-}
-
-/**
- * The subdivided icosahedron without the solver, for the first picture.
- * @param {number} level
- * @returns {Promise<Drawable>}
- */
-export async function icosahedron(level) {
-  const { module } = await chooseRenderer();
-  const none = new Uint32Array();
-  return { ...module.icosahedron(level), wireEdges: none, boundaryEdges: none };
 }
 
 class SurfaceView {

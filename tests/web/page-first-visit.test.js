@@ -25,7 +25,7 @@ test("a sentence says what will happen, twelve controls at most, and no number",
     "button:visible, select:visible, a:visible, input:not(#file):visible",
   );
   assert.ok((await controls.count()) <= 12, String(await controls.count()));
-  const text = (await page.locator("body").textContent()) ?? "";
+  const text = (await page.locator("body").allInnerTexts()).join("\n");
   assert.doesNotMatch(text, /\d/);
   assert.match(text, /In a few seconds it will be round/);
   await button(page, "Watch it flow").click();
@@ -34,6 +34,7 @@ test("a sentence says what will happen, twelve controls at most, and no number",
   // The clip: eight seconds, at least five pictures a second in software, ever less energy.
   const seen = await page.evaluate(async () => {
     const head = () => document.querySelector(".head")?.getAttribute("style") ?? "";
+    /** @type {Set<string>} */
     const places = new Set();
     const status = () => document.querySelector("[role=status]")?.textContent ?? "";
     let begun = 0;
@@ -64,13 +65,13 @@ test("the scale of colours is the same at the first and the last picture", async
   await colourBy(page, "Mean curvature H");
   const legend = page.getByRole("img", { name: /^Colours: Mean curvature H/ });
   const first = await legend.getAttribute("aria-label");
-  const ticks = (await page.locator(".ticks").textContent()) ?? "";
+  const ticks = (await page.locator(".ticks").allInnerTexts()).join(" ");
   assert.match(ticks, /\b0\b/);
   await button(page, "Play").click();
   await until(page, /^Converged/);
   assert.equal(await legend.getAttribute("aria-label"), first);
   assert.match(
-    (await page.locator(".ticks").textContent()) ?? "",
+    (await page.locator(".ticks").allInnerTexts()).join(" "),
     /round/,
     "a finished ball has its place",
   );

@@ -7,7 +7,14 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { useSite } from "./support/app.js";
 import { difference } from "./support/browser.js";
-import { context as browserContext, file, scenes, stored, takePicture } from "./support/golden.js";
+import {
+  context as browserContext,
+  file,
+  query,
+  scenes,
+  stored,
+  takePicture,
+} from "./support/golden.js";
 
 /**
  * Bounds on the difference, of 255: rounding and edges a pixel off differ between
@@ -29,10 +36,10 @@ async function system(page) {
   return `Chromium ${site.browser.version()}, ${adapter || "unnamed adapter"}`;
 }
 
-for (const [name, { colour, scene }] of Object.entries(scenes)) {
+for (const [name, { scene }] of Object.entries(scenes)) {
   test(`${name} looks as it did`, async (context) => {
-    const { page, faults, close } = await site.open(scene, browserContext);
-    const bytes = await takePicture(page, colour);
+    const { page, faults, close } = await site.open(scene, browserContext, query);
+    const bytes = await takePicture(page);
     if (update) {
       writeFileSync(file(`${name}.png`), bytes);
       writeFileSync(file("made-on.txt"), `${await system(page)}\n`);

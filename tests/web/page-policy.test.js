@@ -4,7 +4,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { choice, download, openMesh, playAndPause, untilDrawn, useSite } from "./support/app.js";
+import { colourBy, download, openMesh, playAndPause, untilDrawn, useSite } from "./support/app.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 
 const site = useSite();
@@ -48,10 +48,10 @@ test("a whole session breaks no rule and asks no other host", async () => {
 
   await page.goto(`${site.url}?msaa=1`);
   await untilDrawn(page);
+  await page.keyboard.press("Escape");
   await openMesh(page, "wavy.obj", obj(wavyTorus()));
-  await choice(page, "Colour by").selectOption({ label: "Willmore energy Wᵢ" });
+  await colourBy(page, "Willmore energy Wᵢ");
   await playAndPause(page, 2);
-  await page.locator("#plot canvas").waitFor();
   for (const format of ["PLY", "History, CSV", "Picture, PNG"]) await download(page, format);
 
   assert.ok(

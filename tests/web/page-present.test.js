@@ -31,7 +31,7 @@ test("a clicker plays, goes on to the next, and back", async () => {
   await untilDrawn(page);
   assert.equal(await page.locator("#presented").textContent(), "Bumpy sphere");
   assert.ok((await smallest(page)) >= 24, String(await smallest(page)));
-  const text = (await page.locator("body").textContent()) ?? "";
+  const text = (await page.locator("body").allInnerTexts()).join("\n");
   assert.doesNotMatch(text, /step \d|Smallest angle|Converged/);
   await page.keyboard.press("PageDown");
   await page.waitForFunction(() => document.querySelector(".present-line .played"));

@@ -10,6 +10,7 @@ import {
   download,
   energy,
   openMesh,
+  openTab,
   playAndPause,
   plotted,
   reading,
@@ -27,9 +28,9 @@ const site = useSite();
 
 /** The error on screen, when there is one, with its hint. @param {Page} page */
 async function firstError(page) {
-  const lines = page.getByRole("alert").locator(".message p");
-  await lines.first().waitFor();
-  return (await lines.allTextContents()).join(" ").trim();
+  const said = page.getByRole("alert").filter({ has: page.locator(".what") });
+  await said.waitFor();
+  return ((await said.textContent()) ?? "").replace(/\s+/g, " ").trim();
 }
 
 /**
@@ -82,7 +83,7 @@ test("a trap in the middle of a run costs nothing but the step it was in", async
   const { page, faults, close } = await site.blank();
   // Those of both meshes at rest, and the first of a run.
   const workers = await spoilWorkers(page, (n) => (n === 1 ? { at: "shown === 3" } : null));
-  await page.goto(`${site.url}?msaa=1`);
+  await page.goto(`${site.url}?msaa=1#sample=icosahedron`);
   await until(page, "Ready");
   await openMesh(page, "wavy.obj", obj(wavyTorus()));
   const atStart = await energy(page);
@@ -109,6 +110,7 @@ test("an exception that nobody caught is survived, colours and options with it",
   const { page, faults, close } = await site.open(
     "sample=bumpy-sphere&epsilon=0.05&colour=willmore",
   );
+  await openTab(page, "Measure");
   const started = await stillPicture(page);
   for (const step of [1, 2, 3]) {
     await button(page, "Step").click();
@@ -130,7 +132,6 @@ test("an exception that nobody caught is survived, colours and options with it",
   assert.deepEqual([await surface(page), await reading(page, "Time")], before);
   await page.waitForFunction(() => location.hash.includes("epsilon=0.05"));
   await page.getByRole("img", { name: /^Colours: Willmore/ }).waitFor();
-  // The message lies over the picture.
   await button(page, "Dismiss").click();
   // The picture is the last one's.
   await untilPictured(page, seen, (mean) => mean < 0.05);
@@ -138,7 +139,8 @@ test("an exception that nobody caught is survived, colours and options with it",
   await until(page, "Paused at step 4");
   assert.deepEqual(
     (await plotted(page)).map(([step]) => step),
-    [0, 1, 2, 3, 4],
+    [3, 4],
+    "the history has begun anew",
   );
   // The browser itself prints what the worker threw.
   assert.deepEqual(
@@ -149,15 +151,14 @@ test("an exception that nobody caught is survived, colours and options with it",
 });
 
 /** What has been said of the solver, in all. @param {Page} page */
-const alerts = async (page) =>
-  (await page.getByRole("alert").locator(".message").allTextContents()).length;
+const alerts = async (page) => page.getByRole("alert").locator(".what").count();
 
 test("a second crash on the way back costs no more than the first", async () => {
   const { page, faults, close } = await site.blank();
   const workers = await spoilWorkers(page, (n) =>
     n > 1 && n < 5 ? { at: `asked === ${n}` } : null,
   );
-  await page.goto(`${site.url}?msaa=1`);
+  await page.goto(`${site.url}?msaa=1#sample=icosahedron`);
   await until(page, "Ready");
   await openMesh(page, "wavy.obj", obj(wavyTorus(24, 12)));
   for (const step of [1, 2, 3]) {
@@ -181,15 +182,19 @@ test("a second crash on the way back costs no more than the first", async () => 
   assert.equal((await download(page, "OBJ")).bytes.toString(), shown);
   // The history has begun anew.
   assert.equal(await button(page, "Back").getAttribute("aria-disabled"), "true");
-  assert.equal(await page.locator("#scrubber").isVisible(), false);
+  assert.equal(await page.getByRole("slider", { name: "History" }).count(), 0);
   await button(page, "Step").click();
   await until(page, "Paused at step 4");
-  assert.equal(await page.locator("#scrub").getAttribute("min"), "3");
+  assert.equal(
+    await page.getByRole("slider", { name: "History" }).getAttribute("aria-valuemin"),
+    "3",
+  );
   await button(page, "Back").click();
   await until(page, "Paused at step 3");
   assert.equal(await button(page, "Back").getAttribute("aria-disabled"), "true");
   assert.equal((await download(page, "OBJ")).bytes.toString(), shown);
   // How it came to be is not known; from the start on it is, and of which file.
+  await openTab(page, "Share");
   await choice(page, "Save as").selectOption({ label: "Recipe, JSON" });
   await button(page, "Download").click();
   await page
@@ -211,7 +216,7 @@ test("a solver that cannot be had any more leaves the picture and its file, unti
   const { page, close } = await site.blank();
   let isBroken = true;
   await spoilWorkers(page, (n) => (n > 1 && isBroken ? { at: "asked === 2" } : null));
-  await page.goto(`${site.url}?msaa=1`);
+  await page.goto(`${site.url}?msaa=1#sample=icosahedron`);
   await until(page, "Ready");
   await openMesh(page, "wavy.obj", obj(wavyTorus(24, 12)));
   await button(page, "Step").click();
@@ -256,7 +261,7 @@ test("a solver that falls silent is noticed, and another goes on", async () => {
     Object.assign(globalThis, { setTimeout: hurried });
   });
   await spoilWorkers(page, (n) => (n === 1 ? { at: "shown === 2", how: "hang" } : null));
-  await page.goto(`${site.url}?msaa=1`);
+  await page.goto(`${site.url}?msaa=1#sample=icosahedron`);
   await until(page, "Ready");
   await button(page, "Play").click();
   const restart = button(page, "Restart the solver");
@@ -314,7 +319,7 @@ test("a step that takes too long can be ended", async () => {
 test("a solver that cannot be loaded is reported, with what to do", async () => {
   const { page, close } = await site.blank();
   await page.route(/solver_bg[^/]*\.wasm$/, (route) => route.abort());
-  await page.goto(`${site.url}?msaa=1`);
+  await page.goto(`${site.url}?msaa=1#sample=icosahedron`);
   assert.match(await firstError(page), /could not be started.*Reload/);
   await until(page, "The solver is not running");
   await close();

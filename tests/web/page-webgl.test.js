@@ -7,6 +7,7 @@ import {
   button,
   canvas,
   choice,
+  colourBy,
   download,
   energy,
   openMesh,
@@ -18,7 +19,7 @@ import {
   useSite,
 } from "./support/app.js";
 import { difference, measure, picture } from "./support/browser.js";
-import { context as goldenContext, scenes, stored, takePicture } from "./support/golden.js";
+import { context as goldenContext, query, scenes, stored, takePicture } from "./support/golden.js";
 import { obj, wavyTorus } from "./support/meshes.js";
 import { decodePng } from "./support/png.js";
 
@@ -57,17 +58,15 @@ test("WebGL2 draws, and the page says so and why", async () => {
   /** @type {string[]} */
   const asked = [];
   page.on("request", (request) => asked.push(request.url()));
-  await page.goto(`${site.url}?msaa=1`);
+  await page.goto(`${site.url}?msaa=1#sample=icosahedron`);
   await until(page, "Ready");
   await untilDrawn(page);
   assert.equal(asked.filter((url) => /viewer-webgl_bg[^/]*\.wasm$/.test(url)).length, 1);
   const line = /^Drawn with WebGL2: .*WebGPU/;
-  assert.match((await page.locator("#renderer").textContent()) ?? "", line);
-  await page.locator("#view > summary").click();
-  await page.locator("#renderer").getByText(line).waitFor();
+  assert.match((await page.locator("#panes").getAttribute("data-renderer")) ?? "", line);
   await button(page, "Help").click();
   await page.getByRole("dialog").getByText(line).waitFor();
-  assert.equal(await page.locator("#absence").isVisible(), false);
+  assert.equal(await page.locator(".absence").count(), 0);
   assert.deepEqual(faults, []);
   await close();
 });
@@ -83,12 +82,11 @@ test("with WebGL2 the picture follows flow, colours, wireframe and camera", asyn
   await untilPictured(page, before, (mean) => mean > 0.5);
 
   before = await stillPicture(page);
-  await choice(page, "Colour by").selectOption({ label: "Mean curvature H" });
+  await colourBy(page, "Mean curvature H");
   await untilPictured(page, before, (mean) => mean > 5);
 
   before = await stillPicture(page);
-  await page.locator("#view > summary").click();
-  await page.getByRole("checkbox", { name: "Wireframe" }).check();
+  await page.keyboard.press("m");
   await untilPictured(page, before, (mean) => mean > 1);
 
   before = await stillPicture(page);
@@ -214,10 +212,10 @@ test("a WebGL context that does not come back is reported, and the flow runs on"
   await close();
 });
 
-for (const [name, { colour, scene }] of Object.entries(scenes)) {
+for (const [name, { scene }] of Object.entries(scenes)) {
   test(`${name} looks with WebGL2 as it does with WebGPU`, async (context) => {
-    const { page, faults, close } = await site.open(scene, goldenContext);
-    const apart = difference(stored(name), await takePicture(page, colour));
+    const { page, faults, close } = await site.open(scene, goldenContext, query);
+    const apart = difference(stored(name), await takePicture(page));
     const bound = `at most ${MEAN} and ${PERCENTILE_95}`;
     context.diagnostic(
       `mean ${apart.mean.toFixed(3)}, 95th percentile ${apart.percentile95}; ${bound}`,

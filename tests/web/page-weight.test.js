@@ -1,17 +1,18 @@
 // @ts-check
-// What must be fetched before the first picture, compressed as a web server would.
+// What must be fetched before there is anything to see but the surface, which the solver makes;
+// compressed as a web server would.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { until, untilDrawn, useSite } from "./support/app.js";
+import { untilDrawn, useSite } from "./support/app.js";
 
-/** In kB of 1000 bytes. The solver is fetched after the first picture. */
-const BOUND = 350;
+/** In kB of 1000 bytes, with the fonts. */
+const BOUND = 250;
 
 const site = useSite();
 
-test("the first picture takes little to fetch", async (context) => {
+test("the page and its viewer take little to fetch", async (context) => {
   const { page, faults, close } = await site.blank();
   /** @type {Promise<{ name: string, raw: number, gzipped: number }>[]} */
   const fetched = [];
@@ -20,8 +21,7 @@ test("the first picture takes little to fetch", async (context) => {
   let pictured = false;
   page.on("response", (response) => {
     const name = new URL(response.url()).pathname.split("/").pop() || "index.html";
-    // The plot's library comes last, and only for the plot.
-    if (pictured || seen.has(name) || name.startsWith("energy-chart")) return;
+    if (pictured || seen.has(name)) return;
     seen.add(name);
     fetched.push(
       response.body().then((body) => ({
@@ -31,7 +31,7 @@ test("the first picture takes little to fetch", async (context) => {
       })),
     );
   });
-  // The solver is held up for good: the picture must come without it.
+  // The solver is held up for good: the page must come without it.
   await page.route(/solver_bg[^/]*\.wasm$/, () => {});
   await page.goto(`${site.url}?msaa=1`);
   await untilDrawn(page);
@@ -47,29 +47,6 @@ test("the first picture takes little to fetch", async (context) => {
   // The viewer, the page, its script and style.
   assert.ok(files.length >= 4, `only ${files.map(({ name }) => name)}`);
   assert.ok(total <= BOUND, `${total.toFixed(1)} kB, more than ${BOUND} kB`);
-  assert.deepEqual(faults, []);
-  await close();
-});
-
-test("the plot's library waits for the first picture", async () => {
-  const { page, faults, close } = await site.blank();
-  /** @type {string[]} */
-  const order = [];
-  page.on("request", (request) => order.push(request.url()));
-  // The graphics are held up: the solver is ready, and there is something to plot.
-  /** @type {() => void} */
-  let release = () => {};
-  const held = new Promise((resolve) => {
-    release = () => resolve(undefined);
-  });
-  await page.route(/viewer_bg[^/]*\.wasm$/, (route) => held.then(() => route.continue()));
-  await page.goto(`${site.url}?msaa=1`);
-  await until(page, "Ready");
-  const asked = () => order.some((url) => url.includes("energy-chart"));
-  assert.equal(asked(), false);
-  release();
-  await page.locator("#plot canvas").waitFor();
-  assert.equal(asked(), true);
   assert.deepEqual(faults, []);
   await close();
 });

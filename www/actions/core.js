@@ -18,6 +18,9 @@ import { say, sayFault } from "../words.js";
 /** @import { FieldName, Store } from "../store.js" */
 /** @import { Fault } from "../words.js" */
 
+/** Milliseconds that the progress of one step stays, so that *Stop now* can be pressed. */
+const LASTS = 2000;
+
 /** @typedef {import("../generated/types.js").Frame & { run: number, stored: boolean }} Frame */
 
 /**
@@ -44,6 +47,7 @@ export function take(track, frame, follows) {
  */
 export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   const { get, patch } = store;
+  let lastProgress = 0;
   /** @type {Track} */
   const lead = { clip: new Clip(), u: 0, isOpen: () => get().running };
   /** Those that go on beside it. @type {Map<number, Track & { solver: import("../solver.js").Solver }>} */
@@ -62,7 +66,10 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
         player.redraw();
         if (player.motion.peek() === "still") show(reading.step);
       },
-      onProgress: (progress) => patch({ progress }),
+      onProgress(progress) {
+        lastProgress = performance.now();
+        patch({ progress });
+      },
       onSilent: (isSilent) => patch({ isSilent }),
       onCrashed: (reason) => revive((step) => ({ id: "solver-crashed", values: { reason, step } })),
     },
@@ -89,7 +96,8 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
       const first = lead.clip.points[0]?.field;
       patch({
         timeline,
-        ...(stored ? {} : { reading: state, progress: null, preview: null }),
+        ...(stored ? {} : { reading: state, preview: null }),
+        ...(performance.now() - lastProgress > LASTS ? { progress: null } : {}),
         ...(isFollowed || !get().extras ? { extras: { curves, jump, look } } : {}),
         ...(range === null && first ? { range: rangeOf(first) } : {}),
         ...(flow
@@ -222,8 +230,11 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
           const [message, hint] = [say("solver-not-started"), say("solver-not-started.hint")];
           throw { kind: "NoSolver", message, hint };
         }
-        anew(true);
         const reading = await solver.revive();
+        if (reading) {
+          lead.clip.forgetBefore(reading.step);
+          show(reading.step);
+        }
         patch({ phase: mesh ? "ready" : "empty", reading });
         const { id, values } = tell(reading?.step ?? 0);
         const hint = [...(what ? [say("lost-with-solver", { what })] : []), say(`${id}.hint`)];

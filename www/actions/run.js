@@ -185,7 +185,8 @@ export function createRun(core, adopt) {
      *   is another where the solver cannot be asked
      */
     async export(format) {
-      if (player.motion.peek() !== "still") await run.pause();
+      // A solver that says nothing could not be put where the display stands.
+      if (player.motion.peek() !== "still" && !get().isSilent) await run.pause();
       if (format === "csv") return { format, bytes: await solver.history() };
       const file = await solver.export(format);
       if (file.format !== format) notes.answer(say("saved-own-copy"));

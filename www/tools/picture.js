@@ -2,6 +2,7 @@
 // The picture in README.md, taken from the built page: `node www/tools/picture.js`.
 
 import path from "node:path";
+import { until } from "../../tests/web/support/app.js";
 import { launch, openPage } from "../../tests/web/support/browser.js";
 import { serve } from "../../tests/web/support/server.js";
 import { root } from "./process.js";
@@ -18,11 +19,10 @@ try {
     colorScheme: "dark",
   });
   await page.goto(server.url + scene);
-  const status = page.getByRole("status").first();
-  await status.filter({ hasText: "Ready" }).waitFor({ timeout: 60_000 });
+  await until(page, "Ready");
   for (let step = 1; step <= steps; step++) {
     await page.getByRole("button", { name: "Step", exact: true }).click();
-    await status.filter({ hasText: `step ${step}` }).waitFor({ timeout: 60_000 });
+    await until(page, `Paused at step ${step}`);
   }
   await page.mouse.move(5, 5);
   const file = path.join(root, "www", "picture.png");

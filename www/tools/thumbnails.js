@@ -1,12 +1,13 @@
 // @ts-check
-// The small pictures of the gallery, taken from the built page: `node www/tools/thumbnails.js`, of
-// all figures or of those whose ids follow.
+// The small pictures of the library, taken from the built page: samples before and after their
+// flow, and the figures of the papers. `node www/tools/thumbnails.js [id …]`.
 
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
+import { until, untilDrawn } from "../../tests/web/support/app.js";
 import { launch, openPage } from "../../tests/web/support/browser.js";
 import { serve } from "../../tests/web/support/server.js";
-import { figures } from "../generated/library.js";
+import { figures, samples } from "../generated/library.js";
 import { asText } from "../options.js";
 import { root } from "./process.js";
 
@@ -14,16 +15,36 @@ import { root } from "./process.js";
 const MOST = 30;
 
 const folder = path.join(root, "www", "thumbnails");
+const wanted = process.argv.slice(2);
 mkdirSync(folder, { recursive: true });
 const server = await serve();
 const browser = await launch();
+
+/**
+ * @param {string} name  of the file @param {URLSearchParams} scene  words of a link
+ * @param {{ width: number, height: number }} viewport
+ */
+async function take(name, scene, viewport) {
+  const { page, close } = await openPage(browser, { viewport, colorScheme: "light" });
+  page.setDefaultTimeout(120_000);
+  await page.goto(`${server.url}?embed&controls=none#${scene}`);
+  await until(page, /^(Ready|Paused|Converged|Stopped|Stalled|Singular|Collapsed)/);
+  await untilDrawn(page);
+  writeFileSync(path.join(folder, `${name}.png`), await page.locator("#surface").screenshot());
+  console.log(name);
+  await close();
+}
+
 try {
-  const asked = process.argv.slice(2);
-  for (const figure of figures.filter(({ id }) => asked.length === 0 || asked.includes(id))) {
-    const { page, close } = await openPage(browser, {
-      viewport: { width: 240, height: 150 },
-      colorScheme: "light",
-    });
+  for (const { id, options } of samples.filter(
+    (one) => wanted.length === 0 || wanted.includes(one.id),
+  )) {
+    const half = { width: 150, height: 150 };
+    await take(id, new URLSearchParams({ sample: id }), half);
+    const after = new URLSearchParams({ sample: id, step: String(MOST) });
+    if (options.flow !== "flips") await take(`${id}-after`, after, half);
+  }
+  for (const figure of figures.filter((one) => wanted.length === 0 || wanted.includes(one.id))) {
     const steps = figure.steps === "rest" ? MOST : Math.min(figure.steps, MOST);
     const words = new URLSearchParams({ sample: figure.sample });
     for (const [key, value] of Object.entries({ ...figure.options, ...figure.arrangement })) {
@@ -31,24 +52,7 @@ try {
     }
     words.set("colour", figure.colour);
     if (steps > 0) words.set("step", String(steps));
-    page.setDefaultTimeout(100_000);
-    await page.goto(`${server.url}#${words}`);
-    const status = page.getByRole("status").first();
-    await status
-      .filter({ hasText: /Ready|Paused|Converged|Stopped|Stalled/ })
-      .waitFor({ timeout: 120_000 });
-    await page.keyboard.press("f");
-    // The page's policy forbids style sheets from elsewhere.
-    await page.evaluate(() => {
-      for (const one of ["#header", "#transport", "#messages", "#colour-bar", "#own-caption"]) {
-        const element = document.querySelector(one);
-        if (element instanceof HTMLElement) element.style.display = "none";
-      }
-    });
-    await page.waitForTimeout(700);
-    writeFileSync(path.join(folder, `${figure.id}.png`), await page.screenshot());
-    console.log(figure.id);
-    await close();
+    await take(figure.id, words, { width: 240, height: 150 });
   }
 } finally {
   await browser.close();

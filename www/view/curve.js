@@ -104,7 +104,7 @@ export function curve(page) {
   }
   return html`<div class="curve">
     <span class="most" aria-hidden="true">${formatShort(most)}</span><span class="least" aria-hidden="true">0</span>
-    <div class="plot" role="slider" tabindex="0" aria-label=${say("history")} aria-valuemin="0"
+    <div class="plot" role="slider" tabindex="0" aria-label=${say("history")} aria-valuemin=${points[0]?.state.step ?? 0}
       aria-valuemax=${points.at(-1)?.state.step ?? 0} aria-valuenow=${step}
       aria-valuetext=${say("clause-step", { step })}
       @pointerdown=${press} @keydown=${key}

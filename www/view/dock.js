@@ -23,8 +23,8 @@ function line(page) {
   const said = error ?? (s.isNoteFresh ? note : undefined);
   const isPlaying = page.player.motion.value === "playing";
   if (s.isSilent || (s.phase === "failed" && s.mesh)) {
-    const what = s.isSilent ? say("solver-silent") : say("solver-gone");
-    return html`<span class="text warn" role="alert">${what}</span>${button(say("restart-solver"), page.run.halt, { kind: "small" })}`;
+    const what = s.isSilent ? say("solver-silent") : `${error?.text ?? ""} ${say("solver-gone")}`;
+    return html`<span class="text warn" role="alert"><span class="what">${what}</span></span>${button(say("restart-solver"), page.run.halt, { kind: "small" })}`;
   }
   if (said) {
     return html`<span class="text ${said.kind === "error" ? "danger" : ""}" role=${said.kind === "error" ? "alert" : "note"}
@@ -95,7 +95,7 @@ function transport(page) {
     page.isOver() && lead.u >= lead.clip.total && page.lead.clip.last?.state.status !== "stepLimit";
   const name = isMoving ? "pause" : isAtEnd && lead.clip.points.length > 1 ? "again" : "play";
   return html`<div class="transport" role="group" aria-label=${say("transport")}>
-    ${iconButton("start", say("reset"), page.run.reset, { key: "R", disabled: !usable || (isAtStart && !isMoving) })}
+    ${iconButton("start", say("reset"), page.run.reset, { key: "R", disabled: !usable || (page.shown()?.step === 0 && !isMoving) })}
     ${iconButton("back", say("back"), page.run.back, { key: ",", disabled: !usable || (isAtStart && !isMoving) })}
     <button type="button" class="play" aria-label=${say(isMoving ? "pause" : "play")} title="${say(isMoving ? "pause" : name)} (␣)"
       aria-keyshortcuts="Space" aria-disabled=${String(!usable)} @click=${() => usable && page.run.toggle()}>${icon(name)}</button>

@@ -279,6 +279,7 @@ export function createStage(page, root, samples) {
     onCamera: page.run.look,
     onRenderer: ({ name, reason }) => {
       renderer.value = say("drawn-with", { name, reason });
+      root.dataset.renderer = renderer.value;
     },
   };
 

@@ -56,7 +56,7 @@ export function useSite(options) {
      * @param {import("playwright-core").BrowserContextOptions} [context]
      * @param {string} [query]  the address from `?` on, without it
      */
-    async open(scene = "", context = {}, query = "msaa=1") {
+    async open(scene = "sample=icosahedron", context = {}, query = "msaa=1") {
       const opened = await this.blank(context);
       await opened.page.goto(`${server.url}?${query}#${scene}`);
       await until(opened.page, scene.includes("step=") ? /^Paused/ : "Ready");
@@ -144,6 +144,8 @@ export const choice = (page, name) => page.getByRole("combobox", { name, exact: 
 export async function openTab(page, name) {
   const tab = page.getByRole("tab", { name });
   if ((await tab.getAttribute("aria-selected")) !== "true") await tab.click();
+  // It is fetched when it is first asked for.
+  await page.getByRole("tabpanel").locator(".body > *").first().waitFor();
 }
 
 /** Opens a part of a tab, where it is not open yet. @param {Page} page @param {string} tab @param {string | RegExp} name */
@@ -192,7 +194,8 @@ export async function plotted(page) {
 export const stepOf = async (page) => Number(/step (\d+)/.exec(await surface(page))?.[1] ?? 0);
 
 /** The surface in words. @param {Page} page */
-export const surface = async (page) => (await canvas(page).getAttribute("aria-label")) ?? "";
+export const surface = async (page) =>
+  (await page.locator("#surface").getAttribute("aria-label")) ?? "";
 
 /**
  * @param {Page} page
