@@ -97,7 +97,12 @@ export function createWhy(core, { adopt, edit }, run) {
     const circle =
       flow === "circle"
         ? []
-        : [{ label: say("remedy-use-circle"), act: () => run.configure({ flow: "circle" }) }];
+        : [
+            {
+              label: say("remedy-use-flow", { flow: { id: "flow-circle", values: {} } }),
+              act: () => run.configure({ flow: "circle" }),
+            },
+          ];
     const fill = () => patch({ tab: "surface", mode: "fill" });
     /** @type {Record<string, { label: string, act: () => unknown }[]>} */
     const known = {
