@@ -11,53 +11,28 @@
 const LARGEST = 4096;
 
 /**
- * Lines of a text that are no wider than a caption.
- * @param {CanvasRenderingContext2D} context @param {string} text @param {number} width
- */
-function wrapped(context, text, width) {
-  /** @type {string[]} */
-  const lines = [];
-  for (const word of text.split(" ")) {
-    const longer = lines.length > 0 ? `${lines.at(-1)} ${word}` : word;
-    // A pixel for rounding, as the width is that of the text itself.
-    if (lines.length > 0 && context.measureText(longer).width <= width + 1) {
-      lines[lines.length - 1] = longer;
-    } else lines.push(word);
-  }
-  return lines;
-}
-
-/**
  * @param {CanvasRenderingContext2D} context  in CSS pixels of the stage
- * @param {HTMLElement} caption
+ * @param {HTMLElement} caption  each part of it a line
  * @param {DOMRect} stage
  */
 function drawCaption(context, caption, stage) {
-  // A narrow pane leaves a part of it out.
-  const parts = [...caption.children].filter((part) => getComputedStyle(part).display !== "none");
-  const text = parts
-    .map((part) => part.textContent)
-    .join("")
-    .trim();
-  if (caption.hidden || text === "") return;
-  const { color, backgroundColor, font, lineHeight, paddingLeft, borderRadius } =
-    getComputedStyle(caption);
-  const { x, y, width, height } = caption.getBoundingClientRect();
-  const [left, top] = [x - stage.x, y - stage.y];
-  context.fillStyle = backgroundColor;
-  context.beginPath();
-  context.roundRect(left, top, width, height, Number.parseFloat(borderRadius) || 0);
-  context.fill();
-  context.fillStyle = color;
-  context.font = font;
-  context.textAlign = "center";
-  context.textBaseline = "middle";
-  const lines = wrapped(context, text, width - 2 * Number.parseFloat(paddingLeft));
-  const line = Number.parseFloat(lineHeight) || height / lines.length;
-  lines.forEach((one, n) => {
-    const middle = top + height / 2 + (n - (lines.length - 1) / 2) * line;
-    context.fillText(one, left + width / 2, middle);
-  });
+  if (caption.hidden) return;
+  for (const part of caption.children) {
+    const { color, backgroundColor, font, borderRadius } = getComputedStyle(part);
+    const { x, y, width, height } = part.getBoundingClientRect();
+    const [left, top] = [x - stage.x, y - stage.y];
+    context.fillStyle = backgroundColor;
+    context.beginPath();
+    context.roundRect(left, top, width, height, borderRadius.endsWith("%") ? width / 2 : 0);
+    context.fill();
+    context.fillStyle = color;
+    context.font = font;
+    context.textBaseline = "middle";
+    const text = part.textContent ?? "";
+    // A letter stands in the middle of its disc.
+    const space = borderRadius.endsWith("%") ? (width - context.measureText(text).width) / 2 : 0;
+    context.fillText(text, left + space, top + height / 2);
+  }
 }
 
 /**

@@ -56,14 +56,18 @@ test("the visible change is the displacement along the normal over the size", ()
   // A uniform growth by 0.1 turns no normal; facets see it a little smaller.
   assert.ok(Math.abs(change - 0.05) < 0.002, String(change));
   assert.equal(isSharp, false);
-  const turned = ball(1).positions.map((_, n, all) => {
-    // A quarter turn about the axis: no displacement along most normals, but normals turn.
-    const [x, y, z] = all.subarray(n - (n % 3), n - (n % 3) + 3);
-    return [-y, x, z][n % 3];
-  });
-  const other = changeOf(ball(1).positions, turned, triangles, 1);
-  assert.ok(other.change > 0.4, String(other.change));
-  assert.equal(other.isSharp, true, "edges turn by 90°");
+  // A triangle that turns about its middle: half of the chord of the angle, and no displacement.
+  const flat = Float32Array.of(-1, -1, 0, 1, -1, 0, 0, 2, 0);
+  for (const [angle, sharp] of /** @type {const} */ ([
+    [0.3, false],
+    [0.9, true],
+  ])) {
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    const turned = Float32Array.of(-1, -c, -s, 1, -c, -s, 0, 2 * c, 2 * s);
+    const other = changeOf(flat, turned, Uint32Array.of(1, 2, 0), 1);
+    assert.ok(Math.abs(other.change - Math.sin(angle / 2)) < 1e-6, String(other.change));
+    assert.equal(other.isSharp, sharp, "40° are too far");
+  }
 });
 
 test("clip time goes by the change and not by the steps", () => {
@@ -114,7 +118,7 @@ test("an edge that turns far is led along a straight line", () => {
   const out = new Float32Array(3);
   /** @param {Float32Array} positions @param {number} sum @param {boolean} [isSharp] @returns {any} */
   const at = (positions, sum, isSharp = false) => ({ positions, sum, isSharp, isCut: false });
-  blend(undefined, at(p, 0), at(q, 1, true), undefined, 0.25, out);
+  blend(at(p, -1), at(p, 0), at(q, 1, true), undefined, 0.25, out);
   assert.deepEqual([...out], [0.25, 0, 0]);
   // A neighbour that rests makes a curve of it.
   blend(at(p, -1), at(p, 0), at(q, 1), undefined, 0.25, out);

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { button, download, until, useSite } from "./support/app.js";
+import { button, download, openTab, until, useSite } from "./support/app.js";
 import { measure } from "./support/browser.js";
 import { playFilm } from "./support/film.js";
 import { decodePng } from "./support/png.js";
@@ -41,6 +41,7 @@ test("a picture holds all panes and what is said of them", async () => {
   await until(page, "Ready");
   await page.locator("#panes figcaption").nth(1).filter({ hasText: "step 0" }).waitFor();
   await untilDrawn(page);
+  await openTab(page, "Share");
   const stage = await page.locator("#panes").boundingBox();
   const { name, bytes } = await download(page, "Picture, PNG");
   assert.match(name, /^icosahedron-.*step0000\.png$/);
@@ -80,11 +81,11 @@ test("a picture holds all panes and what is said of them", async () => {
   await until(page, "Paused at step 1");
   await page.locator("#surface").focus();
   await page.keyboard.press("b");
-  await page.locator("#panes[data-shown='0']").waitFor();
+  await page.locator(".pane:first-child.away").waitFor({ state: "attached" });
   const first = (await download(page, "Picture, PNG")).bytes;
   await page.locator("#surface").focus();
   await page.keyboard.press("b");
-  await page.locator("#panes[data-shown='1']").waitFor();
+  await page.locator(".pane:first-child:not(.away)").waitFor();
   const second = (await download(page, "Picture, PNG")).bytes;
   for (const one of [first, second]) {
     assert.ok(colours(decodePng(one), 0.3, 0.7, 0.2, 0.8) > 200);
@@ -101,12 +102,13 @@ test("a film holds all panes", async () => {
   );
   await page.locator("#panes figcaption").nth(1).filter({ hasText: "step 3" }).waitFor();
   await untilDrawn(page);
+  await openTab(page, "Share");
+  await page.waitForFunction(() => document.querySelector("#surface")?.clientWidth === 292);
   const stage = await page.locator("#panes").boundingBox();
-  await page.locator("#record > summary").click();
   await button(page, "Record film").click();
   await button(page, "Step").click();
   await until(page, "Paused at step 4");
-  await page.waitForFunction(() => document.querySelector("#film-time")?.textContent !== "0:00");
+  await page.getByText(/^0:0[1-9]$/).waitFor();
   const [file] = await Promise.all([
     page.waitForEvent("download"),
     button(page, "Stop and save").click(),

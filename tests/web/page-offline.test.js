@@ -59,7 +59,10 @@ function deploy(mark) {
   }
   const index = path.join(folder, "index.html");
   const html = readFileSync(index, "utf8").replaceAll(old, next);
-  writeFileSync(index, html.replace("<title>Umbilic", `<title>${mark}: Umbilic`));
+  writeFileSync(
+    index,
+    html.replace('name="description" content="', `name="description" content="${mark}: `),
+  );
   writeServiceWorker(folder, source);
 }
 
@@ -81,7 +84,7 @@ const mark = (page) => page.evaluate(() => /** @type {any} */ (globalThis).mark 
 
 test("without a connection the page opens, draws and steps; versions do not mix", async () => {
   const { page, faults, close } = await browser.blank({ serviceWorkers: "allow" });
-  await page.goto(`${server.url}?msaa=1`);
+  await page.goto(`${server.url}?msaa=1#sample=icosahedron`);
   await until(page, "Ready");
   await page.evaluate(() => navigator.serviceWorker.ready);
   assert.equal(await page.evaluate(() => navigator.serviceWorker.controller), null, "not yet");
@@ -97,7 +100,8 @@ test("without a connection the page opens, draws and steps; versions do not mix"
   await quiet(page);
   await page.goto(`${server.url}index.html?msaa=1&embed#sample=coarse-torus`);
   await until(page, "Ready");
-  await page.locator("#plot-rows tr").first().waitFor({ state: "attached" });
+  await page.keyboard.press(".");
+  await until(page, "Paused at step 1");
 
   // A deployment under way: the list is new and the files are not. Nothing changes.
   await restart();
@@ -108,7 +112,7 @@ test("without a connection the page opens, draws and steps; versions do not mix"
     first.replace(/(built = \{"version":")\w+/, "$1half").replace(/sha256-..../, "sha256-AAAA"),
   );
   await quiet(page);
-  await page.goto(`${server.url}?msaa=1`);
+  await page.goto(`${server.url}?msaa=1#sample=icosahedron`);
   await until(page, "Ready");
   const failed = await page.evaluate(async () => {
     const registration = await navigator.serviceWorker.ready;
@@ -129,7 +133,7 @@ test("without a connection the page opens, draws and steps; versions do not mix"
   deploy("second");
   await page.evaluate(async () => (await navigator.serviceWorker.ready).update());
   await page
-    .locator("#notes")
+    .locator(".status")
     .getByText(/new version is ready: reload/)
     .waitFor();
   assert.equal(await mark(page), "first");
@@ -139,7 +143,10 @@ test("without a connection the page opens, draws and steps; versions do not mix"
   await until(page, "Ready");
   await untilDrawn(page);
   assert.equal(await mark(page), "second");
-  assert.match(await page.title(), /^second/);
+  assert.match(
+    (await page.locator("meta[name=description]").getAttribute("content")) ?? "",
+    /^second/,
+  );
   await button(page, "Step").click();
   await until(page, "Paused at step 1");
 
@@ -186,7 +193,7 @@ test("where no service worker is allowed the page says nothing of it", async () 
   await page.goto(`${browser.url}?msaa=1`);
   await until(page, "Ready");
   await untilDrawn(page);
-  assert.equal(await page.locator("#messages .message").count(), 0);
+  assert.equal(await page.getByRole("alert").count(), 0);
   assert.deepEqual(faults, []);
   await close();
 });

@@ -235,6 +235,7 @@ test("two crashes within a second cost the stored steps, and the page says so on
   assert.equal(errors().length, 1);
   assert.match(errors()[0].text, /made by the test.*step 3/);
   assert.ok(errors()[0].hint.startsWith(say("lost-with-solver", { what: "steps" })));
+  assert.equal(lead.clip.points[0].state.step, 3, "steps that are gone are not offered");
   // Back offers what is there.
   await run.back();
   assert.equal(shown()?.step, 3);
@@ -305,7 +306,7 @@ test("a refused mesh leaves the one before, and a refused option what is in forc
 });
 
 test("the display ends with the solver where it stands: at the last step", async () => {
-  const { store, run, load, lead, player, shown } = page();
+  const { store, run, load, lead, player, shown, enqueue } = page();
   await load();
   player.speed.value = 200;
   await run.play();
@@ -317,8 +318,13 @@ test("the display ends with the solver where it stands: at the last step", async
   const state = { ...worker.state(), status: "converged" };
   worker.say({ type: "stopped", run: worker.run, state, fault: null });
   while (player.motion.value !== "still") await new Promise(setImmediate);
-  await run.seek(5);
   assert.equal(lead.clip.points.length, 6);
   assert.equal(shown()?.step, 5);
+  // Looked back at, and played to the end once more.
+  await run.seek(2);
+  assert.equal(store.get().reading?.step, 2);
+  await run.play();
+  while (player.motion.value !== "still") await new Promise(setImmediate);
+  await enqueue(async () => {});
   assert.equal(store.get().reading?.step, 5);
 });

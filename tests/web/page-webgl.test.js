@@ -11,6 +11,8 @@ import {
   download,
   energy,
   openMesh,
+  openPart,
+  openTab,
   playAndPause,
   stillPicture,
   until,
@@ -75,6 +77,7 @@ test("with WebGL2 the picture follows flow, colours, wireframe and camera", asyn
   const { page, faults, close } = await site.open();
   // More vertices than a row of the texture that carries them.
   await openMesh(page, "wavy.obj", obj(wavyTorus(72, 48)));
+  await openTab(page, "Measure");
   let before = await stillPicture(page);
   const atStart = await energy(page);
   await playAndPause(page, 3);
@@ -129,9 +132,10 @@ test("with WebGL2 each pane has its picture, and one camera turns them all", asy
   });
   await page.goto(`${site.url}?msaa=1#sample=uneven-torus&compare=criteria`);
   await until(page, "Ready");
-  await button(page, "Flip to the end").click();
-  const panes = page.locator("main").getByRole("img", { name: /^Surface:/ });
-  await page.getByRole("img", { name: /Willmore energy: 235 flips/ }).waitFor();
+  await openTab(page, "Flow");
+  await button(page, "All flips at once").click();
+  const panes = page.locator(".pane canvas");
+  await page.getByRole("img", { name: /Willmore energy, 235 flips/ }).waitFor();
   assert.equal(await panes.count(), 3);
   const end = Date.now() + 60_000;
   for (let pane = 0; pane < 3; pane += 1) {
@@ -139,7 +143,7 @@ test("with WebGL2 each pane has its picture, and one camera turns them all", asy
       assert.ok(Date.now() < end, `pane ${pane} is not drawn`);
     }
   }
-  const other = page.getByRole("img", { name: /^Surface: .*Area: 240 flips/ });
+  const other = page.getByRole("img", { name: /Area, 240 flips/ });
   const still = await other.screenshot();
   await canvas(page).first().focus();
   for (let i = 0; i < 6; i += 1) await page.keyboard.press("ArrowRight");
@@ -151,7 +155,7 @@ test("with WebGL2 each pane has its picture, and one camera turns them all", asy
   for (let n = 0; n < 3; n += 1) {
     await choice(page, "Beside it").selectOption("Nothing");
     await page.waitForFunction(() => document.querySelectorAll(".pane").length === 1);
-    await choice(page, "Beside it").selectOption("All three criteria");
+    await choice(page, "Beside it").selectOption("The other criteria");
     await page.waitForFunction(() => document.querySelectorAll(".pane").length === 3);
   }
   for (let pane = 0; pane < 3; pane += 1) {
@@ -174,8 +178,8 @@ test("with WebGL2 a counterexample is marked on the surface", async () => {
   const { page, faults, close } = await site.open("sample=creased-face", { colorScheme: "light" });
   await untilDrawn(page);
   assert.equal(await markedPixels(page), 0);
-  await page.getByText("The conjecture: area against localised energy").click();
-  await page.getByText(/fails for 1\./).waitFor();
+  await openPart(page, "Measure", "The conjecture on this mesh");
+  await page.getByText(/and not at 1\./).waitFor();
   const end = Date.now() + 60_000;
   while ((await markedPixels(page)) < 6) assert.ok(Date.now() < end, "nothing is marked");
   assert.deepEqual(faults, []);

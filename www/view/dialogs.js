@@ -32,7 +32,7 @@ export function help(page) {
       )}<dt>${keycap("← ↑ → ↓")}</dt><dd>${say("keys-turn")}</dd><dt>${keycap("Page ↓ ↑")}</dt><dd>${say("keys-clicker")}</dd></dl>
     <h3>${say("surface-gestures")}</h3><p>${say("gestures")}</p>
     <div class="row">${button(say("welcome-again"), () => page.patch({ dialog: null, welcome: true, tab: null }))}</div>
-    <p class="hint">${say("version", { version })} ${page.stage.renderer.value}</p>`;
+    <p class="hint">${say("version", { version })}</p><p class="hint">${page.stage.renderer.value}</p>`;
 }
 
 const wanted = signal("");
