@@ -36,7 +36,8 @@ export const isTrouble = (shown) =>
 
 /** A clause after the status. @param {S} s @param {Reading | null} shown @param {boolean} isPlaying @param {number} last */
 export function clause(s, shown, isPlaying, last) {
-  if (s.phase !== "ready" || !shown) return s.welcome ? say("clause-private") : "";
+  if (s.welcome) return say("clause-private");
+  if (s.phase !== "ready" || !shown) return "";
   if (s.running || isPlaying) {
     const { step } = shown;
     return s.running ? say("clause-step", { step }) : say("clause-step-of", { step, last });

@@ -9,6 +9,7 @@ import {
   colourBy,
   plotted,
   stepOf,
+  surface,
   until,
   untilDrawn,
   useSite,
@@ -97,6 +98,13 @@ test("with reduced motion only true steps are shown", async () => {
 
 test("a file that is chosen while the page starts is opened", async () => {
   const { page, close } = await site.blank();
+  /** @type {(value?: unknown) => void} */
+  let release = () => {};
+  const held = new Promise((resolve) => {
+    release = resolve;
+  });
+  // The solver comes after the file was chosen.
+  await page.route(/solver_bg[^/]*\.wasm$/, (route) => held.then(() => route.continue()));
   await page.goto(`${site.url}?msaa=1`, { waitUntil: "commit" });
   const file = page.getByLabel("Open mesh", { exact: true });
   await file.waitFor({ state: "attached" });
@@ -107,8 +115,11 @@ test("a file that is chosen while the page starts is opened", async () => {
     mimeType: "text/plain",
     buffer: Buffer.from(text),
   });
+  release();
   await canvas(page)
     .and(page.getByRole("img", { name: /early/ }))
     .waitFor();
+  await until(page, "Ready");
+  assert.match(await surface(page), /^Surface: early/);
   await close();
 });

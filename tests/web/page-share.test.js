@@ -14,6 +14,7 @@ import {
   energy,
   openPart,
   openTab,
+  playAndPause,
   playToEnd,
   reading,
   until,
@@ -97,6 +98,12 @@ test("what is downloaded is the step that is shown, as the command line measures
   assert.ok(Math.abs(said.circle - (await energy(page))) <= 1e-5 * said.circle);
   const csv = await download(page, "History, CSV");
   assert.equal(csv.bytes.toString().trim().split("\n").length, 1 + 4, "a head and a row a step");
+  // Also where the clip was paused, while the solver was ahead.
+  await button(page, "Reset").click();
+  await until(page, "Ready");
+  const step = await playAndPause(page, 1);
+  const paused = await download(page, "PLY");
+  assert.equal(paused.name, `coarse-torus-circle-step${String(step).padStart(4, "0")}.ply`);
   const png = await download(page, "Picture, PNG");
   assert.ok(measure(png.bytes).colours > 200);
   assert.deepEqual(faults, []);

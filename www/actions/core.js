@@ -106,9 +106,18 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
       });
       player.arrived();
     });
-    for (const warning of reports.flatMap(({ warnings }) => warnings)) {
-      notes.note(say(warning), warning.id);
-    }
+    const warnings = reports.flatMap((report) => report.warnings);
+    unsaid.push(...warnings.map((warning) => ({ warning, step: state.step })));
+    // Not before the display is there.
+    if (player.motion.peek() === "still") sayWarnings();
+  }
+
+  /** Warnings of steps that are not shown yet. @type {{ warning: import("../generated/types.js").Message, step: number }[]} */
+  let unsaid = [];
+  function sayWarnings() {
+    const step = shown()?.step ?? 0;
+    for (const one of unsaid) if (one.step <= step) notes.note(say(one.warning), one.warning.id);
+    unsaid = unsaid.filter((one) => one.step > step);
   }
 
   /** Shows a step of the clip. @param {number} step */
@@ -158,6 +167,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     const { reading } = get();
     if (wanted && reading && wanted.step !== reading.step) await solver.seek(wanted.step);
     else if (wanted) show(wanted.step);
+    sayWarnings();
   }
 
   /** The display and the solver come to rest. */
@@ -171,6 +181,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     player.stop();
     lead.clip.clear(get().mesh?.triangles);
     lead.u = 0;
+    unsaid = [];
     patch({ extras: null, marks: null, ...(isSame ? {} : { range: null }) });
     player.redraw();
   }

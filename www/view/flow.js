@@ -12,8 +12,8 @@ import { button, idOf, section, segmented, select, toggle } from "./parts.js";
 /** @import { Row } from "../generated/schema.js" */
 /** @import { Options } from "../options.js" */
 
-/** More choices than this stand in a list, and not side by side. */
-const SIDE_BY_SIDE = 3;
+/** More choices, or more letters in all, stand in a list and not side by side. */
+const [SIDE_BY_SIDE, LETTERS] = [3, 36];
 
 /** Whether a mesh can be given to a flow. @param {Page} page @param {import("../generated/schema.js").Flow} flow */
 function suits(page, { meshes }) {
@@ -76,7 +76,8 @@ export function field(page, row, options, change) {
     const auto = absent ? [{ id: absent, label: say("automatic") }] : [];
     const choices = [...auto, ...choicesOf(name)];
     const choose = (/** @type {string} */ id) => set(id === absent ? null : id);
-    return choices.length <= SIDE_BY_SIDE && absent === null
+    const letters = choices.reduce((sum, one) => sum + one.label.length, 0);
+    return choices.length <= SIDE_BY_SIDE && letters <= LETTERS && absent === null
       ? segmented(label, choices, asText(value, name), choose)
       : select(label, choices, asText(value, name), choose, hint);
   }
