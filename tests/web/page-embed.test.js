@@ -188,7 +188,7 @@ test("the element plays, steps, seeks, is set, and gives its mesh away", async (
   assert.match((await call(page, "exportMesh", "exe")).refused.message, /no format “exe”/);
   assert.match(
     (await call(page, "load", { figure: "no-such" })).refused.message,
-    /“figure” cannot be “no-such”/,
+    /there is no figure `no-such`/,
   );
   assert.equal((await call(page, "state")).step, paused.step);
   // Another scene altogether.

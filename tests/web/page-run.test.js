@@ -3,6 +3,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { flows } from "../../www/generated/schema.js";
 import {
   button,
   choice,
@@ -107,7 +108,7 @@ test("forms come from the tables: what a flow does not read is not asked for", a
   await openTab(page, "Flow");
   const panel = page.getByRole("tabpanel");
   const list = page.getByRole("listbox", { name: "Flow" });
-  assert.equal(await list.getByRole("option").count(), 7);
+  assert.equal(await list.getByRole("option").count(), flows.length);
   assert.equal(await panel.getByLabel("Boundary").count(), 0, "there is none");
   await list.getByRole("option", { name: /^p-Willmore/ }).click();
   await until(page, "Ready");

@@ -20,6 +20,22 @@ mkdirSync(folder, { recursive: true });
 const server = await serve();
 const browser = await launch();
 
+/** A fifth of the bytes. @param {Buffer} png */
+async function asWebp(png) {
+  const page = await browser.newPage();
+  const text = await page.evaluate(async (data) => {
+    const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
+    const blob = await canvas.convertToBlob({ type: "image/webp", quality: 0.85 });
+    const coded = new Uint8Array(await blob.arrayBuffer());
+    return btoa(Array.from(coded, (byte) => String.fromCharCode(byte)).join(""));
+  }, png.toString("base64"));
+  await page.close();
+  return Buffer.from(text, "base64");
+}
+
 /**
  * @param {string} name  of the file @param {URLSearchParams} scene  words of a link
  * @param {{ width: number, height: number }} viewport
@@ -30,7 +46,8 @@ async function take(name, scene, viewport) {
   await page.goto(`${server.url}?embed&controls=none#${scene}`);
   await until(page, /^(Ready|Paused|Converged|Stopped|Stalled|Singular|Collapsed)/);
   await untilDrawn(page);
-  writeFileSync(path.join(folder, `${name}.png`), await page.locator("#surface").screenshot());
+  const png = await page.locator("#surface").screenshot();
+  writeFileSync(path.join(folder, `${name}.webp`), await asWebp(png));
   console.log(name);
   await close();
 }

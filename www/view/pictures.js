@@ -5,14 +5,14 @@ import { html } from "lit-html";
 import { icon } from "./parts.js";
 
 /** What there is a picture of, by name. @type {Record<string, string>} */
-const pictures = import.meta.glob("../thumbnails/*.png", {
+const pictures = import.meta.glob("../thumbnails/*.webp", {
   query: "?url",
   import: "default",
   eager: true,
 });
 
 /** @param {string} name @returns {string | undefined} */
-export const addressOf = (name) => pictures[`../thumbnails/${name}.png`];
+export const addressOf = (name) => pictures[`../thumbnails/${name}.webp`];
 
 /** @param {string} name */
 export function pictureOf(name) {
