@@ -12,7 +12,7 @@ import { createFilm, createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
 import { createStore } from "./store.js";
 import { cards } from "./view/cards.js";
-import { dialog, question } from "./view/dialog.js";
+import { dialog, fetchDialogs, question } from "./view/dialog.js";
 import { dock } from "./view/dock.js";
 import { drawer, rail, turn } from "./view/drawer.js";
 import { legend } from "./view/legend.js";
@@ -147,6 +147,7 @@ if (embedding) {
   });
 }
 const pictured = page.stage.start();
+pictured.then(fetchDialogs).catch(() => {});
 
 // Whoever embeds the page could take away what a visitor opens in it. A file that is chosen or
 // dropped before the solver is there waits for it.

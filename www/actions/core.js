@@ -126,6 +126,12 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     if (point) player.place(point.sum);
   }
 
+  /** The clip of another path, and where the solver stands on it. */
+  async function refill() {
+    await solver.stored();
+    show(get().reading?.step ?? 0);
+  }
+
   /** The step that is shown: while it plays the last that was passed. */
   const shownIndex = () =>
     player.motion.peek() === "playing" ? lead.clip.at(lead.u).index : lead.clip.nearest(lead.u);
@@ -281,6 +287,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     rest,
     settle,
     anew,
+    refill,
     show,
     shown,
     shownIndex,

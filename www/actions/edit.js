@@ -108,7 +108,7 @@ export function createEdit(core) {
         patch({ source: last.source, mesh: loaded, earlier: earlier.slice(0, -1), mode: null });
         patch({ options: last.options, preview: null });
         anew();
-        await solver.stored();
+        await core.refill();
         await core.followRivals();
         if (get().colour !== "none") await core.colour(get().colour);
       }),

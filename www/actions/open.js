@@ -95,7 +95,7 @@ export function createOpen(core, run, compare) {
   /** @param {ScriptText} script  whose flow is configured */
   async function followed(script) {
     await replayed(() => solver.follow(script));
-    await solver.stored();
+    await core.refill();
   }
 
   /** What is being done again, and may be given up. */

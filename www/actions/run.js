@@ -114,7 +114,7 @@ export function createRun(core, adopt) {
         if (!isUsable()) return;
         core.anew(true);
         await solver.branch(id);
-        await solver.stored();
+        await core.refill();
       }),
     /** @param {number} value */
     speed: (value) => {

@@ -15,6 +15,9 @@ const contents = {
   plot: lazy(() => import("./dialogs.js").then(({ largePlot }) => largePlot)),
 };
 
+/** Fetches what dialogs hold, so that the first key typed in one is not lost. */
+export const fetchDialogs = () => Promise.all(Object.values(contents).map(({ fetch }) => fetch()));
+
 /** @param {Page} page */
 export const dialog = (page) => {
   const { dialog: open } = page.state.value;

@@ -171,21 +171,25 @@ export const closeButton = (label, act) => iconButton("close", label, act);
 export const close = (act) => closeButton(say("close"), act);
 
 /**
- * A view that is fetched when it is first shown: the first picture does not wait for it.
+ * A view that is fetched when it is first shown, or before by `fetch`: the first picture does not
+ * wait for it.
  * @param {() => Promise<(page: import("../actions.js").Page) => unknown>} load
- * @returns {(page: import("../actions.js").Page) => unknown}
  */
 export function lazy(load) {
   /** @type {import("@preact/signals-core").Signal<((page: import("../actions.js").Page) => unknown) | null>} */
   const view = signal(null);
-  let isAsked = false;
-  return (page) => {
-    if (!isAsked) {
-      isAsked = true;
-      load().then((loaded) => {
-        view.value = loaded;
-      }, page.report);
-    }
+  /** @type {Promise<void> | null} */
+  let asked = null;
+  const fetch = () => {
+    asked ??= load().then((loaded) => {
+      view.value = loaded;
+    });
+    return asked;
+  };
+  /** @param {import("../actions.js").Page} page @returns {unknown} */
+  const show = (page) => {
+    if (!view.value) fetch().catch(page.report);
     return view.value?.(page) ?? nothing;
   };
+  return Object.assign(show, { fetch });
 }
