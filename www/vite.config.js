@@ -1,4 +1,5 @@
 // @ts-check
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { serviceWorker } from "./tools/service-worker.js";
@@ -14,6 +15,17 @@ const compactHtml = {
   },
 };
 
+/** The same of the words of a language. */
+const compactWords = {
+  name: "compact-words",
+  enforce: /** @type {const} */ ("pre"),
+  load(/** @type {string} */ id) {
+    if (!id.endsWith(".ftl?raw")) return null;
+    const words = readFileSync(id.replace("?raw", ""), "utf8").replace(/^(?:#.*)?\n/gm, "");
+    return `export default ${JSON.stringify(words)};`;
+  },
+};
+
 export default defineConfig({
   root: fileURLToPath(new URL("..", import.meta.url)),
   // Relative addresses: the site works from any folder of any host.
@@ -22,6 +34,7 @@ export default defineConfig({
   publicDir: "www/public",
   plugins: [
     compactHtml,
+    compactWords,
     serviceWorker(fileURLToPath(new URL("service-worker.js", import.meta.url))),
   ],
   build: {

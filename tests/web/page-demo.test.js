@@ -172,7 +172,7 @@ test("the slides speak German to whoever asks for it, and so do their surfaces",
   const caption = page.locator("figcaption:visible");
   await caption.filter({ hasText: /Hier ist W = 188\.5 nach 0 Schritten\.$/ }).waitFor();
   const surface = page.frameLocator("section:not([hidden]) umbilic-surface iframe");
-  await surface.getByRole("button", { name: "Schritt", exact: true }).waitFor();
+  await surface.getByRole("button", { name: "Abspielen", exact: true }).waitFor();
   await page.keyboard.press("End");
   await page.getByText("Discrete Willmore Flow").waitFor();
   assert.equal(await page.locator(".papers").getAttribute("lang"), "en");

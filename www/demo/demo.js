@@ -5,6 +5,7 @@ import { openLanguage } from "../language.js";
 import { formatNumber } from "../number.js";
 import { keepOffline } from "../offline.js";
 import { createDeck } from "./deck.js";
+import { translateDocument } from "./document-text.js";
 
 /**
  * @template {HTMLElement} T
@@ -41,6 +42,10 @@ try {
 }
 
 await openLanguage();
+if (document.documentElement.lang === "de") {
+  const { german } = await import("./german.js");
+  translateDocument(document.documentElement, (english) => german[english] ?? english);
+}
 const slides = [...document.querySelectorAll("section")];
 const place = byId("place", HTMLElement);
 const previous = byId("previous", HTMLButtonElement);

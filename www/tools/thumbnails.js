@@ -28,7 +28,7 @@ async function asWebp(png) {
     const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
     canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
-    const blob = await canvas.convertToBlob({ type: "image/webp", quality: 0.85 });
+    const blob = await canvas.convertToBlob({ type: "image/webp", quality: 0.7 });
     const coded = new Uint8Array(await blob.arrayBuffer());
     return btoa(Array.from(coded, (byte) => String.fromCharCode(byte)).join(""));
   }, png.toString("base64"));
