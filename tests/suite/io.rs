@@ -5,7 +5,9 @@
 use std::path::PathBuf;
 
 use glam::DVec3;
-use umbilic::io::{self, Expected, Format, Found, Oddity, Place, Read, ReadError, WriteError};
+use umbilic::io::{
+    self, Expected, Extra, Format, Found, Oddity, Place, Read, ReadError, WriteError,
+};
 use umbilic::message::Say;
 use umbilic::soup::PolygonSoup;
 
@@ -305,7 +307,14 @@ fn shared_meshes_load_with_their_counts() {
             (vertices, faces),
             "{name}"
         );
-        assert!(read.warnings.is_empty(), "{name}: {:?}", read.warnings);
+        // Of these, one file alone says where its vertices lie in a picture.
+        let left_out = match name {
+            "spot_quadrangulated.obj" => vec![Oddity::LeftOut {
+                what: vec![Extra::TextureCoordinates],
+            }],
+            _ => vec![],
+        };
+        assert_eq!(read.warnings, left_out, "{name}");
         let again = round_trip(&read.soup, Format::Obj, name);
         assert_eq!(again.soup, read.soup, "{name}");
     }
@@ -321,7 +330,8 @@ fn shared_broken_files_get_a_verdict() {
         ("fan3.obj", Ok((5, 3, 0))),
         ("hourglass_ico.obj", Ok((23, 40, 0))),
         ("moebius.obj", Ok((280, 224, 0))),
-        ("walnut_shell_inside_out.obj", Ok((3_842, 7_680, 0))),
+        // Names of materials, groups and texture coordinates are left out: one warning a file.
+        ("walnut_shell_inside_out.obj", Ok((3_842, 7_680, 1))),
         (
             "malformed.obj",
             Err(ReadError::IndexOutOfRange {
@@ -331,8 +341,8 @@ fn shared_broken_files_get_a_verdict() {
                 vertices: 8,
             }),
         ),
-        ("box_UTF16BE.obj", Ok((8, 6, 1))),
-        ("box_without_lineending.obj", Ok((8, 6, 0))),
+        ("box_UTF16BE.obj", Ok((8, 6, 2))),
+        ("box_without_lineending.obj", Ok((8, 6, 1))),
         (
             "issue623.ply",
             Err(ReadError::Syntax {
@@ -362,7 +372,7 @@ fn shared_broken_files_get_a_verdict() {
         ),
         ("two_solids.stl", Ok((6, 2, 0))),
         ("sphere_with_hole.stl", Ok((146, 285, 0))),
-        ("two_groups.obj", Ok((4, 2, 0))),
+        ("two_groups.obj", Ok((4, 2, 1))),
         (
             "spot_nan.obj",
             Err(ReadError::NonFiniteVertex {
