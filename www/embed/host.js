@@ -89,13 +89,20 @@ export function createEmbedding(page) {
     if (hearing.size === 0) tell("error", { message, hint });
   };
 
+  let isPausing = false;
   /** Lets a run rest while nobody sees it, and go on after. */
   function settle() {
     const { phase, goal } = get();
     // On the way to a step it goes on: somebody waits for that.
     if (!isSeen() && isMoving() && goal === null && player.motion.peek() !== "easing") {
-      isSuspended = true;
-      run.pause();
+      // Once: a run comes to rest only after the step it is in, and what is shown until then
+      // leads here again.
+      if (isPausing) return;
+      [isPausing, isSuspended] = [true, true];
+      run.pause().finally(() => {
+        isPausing = false;
+        settle();
+      });
     } else if (isSeen() && isSuspended && !isMoving() && phase === "ready") {
       isSuspended = false;
       run.play();
