@@ -1,6 +1,6 @@
 // @ts-check
-// A run as a clip: its true steps, how much the surface visibly changes from each to the next,
-// and surfaces between two of them. Nothing here knows of a screen or a solver.
+// A run as a clip: its true steps, and how much the surface visibly changes from each to the
+// next. Nothing here knows of a screen or a solver.
 
 /** @import { Pane, State as Reading } from "./generated/types.js" */
 /** @import { Field, Marked } from "./store.js" */
@@ -79,36 +79,6 @@ export function changeOf(a, b, triangles, size) {
   }
   if (count === 0) return { change: 0, isSharp: false };
   return { change: Math.sqrt(moved / count) / size + TURN * Math.sqrt(turned / count), isSharp };
-}
-
-/**
- * The surface between two steps: a cubic in the change of shape, with the velocities that the
- * neighbouring steps give, or a straight line.
- * @param {Point | undefined} before @param {Point} a @param {Point} b @param {Point | undefined} after
- * @param {number} share  0 at a, 1 at b
- * @param {Float32Array} out
- */
-export function blend(before, a, b, after, share, out) {
-  const [p, q] = [a.positions, b.positions];
-  if (!p || !q) return;
-  const h = b.sum - a.sum;
-  const [o, r] = [before?.positions, after?.positions];
-  const isCurve = !b.isSharp && h > 0;
-  const s = share;
-  // Hermite's polynomials; tangents over the length of this piece.
-  const [h01, h10, h11] = [s * s * (3 - 2 * s), s * (1 - s) ** 2, s * s * (s - 1)];
-  const g = o && before && !a.isCut && !a.isSharp ? a.sum - before.sum : 0;
-  const k = r && after && !after.isCut && !after.isSharp ? after.sum - b.sum : 0;
-  for (let i = 0; i < p.length; i += 1) {
-    const d = q[i] - p[i];
-    if (!isCurve) {
-      out[i] = p[i] + s * d;
-      continue;
-    }
-    const m = o && g > 0 ? (d * g + ((p[i] - o[i]) * h * h) / g) / (g + h) : d;
-    const n = r && k > 0 ? (d * k + ((r[i] - q[i]) * h * h) / k) / (k + h) : d;
-    out[i] = p[i] + h01 * d + h10 * m + h11 * n;
-  }
 }
 
 export class Clip {
@@ -228,28 +198,31 @@ export class Clip {
     return (at < 0 ? this.points.length : at) - 1;
   }
 
+  /** The last step at or before a place that has a surface. @param {number} u */
+  surface(u) {
+    let { index } = this.at(u);
+    while (index > 0 && !this.points[index].positions) index -= 1;
+    return this.points[index] ?? null;
+  }
+
   /**
-   * What is to be drawn at a place: a true step, or a surface between two.
+   * The steps that the surface at a place is made of: a true one, or the two around it with
+   * their neighbours, as far as the surface moves smoothly from one to the next.
    * @param {number} u
-   * @param {Float32Array | null} [scratch]  to write into
-   * @returns {{ positions: Float32Array | null, field: Field | null, panes: readonly Pane[], marked: Marked } | null}
+   * @returns {Point[]}
    */
-  picture(u, scratch) {
-    const { index, share } = this.at(u);
-    let n = index;
-    while (n > 0 && !this.points[n].positions) n -= 1;
-    const a = this.points[n];
-    if (!a) return null;
+  around(u) {
+    const last = this.surface(u);
+    if (!last?.positions) return [];
+    const n = this.points.indexOf(last);
     let m = n + 1;
     while (m < this.points.length && !this.points[m].positions) m += 1;
-    const b = this.points[m];
-    const isBetween = b && (share > 0 || n < index) && !b.isCut;
-    if (!isBetween || !a.positions || !b?.positions) return a;
-    const s = (u - a.sum) / (b.sum - a.sum);
-    const out =
-      scratch?.length === a.positions.length ? scratch : new Float32Array(a.positions.length);
-    blend(this.points[n - 1], a, b, this.points[m + 1], s, out);
-    return { positions: out, field: blendField(a.field, b.field, s), panes: [], marked: a.marked };
+    const next = this.points[m];
+    if (!next || next.isCut || u <= last.sum) return [last];
+    const before = last.isCut ? null : this.points[n - 1];
+    const after = this.points[m + 1]?.isCut ? null : this.points[m + 1];
+    const steps = [before, last, next, after];
+    return steps.filter((point) => point != null).filter(({ positions }) => positions);
   }
 }
 
@@ -261,9 +234,3 @@ const bytesOf = ({ positions, field, panes }) =>
     (sum, { triangles, wireEdges }) => sum + 2 * (triangles.length + wireEdges.length),
     0,
   );
-
-/** @param {Field | null} a @param {Field | null} b @param {number} s @returns {Field | null} */
-function blendField(a, b, s) {
-  if (!a || !b || a.name !== b.name || a.values.length !== b.values.length) return a;
-  return { ...a, values: a.values.map((value, v) => value + s * (b.values[v] - value)) };
-}

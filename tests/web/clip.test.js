@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { blend, Clip, changeOf, secondsOf } from "../../www/clip.js";
+import { Clip, changeOf, secondsOf } from "../../www/clip.js";
 import { align } from "../../www/comparison.js";
 import { createPlayer } from "../../www/player.js";
 
@@ -85,44 +85,34 @@ test("clip time goes by the change and not by the steps", () => {
   assert.equal(clip.indexOf(7), 3);
 });
 
-test("true steps are shown as they are, to the last bit", () => {
-  const clip = shrinking([1, 0.8, 0.7, 0.65]);
-  for (const { sum, positions } of clip.points)
-    assert.equal(clip.picture(sum)?.positions, positions);
+/** The steps around a place, by number. @param {Clip} clip @param {number} u */
+const around = (clip, u) => clip.around(u).map(({ state }) => state.step);
+
+test("a surface is a true step, or between two steps with their neighbours", () => {
+  const clip = shrinking([1, 0.8, 0.7, 0.65, 0.6]);
+  const [a, b, c, d, e] = clip.points.map(({ sum }) => sum);
+  for (const [n, u] of [a, b, c, d, e].entries()) assert.deepEqual(around(clip, u), [n]);
+  assert.deepEqual(around(clip, (a + b) / 2), [0, 1, 2]);
+  assert.deepEqual(around(clip, (b + c) / 2), [0, 1, 2, 3]);
+  assert.deepEqual(around(clip, (d + e) / 2), [2, 3, 4]);
+  // Numbers and colours are those of the last step that was passed.
+  assert.equal(clip.surface((b + c) / 2)?.state.step, 1);
 });
 
-test("between two steps a surface lies between them, and moves on without a jerk", () => {
-  const radii = [1, 0.8, 0.7, 0.65, 0.6];
-  const clip = shrinking(radii);
-  const radius = (/** @type {number} */ u) => {
-    const p = clip.picture(u)?.positions ?? new Float32Array(3);
-    return Math.hypot(p[0], p[1], p[2]);
-  };
-  for (let n = 0; n < 4; n += 1) {
-    const [from, to] = [clip.points[n].sum, clip.points[n + 1].sum];
-    for (const share of [0.1, 0.5, 0.9]) {
-      const r = radius(from + share * (to - from));
-      assert.ok(r <= radii[n] + 1e-6 && r >= radii[n + 1] - 1e-6, `${n} ${share} ${r}`);
-    }
-  }
-  // The velocity by the change is the same on both sides of a step.
-  for (const { sum } of clip.points.slice(1, -1)) {
-    const h = 1e-3 * clip.total;
-    const [before, after] = [radius(sum) - radius(sum - h), radius(sum + h) - radius(sum)];
-    assert.ok(Math.abs(before - after) < 0.1 * Math.abs(before), `${before} ${after}`);
-  }
-});
-
-test("an edge that turns far is led along a straight line", () => {
-  const [p, q] = [Float32Array.of(0, 0, 0), Float32Array.of(1, 0, 0)];
-  const out = new Float32Array(3);
-  /** @param {Float32Array} positions @param {number} sum @param {boolean} [isSharp] @returns {any} */
-  const at = (positions, sum, isSharp = false) => ({ positions, sum, isSharp, isCut: false });
-  blend(at(p, -1), at(p, 0), at(q, 1, true), undefined, 0.25, out);
-  assert.deepEqual([...out], [0.25, 0, 0]);
-  // A neighbour that rests makes a curve of it.
-  blend(at(p, -1), at(p, 0), at(q, 1), undefined, 0.25, out);
-  assert.ok(out[0] > 0 && out[0] < 0.25, String(out[0]));
+test("an edge that turns far makes a straight way, and a step without a surface is passed over", () => {
+  const clip = new Clip();
+  clip.clear(Uint32Array.of(1, 2, 0));
+  const flat = Float32Array.of(-1, -1, 0, 1, -1, 0, 0, 2, 0);
+  const turned = Float32Array.of(-1, 0, -1, 1, 0, -1, 0, 0, 2);
+  for (const [step, positions] of [flat, flat, turned, null, turned].entries())
+    clip.add(point(step, positions), step);
+  assert.deepEqual(
+    clip.points.map(({ isSharp }) => isSharp),
+    [false, false, true, false, false],
+  );
+  const [, , c] = clip.points.map(({ sum }) => sum);
+  assert.deepEqual(around(clip, c - 1e-9), [0, 1, 2]);
+  assert.equal(clip.surface(clip.points[3].sum)?.state.step, 2);
 });
 
 test("where triangles change there is a cut, and equal places for steps without a change", () => {
@@ -135,7 +125,7 @@ test("where triangles change there is a cut, and equal places for steps without 
     clip.points.map(({ sum }) => Math.round((4 * sum) / clip.total)),
     [0, 1, 2, 3, 4],
   );
-  assert.equal(clip.picture(0.9 * clip.points[1].sum), clip.points[0]);
+  assert.deepEqual(clip.around(0.9 * clip.points[1].sum), [clip.points[0]]);
 });
 
 test("a step on another path takes the place of those after it", () => {

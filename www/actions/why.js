@@ -55,7 +55,7 @@ export function createWhy(core, { adopt, edit }, run) {
      */
     point({ vertices, faces, edges }, camera) {
       const { mesh } = get();
-      const positions = core.lead.clip.picture(core.lead.u)?.positions;
+      const positions = core.lead.clip.surface(core.lead.u)?.positions;
       if (!mesh || !positions) return;
       const triangles = Uint32Array.from(
         new Set([...faces, ...trianglesAt(mesh.triangles, vertices)]),

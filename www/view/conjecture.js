@@ -55,7 +55,7 @@ async function ask(page) {
 async function choose(page, report, n) {
   const corners = cornersOf(report, n);
   const [i, j, k, l] = corners;
-  const pane = page.lead.clip.picture(page.lead.u)?.panes[0];
+  const pane = page.lead.clip.surface(page.lead.u)?.panes[0];
   const all = pane?.triangles ?? page.get().mesh?.triangles ?? new Uint32Array();
   const triangles = [];
   for (let t = 0; 3 * t < all.length; t += 1) {

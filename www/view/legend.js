@@ -67,7 +67,7 @@ function scale(page) {
 
 /** Colours of this step alone. @param {Page} page */
 function fit(page) {
-  const field = page.lead.clip.picture(page.lead.u)?.field;
+  const field = page.lead.clip.surface(page.lead.u)?.field;
   if (field) page.run.range(rangeOf(field));
 }
 

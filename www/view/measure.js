@@ -109,7 +109,7 @@ function readings(page) {
 function spread(page) {
   page.player.tick.value;
   const { range, colour } = page.state.value;
-  const field = page.lead.clip.picture(page.lead.u)?.field;
+  const field = page.lead.clip.surface(page.lead.u)?.field;
   if (!field || !range || field.name !== colour) return nothing;
   const shares = histogram(field.values, range, BINS);
   const most = Math.max(...shares, 1e-9);

@@ -1,6 +1,5 @@
 // @ts-check
-// The surfaces on the stage: one picture a pane, all under one camera. Between two true steps
-// the picture is blended.
+// The surfaces on the stage: one picture a pane, all under one camera.
 
 import { effect, signal } from "@preact/signals-core";
 import { distances, letter, sayChange } from "../comparison.js";
@@ -12,113 +11,16 @@ import { rim } from "../selection.js";
 import { surfaceLabel, symbol } from "../status.js";
 import { isDark } from "../store.js";
 import { say } from "../words.js";
+import { PaneView } from "./pane.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { Field, S } from "../store.js" */
-/** @import { Drawable } from "../viewer.js" */
+/** @import { Shown, Step } from "./pane.js" */
 /** @import { Fault } from "../words.js" */
-
-/** @typedef {Awaited<ReturnType<typeof import("../viewer.js").createViewer>>} Viewer */
-
-/**
- * What a pane shows.
- * @typedef {object} Shown
- * @property {string} key
- * @property {Drawable} drawable    connectivity
- * @property {Float32Array} positions
- * @property {unknown} place        changes with what is in the positions
- * @property {Field | null} field
- * @property {Uint32Array} marked
- * @property {Uint32Array} highlight
- * @property {Uint8Array | null} held
- * @property {string} title
- * @property {string} note
- */
 
 const none = new Uint32Array();
 /** Width of an edge in CSS pixels, on a desk and from the last row. */
 const LINE = { near: 1.25, far: 2.5 };
-
-class PaneView {
-  /** @type {Viewer | null} */
-  viewer = null;
-  #isGone = false;
-  /** @type {Partial<Shown> & { mesh?: unknown, camera?: unknown, style?: unknown, overlay?: unknown }} what the viewer has */
-  #has = {};
-
-  /** @param {HTMLElement} figure @param {HTMLCanvasElement} canvas */
-  constructor(figure, canvas) {
-    this.figure = figure;
-    this.canvas = canvas;
-    this.caption = figure.querySelector("figcaption") ?? document.createElement("figcaption");
-    figure.append(this.caption);
-  }
-
-  /** @param {import("../viewer.js").ViewerOptions} options */
-  async open(options) {
-    const { createViewer } = await import("../viewer.js");
-    // Laid out first, so that the picture has a size.
-    await new Promise(requestAnimationFrame);
-    const onCamera = (/** @type {Float32Array} */ camera) => {
-      this.#has.camera = camera;
-      options.onCamera?.(camera);
-    };
-    const viewer = await createViewer(this.canvas, { ...options, onCamera });
-    if (this.#isGone) viewer.destroy();
-    else this.viewer = viewer;
-    this.#has = {};
-  }
-
-  /** @param {S} s @param {Shown} shown @param {import("../viewer.js").Style} style @returns {void} */
-  draw(s, shown, style) {
-    const { viewer } = this;
-    const has = this.#has;
-    if (!viewer || shown.positions.length !== shown.drawable.positions.length) return;
-    if (JSON.stringify(style) !== has.style) {
-      has.style = JSON.stringify(style);
-      viewer.setStyle(style);
-    }
-    if (s.mesh !== has.mesh || shown.drawable !== has.drawable) {
-      if (s.mesh !== has.mesh && !(has.mesh && s.camera)) viewer.setMesh(shown.drawable);
-      else viewer.replaceMesh(shown.drawable);
-      this.#has = { style: has.style, mesh: s.mesh, drawable: shown.drawable };
-      return this.draw(s, shown, style);
-    }
-    if (
-      shown.positions !== has.positions ||
-      shown.place !== has.place ||
-      shown.field !== has.field
-    ) {
-      viewer.setFrame(shown.positions, shown.field, shown.marked);
-      has.marked = shown.marked;
-    }
-    if (shown.marked !== has.marked) viewer.setMarked(shown.marked);
-    if (shown.highlight !== has.highlight) viewer.setHighlight(shown.highlight);
-    if (shown.held !== has.held) viewer.setFixed(shown.held ?? new Uint8Array());
-    if (s.camera !== has.camera && s.camera) viewer.setCamera(s.camera);
-    Object.assign(has, shown, { camera: s.camera ?? has.camera });
-  }
-
-  /** @param {import("../viewer.js").Overlay | null} overlay @param {unknown} of */
-  overlay(overlay, of) {
-    if (!this.viewer || this.#has.overlay === of) return;
-    this.#has.overlay = of;
-    this.viewer.setOverlay(overlay);
-  }
-
-  close() {
-    this.#isGone = true;
-    this.viewer?.destroy();
-    this.figure.remove();
-  }
-}
-
-/** Colours over the range that is held. @param {Field | null} field @param {readonly [number, number] | null} range @returns {Field | null} */
-export function held(field, range) {
-  if (!field || !range) return field;
-  const [low, high] = range;
-  return field.low === low && field.high === high ? field : { ...field, low, high };
-}
 
 /**
  * @param {Page} page
@@ -136,8 +38,6 @@ export function createStage(page, root, samples) {
   const absence = signal(null);
   /** Of distances between panes, which are no field of the solver's. @type {import("@preact/signals-core").Signal<readonly [number, number] | null>} */
   const range = signal(null);
-  /** What blended surfaces are written into, a pane each. @type {Float32Array[]} */
-  const scratches = [];
   /** What a brush is about to hold. @type {Uint8Array | null} */
   let brushed = null;
   /** @type {{ set: unknown, found: Uint32Array }} */
@@ -151,11 +51,25 @@ export function createStage(page, root, samples) {
     return ring.found;
   }
 
-  /** @param {import("../player.js").Track} track @param {number} n */
-  function pictureOf(track, n) {
-    const picture = track.clip.picture(track.u, scratches[n]);
-    if (picture?.positions && !("state" in picture)) scratches[n] = picture.positions;
-    return picture;
+  /**
+   * The surface of a track, in motion from step to step.
+   * @param {S} s @param {import("../player.js").Track} track
+   * @returns {{ steps: readonly Step[], time: number } | null}
+   */
+  function motionOf({ range, comparison }, { clip, u }) {
+    // Distances are of true steps.
+    const point = comparison.difference === null ? null : clip.surface(u);
+    const points = point ? [point] : clip.around(u);
+    if (points.length === 0) return null;
+    const isColoured = points.every(({ field }) => field);
+    const steps = points.map(({ positions, field, sum, isSharp }) => ({
+      positions: /** @type {Float32Array} */ (positions),
+      field: isColoured ? field : null,
+      range,
+      time: sum,
+      isStraight: isSharp,
+    }));
+    return { steps, time: points.length > 1 ? u : points[0].sum };
   }
 
   /** @param {S} s @returns {Shown[]} */
@@ -163,11 +77,17 @@ export function createStage(page, root, samples) {
     const { mesh, comparison, marks, preview, reading } = s;
     if (!mesh) return [];
     const { lead } = page;
-    const picture = pictureOf(lead, 0);
+    const point = lead.clip.surface(lead.u);
+    /** A surface that does not move. @param {Float32Array} positions @param {Field | null} field */
+    const still = (positions, field) => ({
+      steps: [{ positions, field, range: s.range, time: 0, isStraight: false }],
+      time: 0,
+    });
     const set = brushed ?? s.configured?.heldVertices ?? null;
     const chosen = reading?.flips?.[0]?.criterion ?? s.options.flow;
-    const panes = picture?.panes ?? [];
+    const panes = point?.panes ?? [];
     const ownPane = panes.find(({ name }) => name === chosen);
+    const apart = preview ?? ownPane;
     const state = page.shown();
     const isSide =
       comparison.rivals.length > 0 || comparison.withStart || panes.length > (ownPane ? 1 : 0);
@@ -183,10 +103,10 @@ export function createStage(page, root, samples) {
       {
         key: "lead",
         drawable: ownPane ?? mesh,
-        positions: (preview ?? ownPane ?? picture)?.positions ?? mesh.positions,
-        place: preview ?? lead.u,
-        field: held((preview ?? ownPane ?? picture)?.field ?? null, s.range),
-        marked: marks?.triangles ?? picture?.marked ?? none,
+        ...(apart
+          ? still(apart.positions, apart.field)
+          : (motionOf(s, lead) ?? still(mesh.positions, null))),
+        marked: marks?.triangles ?? point?.marked ?? none,
         highlight: marks?.edges ?? ownPane?.highlight ?? ringOf(s, set),
         held: ownPane ? null : set,
         title: isSide
@@ -197,18 +117,14 @@ export function createStage(page, root, samples) {
         note,
       },
     ];
-    let n = 0;
     for (const rival of comparison.rivals) {
-      n += 1;
       const track = page.rivals.get(rival.id);
-      const other = track && pictureOf(track, n);
+      const other = track?.clip.surface(track.u);
       const at = track?.clip.points[track.clip.nearest(track.u)]?.state;
       shown.push({
         key: `rival-${rival.id}`,
         drawable: mesh,
-        positions: other?.positions ?? mesh.positions,
-        place: track?.u,
-        field: held(other?.field ?? null, s.range),
+        ...((track && motionOf(s, track)) ?? still(mesh.positions, null)),
         marked: other?.marked ?? none,
         highlight: none,
         held: rival.held,
@@ -228,26 +144,17 @@ export function createStage(page, root, samples) {
     if (comparison.withStart) {
       const start = lead.clip.points[0];
       shown.push({
-        ...{ key: "then", drawable: mesh, positions: start?.positions ?? mesh.positions, place: 0 },
-        ...{
-          field: held(start?.field ?? null, s.range),
-          marked: none,
-          highlight: none,
-          held: null,
-        },
+        ...still(start?.positions ?? mesh.positions, start?.field ?? null),
+        ...{ key: "then", drawable: mesh, marked: none, highlight: none, held: null },
         ...{ title: say("start"), note: "" },
       });
     }
     for (const pane of panes) {
       if (pane === ownPane) continue;
       shown.push({
-        ...{ key: `pane-${pane.name}`, drawable: pane, positions: pane.positions, place: pane },
-        ...{
-          field: held(pane.field, s.range),
-          marked: none,
-          highlight: pane.highlight,
-          held: null,
-        },
+        ...still(pane.positions, pane.field),
+        ...{ key: `pane-${pane.name}`, drawable: pane, marked: none },
+        ...{ highlight: pane.highlight, held: null },
         ...{ title: paneName(pane.name), note: paneNote(s, pane) },
       });
     }
@@ -256,8 +163,9 @@ export function createStage(page, root, samples) {
 
   /** Colours by the distance to one of them. @param {Shown[]} shown @param {number} to */
   function byDistance(shown, to) {
-    const base = shown[to]?.positions;
-    const values = shown.map(({ positions }) =>
+    const surfaces = shown.map(({ steps }) => steps[0].positions);
+    const base = surfaces[to];
+    const values = surfaces.map((positions) =>
       base && positions.length === base.length ? distances(positions, base) : null,
     );
     let most = 0;
@@ -268,7 +176,7 @@ export function createStage(page, root, samples) {
       const own = values[n];
       /** @type {any} */
       const field = own && { name: "distance", low: 0, high, signed: false, values: own };
-      return { ...one, field };
+      return { ...one, steps: [{ ...one.steps[0], field, range: null }] };
     });
   }
 
@@ -411,7 +319,7 @@ export function createStage(page, root, samples) {
     colours: (signed, count) => first.viewer?.colourBar(signed, count) ?? new Uint8Array(),
     /** Colours of this step alone. */
     fitRange() {
-      const field = page.lead.clip.picture(page.lead.u)?.field;
+      const field = page.lead.clip.surface(page.lead.u)?.field;
       if (field) page.run.range(rangeOf(field));
     },
   };

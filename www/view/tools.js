@@ -55,7 +55,7 @@ export function createTools(page) {
   const { canvas } = stage;
   const viewer = () => stage.first.viewer;
   const positions = () =>
-    page.lead.clip.picture(page.lead.u)?.positions ??
+    page.lead.clip.surface(page.lead.u)?.positions ??
     page.get().mesh?.positions ??
     new Float32Array();
 
