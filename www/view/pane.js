@@ -1,0 +1,146 @@
+// @ts-check
+// One picture on the stage: hands the viewer what has changed and nothing else. Steps are
+// uploaded once; the graphics card makes the surfaces between them.
+
+/** @import { Field, S } from "../store.js" */
+/** @import { Drawable, NextStep } from "../viewer.js" */
+
+/** @typedef {Awaited<ReturnType<typeof import("../viewer.js").createViewer>>} Viewer */
+
+/** A surface that is shown at a time; colours over a range that is held. @typedef {NextStep & { range: readonly [number, number] | null }} Step */
+
+/**
+ * What a pane shows.
+ * @typedef {object} Shown
+ * @property {string} key
+ * @property {Drawable} drawable    connectivity
+ * @property {readonly Step[]} steps  one that is shown, or the two around `time` and their neighbours
+ * @property {number} time
+ * @property {Uint32Array} marked
+ * @property {Uint32Array} highlight
+ * @property {Uint8Array | null} held
+ * @property {string} title
+ * @property {string} note
+ */
+
+/** What the viewer has. @typedef {Partial<Shown> & { mesh?: unknown, camera?: unknown, style?: unknown, overlay?: unknown }} Has */
+
+/** Steps that the viewer holds at a time. */
+const HELD_STEPS = 4;
+
+/** Colours over the range that is held. @param {Step} step @returns {Field | null} */
+function coloured({ field, range }) {
+  if (!field || !range) return field;
+  const [low, high] = range;
+  return field.low === low && field.high === high ? field : { ...field, low, high };
+}
+
+/** @param {Step} a @param {Step | undefined} b */
+const isSame = (a, b) =>
+  a.positions === b?.positions &&
+  a.field === b.field &&
+  a.range === b.range &&
+  a.time === b.time &&
+  a.isStraight === b.isStraight;
+
+export class PaneView {
+  /** @type {Viewer | null} */
+  viewer = null;
+  #isGone = false;
+  /** @type {Has} */
+  #has = {};
+  /** Steps that the viewer has, the newest last. @type {readonly Step[]} */
+  #steps = [];
+  /** The time of the step that was set: the viewer counts from there. */
+  #zero = 0;
+
+  /** @param {HTMLElement} figure @param {HTMLCanvasElement} canvas */
+  constructor(figure, canvas) {
+    this.figure = figure;
+    this.canvas = canvas;
+    this.caption = figure.querySelector("figcaption") ?? document.createElement("figcaption");
+    figure.append(this.caption);
+  }
+
+  /** @param {import("../viewer.js").ViewerOptions} options */
+  async open(options) {
+    const { createViewer } = await import("../viewer.js");
+    // Laid out first, so that the picture has a size.
+    await new Promise(requestAnimationFrame);
+    const onCamera = (/** @type {Float32Array} */ camera) => {
+      this.#has.camera = camera;
+      options.onCamera?.(camera);
+    };
+    const viewer = await createViewer(this.canvas, { ...options, onCamera });
+    if (this.#isGone) viewer.destroy();
+    else this.viewer = viewer;
+    this.#forget({});
+  }
+
+  /** @param {Has} rest  what it still has */
+  #forget(rest) {
+    this.#has = rest;
+    this.#steps = [];
+  }
+
+  /** @param {S} s @param {Shown} shown @param {import("../viewer.js").Style} style @returns {void} */
+  draw(s, shown, style) {
+    const { viewer } = this;
+    const has = this.#has;
+    if (!viewer || shown.steps[0]?.positions.length !== shown.drawable.positions.length) return;
+    if (JSON.stringify(style) !== has.style) {
+      has.style = JSON.stringify(style);
+      viewer.setStyle(style);
+    }
+    if (s.mesh !== has.mesh || shown.drawable !== has.drawable) {
+      if (s.mesh !== has.mesh && !(has.mesh && s.camera)) viewer.setMesh(shown.drawable);
+      else viewer.replaceMesh(shown.drawable);
+      this.#forget({ style: has.style, mesh: s.mesh, drawable: shown.drawable });
+      return this.draw(s, shown, style);
+    }
+    this.#move(viewer, shown);
+    if (shown.marked !== has.marked) viewer.setMarked(shown.marked);
+    if (shown.highlight !== has.highlight) viewer.setHighlight(shown.highlight);
+    if (shown.held !== has.held) viewer.setFixed(shown.held ?? new Uint8Array());
+    if (s.camera !== has.camera && s.camera) viewer.setCamera(s.camera);
+    Object.assign(has, shown, { camera: s.camera ?? has.camera });
+  }
+
+  /**
+   * Shows the surface of a time, with the steps that the viewer lacks.
+   * @param {Viewer} viewer @param {Shown} shown
+   */
+  #move(viewer, { steps, time, marked }) {
+    const from = this.#steps.findIndex((step) => isSame(step, steps[0]));
+    const known = from < 0 ? [] : this.#steps.slice(from, from + steps.length);
+    const goesOn = known.length > 0 && known.every((step, n) => isSame(step, steps[n]));
+    // What follows the steps that are there follows the last of them.
+    const isAtEnd = from + known.length === this.#steps.length;
+    if (!goesOn || (known.length < steps.length && !isAtEnd)) {
+      const [first] = steps;
+      viewer.setFrame(first.positions, coloured(first), marked);
+      this.#has.marked = marked;
+      this.#zero = first.time;
+      this.#steps = [first];
+      known.length = 1;
+    }
+    for (const step of steps.slice(known.length)) {
+      viewer.addStep({ ...step, field: coloured(step), time: step.time - this.#zero });
+      this.#steps = [...this.#steps, step].slice(-HELD_STEPS);
+    }
+    viewer.setTime(time - this.#zero);
+  }
+
+  /** @param {import("../viewer.js").Overlay | null} overlay @param {unknown} of */
+  overlay(overlay, of) {
+    if (!this.viewer || this.#has.overlay === of) return;
+    this.#has.overlay = of;
+    this.viewer.setOverlay(overlay);
+  }
+
+  close() {
+    this.#isGone = true;
+    this.viewer?.destroy();
+    this.figure.remove();
+  }
+}
