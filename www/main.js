@@ -6,7 +6,7 @@ import { html, nothing, render } from "lit-html";
 import { createPage } from "./actions.js";
 import { commands, listenForKeys } from "./commands.js";
 import { openLanguage, remembered } from "./language.js";
-import { createLinkWriter, plainScene } from "./link.js";
+import { createLinkWriter, linkIn, plainScene } from "./link.js";
 import { keepOffline } from "./offline.js";
 import { createFilm, createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
@@ -146,7 +146,7 @@ if (embedding) {
     queueMicrotask(embedding.update);
   });
 }
-const pictured = page.stage.start();
+const pictured = page.stage.start(linkIn(location).text === "" && !embedding?.isFed);
 pictured.then(fetchDialogs).catch(() => {});
 
 // Whoever embeds the page could take away what a visitor opens in it. A file that is chosen or

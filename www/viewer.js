@@ -166,6 +166,13 @@ class SurfaceView {
     this.#remember(loaded);
   }
 
+  /** Shows the first sample, before there is a solver to make it. */
+  setFirst() {
+    const edges = new Uint32Array();
+    const first = this.#renderer?.module.firstSurface();
+    if (first) this.setMesh({ ...first, wireEdges: edges, boundaryEdges: edges });
+  }
+
   /**
    * The same from where the camera stands: another mesh of the same surface.
    * @param {Drawable} loaded

@@ -7,8 +7,7 @@ use wasm_bindgen_futures::{future_to_promise, spawn_local};
 use web_sys::HtmlCanvasElement;
 
 use super::fault::{fault, object};
-use crate::mesh::shape::platonic;
-use crate::mesh::subdivide::linear_levels;
+use crate::mesh::shape::sphere;
 use crate::viewer::colour::{ColourMap, Theme, colour_bar};
 use crate::viewer::error::ViewerError;
 use crate::viewer::gpu;
@@ -45,15 +44,17 @@ impl From<ViewerError> for JsValue {
     }
 }
 
-/// The icosahedron subdivided linearly, the page's first sample, for a picture before the
-/// solver is there: `{ positions, triangles }` as in the solver's `Loaded`. All shapes here
-/// would add a third to what the first picture waits for.
+/// The page's first sample, for a picture before the solver is there: `{ positions, triangles }`
+/// as in the solver's `Loaded`. All shapes here would add a third to what the first picture
+/// waits for.
 ///
 /// # Errors
-/// None with levels up to 8.
-#[wasm_bindgen]
-pub fn icosahedron(level: usize) -> Result<JsValue, JsValue> {
-    let soup = linear_levels(platonic::icosahedron(), level).map_err(|error| fault(&error))?;
+/// None.
+#[wasm_bindgen(js_name = firstSurface)]
+pub fn first_surface() -> Result<JsValue, JsValue> {
+    let (amplitude, frequency, seed) = sphere::BUMPS;
+    let soup = sphere::bumpy_sphere(sphere::FIRST_LEVEL, amplitude, frequency, seed)
+        .map_err(|error| fault(&error))?;
     let positions: Vec<f32> = soup
         .positions
         .iter()

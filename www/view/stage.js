@@ -297,10 +297,15 @@ export function createStage(page, root, samples) {
       return () => listeners.delete(listener);
     },
     redraw: draw,
-    /** Opens the picture. Never rejects. */
-    async start() {
+    /**
+     * Opens the picture. Never rejects.
+     * @param {boolean} isPlain  whether it begins with the first sample, of which the viewer
+     *   has a copy: the solver may take its time
+     */
+    async start(isPlain) {
       try {
         await first.open(options);
+        if (isPlain && !page.get().mesh) first.viewer?.setFirst();
         draw();
         await first.viewer?.drawn();
       } catch (error) {

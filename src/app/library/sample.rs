@@ -4,6 +4,7 @@ use crate::app::{Fault, FillOptions, Loaded, Loops, Session};
 use crate::energy::circle::Boundary;
 use crate::flow::constraint::Kept::{Area, Volume};
 use crate::flow::options::{FlowName, FlowOptions, Goal};
+use crate::mesh::shape::sphere;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
@@ -209,14 +210,14 @@ pub static SAMPLES: &[Sample] = {
     use Group::{Boundary, Closed, Flips, Repair, Tubes};
     &[
         sample(
+            "bumpy-sphere",
+            Closed,
+            shape("bumpy-sphere", &[("level", sphere::FIRST_LEVEL as f64)]),
+        ),
+        sample(
             "icosahedron",
             Closed,
             shape("icosahedron", &[("level", 4.0)]),
-        ),
-        sample(
-            "bumpy-sphere",
-            Closed,
-            shape("bumpy-sphere", &[("level", 4.0)]),
         ),
         sample(
             "coarse-torus",

@@ -66,8 +66,8 @@ pub(super) static SHAPES: &[Shape] = &[
         label: "Bumpy sphere",
         parameters: &[
             level(5, 8),
-            real("amplitude", "Bump height", 0.12, 0.0, 0.3),
-            real("frequency", "Bumps around", 6.0, 1.0, 40.0),
+            real("amplitude", "Bump height", sphere::BUMPS.0, 0.0, 0.3),
+            real("frequency", "Bumps around", sphere::BUMPS.1, 1.0, 40.0),
             SEED,
         ],
         build: |v| sample(sphere::bumpy_sphere(n(v[0]), v[1], v[2], v[3] as u64)),

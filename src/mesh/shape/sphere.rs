@@ -79,6 +79,12 @@ pub fn ellipsoid(
     })
 }
 
+/// Height and number of the bumps, and the seed of those, unless one asks for others.
+pub const BUMPS: (f64, f64, u64) = (0.12, 6.0, 1);
+
+/// Level of the bumpy sphere that the page opens with: 2,562 vertices.
+pub const FIRST_LEVEL: usize = 4;
+
 /// A sphere of radius `exp(amplitude·s)` with `s` a sum of twelve plane waves of random
 /// direction and phase, of variance one and about `frequency` bumps a great circle.
 pub fn bumpy_sphere(
