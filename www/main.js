@@ -20,6 +20,7 @@ import { listenToClicker, present } from "./view/present.js";
 import { createStage } from "./view/stage.js";
 import { createTools } from "./view/tools.js";
 import { top } from "./view/top.js";
+import { fetchRest } from "./words.js";
 
 /** @import { Page } from "./actions.js" */
 /** @import { Mode, S, Tab } from "./store.js" */
@@ -35,8 +36,13 @@ const dark = matchMedia("(prefers-color-scheme: dark)");
 const store = createStore();
 const bare = createPage(store, { isCalm: () => calm.matches });
 const file = /** @type {HTMLInputElement} */ (byId("file"));
-// Fewer samples a pixel draw faster where there is no graphics card.
-const samples = new URLSearchParams(location.search).get("msaa") === "1" ? 1 : 4;
+const asked = new URLSearchParams(location.search);
+// Fewer samples a pixel draw faster where there is no graphics card; pictures to be kept are
+// worth their shadows there too.
+const quality = {
+  samples: /** @type {1 | 4} */ (asked.get("msaa") === "1" ? 1 : 4),
+  effects: /** @type {"always" | "auto"} */ (asked.get("effects") === "always" ? "always" : "auto"),
+};
 
 /** @type {Page} */
 const page = Object.assign(/** @type {any} */ (bare), {
@@ -51,7 +57,7 @@ const page = Object.assign(/** @type {any} */ (bare), {
   present: (/** @type {boolean | undefined} */ on) =>
     page.patch({ presenting: on ?? !page.get().presenting, dialog: null, welcome: false }),
 });
-page.stage = createStage(page, byId("panes"), samples);
+page.stage = createStage(page, byId("panes"), quality);
 page.save = createSave(page);
 page.film = createFilm(page);
 page.tools = createTools(page);
@@ -136,7 +142,7 @@ listenForKeys(page);
 listenToClicker(page);
 file.setAttribute("aria-keyshortcuts", commands.find(({ id }) => id === "open")?.keys[0] ?? "");
 
-const isEmbedded = new URLSearchParams(location.search).has("embed");
+const isEmbedded = asked.has("embed");
 const embedding = isEmbedded ? (await import("./embed/host.js")).createEmbedding(page) : null;
 if (embedding) {
   effect(() => {
@@ -192,13 +198,16 @@ effect(() => {
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));
 if (!embedding && location.hash.length < 2 && remembered("visited") === null)
   page.patch({ welcome: true });
-const opened = Promise.resolve(embedding?.wanted).then(() => {
+const opened = Promise.resolve(embedding?.wanted).then(async () => {
+  // What the solver says is said in these.
+  const words = fetchRest().catch(console.error);
   try {
     page.solver.begin();
   } catch (error) {
     page.patch({ phase: "failed" });
     throw error;
   }
+  await words;
   if (!embedding?.isFed) return openLink(location);
 });
 opened.catch(page.report);

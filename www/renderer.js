@@ -8,7 +8,7 @@ import { say, sayFault } from "./words.js";
 
 /** @import { Fault as Refusal } from "./generated/types.js" */
 /** @import { Fault } from "./words.js" */
-/** @typedef {Pick<typeof import("./pkg/viewer/viewer.js"), "Viewer" | "icosahedron">} ViewerModule */
+/** @typedef {Pick<typeof import("./pkg/viewer/viewer.js"), "Viewer" | "firstSurface">} ViewerModule */
 
 /**
  * @typedef {object} Renderer

@@ -26,6 +26,13 @@ const compactWords = {
   },
 };
 
+const guide = Object.fromEntries(
+  ["first-look", "lecture", "mesh"].map((name) => [
+    name,
+    fileURLToPath(new URL(`guide/${name}.html`, import.meta.url)),
+  ]),
+);
+
 export default defineConfig({
   root: fileURLToPath(new URL("..", import.meta.url)),
   // Relative addresses: the site works from any folder of any host.
@@ -49,6 +56,7 @@ export default defineConfig({
       input: {
         index: fileURLToPath(new URL("../index.html", import.meta.url)),
         demo: fileURLToPath(new URL("../demo.html", import.meta.url)),
+        ...guide,
         embed: fileURLToPath(new URL("embed.js", import.meta.url)),
       },
       output: {

@@ -114,8 +114,28 @@ export const sayFault = ({ kind, message, hint, detail }) => ({
   detail,
 });
 
+/** Words that are read only once there is a solver. @type {Promise<string> | null} */
+let rest = null;
+let speaking = /** @type {"en" | "de"} */ ("en");
+
 /** Says what follows in another language. @param {"en" | "de"} language */
 export async function speakWords(language) {
-  bundle = bundleOf(language, await fetchWords(language));
+  const words = await fetchWords(language, "first");
+  const more = rest ? await fetchWords(language, "rest") : "";
+  speaking = language;
+  bundle = bundleOf(language, `${words}\n${more}`);
   said.clear();
+}
+
+/** All other words of the language, once. */
+export async function fetchRest() {
+  if (rest) return rest;
+  const language = speaking;
+  rest = fetchWords(language, "rest");
+  bundle ??= bundleOf("en", english);
+  const words = await rest;
+  // The language may have been changed meanwhile, with all its words.
+  if (language === speaking) bundle.addResource(new FluentResource(words));
+  said.clear();
+  return rest;
 }

@@ -71,8 +71,13 @@ struct Words(String);
 
 impl Words {
     fn read() -> Self {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/locales/en/library.ftl");
-        Self(std::fs::read_to_string(file).expect("words"))
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/locales/en");
+        let files = ["sample.ftl", "library.ftl"].map(|name| folder.join(name));
+        Self(
+            files
+                .map(|file| std::fs::read_to_string(file).expect("words"))
+                .concat(),
+        )
     }
 
     /// A sentence and its parts, each on a line of its own.

@@ -26,7 +26,9 @@ type Messages = &'static [(&'static str, &'static [&'static str])];
 type Words = BTreeMap<String, BTreeSet<String>>;
 
 /// The files whose words are the crate's; those of `page.ftl` are the page's own.
-const FILES: [&str; 6] = ["app", "files", "flow", "mesh", "recipe", "refusal"];
+const FILES: [&str; 7] = [
+    "app", "files", "flow", "mesh", "recipe", "refusal", "viewer",
+];
 
 /// Errors that another one within says more of, with a hint of its own.
 const PASSED_ON: [&str; 9] = [

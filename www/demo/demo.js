@@ -1,11 +1,11 @@
 // @ts-check
 // The slides about Willmore flow.
 
+import { translateDocument } from "../document-text.js";
 import { openLanguage } from "../language.js";
 import { formatNumber } from "../number.js";
 import { keepOffline } from "../offline.js";
 import { createDeck } from "./deck.js";
-import { translateDocument } from "./document-text.js";
 
 /**
  * @template {HTMLElement} T

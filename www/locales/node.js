@@ -12,5 +12,5 @@ function read(language) {
 
 export const english = read("en");
 
-/** @param {string} language */
-export const fetchWords = async (language) => read(language);
+/** @param {string} language @param {"first" | "rest"} part  all of them are at hand at once */
+export const fetchWords = async (language, part) => (part === "first" ? read(language) : "");

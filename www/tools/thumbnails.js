@@ -43,7 +43,7 @@ async function asWebp(png) {
 async function take(name, scene, viewport) {
   const { page, close } = await openPage(browser, { viewport, colorScheme: "light" });
   page.setDefaultTimeout(120_000);
-  await page.goto(`${server.url}?embed&controls=none#${scene}`);
+  await page.goto(`${server.url}?embed&controls=none&effects=always#${scene}`);
   await until(page, /^(Ready|Paused|Converged|Stopped|Stalled|Singular|Collapsed)/);
   await untilDrawn(page);
   const png = await page.locator("#surface").screenshot();

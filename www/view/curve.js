@@ -10,8 +10,11 @@ import { say } from "../words.js";
 
 /** Most points of a line: as many as there are pixels to tell them apart. */
 const MOST = 600;
-/** Ticks with a number keep this much of the width between them. */
-const APART = 0.06;
+/** Ticks with a number keep this much of the width between them, on a desk and on a phone. */
+const APART = { wide: 0.06, narrow: 0.13 };
+/** The first and the last have a word, which takes more. */
+const WORD = 1.6;
+const narrow = globalThis.matchMedia?.("(max-width: 699px)");
 const [WIDTH, TOP, BOTTOM] = [1000, 6, 82];
 
 /** What a curve shows of a step. @param {Point} point */
@@ -31,11 +34,13 @@ export function thinned(points) {
 export function labelled(points, total) {
   const last = points.at(-1);
   if (!last || points.length < 2) return [];
+  const apart = narrow?.matches ? APART.narrow : APART.wide;
   /** @type {Point[]} */
   const chosen = [points[0]];
   for (const point of points) {
     const far = (point.sum - (chosen.at(-1)?.sum ?? 0)) / total;
-    if (far >= APART && (total - point.sum) / total >= 1.6 * APART) chosen.push(point);
+    const isFar = far >= (chosen.length === 1 ? WORD * 0.75 : 1) * apart;
+    if (isFar && (total - point.sum) / total >= WORD * apart) chosen.push(point);
   }
   return [...chosen, last];
 }

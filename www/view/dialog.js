@@ -2,14 +2,16 @@
 // Whichever dialog is open, and a question.
 
 import { html, nothing } from "lit-html";
-import { say } from "../words.js";
+import { fetchRest, say } from "../words.js";
 import { button, lazy } from "./parts.js";
 
 /** @import { Page } from "../actions.js" */
 
 /** What each dialog holds. */
 const contents = {
-  library: lazy(() => import("./library.js").then(({ library }) => library)),
+  library: lazy(() =>
+    Promise.all([import("./library.js"), fetchRest()]).then(([{ library }]) => library),
+  ),
   help: lazy(() => import("./dialogs.js").then(({ help }) => help)),
   commands: lazy(() => import("./dialogs.js").then(({ palette }) => palette)),
   plot: lazy(() => import("./dialogs.js").then(({ largePlot }) => largePlot)),

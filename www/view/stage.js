@@ -25,9 +25,9 @@ const LINE = { near: 1.25, far: 2.5 };
 /**
  * @param {Page} page
  * @param {HTMLElement} root
- * @param {1 | 4} samples  of the pictures' smoothing
+ * @param {{ samples: 1 | 4, effects: "auto" | "always" }} quality  of the pictures
  */
-export function createStage(page, root, samples) {
+export function createStage(page, root, { samples, effects }) {
   const own = /** @type {HTMLElement} */ (root.querySelector("figure"));
   const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("canvas"));
   const first = new PaneView(own, canvas);
@@ -240,6 +240,7 @@ export function createStage(page, root, samples) {
       theme: /** @type {"light" | "dark"} */ (isDark(s) ? "dark" : "light"),
       contrast: s.view.contrast || s.presenting,
       lineWidth: s.presenting ? LINE.far : LINE.near,
+      effects,
     };
     const keys = shown.map(({ key }) => key);
     for (const [key, pane] of others) {

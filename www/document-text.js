@@ -6,7 +6,7 @@
 /** Attributes that are read by people. */
 const ATTRIBUTES = ["aria-label", "title", "placeholder", "alt"];
 /** Elements that are marks within a sentence, when nothing fills them later. */
-const MARKS = ["EM", "KBD", "SUB", "SUP", "STRONG", "CODE", "SPAN"];
+const MARKS = ["B", "EM", "KBD", "SUB", "SUP", "STRONG", "CODE", "SPAN"];
 /** Not for people. */
 const SKIPPED = ["SCRIPT", "STYLE", "META", "LINK", "NOSCRIPT", "MATH"];
 
