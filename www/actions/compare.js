@@ -129,7 +129,13 @@ export function createCompare(core) {
     compared({ rivals: [...get().comparison.rivals, { ...rival, phase: "loading" }] });
     await begin(id, change);
     keepUnits();
-    if (lead.clip.points.length > 1) await runOne(id);
+    await catchUp(id);
+  }
+
+  /** A pane that was begun anew goes as far as the first has come. @param {number} id */
+  async function catchUp(id) {
+    const { last, points } = lead.clip;
+    if (last && points.length > 1) await runOne(id, core.isOver() ? null : last.state.step);
   }
 
   /** @param {number} id @param {number | null} [until] */
@@ -233,7 +239,7 @@ export function createCompare(core) {
         const wanted = isOther ? optionsOf(options, edit) : { ...before, ...edit };
         await begin(id, changeOf(options, wanted));
         keepUnits();
-        if (lead.clip.points.length > 1) await runOne(id);
+        await catchUp(id);
       }),
     /** @param {number} id */
     remove: (id) =>

@@ -6,7 +6,9 @@ const first = ["option", "page", "sample", "view", "viewer"];
 
 /** @type {Record<string, string>} */
 const files = import.meta.glob("./en/{option,page,sample,view,viewer}.ftl", {
-  ...{ query: "?raw", import: "default", eager: true },
+  query: "?raw",
+  import: "default",
+  eager: true,
 });
 /** @type {Record<string, any>} a way to fetch each */
 const fetched = import.meta.glob(["./*/*.ftl", "!./en/{option,page,sample,view,viewer}.ftl"], {
