@@ -59,7 +59,7 @@ test("more panes, other options, and back to one", async () => {
   await page.getByRole("img", { name: /^Surface C:/ }).waitFor({ state: "detached" });
   // One that is added later goes as far as the first has come, and no further.
   await button(page, "Add C").click();
-  await page.getByRole("img", { name: /^Surface C:.*step 1,/ }).waitFor();
+  await page.getByRole("img", { name: /^Surface C:.*step 1 ·/ }).waitFor();
   await page.getByRole("button", { name: "Remove C" }).click();
   await page.getByRole("img", { name: /^Surface C:/ }).waitFor({ state: "detached" });
   await button(page, "Close the comparison").click();
