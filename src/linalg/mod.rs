@@ -41,6 +41,7 @@ pub use gmres::gmres;
 pub use ldlt::{Inertia, Ldlt};
 pub use lu::{Lu, Unsymmetric};
 pub use pattern::Pattern;
+pub use pcg::{Limit, LinearSystem, Workspace, conjugate_gradients};
 pub use solver::{Preconditioner, Refactor, SolveInfo, Solver};
 pub use symbolic::{Ordering, Symbolic};
 

@@ -19,10 +19,13 @@ use super::pattern::Pattern;
 
 /// A system `A X = B` for one or more fields.
 #[derive(Clone, Copy)]
-pub(super) struct LinearSystem<'a, T> {
-    pub(super) pattern: &'a Pattern,
-    pub(super) values: &'a [f64],
-    pub(super) rhs: &'a [T],
+pub struct LinearSystem<'a, T> {
+    /// Where A may be non-zero.
+    pub pattern: &'a Pattern,
+    /// One value a slot of the pattern.
+    pub values: &'a [f64],
+    /// B, fields end to end.
+    pub rhs: &'a [T],
 }
 
 impl<T: Entry> LinearSystem<'_, T> {
@@ -51,7 +54,7 @@ impl<T: Entry> LinearSystem<'_, T> {
 }
 
 /// Vectors the iteration works in, kept from one solve to the next.
-pub(super) struct Workspace<T> {
+pub struct Workspace<T> {
     pub(super) residual: Vec<T>,
     /// The preconditioned residual, then the image `A p` of the direction.
     pub(super) image: Vec<T>,
@@ -70,7 +73,7 @@ impl<T> Default for Workspace<T> {
 
 impl<T: Entry> Workspace<T> {
     /// Makes every vector that long.
-    pub(super) fn resize(&mut self, len: usize) {
+    pub fn resize(&mut self, len: usize) {
         for vector in [&mut self.residual, &mut self.image, &mut self.direction] {
             vector.resize(len, T::ZERO);
         }
@@ -79,7 +82,7 @@ impl<T: Entry> Workspace<T> {
 
 /// When an iteration that has not converged ends.
 #[derive(Clone, Copy)]
-pub(super) enum Limit {
+pub enum Limit {
     /// After so many iterations, or once the rate so far shows that they will not do.
     WhileHopeful(usize),
     /// After so many: there is nothing else to fall back on.
@@ -95,7 +98,7 @@ pub(super) enum Limit {
 /// Ends when the relative residual of every field is at most `tolerance`, at the limit, or
 /// when A or P turns out not to be positive definite. The caller compares the
 /// residual with the tolerance.
-pub(super) fn conjugate_gradients<T: Entry>(
+pub fn conjugate_gradients<T: Entry>(
     system: LinearSystem<'_, T>,
     x: &mut [T],
     mut precondition: impl FnMut(&mut [T]),

@@ -91,7 +91,7 @@ pub struct SolveInfo {
 /// The diagonal is not only cheaper where it does: the factor of a matrix it dominates
 /// decays so fast that on large meshes its entries become subnormal numbers, which slow
 /// some processors down tenfold.
-pub struct Solver<T = DVec3> {
+pub struct Solver {
     pattern: Pattern,
     symbolic: Arc<Symbolic>,
     iterative_from: usize,
@@ -100,30 +100,16 @@ pub struct Solver<T = DVec3> {
     cost: AmortisedCost,
     diagonal: Backoff,
     kept: Backoff,
-    workspace: Workspace<T>,
+    workspace: Workspace<DVec3>,
 }
 
-impl<T: Entry> Solver<T> {
+impl Solver {
     /// Analyses the pattern; `points`, one a row, help the order of elimination.
     ///
     /// # Errors
     /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
     pub fn new(pattern: Pattern, points: Option<&[DVec3]>) -> Result<Self, LinalgError> {
         let symbolic = Symbolic::analyse(&pattern, points)?;
-        Ok(Self::of(pattern, Arc::new(symbolic)))
-    }
-
-    /// As [`new`](Self::new), for a pattern of dense blocks: see
-    /// [`Symbolic::analyse_blocks`].
-    ///
-    /// # Errors
-    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
-    pub fn with_blocks(
-        pattern: Pattern,
-        blocks: &Pattern,
-        points: Option<&[DVec3]>,
-    ) -> Result<Self, LinalgError> {
-        let symbolic = Symbolic::analyse_blocks(&pattern, blocks, points)?;
         Ok(Self::of(pattern, Arc::new(symbolic)))
     }
 
@@ -196,8 +182,8 @@ impl<T: Entry> Solver<T> {
     pub fn solve(
         &mut self,
         values: &[f64],
-        rhs: &[T],
-        x: &mut [T],
+        rhs: &[DVec3],
+        x: &mut [DVec3],
         tolerance: f64,
         policy: Refactor,
     ) -> Result<SolveInfo, LinalgError> {
@@ -255,8 +241,8 @@ impl<T: Entry> Solver<T> {
     fn iterate(
         &mut self,
         values: &[f64],
-        rhs: &[T],
-        x: &mut [T],
+        rhs: &[DVec3],
+        x: &mut [DVec3],
         tolerance: f64,
     ) -> Option<SolveInfo> {
         let is_kept = self.factor.is_some() && self.cost.is_factor_worth_keeping();
@@ -294,7 +280,7 @@ impl<T: Entry> Solver<T> {
             && let Some(factor) = &mut self.factor
             && self.kept.is_due()
         {
-            let precondition = |fields: &mut [T]| factor.solve_in_place(fields);
+            let precondition = |fields: &mut [DVec3]| factor.solve_in_place(fields);
             let limit = Limit::WhileHopeful(cost.factorisation as usize + cost.first_iterations);
             let reached = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
             if self.kept.record(reached.relative_residual <= tolerance) {
@@ -315,8 +301,8 @@ impl<T: Entry> Solver<T> {
     fn solve_directly(
         &mut self,
         values: &[f64],
-        rhs: &[T],
-        x: &mut [T],
+        rhs: &[DVec3],
+        x: &mut [DVec3],
         tolerance: f64,
     ) -> Result<SolveInfo, LinalgError> {
         let start = Instant::now();
@@ -326,7 +312,7 @@ impl<T: Entry> Solver<T> {
             None => self.factor.insert(Ldlt::new(self.symbolic.clone())?),
         };
         let n_fields = rhs.len() / self.pattern.n().max(1);
-        factor.reserve_columns(T::COLUMNS * n_fields.max(1))?;
+        factor.reserve_columns(DVec3::COLUMNS * n_fields.max(1))?;
         let inertia = factor.factor(values)?;
         let factor_seconds = start.elapsed().as_secs_f64();
         let system = LinearSystem {
@@ -334,7 +320,7 @@ impl<T: Entry> Solver<T> {
             values,
             rhs,
         };
-        let precondition = |fields: &mut [T]| factor.solve_in_place(fields);
+        let precondition = |fields: &mut [DVec3]| factor.solve_in_place(fields);
         let iterations = refine(
             system,
             x,

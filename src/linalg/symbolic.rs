@@ -58,34 +58,6 @@ impl Symbolic {
         Self::try_analyse(pattern, points).map_err(|error| LinalgError::from_faer(error, n))
     }
 
-    /// As [`analyse`](Self::analyse), for a pattern of dense blocks of `size` rows, those of
-    /// block i being `size` i, `size` i + 1, …: the order is found on the pattern of the
-    /// blocks, which takes a fraction of the time and keeps the rows of a block together.
-    ///
-    /// # Errors
-    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
-    ///
-    /// # Panics
-    /// If there are not `size` rows a block, or points but not one a block.
-    pub fn analyse_blocks(
-        pattern: &Pattern,
-        blocks: &Pattern,
-        points: Option<&[DVec3]>,
-    ) -> Result<Self, LinalgError> {
-        let n = pattern.n();
-        let size = n / blocks.n().max(1);
-        assert_eq!(size * blocks.n(), n, "whole blocks");
-        let expanded = || {
-            let best = Elimination::best(&Graph::new(blocks), points)?;
-            let rows = |&block: &u32| (0..size as u32).map(move |k| size as u32 * block + k);
-            let order = best.order.iter().flat_map(rows).collect();
-            let graph = Graph::new(pattern);
-            let elimination = Elimination::new(&graph, order, best.ordering)?;
-            Self::of(pattern, &graph, elimination)
-        };
-        expanded().map_err(|error| LinalgError::from_faer(error, n))
-    }
-
     fn try_analyse(pattern: &Pattern, points: Option<&[DVec3]>) -> Result<Self, FaerError> {
         let graph = Graph::new(pattern);
         let best = Elimination::best(&graph, points)?;

@@ -177,44 +177,6 @@ fn nested_dissection_beats_minimum_degree_on_a_closed_surface() {
 }
 
 #[test]
-fn blocks_are_ordered_together_and_solved_alike() {
-    let mesh = FlapMesh::icosphere(9);
-    let blocks = mesh.pattern();
-    let pairs = (0..blocks.n()).flat_map(|j| {
-        let rows = &blocks.rows()[blocks.column(j)];
-        rows.iter().map(move |&i| [i, j as u32]).collect::<Vec<_>>()
-    });
-    let cliques: Vec<Vec<u32>> = pairs
-        .map(|pair| {
-            pair.iter()
-                .flat_map(|v| [3 * v, 3 * v + 1, 3 * v + 2])
-                .collect()
-        })
-        .collect();
-    let pattern = Pattern::from_cliques(3 * blocks.n(), cliques.iter());
-    let values = dominant_matrix(&pattern, 3, false);
-    let symbolic = Symbolic::analyse_blocks(&pattern, &blocks, Some(&mesh.points)).unwrap();
-    assert!(is_permutation(symbolic.order()));
-    for rows in symbolic.order().chunks(3) {
-        assert!(rows[0] % 3 == 0 && rows[1] == rows[0] + 1 && rows[2] == rows[0] + 2);
-    }
-    let rhs: Vec<f64> = (0..pattern.n()).map(|i| (i as f64).sin()).collect();
-    let solve = |mut solver: Solver<f64>| {
-        let mut x = vec![0.0; rhs.len()];
-        solver
-            .solve(&values, &rhs, &mut x, 1e-12, Refactor::Always)
-            .unwrap();
-        x
-    };
-    let together =
-        solve(Solver::with_blocks(pattern.clone(), &blocks, Some(&mesh.points)).unwrap());
-    let apart = solve(Solver::new(pattern.clone(), None).unwrap());
-    for (a, b) in together.iter().zip(&apart) {
-        assert!((a - b).abs() < 1e-10);
-    }
-}
-
-#[test]
 fn useless_points_cost_nothing_but_the_better_order() {
     let mesh = FlapMesh::icosphere(10);
     let pattern = mesh.pattern();
@@ -467,7 +429,7 @@ fn fields_solved_together_are_those_solved_alone() {
 #[test]
 fn matrices_of_no_and_one_row() {
     let pattern = Pattern::from_cliques(0, std::iter::empty::<[u32; 2]>());
-    let mut solver = Solver::<DVec3>::new(pattern, Some(&[])).unwrap();
+    let mut solver = Solver::new(pattern, Some(&[])).unwrap();
     for policy in [Refactor::Always, Refactor::WhenCheaper] {
         solver.set_iterative_from(0);
         let info = solver.solve(&[], &[], &mut [], 1e-9, policy).unwrap();

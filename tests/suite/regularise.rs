@@ -110,6 +110,30 @@ fn nonlinear_passes_keep_the_volume_better() {
     }
 }
 
+/// The preconditioner is made of the connectivity alone, and serves meshes of any fineness, of
+/// quadrilaterals, and of vertices pushed about.
+#[test]
+fn a_pass_takes_as_few_iterations_on_fine_meshes_as_on_coarse_ones() {
+    let iterations = |surface: &Surface| {
+        let mut regulariser = regulariser(surface);
+        regulariser
+            .displacement(&surface.x, Mode::Linear, 1e-2)
+            .expect("a solution");
+        regulariser.iterations()
+    };
+    let torus = |around: f64| sample("torus", &[("around", around), ("tube", around / 2.0)]);
+    let [coarse, fine] = [64.0, 160.0].map(|around| iterations(&torus(around)));
+    println!("torus: {coarse} and {fine} iterations");
+    assert!(coarse <= 16 && fine <= 16, "{coarse} and {fine}");
+    let pushed = |level| iterations(&sample("ellipsoid", &[("level", level), ("jitter", 0.2)]));
+    let [coarse, fine] = [3.0, 5.0].map(pushed);
+    println!("ellipsoid, jittered: {coarse} and {fine} iterations");
+    assert!(coarse <= 60 && fine <= 60, "{coarse} and {fine}");
+    let quads = iterations(&sample("sampled-torus", &[]));
+    println!("sampled torus: {quads} iterations");
+    assert!(quads <= 30, "{quads}");
+}
+
 #[test]
 fn epsilon_has_no_unit() {
     let surface = jittered();

@@ -4,7 +4,6 @@ use super::PWillmoreFlow;
 use super::kept::Kept;
 use crate::flow::warning::WarningsGiven;
 use crate::flow::{StepReport, Warning, vesicle};
-use crate::remesh::Regulariser;
 use glam::DVec3;
 
 /// |Y|h from which a mesh no longer resolves its surface, and from which the surface is about
@@ -20,11 +19,7 @@ const LOOK_EVERY: usize = 10;
 
 impl PWillmoreFlow {
     pub(super) fn warn_of(&self, x: &[DVec3], report: &mut StepReport, given: &mut WarningsGiven) {
-        let is_iterative = self.system.is_iterative()
-            || self
-                .regulariser
-                .as_ref()
-                .is_some_and(Regulariser::is_iterative);
+        let is_iterative = self.system.is_iterative();
         let warnings = &mut report.warnings;
         if is_iterative {
             given.give_once(Warning::IterativeMesh, warnings);

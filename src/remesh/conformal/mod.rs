@@ -14,10 +14,13 @@
 //! metres. The penalty is lumped at the vertices (P1); one value an element (P0) imposes
 //! 2n conditions on 3n unknowns and locks as ε → 0.
 
+mod preconditioner;
+
 use crate::energy::conformal::reference_angles;
-use crate::linalg::{LinalgError, Pattern, Refactor, Solver};
+use crate::linalg::{Limit, LinalgError, LinearSystem, Pattern, Workspace, conjugate_gradients};
 use crate::operator::Elements;
 use glam::{DMat3, DVec3};
+use preconditioner::Preconditioner;
 use serde::{Deserialize, Serialize};
 
 /// Where the normals are taken that a pass holds.
@@ -35,9 +38,13 @@ pub enum Mode {
     Nonlinear,
 }
 
-/// The relative residual asked of a solve: a displacement need not be exact, as whatever it
-/// is, the next pass starts from there.
-const TOLERANCE: f64 = 1e-5;
+/// The relative residual asked of a solve. A displacement need not be exact, as whatever it is
+/// the next pass starts from there; but a mesh in other units is to move alike, and what
+/// rounding does to iterates goes with what is left of the residual.
+const TOLERANCE: f64 = 1e-8;
+
+/// Iterations of a solve at most: ten to twenty do on the meshes of a flow.
+const MAX_ITERATIONS: usize = 200;
 
 /// Displacements below this share of an edge need no second solve: off the surface they are
 /// of second order.
@@ -61,8 +68,12 @@ pub struct Regulariser {
     couplings: Vec<[f64; 6]>,
     /// Slots of the three columns of a block below the diagonal, pair by pair.
     slots: Vec<[u32; 3]>,
-    solver: Solver<f64>,
+    pattern: Pattern,
     values: Vec<f64>,
+    preconditioner: Preconditioner,
+    workspace: Workspace<f64>,
+    /// Of the last solve.
+    iterations: usize,
 }
 
 /// Corner pairs of an element, smaller first.
@@ -81,7 +92,6 @@ impl Regulariser {
             rows
         });
         let pattern = Pattern::from_cliques(3 * n, cliques);
-        let blocks = Pattern::from_cliques(n, elements.corners());
         let pairs = elements.degree() * (elements.degree() - 1) / 2;
         let mut slots = Vec::with_capacity(pairs * elements.len());
         for corners in elements.corners() {
@@ -92,22 +102,30 @@ impl Regulariser {
         }
         let values = vec![0.0; pattern.nnz()];
         let couplings = couplings(&elements);
-        let mut solver = Solver::with_blocks(pattern, &blocks, Some(x))?;
-        // From step to step the matrix changes little: the last factor is worth a try at
-        // any size.
-        solver.set_iterative_from(1);
+        let all = elements.corners().enumerate().flat_map(|(e, corners)| {
+            let coupling = couplings[if couplings.len() == 1 { 0 } else { e }];
+            let ends = PAIRS[..pairs]
+                .iter()
+                .map(|&(i, j)| [corners[i], corners[j]]);
+            ends.zip(coupling)
+        });
+        let ring = Pattern::from_cliques(n, elements.corners());
+        let preconditioner = Preconditioner::new(ring, all, x)?;
         Ok(Self {
             elements,
             couplings,
             slots,
-            solver,
+            pattern,
             values,
+            preconditioner,
+            workspace: Workspace::default(),
+            iterations: 0,
         })
     }
 
-    /// See [`Solver::is_too_large_to_factor`].
-    pub fn is_iterative(&self) -> bool {
-        self.solver.is_too_large_to_factor()
+    /// Iterations of the last solve.
+    pub fn iterations(&self) -> usize {
+        self.iterations
     }
 
     /// The mesh as elements.
@@ -192,28 +210,54 @@ impl Regulariser {
     ) -> Result<Vec<DVec3>, LinalgError> {
         let mut rhs = vec![DVec3::ZERO; x.len()];
         self.assemble(x, normals, &mut rhs);
-        let slots = self.solver.pattern().diagonal_slots();
+        let factors = damping.map(|damping| {
+            let factors = damping.iter().map(|extra| 1.0 + extra);
+            let factors = factors.map(|f| if f.is_infinite() { PINNED } else { f });
+            factors.collect::<Vec<f64>>()
+        });
+        let slots = self.pattern.diagonal_slots();
+        let mut stiffness = Vec::with_capacity(x.len());
         for (v, n) in normals.vertices.iter().enumerate() {
             let block = [0, 1, 2].map(|c| slots[3 * v + c] as usize);
-            if let Some(damping) = damping {
-                let mut factor = 1.0 + damping[v];
-                if factor.is_infinite() {
-                    factor = PINNED;
+            if let Some(factors) = &factors {
+                if factors[v] == PINNED {
                     rhs[v] = DVec3::ZERO;
                 }
-                block.iter().for_each(|&slot| self.values[slot] *= factor);
+                block
+                    .iter()
+                    .for_each(|&slot| self.values[slot] *= factors[v]);
             }
             let n = n.to_array();
+            let mut along = 0.0;
             for c in 0..3 {
                 for r in c..3 {
-                    self.values[block[c] + r - c] += n[r] * n[c] / epsilon;
+                    let value = &mut self.values[block[c] + r - c];
+                    *value += n[r] * n[c] / epsilon;
+                    along += if r == c { 1.0 } else { 2.0 } * n[r] * n[c] * *value;
                 }
             }
+            stiffness.push(along);
         }
         let rhs: Vec<f64> = rhs.iter().flat_map(|f| f.to_array()).collect();
+        if let Some(row) = rhs.iter().position(|value| !value.is_finite()) {
+            return Err(LinalgError::NonFiniteRightHandSide { row });
+        }
+        self.preconditioner.damp(factors.as_deref())?;
         let mut v = vec![0.0; rhs.len()];
-        self.solver
-            .solve(&self.values, &rhs, &mut v, TOLERANCE, Refactor::WhenCheaper)?;
+        self.workspace.resize(rhs.len());
+        let system = LinearSystem {
+            pattern: &self.pattern,
+            values: &self.values,
+            rhs: &rhs,
+        };
+        let preconditioner = &mut self.preconditioner;
+        let precondition = |r: &mut [f64]| preconditioner.apply(r, &normals.vertices, &stiffness);
+        let limit = Limit::Whatever(MAX_ITERATIONS);
+        let workspace = &mut self.workspace;
+        let tolerance = TOLERANCE;
+        let reached =
+            conjugate_gradients(system, &mut v, precondition, tolerance, limit, workspace);
+        self.iterations = reached.iterations;
         let mut v: Vec<DVec3> = v.chunks_exact(3).map(DVec3::from_slice).collect();
         // What is left of them is of the order of 1/PINNED.
         for (v, damping) in v.iter_mut().zip(damping.unwrap_or_default()) {
@@ -235,7 +279,7 @@ impl Regulariser {
         let pairs = self.pairs();
         let shared = self.couplings.len() == 1;
         let mut normal = normals.points.iter();
-        let diagonal = self.solver.pattern().diagonal_slots();
+        let diagonal = self.pattern.diagonal_slots();
         for (e, corners) in self.elements.corners().enumerate() {
             let mut blocks = [DMat3::ZERO; 6];
             let triangle = self.couplings[if shared { 0 } else { e }];
