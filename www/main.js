@@ -153,7 +153,10 @@ if (embedding) {
   });
 }
 const pictured = page.stage.start(linkIn(location).text === "" && !embedding?.isFed);
-pictured.then(fetchDialogs).catch(() => {});
+pictured
+  .then(() => performance.mark("first-picture"))
+  .then(fetchDialogs)
+  .catch(() => {});
 
 // Whoever embeds the page could take away what a visitor opens in it. A file that is chosen or
 // dropped before the solver is there waits for it.
@@ -198,16 +201,22 @@ effect(() => {
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));
 if (!embedding && location.hash.length < 2 && remembered("visited") === null)
   page.patch({ welcome: true });
+/** The solver is there. */
+const up = new Promise((resolve) => {
+  effect(() => {
+    if (page.state.value.version !== "") resolve(null);
+  });
+});
 const opened = Promise.resolve(embedding?.wanted).then(async () => {
-  // What the solver says is said in these.
-  const words = fetchRest().catch(console.error);
   try {
     page.solver.begin();
   } catch (error) {
     page.patch({ phase: "failed" });
     throw error;
   }
-  await words;
+  // What the solver says is said in words that the first picture need not wait for.
+  await Promise.race([pictured, up]);
+  await fetchRest().catch(console.error);
   if (!embedding?.isFed) return openLink(location);
 });
 opened.catch(page.report);
