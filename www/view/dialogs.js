@@ -14,11 +14,18 @@ import { plot } from "./plot.js";
 /** @param {Page} page */
 const shut = (page) => page.patch({ dialog: null });
 
+/** Pages of the guide. */
+const guide = ["first-look", "lecture", "mesh"];
+
 /** @param {Page} page */
 export function help(page) {
   const { version } = page.state.value;
   return html`<header><h2>${say("help")}</h2>${close(() => shut(page))}</header>
     <p>${say("help-what")}</p><p>${say("help-how")}</p><p>${say("help-private")}</p>
+    <p>${say("guide")} ${guide.map(
+      (name, n) =>
+        html`${n > 0 ? " · " : ""}<a href="./www/guide/${name}.html">${say(`guide-${name}`)}</a>`,
+    )}</p>
     <h3>${say("keys")}</h3>
     ${toggle(say("keys-on"), page.keysOn.value, (on) => {
       page.keysOn.value = on;
