@@ -2,6 +2,7 @@
 //! is written from them.
 
 use serde_json::{Value as Json, json};
+use std::collections::BTreeSet;
 use std::path::Path;
 use umbilic::app::{
     Arrangement, BenchOptions, EnergyOptions, FillOptions, FlipOptions, RegulariseOptions, Session,
@@ -10,6 +11,7 @@ use umbilic::energy::circle::Boundary;
 use umbilic::flow::option::{Kind, Options, Row, Value};
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::flow::spec::{FLOWS, Family, FlowRow};
+use umbilic::io::Format;
 
 const WRITTEN: &str = "www/generated/schema.js";
 
@@ -32,8 +34,9 @@ fn the_schema_in_javascript_is_that_of_the_tables() {
 fn schema() -> String {
     let flows: Vec<Json> = FLOWS.iter().map(flow_json).collect();
     let head = "// @ts-check
-// Flows and options as the solver knows them. Written from src/flow/spec.rs,
-// src/flow/option/rows.rs, src/app/given.rs and src/app/options.rs by `UPDATE_SCHEMA=1 cargo test --test schema`.
+// Flows, options and file formats as the solver knows them. Written from src/flow/spec.rs,
+// src/flow/option/rows.rs, src/app/given.rs, src/app/options.rs and src/io/format.rs by
+// `UPDATE_SCHEMA=1 cargo test --test schema`.
 
 /**
  * What an option may be, and what reads it. `absent` is the word for null.
@@ -68,6 +71,8 @@ fn schema() -> String {
  * @property {'clamped' | 'fixed' | 'free' | null} boundary  unless told otherwise
  * @property {Partial<FlowOptions>} sets  options of its family that make it this flow
  */
+
+/** A format of mesh files. @typedef {{ name: string, extensions: readonly string[], isWritten: boolean }} MeshFormat */
 ";
     let ids: Vec<String> = FlowName::all().map(|f| format!("'{}'", f.id())).collect();
     [
@@ -84,8 +89,36 @@ fn schema() -> String {
         list("readonly Row[]", "fill", &rows::<FillOptions>()),
         list("readonly Row[]", "flips", &rows::<FlipOptions>()),
         list("readonly Row[]", "bench", &rows::<BenchOptions>()),
+        list("readonly MeshFormat[]", "meshFormats", &mesh_formats()),
     ]
     .join("\n")
+}
+
+fn mesh_formats() -> Vec<Json> {
+    let json = |format: Format| {
+        json!({
+            "name": format.name(),
+            "extensions": format.extensions(),
+            "isWritten": format.is_written(),
+        })
+    };
+    Format::all().map(json).collect()
+}
+
+/// The endings of all files that are read, as documents list them.
+#[test]
+fn documents_name_every_format_that_is_read() {
+    let endings: BTreeSet<&str> = Format::all().flat_map(|f| f.extensions()).copied().collect();
+    for file in ["README.md", "www/locales/en/view.ftl", "www/locales/de/view.ftl"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+        let text = std::fs::read_to_string(&path).expect("a document");
+        let named = text.lines().any(|line| {
+            let words = line.split(|c: char| !(c.is_ascii_alphanumeric() || c == '.'));
+            let words: BTreeSet<String> = words.map(|word| word.trim_matches('.').to_lowercase()).collect();
+            endings.iter().all(|ending| words.contains(*ending))
+        });
+        assert!(named, "{file} has no line with all of {endings:?}");
+    }
 }
 
 fn list(kind: &str, name: &str, values: &[Json]) -> String {

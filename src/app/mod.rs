@@ -463,6 +463,15 @@ impl Session {
         Ok(crate::io::write(&runner.soup(), format, &comment)?)
     }
 
+    /// What such a file does not hold as the surface is.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn losses(&self, format: Format) -> Result<Vec<Message>, Fault> {
+        let losses = crate::io::losses(&self.runner()?.soup(), format);
+        Ok(losses.into_iter().map(Message::from).collect())
+    }
+
     /// Reports of the steps taken, oldest first.
     ///
     /// # Errors

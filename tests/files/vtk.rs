@@ -136,7 +136,7 @@ pub(crate) fn variants() -> Vec<(String, Style)> {
         };
         all.push((format!("variant {bits:05b}"), style));
     }
-    for (name, line_end) in [("CR LF", "\r\n"), ("CR", "\r"), ("blanks", " \n\n \t")] {
+    for (name, line_end) in [("CR LF", "\r\n"), ("CR", "\r"), ("blanks", " \t\n")] {
         all.push((name.into(), Style { line_end, ..PLAIN }));
     }
     all
