@@ -27,3 +27,7 @@ export const isMeshName = (name) => readEndings.includes(endingOf(name));
 /** The format that a file's name asks for; the first of several. @param {string} name */
 export const writtenAs = (name) =>
   written.find(({ extensions }) => extensions.includes(endingOf(name).slice(1)))?.name ?? null;
+
+/** The ending of files of a format, without the dot; of other formats their name. @param {string} name */
+export const extensionOf = (name) =>
+  meshFormats.find((format) => format.name === name)?.extensions[0] ?? name;

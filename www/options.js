@@ -6,6 +6,7 @@
 /** @import { Arrangement } from "./generated/types.js" */
 
 import * as schema from "./generated/schema.js";
+import { written } from "./mesh-format.js";
 import { say } from "./words.js";
 
 /** @typedef {Readonly<Required<FlowOptions>>} Options */

@@ -7,6 +7,7 @@
 /** @import { CommandName } from "./session.js" */
 
 import init, { Session } from "./pkg/solver/solver.js";
+import { refusal } from "./refusal.js";
 import { sequence, sequenceSize } from "./sequence.js";
 import { perform } from "./session.js";
 import { isOver } from "./standing.js";

@@ -26,6 +26,7 @@ use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::StepReport;
 use crate::flow::option::{Values, options_of};
 use crate::io::Format;
+use crate::message::Message;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;

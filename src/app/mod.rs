@@ -80,6 +80,7 @@ use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
 use crate::io::Format;
+use crate::message::Message;
 use crate::mesh::shape;
 use crate::remesh::fill::FillProgress;
 use crate::remesh::flips::lab::Lab;

@@ -140,6 +140,8 @@ messages! {
         UnknownFormat {
             /// The file's name as given.
             name: String,
+            /// Endings of files that are read.
+            known: Vec<&'static str>,
         },
         /// A known format that is not read.
         Unsupported {

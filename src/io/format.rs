@@ -124,6 +124,13 @@ impl Format {
         self.row().extensions
     }
 
+    /// Endings of all files that are read, without the dot.
+    pub fn endings() -> Vec<&'static str> {
+        let mut all: Vec<_> = Self::all().flat_map(Self::extensions).copied().collect();
+        all.dedup();
+        all
+    }
+
     /// Media type for a download; where none is registered, the nearest general one.
     pub fn media_type(self) -> &'static str {
         self.row().media_type
@@ -154,6 +161,7 @@ pub(super) fn detect(bytes: &[u8], file_name: &str) -> Result<Format, ReadError>
         None | Some(Format::Glb | Format::Gltf | Format::Vtk | Format::Vtp | Format::Msh) => {
             Err(ReadError::UnknownFormat {
                 name: file_name.to_owned(),
+                known: Format::endings(),
             })
         }
         Some(Format::Stl) if text::nul(bytes).is_none() => Ok(Format::StlAscii),
@@ -245,7 +253,8 @@ mod tests {
             assert_eq!(
                 detected(b"3 1 0", name),
                 Err(ReadError::UnknownFormat {
-                    name: name.to_owned()
+                    name: name.to_owned(),
+                    known: Format::endings()
                 })
             );
         }

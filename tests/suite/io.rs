@@ -186,6 +186,7 @@ fn damaged_files_get_an_exact_verdict() {
             b"hello".to_vec(),
             ReadError::UnknownFormat {
                 name: "words.txt".into(),
+                known: Format::endings(),
             },
         ),
         (

@@ -237,7 +237,7 @@ mod tests {
                     .unwrap()
                     .check_count(&header.elements[0])
             } else {
-                Binary::<false>::new(&header, &bytes).check_count(&header.elements[0])
+                Binary::new(&header, &bytes).check_count(&header.elements[0])
             };
             assert_eq!(count, Ok(0));
         }

@@ -61,7 +61,7 @@ expected-transform = zwölf Zahlen
 read-empty = die Datei ist leer
     .hint = Prüfen Sie, ob der Export oder das Herunterladen zu Ende kam.
 read-unknown-format = `{ $name }` ist nicht als Netz zu erkennen
-    .hint = Öffnen Sie eines von diesen: PLY, OBJ, OFF, STL, GLB, glTF, 3MF, VTK, MSH.
+    .hint = Öffnen Sie eine Datei mit einer dieser Endungen: { $known }.
 read-unsupported = Dateien der Art { $what ->
     [vtk-data-set] VTK ohne polygonale Daten oder unstrukturiertes Gitter
     [vtk-compressor] VTK, anders als durch zlib komprimiert,

@@ -61,7 +61,7 @@ expected-transform = twelve numbers
 read-empty = the file is empty
     .hint = Check that the export or download finished.
 read-unknown-format = `{ $name }` is not recognised as a mesh
-    .hint = Open one of these: PLY, OBJ, OFF, STL, GLB, glTF, 3MF, VTK, MSH.
+    .hint = Open a file that ends in one of these: { $known }.
 read-unsupported = { $what ->
     [vtk-data-set] VTK without polygonal data or an unstructured grid: such
     [vtk-compressor] VTK compressed by anything but zlib: such
