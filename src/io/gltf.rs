@@ -14,8 +14,9 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use self::asset::{Asset, Numbers};
 use super::assembly::{Tally, strip_triangle};
+use super::budget::Budget;
 use super::json::Json;
-use super::placed::{Placed, turned};
+use super::placed::{COPIES, turned};
 use super::weld::Weld;
 use super::{Expected, Extra, Oddity, Place, Read, ReadError};
 
@@ -32,7 +33,7 @@ pub(super) fn read_json(bytes: &[u8]) -> Result<Read, ReadError> {
 /// A scene on its way into one mesh.
 struct Scene<'a> {
     asset: &'a Asset<'a>,
-    placed: Placed,
+    budget: Budget,
     weld: Weld,
     /// Vertices met, joined or not.
     met: usize,
@@ -45,7 +46,7 @@ impl<'a> Scene<'a> {
     fn new(asset: &'a Asset<'a>, bytes: &[u8]) -> Self {
         Self {
             asset,
-            placed: Placed::new(bytes),
+            budget: Budget::new(bytes, COPIES),
             weld: Weld::new(),
             met: 0,
             skipped: Tally::default(),
@@ -174,6 +175,8 @@ impl<'a> Scene<'a> {
         let mut vertices = BTreeMap::new();
         for primitive in primitives {
             let place = self.asset.place(primitive);
+            // Also of one that is skipped: many nodes may show it.
+            self.budget.part(0, 0, place)?;
             self.note(primitive);
             let mode = primitive.get("mode").map_or(Some(4), Json::index);
             if !matches!(mode, Some(4..=6)) {
@@ -216,7 +219,7 @@ impl<'a> Scene<'a> {
             let expected = Expected::JsonMember { name: "VEC3" };
             return Err(self.asset.expected(numbers.place, expected));
         }
-        self.placed.check(numbers.count, 0, numbers.place)?;
+        self.budget.part(numbers.count, 0, numbers.place)?;
         let mut vertices = Vec::with_capacity(numbers.count);
         for row in 0..numbers.count {
             let [x, y, z] = [0, 1, 2].map(|axis| numbers.value(row, axis));
@@ -246,7 +249,7 @@ impl<'a> Scene<'a> {
         let indices = indices.transpose()?;
         let count = indices.as_ref().map_or(vertices.len(), |list| list.count);
         // In strips and fans each makes one.
-        self.placed.check(0, count, place)?;
+        self.budget.part(0, count, place)?;
         let mut corners: Vec<u32> = Vec::with_capacity(count);
         for k in 0..count {
             let index = indices.as_ref().map_or(k as f64, |list| list.value(k, 0));

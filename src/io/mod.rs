@@ -33,6 +33,7 @@
 mod assembly;
 mod base64;
 mod binary;
+mod budget;
 mod cell;
 mod error;
 mod format;

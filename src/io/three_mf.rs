@@ -11,7 +11,8 @@ use std::ops::Range;
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::assembly::Assembly;
-use super::placed::Placed;
+use super::budget::Budget;
+use super::placed::{COPIES, turned};
 use super::text::{parse_float, parse_integer};
 use super::xml::{Event, Tag, Xml};
 use super::{Expected, Extra, Format, Found, Oddity, Place, Read, ReadError};
@@ -110,13 +111,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
         }
     }
     let mut assembly = Assembly::new();
-    let mut placed = Placed::new(bytes);
+    let mut budget = Budget::new(bytes, COPIES);
     for item in &model.build {
         model.place(
             item,
             &DAffine3::IDENTITY,
             DEEPEST,
-            &mut placed,
+            &mut budget,
             &mut assembly,
         )?;
     }
@@ -185,7 +186,7 @@ impl Model<'_> {
         component: &Component<'_>,
         outer: &DAffine3,
         depth: usize,
-        placed: &mut Placed,
+        budget: &mut Budget,
         assembly: &mut Assembly,
     ) -> Result<(), ReadError> {
         let Component {
@@ -196,15 +197,17 @@ impl Model<'_> {
         let object = self.objects.get(key).filter(|_| depth > 0);
         let object = object.ok_or_else(|| wrong(*place, key.1, Expected::ModelObject))?;
         let transform = *outer * *transform;
-        placed.part(
-            &self.positions[object.positions.clone()],
-            &self.triangles[object.triangles.clone()],
-            &transform,
-            *place,
-            assembly,
-        )?;
+        budget.part(object.positions.len(), object.triangles.len(), *place)?;
+        let first = assembly.n_vertices() as u32;
+        for position in &self.positions[object.positions.clone()] {
+            assembly.vertex(transform.transform_point3(*position), *place)?;
+        }
+        for triangle in &self.triangles[object.triangles.clone()] {
+            let corners = turned(*triangle, &transform).map(|corner| first + corner);
+            assembly.face(&corners, *place)?;
+        }
         for component in &object.components {
-            self.place(component, &transform, depth - 1, placed, assembly)?;
+            self.place(component, &transform, depth - 1, budget, assembly)?;
         }
         Ok(())
     }

@@ -9,10 +9,16 @@ mod array;
 use glam::DVec3;
 
 use self::array::{Arrays, File};
+use super::budget::Budget;
 use super::cell::{Cells, POLYGON, STRIP};
 use super::text::parse_integer;
 use super::xml::{Event, Tag, Xml};
 use super::{Expected, Extra, Format, Oddity, Place, Read, ReadError};
+
+/// Bytes that arrays may take for each byte of a file: in text a number takes two at least, and
+/// eight in memory; compressed ones take more, but no mesh is all zeros.
+const PLAIN: u64 = 16;
+const COMPRESSED: u64 = 200;
 
 /// What a file may hold of cells, by the name of the element around their arrays.
 const GROUPS: [(&[u8], Option<u8>); 5] = [
@@ -40,6 +46,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     let head = file.head;
     let mut xml = Xml::new(Format::Vtp, head);
     let mut cells = Cells::new();
+    let mut budget = Budget::new(bytes, PLAIN);
     let mut piece = Piece::default();
     // The element around the arrays.
     let mut group: &[u8] = b"";
@@ -47,11 +54,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     while let Some(event) = xml.next()? {
         match event {
             Event::Start(tag) => match tag.name {
-                b"VTKFile" => begin(&tag, &mut file)?,
+                b"VTKFile" => {
+                    begin(&tag, &mut file)?;
+                    if file.is_compressed {
+                        budget = Budget::new(bytes, COMPRESSED);
+                    }
+                }
                 b"Piece" => piece.first = cells.assembly.n_vertices(),
                 b"DataArray" if group == b"Points" => {
                     let arrays = Arrays::read(&tag, &mut xml, &file)?;
-                    points(&arrays, &mut cells)?;
+                    points(&arrays, &mut budget, &mut cells)?;
                 }
                 b"DataArray" if GROUPS.iter().any(|(name, _)| *name == group) => {
                     let into = match tag.get("Name").unwrap_or_default() {
@@ -60,7 +72,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
                         b"types" => &mut piece.types,
                         _ => continue,
                     };
-                    *into = Arrays::read(&tag, &mut xml, &file)?.values()?;
+                    *into = Arrays::read(&tag, &mut xml, &file)?.values(&mut budget)?;
                 }
                 b"DataArray" => has_data |= matches!(group, b"PointData" | b"CellData"),
                 name @ (b"Points" | b"PointData" | b"CellData") => group = name,
@@ -104,8 +116,12 @@ fn begin(tag: &Tag<'_>, file: &mut File<'_>) -> Result<(), ReadError> {
     Ok(())
 }
 
-fn points(arrays: &Arrays<'_, '_>, cells: &mut Cells) -> Result<(), ReadError> {
-    let values = arrays.values()?;
+fn points(
+    arrays: &Arrays<'_, '_>,
+    budget: &mut Budget,
+    cells: &mut Cells,
+) -> Result<(), ReadError> {
+    let values = arrays.values(budget)?;
     if values.len() % 3 != 0 {
         return Err(arrays.wrong(values.len(), Expected::Coordinate { axis: "z" }));
     }

@@ -327,7 +327,7 @@ fn a_small_file_cannot_ask_for_much_memory() {
     let bomb = text[..start].to_owned() + &base64(&head) + &base64(&[0x78; 20]) + &text[end..];
     let error = refusal(bomb.as_bytes());
     assert!(
-        matches!(error, ReadError::CountTooLarge { count, .. } if count == 1 << 30),
+        matches!(error, ReadError::CountTooLarge { what: "bytes", .. }),
         "{error}"
     );
 }

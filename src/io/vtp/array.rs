@@ -2,6 +2,7 @@
 
 use super::super::base64;
 use super::super::binary::{Cursor, Scalar};
+use super::super::budget::Budget;
 use super::super::inflate::inflate;
 use super::super::text::{parse_float, shortened};
 use super::super::xml::{Event, Tag, Xml};
@@ -20,14 +21,7 @@ pub(super) struct File<'a> {
     /// Lengths have 64 bits.
     pub(super) long_headers: bool,
     pub(super) is_compressed: bool,
-    /// Bytes that an array may have, once it is no longer compressed.
-    most: u64,
 }
-
-/// Arrays that take more than so many times the file's bytes are no mesh,
-const MOST_RATIO: u64 = 100;
-/// unless they are small.
-const SMALL: u64 = 1 << 24;
 
 impl<'a> File<'a> {
     /// A file whose appended data, which may be binary, is kept from those who read elements.
@@ -47,7 +41,6 @@ impl<'a> File<'a> {
             big: false,
             long_headers: false,
             is_compressed: false,
-            most: SMALL.max(MOST_RATIO * bytes.len() as u64),
         }
     }
 
@@ -152,8 +145,9 @@ impl<'a, 'f> Arrays<'a, 'f> {
     }
 
     /// All numbers.
-    pub(super) fn values(&self) -> Result<Vec<f64>, ReadError> {
+    pub(super) fn values(&self, budget: &mut Budget) -> Result<Vec<f64>, ReadError> {
         if let Source::Text(text) = self.source {
+            budget.take(4 * text.len() as u64, self.place)?;
             let words = text.split(u8::is_ascii_whitespace);
             let number = |word: &[u8]| {
                 parse_float(word).ok_or_else(|| {
@@ -164,8 +158,9 @@ impl<'a, 'f> Arrays<'a, 'f> {
             };
             return words.filter(|word| !word.is_empty()).map(number).collect();
         }
-        let bytes = self.bytes()?;
+        let bytes = self.bytes(budget)?;
         let numbers = bytes.chunks_exact(self.scalar.size());
+        budget.take(8 * numbers.len() as u64, self.place)?;
         let big = self.file.big;
         Ok(numbers.map(|bytes| self.scalar.read(bytes, big)).collect())
     }
@@ -200,7 +195,7 @@ impl<'a, 'f> Arrays<'a, 'f> {
     /// The array's own bytes, after their length; where they are compressed, after how many blocks
     /// there are, how long one is, how long the last is (0: as the others), and how long each is
     /// compressed.
-    fn bytes(&self) -> Result<Cow<'a, [u8]>, ReadError> {
+    fn bytes(&self, budget: &mut Budget) -> Result<Cow<'a, [u8]>, ReadError> {
         let length = self.file.length();
         let size = length.size() as u64;
         let lengths = |count: u64| -> Result<Vec<u64>, ReadError> {
@@ -240,14 +235,7 @@ impl<'a, 'f> Arrays<'a, 'f> {
         for (at, compressed) in head[3..].iter().enumerate() {
             let is_last = at + 1 == head.len() - 3;
             let length = if is_last && last > 0 { last } else { block };
-            if (bytes.len() as u64).saturating_add(length) > self.file.most {
-                return Err(ReadError::CountTooLarge {
-                    place: self.place,
-                    what: "elements",
-                    count: length,
-                    at_most: self.file.most,
-                });
-            }
+            budget.take(length, self.place)?;
             // All are there: they were counted.
             let (piece, after) = rest.split_at(*compressed as usize);
             rest = after;
