@@ -281,7 +281,9 @@ mod tests {
             for at in 0..zlib.len() {
                 let mut damaged = zlib.clone();
                 damaged[at] ^= 4;
-                assert_ne!(inflate(&damaged, plain.len()), Some(plain.clone()), "{at}");
+                // Bits after the last word are nobody's: what they are changes nothing.
+                let found = inflate(&damaged, plain.len());
+                assert!(found.is_none_or(|found| found == plain), "{at}");
             }
         }
     }
