@@ -9,6 +9,7 @@
 mod asset;
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -189,12 +190,14 @@ impl<'a> Scene<'a> {
                 continue;
             };
             let key = accessor.index().unwrap_or(usize::MAX);
-            if !vertices.contains_key(&key) {
-                let numbers = self.asset.accessor(accessor, primitive)?;
-                let of_accessor = self.positions(&numbers, transform, is_split)?;
-                vertices.insert(key, of_accessor);
-            }
-            self.faces(primitive, mode, &vertices[&key], transform, place)?;
+            let of_accessor = match vertices.entry(key) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(free) => {
+                    let numbers = self.asset.accessor(accessor, primitive)?;
+                    free.insert(self.positions(&numbers, transform, is_split)?)
+                }
+            };
+            self.faces(primitive, mode, of_accessor, transform, place)?;
         }
         Ok(())
     }

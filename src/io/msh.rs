@@ -173,7 +173,7 @@ impl<'a> Reader<'a> {
     }
 
     fn node(&mut self, number: f64, scalar: Scalar, place: Place) -> Result<(), ReadError> {
-        if !(number >= 0.0) {
+        if number < 0.0 {
             let word = number.to_string();
             let found = Some(word.as_bytes());
             return Err(self.stream.error(found, Expected::VertexNumber));
@@ -224,9 +224,9 @@ impl<'a> Reader<'a> {
         place: Place,
     ) -> Result<(), ReadError> {
         let mut face = [0; 4];
-        for k in 0..corners {
+        for corner in &mut face[..corners] {
             let number = self.stream.value(scalar, Expected::VertexIndex)?;
-            face[k] = self.corner(number, place)?;
+            *corner = self.corner(number, place)?;
         }
         self.stream.skip(scalar, (nodes - corners) as u64)?;
         if corners == 0 {
