@@ -139,7 +139,7 @@ pub fn write(soup: &PolygonSoup, format: Format, comment: &str) -> Result<Vec<u8
     }
 }
 
-/// What a file written by [`write`] does not hold as the mesh does, beyond polygons being cut and
+/// What a file written by [`write()`] does not hold as the mesh does, beyond polygons being cut and
 /// the precision of the format.
 pub fn losses(soup: &PolygonSoup, format: Format) -> Vec<Loss> {
     let shift = match format {
