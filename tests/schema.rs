@@ -10,6 +10,7 @@ use umbilic::energy::circle::Boundary;
 use umbilic::flow::option::{Kind, Options, Row, Value};
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::flow::spec::{FLOWS, Family, FlowRow};
+use umbilic::io::Format;
 
 const WRITTEN: &str = "www/generated/schema.js";
 
@@ -32,8 +33,9 @@ fn the_schema_in_javascript_is_that_of_the_tables() {
 fn schema() -> String {
     let flows: Vec<Json> = FLOWS.iter().map(flow_json).collect();
     let head = "// @ts-check
-// Flows and options as the solver knows them. Written from src/flow/spec.rs,
-// src/flow/option/rows.rs, src/app/given.rs and src/app/options.rs by `UPDATE_SCHEMA=1 cargo test --test schema`.
+// Flows, options and file formats as the solver knows them. Written from src/flow/spec.rs,
+// src/flow/option/rows.rs, src/app/given.rs, src/app/options.rs and src/io/format.rs by
+// `UPDATE_SCHEMA=1 cargo test --test schema`.
 
 /**
  * What an option may be, and what reads it. `absent` is the word for null.
@@ -68,6 +70,8 @@ fn schema() -> String {
  * @property {'clamped' | 'fixed' | 'free' | null} boundary  unless told otherwise
  * @property {Partial<FlowOptions>} sets  options of its family that make it this flow
  */
+
+/** A format of mesh files. @typedef {{ name: string, extensions: readonly string[], isWritten: boolean }} MeshFormat */
 ";
     let ids: Vec<String> = FlowName::all().map(|f| format!("'{}'", f.id())).collect();
     [
@@ -84,8 +88,29 @@ fn schema() -> String {
         list("readonly Row[]", "fill", &rows::<FillOptions>()),
         list("readonly Row[]", "flips", &rows::<FlipOptions>()),
         list("readonly Row[]", "bench", &rows::<BenchOptions>()),
+        list("readonly MeshFormat[]", "meshFormats", &mesh_formats()),
     ]
     .join("\n")
+}
+
+fn mesh_formats() -> Vec<Json> {
+    let json = |format: Format| {
+        json!({
+            "name": format.name(),
+            "extensions": format.extensions(),
+            "isWritten": format.is_written(),
+        })
+    };
+    Format::all().map(json).collect()
+}
+
+#[test]
+fn the_read_me_names_every_format_that_is_read() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let text = std::fs::read_to_string(&path).expect("the document");
+    for ending in Format::endings() {
+        assert!(text.contains(&format!("`.{ending}`")), "{ending}");
+    }
 }
 
 fn list(kind: &str, name: &str, values: &[Json]) -> String {

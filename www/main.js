@@ -7,6 +7,7 @@ import { createPage } from "./actions.js";
 import { commands, listenForKeys } from "./commands.js";
 import { openLanguage, remembered } from "./language.js";
 import { createLinkWriter, linkIn, plainScene } from "./link.js";
+import { packedEndings, readEndings } from "./mesh-format.js";
 import { keepOffline } from "./offline.js";
 import { createFilm, createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
@@ -140,6 +141,7 @@ effect(() => {
 
 listenForKeys(page);
 listenToClicker(page);
+file.accept = [...readEndings, ...packedEndings, ".bin", ".json"].join();
 file.setAttribute("aria-keyshortcuts", commands.find(({ id }) => id === "open")?.keys[0] ?? "");
 
 const isEmbedded = asked.has("embed");
@@ -162,7 +164,7 @@ pictured
 // dropped before the solver is there waits for it.
 if (!embedding) {
   file.addEventListener("change", () => {
-    if (file.files?.[0]) page.open.open(file.files[0]);
+    if (file.files?.length) page.open.open([...file.files]);
     file.value = "";
   });
   addEventListener("dragover", (event) => {
@@ -174,8 +176,8 @@ if (!embedding) {
   }
   addEventListener("drop", (event) => {
     event.preventDefault();
-    const dropped = event.dataTransfer?.files[0];
-    if (dropped) page.open.open(dropped);
+    const dropped = [...(event.dataTransfer?.files ?? [])];
+    if (dropped.length > 0) page.open.open(dropped);
   });
 }
 

@@ -6,6 +6,7 @@
 /** @import { Arrangement } from "./generated/types.js" */
 
 import * as schema from "./generated/schema.js";
+import { written } from "./mesh-format.js";
 import { say } from "./words.js";
 
 /** @typedef {Readonly<Required<FlowOptions>>} Options */
@@ -132,10 +133,10 @@ export const colours = /** @type {readonly import("./store.js").FieldName[]} */ 
 ]);
 
 /** Formats of meshes. */
-export const meshFormats = ["ply", "ply-ascii", "obj", "off", "stl", "stl-ascii", "glb"];
+export const savedMeshes = written.map(({ name }) => name);
 
 /** All that can be saved. */
-export const formats = [...meshFormats, "csv", "recipe", "png"];
+export const formats = [...savedMeshes, "csv", "recipe", "png"];
 
 /** @param {readonly string[]} ids @param {"colour" | "save-as"} kind */
 export const named = (ids, kind) => ids.map((id) => ({ id, label: say(`${kind}-${id}`) }));

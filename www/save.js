@@ -2,6 +2,7 @@
 // Files that the browser saves: meshes, numbers, pictures, films, sequences.
 
 import { signal } from "@preact/signals-core";
+import { extensionOf } from "./mesh-format.js";
 import { createMontage } from "./montage.js";
 import { say } from "./words.js";
 
@@ -23,7 +24,7 @@ const types = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "
 export function fileName({ mesh, options, reading }, format) {
   const name = (mesh?.name ?? "surface").replace(/[^\p{L}\p{N}._-]+/gu, "-");
   const step = String(reading?.step ?? 0).padStart(4, "0");
-  const ending = format === "recipe" ? "recipe.json" : format.replace("-ascii", "");
+  const ending = format === "recipe" ? "recipe.json" : extensionOf(format);
   return `${name}-${options.flow}-step${step}.${ending}`;
 }
 

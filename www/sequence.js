@@ -1,6 +1,8 @@
 // @ts-check
 // The stored steps as files in a ZIP. Runs in the worker.
 
+import { extensionOf } from "./mesh-format.js";
+import { refusal } from "./refusal.js";
 import { perform } from "./session.js";
 
 /** @typedef {import("./pkg/solver/solver.js").Session} Session */
@@ -49,12 +51,8 @@ export function sequenceSize(session, format, every) {
 export async function sequence(session, format, every, tell) {
   const { meshes, bytes } = sequenceSize(session, format, every);
   if (bytes > MOST_BYTES) {
-    throw {
-      kind: "TooLarge",
-      message: { id: "sequence-too-large", values: { meshes, gigabytes: bytes / 2 ** 30 } },
-      hint: { id: "sequence-too-large.hint" },
-      detail: {},
-    };
+    const gigabytes = bytes / 2 ** 30;
+    throw refusal("TooLarge", "sequence-too-large", { meshes, gigabytes });
   }
   const { Zip, ZipDeflate } = await import("fflate");
   // From here on in one go: nothing else may move the session meanwhile.
@@ -75,7 +73,7 @@ export async function sequence(session, format, every, tell) {
       // A step that was regularised is there twice.
       const twice = seen.has(step) ? "-regularised" : "";
       seen.add(step);
-      const entry = new ZipDeflate(`${stem}-step${number}${twice}.${format.replace("-ascii", "")}`);
+      const entry = new ZipDeflate(`${stem}-step${number}${twice}.${extensionOf(format)}`);
       zip.add(entry);
       const file = perform(session, "export", { format });
       for (let i = 0; i < file.length; i += PIECE) {

@@ -3,7 +3,7 @@
 // is given that scene before it is asked for anything else.
 
 /** @import { Arrangement, FlowOptions } from "./generated/schema.js" */
-/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, Wanted, WrittenLink } from "./generated/types.js" */
+/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Message, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, Wanted, WrittenLink } from "./generated/types.js" */
 /** @import { Finding } from "./library.js" */
 /** @import { Field, FieldName } from "./store.js" */
 /** @import { Fault } from "./words.js" */
@@ -390,17 +390,19 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     sequenceSize: (format, every) => ask("sequenceSize", { format, every }),
     /**
      * The surface as a file; PLY of the page's own copy, where the solver cannot be asked.
-     * @param {string} format @returns {Promise<{ format: string, bytes: Uint8Array<ArrayBuffer> }>}
+     * @param {string} format
+     * @returns {Promise<{ format: string, bytes: Uint8Array<ArrayBuffer>, losses: Message[] }>}
      */
     async export(format) {
       try {
         if (isWhole && !channel.isSilent()) {
-          return { format, bytes: await send("export", { format }) };
+          const bytes = await send("export", { format });
+          return { format, bytes, losses: await send("losses", { format }) };
         }
       } catch (error) {
         if (/** @type {Fault} */ (error).kind !== LOST) throw error;
       }
-      return { format: "ply", bytes: ownCopy() };
+      return { format: "ply", bytes: ownCopy(), losses: [] };
     },
     /** @returns {Promise<string>} CSV */
     history: () => ask("history"),

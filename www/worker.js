@@ -7,6 +7,7 @@
 /** @import { CommandName } from "./session.js" */
 
 import init, { Session } from "./pkg/solver/solver.js";
+import { refusal } from "./refusal.js";
 import { sequence, sequenceSize } from "./sequence.js";
 import { perform } from "./session.js";
 import { isOver } from "./standing.js";
@@ -221,17 +222,6 @@ function asRefusal(error) {
   }
   return refusal("Internal", "worker-internal", { reason: String(error?.message ?? error) });
 }
-
-/**
- * @param {string} kind @param {string} id  of the words @param {Record<string, unknown>} [values]
- * @returns {Refusal}
- */
-const refusal = (kind, id, values = {}) => ({
-  kind,
-  message: { id, values },
-  hint: { id: `${id}.hint`, values },
-  detail: {},
-});
 
 /** Nothing may be asked of a session after a trap. @param {() => void} work */
 function guarded(work) {

@@ -26,6 +26,7 @@ use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::StepReport;
 use crate::flow::option::{Values, options_of};
 use crate::io::Format;
+use crate::message::Message;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -254,6 +255,11 @@ pub enum Command {
         /// Its format by name.
         format: String,
     },
+    /// What such a file does not hold as the surface is.
+    Losses {
+        /// Its format by name.
+        format: String,
+    },
     /// The history as CSV.
     History {},
 }
@@ -314,7 +320,12 @@ pub enum Answer {
     Advance(ReplayProgress),
     CancelReplay(()),
     Export(TypedArray<u8>),
+    Losses(Vec<Message>),
     History(String),
+}
+
+fn format_named(name: &str) -> Result<Format, Fault> {
+    Format::from_name(name).ok_or_else(|| Fault::unknown_format(name))
 }
 
 impl Session {
@@ -436,11 +447,8 @@ impl Session {
             C::Follow { script } => Answer::Follow(self.follow(&script)?),
             C::Advance {} => Answer::Advance(self.advance()?),
             C::CancelReplay {} => Answer::CancelReplay(self.cancel_replay()?),
-            C::Export { format } => {
-                let format =
-                    Format::from_name(&format).ok_or_else(|| Fault::unknown_format(&format))?;
-                Answer::Export(self.export(format)?.into())
-            }
+            C::Export { format } => Answer::Export(self.export(format_named(&format)?)?.into()),
+            C::Losses { format } => Answer::Losses(self.losses(format_named(&format)?)?),
             C::History {} => Answer::History(self.history_csv()?),
         })
     }

@@ -49,7 +49,9 @@ impl Fault {
     pub fn unknown_format(name: &str) -> Self {
         AppError::UnknownFormat {
             name: name.into(),
-            known: crate::io::Format::ALL.map(crate::io::Format::name).to_vec(),
+            known: crate::io::Format::written()
+                .map(crate::io::Format::name)
+                .collect(),
         }
         .into()
     }

@@ -81,6 +81,7 @@ use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
 use crate::io::Format;
 use crate::mesh::shape;
+use crate::message::Message;
 use crate::remesh::fill::FillProgress;
 use crate::remesh::flips::lab::Lab;
 use document::Document;
@@ -461,6 +462,15 @@ impl Session {
             runner.document.name, runner.state.step
         );
         Ok(crate::io::write(&runner.soup(), format, &comment)?)
+    }
+
+    /// What such a file does not hold as the surface is.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn losses(&self, format: Format) -> Result<Vec<Message>, Fault> {
+        let losses = crate::io::losses(&self.runner()?.soup(), format);
+        Ok(losses.into_iter().map(Message::from).collect())
     }
 
     /// Reports of the steps taken, oldest first.

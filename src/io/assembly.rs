@@ -61,6 +61,31 @@ impl Assembly {
         Ok(())
     }
 
+    /// Appends the triangle that a strip ends with, so far.
+    ///
+    /// # Errors
+    /// As for [`face`](Self::face).
+    pub(super) fn strip(&mut self, so_far: &[u32], place: Place) -> Result<(), ReadError> {
+        strip_triangle(so_far).map_or(Ok(()), |triangle| self.face(&triangle, place))
+    }
+
+    /// The vertex that a face names, counted from 0.
+    ///
+    /// # Errors
+    /// [`ReadError::IndexOutOfRange`] of those read so far.
+    pub(super) fn index(&self, index: f64, format: Format, place: Place) -> Result<u32, ReadError> {
+        let vertices = self.n_vertices();
+        if index >= 0.0 && index < vertices as f64 {
+            return Ok(index as u32);
+        }
+        Err(ReadError::IndexOutOfRange {
+            format,
+            place,
+            index: index as i64,
+            vertices,
+        })
+    }
+
     fn check_limit(&self, what: &'static str, n: usize, place: Place) -> Result<(), ReadError> {
         if n <= self.limit {
             return Ok(());
@@ -89,6 +114,18 @@ impl Assembly {
             format,
             warnings: self.dropped.met().map(short).into_iter().collect(),
         })
+    }
+}
+
+/// The triangle that the last corner of a strip makes with the two before it, every other turned
+/// round. A corner that repeats joins two parts of a strip and makes none.
+pub(super) fn strip_triangle(so_far: &[u32]) -> Option<[u32; 3]> {
+    match *so_far {
+        [.., a, b, c] if a != b && b != c && c != a => {
+            let is_turned = so_far.len().is_multiple_of(2);
+            Some(if is_turned { [b, a, c] } else { [a, b, c] })
+        }
+        _ => None,
     }
 }
 

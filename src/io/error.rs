@@ -1,7 +1,5 @@
 //! What can be wrong with a mesh file, and where.
 
-use glam::DVec3;
-
 use super::Format;
 use crate::message::{Message, Value, messages};
 use crate::soup::PolygonSoup;
@@ -98,6 +96,37 @@ messages! {
         VertexProperties,
         /// One list of vertex indices.
         FaceProperty,
+        /// How many corners and indices of cells follow.
+        CellCount,
+        /// What kind of a cell it is.
+        CellType,
+        /// A number that no other vertex has.
+        VertexNumber,
+        /// An element of XML.
+        XmlElement {
+            /// Its name, or several.
+            name: &'static str,
+        },
+        /// An attribute of an element of XML.
+        XmlAttribute {
+            /// Its name.
+            name: &'static str,
+        },
+        /// A well-formed value of JSON.
+        JsonValue,
+        /// A member of an object of JSON.
+        JsonMember {
+            /// Its name.
+            name: &'static str,
+        },
+        /// Bytes written as text.
+        Base64,
+        /// Compressed bytes.
+        Compressed,
+        /// An object of a 3MF model, by its number.
+        ModelObject,
+        /// Twelve numbers.
+        Transform,
     }
 }
 
@@ -111,10 +140,14 @@ messages! {
         UnknownFormat {
             /// The file's name as given.
             name: String,
+            /// Endings of files that are read.
+            known: Vec<&'static str>,
         },
         /// A known format that is not read.
         Unsupported {
-            /// `gltf`, `binary-off` or `nd-off`, of higher dimension.
+            /// `binary-off`, `nd-off` (of higher dimension), `vtk-data-set` (no surface),
+            /// `vtk-compressor`, `msh-version`, `gltf-external` (parts in other files),
+            /// `gltf-draco`, `gltf-meshopt`, `gltf-sparse` or `gltf-version`.
             what: &'static str,
         },
         /// A NUL byte in what should be text.
@@ -178,7 +211,7 @@ messages! {
         CountTooLarge {
             /// Where.
             place: Place,
-            /// What is counted: `vertices`, `faces`, `corners` or `elements`.
+            /// What is counted: `vertices`, `faces`, `corners`, `elements`, or `bytes` of memory.
             what: &'static str,
             /// The number announced.
             count: u64,
@@ -316,6 +349,18 @@ messages! {
             /// The first.
             first: Place,
         },
+        /// Cells or primitives that are no polygons were skipped: points, lines, volumes.
+        OtherCells {
+            /// How many.
+            count: usize,
+            /// The first.
+            first: Place,
+        },
+        /// Corners at the same position were joined: the format splits vertices along seams.
+        SeamsJoined {
+            /// How many vertices fewer there are.
+            count: usize,
+        },
         /// What the file holds besides the mesh, and is not kept.
         LeftOut {
             /// Each.
@@ -336,6 +381,8 @@ messages! {
         Materials,
         /// Parts by name.
         Groups,
+        /// Values at vertices or cells.
+        Data,
     }
 }
 
@@ -345,6 +392,24 @@ impl Oddity {
         let what = found.iter().filter(|(_, is_there)| *is_there);
         let what: Vec<Extra> = what.map(|(extra, _)| *extra).collect();
         (!what.is_empty()).then_some(Self::LeftOut { what })
+    }
+}
+
+messages! {
+    /// What a written file does not hold as the mesh does.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub enum Loss as "loss" {
+        /// The mesh was moved to the origin: far away, single precision would round it.
+        Moved {
+            /// The format, which has no place for how far.
+            format: Format,
+            /// By so much,
+            x: f64,
+            /// in all three
+            y: f64,
+            /// directions.
+            z: f64,
+        },
     }
 }
 
@@ -380,6 +445,11 @@ messages! {
             /// How many vertices.
             vertices: usize,
         },
+        /// The format is read and not written.
+        ReadOnly {
+            /// The format.
+            format: Format,
+        },
         /// The format counts in 32 bits and the mesh has more.
         TooLarge {
             /// The format.
@@ -407,12 +477,4 @@ pub(super) fn check_writable(soup: &PolygonSoup) -> Result<(), WriteError> {
         }
     }
     Ok(())
-}
-
-/// Refuses vectors that single precision cannot hold.
-pub(super) fn check_single(vectors: &[DVec3]) -> Result<(), WriteError> {
-    match vectors.iter().position(|v| !v.as_vec3().is_finite()) {
-        Some(vertex) => Err(WriteError::BeyondSingle { vertex }),
-        None => Ok(()),
-    }
 }

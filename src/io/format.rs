@@ -1,89 +1,144 @@
 //! The formats, their names, and how to tell them apart.
 
-use super::{ReadError, off, stl, text};
+use super::{ReadError, msh, off, stl, text, vtk, xml};
 
 /// A mesh file format, told apart as finely as a writer needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Format {
+    /// PLY, binary, little endian.
+    Ply,
+    /// PLY, text.
+    PlyAscii,
+    /// PLY, binary, big endian.
+    PlyBigEndian,
     /// Wavefront OBJ.
     Obj,
     /// Object File Format of Geomview, in text.
     Off,
-    /// PLY, text.
-    PlyAscii,
-    /// PLY, binary, little endian.
-    Ply,
-    /// PLY, binary, big endian.
-    PlyBigEndian,
-    /// STL, text.
-    StlAscii,
     /// STL, binary.
     Stl,
+    /// STL, text.
+    StlAscii,
     /// glTF 2.0 in one binary file.
     Glb,
+    /// glTF 2.0 in JSON.
+    Gltf,
+    /// The model of a 3MF package: XML.
+    ThreeMf,
+    /// Legacy VTK, text or binary.
+    Vtk,
+    /// VTK in XML.
+    Vtp,
+    /// Gmsh.
+    Msh,
 }
 
-impl Format {
-    /// Every format, in the order a menu would show them.
-    pub const ALL: [Self; 8] = [
-        Self::Obj,
-        Self::Off,
-        Self::Ply,
-        Self::PlyAscii,
-        Self::PlyBigEndian,
-        Self::Stl,
-        Self::StlAscii,
-        Self::Glb,
-    ];
+/// What is known of a format.
+struct Row {
+    format: Format,
+    name: &'static str,
+    /// Endings of file names, without the dot; the first is given to files that are written.
+    extensions: &'static [&'static str],
+    media_type: &'static str,
+    is_written: bool,
+}
 
-    /// The name used in options: `obj`, `off`, `ply`, `ply-ascii`, `ply-big`, `stl`,
-    /// `stl-ascii` or `glb`.
+const fn row(
+    format: Format,
+    name: &'static str,
+    extensions: &'static [&'static str],
+    media_type: &'static str,
+    is_written: bool,
+) -> Row {
+    Row {
+        format,
+        name,
+        extensions,
+        media_type,
+        is_written,
+    }
+}
+
+/// The table of formats, in the order a menu shows them. Page, command line and documents say
+/// which there are from it, by `tests/schema.rs`.
+const ROWS: [Row; 13] = {
+    use Format as F;
+    const ANY: &str = "application/octet-stream";
+    [
+        row(F::Ply, "ply", &["ply"], ANY, true),
+        row(F::PlyAscii, "ply-ascii", &["ply"], "text/plain", true),
+        row(F::PlyBigEndian, "ply-big", &["ply"], ANY, true),
+        row(F::Obj, "obj", &["obj"], "model/obj", true),
+        row(F::Off, "off", &["off"], "text/plain", true),
+        row(F::Stl, "stl", &["stl"], "model/stl", true),
+        row(F::StlAscii, "stl-ascii", &["stl"], "model/stl", true),
+        row(F::Glb, "glb", &["glb"], "model/gltf-binary", true),
+        row(F::Gltf, "gltf", &["gltf"], "model/gltf+json", false),
+        row(F::ThreeMf, "3mf", &["3mf"], "model/3mf", false),
+        row(F::Vtk, "vtk", &["vtk"], ANY, false),
+        row(F::Vtp, "vtp", &["vtp", "vtu"], "text/xml", false),
+        row(F::Msh, "msh", &["msh"], ANY, false),
+    ]
+};
+
+impl Format {
+    fn row(self) -> &'static Row {
+        &ROWS[self as usize]
+    }
+
+    /// Every format that is read, in the order a menu would show them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        ROWS.iter().map(|row| row.format)
+    }
+
+    /// Every format that is written as well.
+    pub fn written() -> impl Iterator<Item = Self> {
+        Self::all().filter(|format| format.row().is_written)
+    }
+
+    /// The name used in options, such as `ply` or `stl-ascii`.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Obj => "obj",
-            Self::Off => "off",
-            Self::Ply => "ply",
-            Self::PlyAscii => "ply-ascii",
-            Self::PlyBigEndian => "ply-big",
-            Self::Stl => "stl",
-            Self::StlAscii => "stl-ascii",
-            Self::Glb => "glb",
-        }
+        self.row().name
     }
 
     /// The format of that [`name`](Self::name).
     pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.name() == name)
+        Self::all().find(|format| format.name() == name)
     }
 
     /// The format a file name's ending stands for; the binary one where there are several.
     pub fn from_extension(file_name: &str) -> Option<Self> {
-        let (_, extension) = file_name.rsplit_once('.')?;
-        Self::ALL
-            .into_iter()
-            .find(|format| format.extension().eq_ignore_ascii_case(extension))
+        Self::all().find(|format| !format.ending_of(file_name).is_empty())
     }
 
-    /// File name ending, without the dot.
-    pub fn extension(self) -> &'static str {
-        match self {
-            Self::Obj => "obj",
-            Self::Off => "off",
-            Self::Ply | Self::PlyAscii | Self::PlyBigEndian => "ply",
-            Self::Stl | Self::StlAscii => "stl",
-            Self::Glb => "glb",
-        }
+    /// Which of the format's endings a file name has; none: empty.
+    pub(super) fn ending_of(self, file_name: &str) -> &'static str {
+        let ending = file_name.rsplit_once('.').map_or("", |(_, ending)| ending);
+        let mut known = self.extensions().iter();
+        let known = known.find(|extension| extension.eq_ignore_ascii_case(ending));
+        known.copied().unwrap_or_default()
+    }
+
+    /// File name endings, without the dot, that of files which are written first.
+    pub fn extensions(self) -> &'static [&'static str] {
+        self.row().extensions
+    }
+
+    /// Endings of all files that are read, without the dot.
+    pub fn endings() -> Vec<&'static str> {
+        let mut all: Vec<_> = Self::all().flat_map(Self::extensions).copied().collect();
+        all.dedup();
+        all
     }
 
     /// Media type for a download; where none is registered, the nearest general one.
     pub fn media_type(self) -> &'static str {
-        match self {
-            Self::Obj => "model/obj",
-            Self::Off | Self::PlyAscii => "text/plain",
-            Self::Ply | Self::PlyBigEndian => "application/octet-stream",
-            Self::Stl | Self::StlAscii => "model/stl",
-            Self::Glb => "model/gltf-binary",
-        }
+        self.row().media_type
+    }
+
+    /// Whether it is written, and not read alone.
+    pub fn is_written(self) -> bool {
+        self.row().is_written
     }
 }
 
@@ -98,25 +153,56 @@ pub(super) fn detect(bytes: &[u8], file_name: &str) -> Result<Format, ReadError>
     if bytes.trim_ascii().is_empty() {
         return Err(ReadError::Empty);
     }
-    let first = text::first_word(bytes);
-    match first {
-        b"ply" => return Ok(Format::Ply),
-        _ if first.starts_with(b"glTF") => return Ok(Format::Glb),
-        _ if off::is_header(first) => return Ok(Format::Off),
-        _ if first.eq_ignore_ascii_case(b"solid") && text::nul(bytes).is_none() => {
-            return Ok(Format::StlAscii);
-        }
-        b"v" | b"vn" | b"vt" | b"f" | b"o" | b"g" | b"s" | b"mtllib" | b"usemtl" => {
-            return Ok(Format::Obj);
-        }
-        _ => {}
+    if let Some(found) = by_magic(bytes) {
+        return Ok(found);
     }
     match Format::from_extension(file_name) {
-        None | Some(Format::Glb) => Err(ReadError::UnknownFormat {
-            name: file_name.to_owned(),
-        }),
+        // These would have been known.
+        None | Some(Format::Glb | Format::Gltf | Format::Vtk | Format::Vtp | Format::Msh) => {
+            Err(ReadError::UnknownFormat {
+                name: file_name.to_owned(),
+                known: Format::endings(),
+            })
+        }
         Some(Format::Stl) if text::nul(bytes).is_none() => Ok(Format::StlAscii),
         Some(named) => Ok(named),
+    }
+}
+
+/// The format that the first bytes tell of.
+fn by_magic(bytes: &[u8]) -> Option<Format> {
+    let start = bytes.trim_ascii_start();
+    // Its first line would be a comment elsewhere.
+    if vtk::is_header(start) {
+        return Some(Format::Vtk);
+    }
+    match start.first() {
+        Some(b'<') => return xml_root(start),
+        Some(b'{') => return Some(Format::Gltf),
+        Some(b'$') if msh::is_header(start) => return Some(Format::Msh),
+        _ => {}
+    }
+    let first = text::first_word(bytes);
+    match first {
+        b"ply" => Some(Format::Ply),
+        _ if first.starts_with(b"glTF") => Some(Format::Glb),
+        _ if off::is_header(first) => Some(Format::Off),
+        _ if first.eq_ignore_ascii_case(b"solid") && text::nul(bytes).is_none() => {
+            Some(Format::StlAscii)
+        }
+        b"v" | b"vn" | b"vt" | b"f" | b"o" | b"g" | b"s" | b"mtllib" | b"usemtl" => {
+            Some(Format::Obj)
+        }
+        _ => None,
+    }
+}
+
+/// The format whose outermost element the XML begins with.
+fn xml_root(bytes: &[u8]) -> Option<Format> {
+    match xml::root(bytes)? {
+        b"VTKFile" => Some(Format::Vtp),
+        b"model" => Some(Format::ThreeMf),
+        _ => None,
     }
 }
 
@@ -126,10 +212,13 @@ mod tests {
 
     #[test]
     fn names_go_both_ways() {
-        for format in Format::ALL {
+        for (at, format) in Format::all().enumerate() {
+            assert_eq!(format as usize, at, "the rows stand as the variants do");
             assert_eq!(Format::from_name(format.name()), Some(format));
-            let named = Format::from_extension(&format!("a.b.{}", format.extension()));
-            assert_eq!(named.map(Format::extension), Some(format.extension()));
+            for ending in format.extensions() {
+                let named = Format::from_extension(&format!("a.b.{ending}"));
+                assert_eq!(named.map(Format::extensions), Some(format.extensions()));
+            }
         }
         assert_eq!(Format::from_name("stl-binary"), None);
         assert_eq!(Format::from_extension("SPOT.OBJ"), Some(Format::Obj));
@@ -149,13 +238,23 @@ mod tests {
         assert_eq!(detected(b"solid\0\0", "a.stl"), Ok(Format::Stl));
         assert_eq!(detected(b"glTF\x02\0\0\0", "a.obj"), Ok(Format::Glb));
         assert_eq!(detected(b"3 1 0", "a.off"), Ok(Format::Off));
+        assert_eq!(
+            detected(b"# vtk DataFile Version 3.0\n", "a.obj"),
+            Ok(Format::Vtk)
+        );
+        assert_eq!(detected(b"$MeshFormat\n", "a.stl"), Ok(Format::Msh));
+        assert_eq!(detected(b"\n{ \"asset\": {}}", "a"), Ok(Format::Gltf));
+        let xml = b"<?xml version=\"1.0\"?><!-- a > b --><x:model>";
+        assert_eq!(detected(xml, "a"), Ok(Format::ThreeMf));
+        assert_eq!(detected(b"<VTKFile type='PolyData'>", "a"), Ok(Format::Vtp));
         assert_eq!(detected(b"<html>", "a.stl"), Ok(Format::StlAscii));
         assert_eq!(detected(b" \n", "a.off"), Err(ReadError::Empty));
         for name in ["a.txt", "", "a.glb"] {
             assert_eq!(
                 detected(b"3 1 0", name),
                 Err(ReadError::UnknownFormat {
-                    name: name.to_owned()
+                    name: name.to_owned(),
+                    known: Format::endings()
                 })
             );
         }

@@ -2,14 +2,15 @@
 
 use glam::DVec3;
 
-use super::error::{check_single, check_writable};
-use super::{Format, WriteError};
+use super::error::check_writable;
+use super::{Format, WriteError, single};
 use crate::soup::PolygonSoup;
 
 /// Writes one mesh of triangles, with the normals given at the vertices or none (then
 /// viewers shade it flat, as the format asks them to).
 ///
-/// Positions and normals are rounded to single precision; normals are made unit vectors,
+/// Positions and normals are rounded to single precision, far from the origin after the node has
+/// taken on the translation; normals are made unit vectors,
 /// and a zero one points along z. `comment` becomes the asset's generator.
 ///
 /// # Errors
@@ -21,7 +22,9 @@ pub fn write(
     comment: &str,
 ) -> Result<Vec<u8>, WriteError> {
     check_writable(soup)?;
-    check_single(&soup.positions)?;
+    let centre = single::centre(&soup.positions);
+    let positions: Vec<DVec3> = soup.positions.iter().map(|p| *p - centre).collect();
+    single::check(positions.iter().copied())?;
     let vertices = soup.positions.len();
     if let Some(normals) = normals {
         if normals.len() != vertices {
@@ -30,7 +33,7 @@ pub fn write(
                 vertices,
             });
         }
-        check_single(normals)?;
+        single::check(normals.iter().copied())?;
     }
 
     // Everything is made of 32-bit numbers, so every view begins on a multiple of four.
@@ -39,11 +42,11 @@ pub fn write(
         binary.extend(corner.to_le_bytes());
     }
     let indices = binary.len() / 4;
-    push_vectors(&mut binary, soup.positions.iter().copied());
+    push_vectors(&mut binary, positions.iter().copied());
     let unit = |n: &DVec3| n.normalize_or(DVec3::Z);
     push_vectors(&mut binary, normals.into_iter().flatten().map(unit));
 
-    let mut json = scene(soup, indices, normals.is_some(), comment).into_bytes();
+    let mut json = scene(&positions, centre, indices, normals.is_some(), comment).into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
     let length = 12 + 8 + json.len() as u64 + 8 + binary.len() as u64;
     let length = u32::try_from(length).map_err(|_| WriteError::TooLarge {
@@ -70,17 +73,21 @@ fn push_vectors(binary: &mut Vec<u8>, vectors: impl Iterator<Item = DVec3>) {
 }
 
 /// The JSON part: views of the binary part, and one node that uses them.
-fn scene(soup: &PolygonSoup, indices: usize, has_normals: bool, comment: &str) -> String {
-    let vertices = soup.positions.len();
+fn scene(
+    positions: &[DVec3],
+    centre: DVec3,
+    indices: usize,
+    has_normals: bool,
+    comment: &str,
+) -> String {
+    let vertices = positions.len();
     let (index_bytes, vector_bytes) = (4 * indices, 12 * vertices);
     let single = |p: &DVec3| p.as_vec3().as_dvec3();
-    let low = soup
-        .positions
+    let low = positions
         .iter()
         .map(single)
         .fold(DVec3::INFINITY, DVec3::min);
-    let high = soup
-        .positions
+    let high = positions
         .iter()
         .map(single)
         .fold(DVec3::NEG_INFINITY, DVec3::max);
@@ -106,8 +113,13 @@ fn scene(soup: &PolygonSoup, indices: usize, has_normals: bool, comment: &str) -
         total += vector_bytes;
     }
     let generator = quoted(comment);
+    let node = if centre == DVec3::ZERO {
+        r#""mesh":0"#.to_owned()
+    } else {
+        format!(r#""mesh":0,"translation":{:?}"#, centre.to_array())
+    };
     format!(
-        r#"{{"asset":{{"version":"2.0","generator":{generator}}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{{attributes}}},"indices":0,"mode":4}}]}}],"accessors":[{accessors}],"bufferViews":[{views}],"buffers":[{{"byteLength":{total}}}]}}"#
+        r#"{{"asset":{{"version":"2.0","generator":{generator}}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{{node}}}],"meshes":[{{"primitives":[{{"attributes":{{{attributes}}},"indices":0,"mode":4}}]}}],"accessors":[{accessors}],"bufferViews":[{views}],"buffers":[{{"byteLength":{total}}}]}}"#
     )
 }
 

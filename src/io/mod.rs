@@ -6,7 +6,10 @@
 //! | OFF | plain and the C, N, ST variants, ASCII | text, polygons kept |
 //! | PLY | ASCII and binary of both byte orders | `double` positions, polygons kept |
 //! | STL | ASCII and binary, corners welded | triangles; binary in single precision |
-//! | GLB | no | triangles in single precision, optional normals |
+//! | glTF | GLB, and JSON that holds its buffers; triangles where nodes put them | GLB: triangles in single precision, optional normals |
+//! | 3MF | its model, with objects where components put them | no |
+//! | VTK | legacy, ASCII and binary, and XML; surface cells | no |
+//! | MSH | Gmsh 2 and 4.1, ASCII and binary; surface elements | no |
 //!
 //! Readers keep the file's vertex order, unused vertices and repeated faces, so that
 //! a download matches the upload; what such a soup means as a surface is decided by
@@ -28,17 +31,35 @@
 //! ```
 
 mod assembly;
+mod base64;
+mod binary;
+mod budget;
+mod cell;
 mod error;
 mod format;
 pub mod glb;
+mod gltf;
+mod inflate;
+mod json;
+mod msh;
 mod obj;
 mod off;
+mod placed;
 mod ply;
+mod single;
 mod stl;
+mod stream;
 mod text;
+mod three_mf;
+mod vtk;
+mod vtp;
+mod weld;
+mod xml;
 
-pub use error::{Expected, Extra, Found, Oddity, Place, ReadError, WriteError};
+pub use error::{Expected, Extra, Found, Loss, Oddity, Place, ReadError, WriteError};
 pub use format::Format;
+
+use glam::DVec3;
 
 use crate::soup::PolygonSoup;
 
@@ -70,16 +91,21 @@ pub fn read(bytes: &[u8], file_name: &str) -> Result<Read, ReadError> {
         Format::Ply | Format::PlyAscii | Format::PlyBigEndian => ply::read(&bytes),
         Format::StlAscii => stl::read_ascii(&bytes),
         Format::Stl => stl::read_binary(&bytes),
-        Format::Glb => Err(ReadError::Unsupported { what: "gltf" }),
+        Format::Glb => gltf::read_binary(&bytes),
+        Format::Gltf => gltf::read_json(&bytes),
+        Format::ThreeMf => three_mf::read(&bytes),
+        Format::Vtk => vtk::read(&bytes),
+        Format::Vtp => vtp::read(&bytes),
+        Format::Msh => msh::read(&bytes),
     }?;
     if transcoded {
         read.warnings.push(Oddity::Transcoded);
     }
     if let Some(named) = Format::from_extension(file_name)
-        && named.extension() != read.format.extension()
+        && named.extensions() != read.format.extensions()
     {
         read.warnings.push(Oddity::OtherEnding {
-            ending: named.extension(),
+            ending: named.ending_of(file_name),
             format: read.format,
         });
     }
@@ -90,7 +116,8 @@ pub fn read(bytes: &[u8], file_name: &str) -> Result<Read, ReadError> {
 ///
 /// OBJ, OFF and PLY keep vertices, polygons and every bit of the positions. STL and GLB
 /// hold triangles, cut by [`PolygonSoup::triangles`]; binary STL and GLB round
-/// positions to single precision. `comment` goes where the format has room for one.
+/// positions to single precision, to 10⁻⁶ of the size: far from the origin GLB has the translation
+/// in its node, and binary STL is moved, see [`losses`]. `comment` goes where the format has room for one.
 ///
 /// # Errors
 /// [`WriteError`] for a soup without faces, with a corner past the last vertex, or with a
@@ -106,5 +133,24 @@ pub fn write(soup: &PolygonSoup, format: Format, comment: &str) -> Result<Vec<u8
         Format::StlAscii => Ok(stl::write_ascii(soup, comment)),
         Format::Stl => stl::write_binary(soup, comment),
         Format::Glb => glb::write(soup, None, comment),
+        Format::Gltf | Format::ThreeMf | Format::Vtk | Format::Vtp | Format::Msh => {
+            Err(WriteError::ReadOnly { format })
+        }
     }
+}
+
+/// What a file written by [`write()`] does not hold as the mesh does, beyond polygons being cut and
+/// the precision of the format.
+pub fn losses(soup: &PolygonSoup, format: Format) -> Vec<Loss> {
+    let shift = match format {
+        Format::Stl => stl::moved_by(soup),
+        _ => None,
+    };
+    let moved = |by: DVec3| Loss::Moved {
+        format,
+        x: by.x,
+        y: by.y,
+        z: by.z,
+    };
+    shift.map(moved).into_iter().collect()
 }

@@ -3,60 +3,19 @@
 //! Corners at exactly the same position become one vertex, numbered by first use; normals
 //! and attributes are not looked at. Several solids make one mesh.
 
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use glam::DVec3;
 
-use super::assembly::Assembly;
 use super::text::{Lines, comment_lines};
-use super::{Expected, Format, Oddity, Place, Read, ReadError, WriteError};
+use super::weld::Weld;
+use super::{Expected, Format, Oddity, Place, Read, ReadError, WriteError, single};
 use crate::soup::PolygonSoup;
 
 /// Bytes before the first triangle of a binary file: a free text, then the count.
 const HEADER: usize = 84;
 /// Bytes of a triangle: normal, three corners, two bytes of attributes.
 const TRIANGLE: usize = 50;
-
-/// Joins corners at the same position.
-struct Weld {
-    assembly: Assembly,
-    vertex_at: BTreeMap<[u64; 3], u32>,
-    /// Corners met, welded or not.
-    met: usize,
-}
-
-impl Weld {
-    fn new() -> Self {
-        Self {
-            assembly: Assembly::new(),
-            vertex_at: BTreeMap::new(),
-            met: 0,
-        }
-    }
-
-    /// The vertex at a position.
-    fn corner(&mut self, position: DVec3, place: Place) -> Result<u32, ReadError> {
-        // Adding zero makes -0 and 0 one position.
-        let position = position + DVec3::ZERO;
-        let bits = position.to_array().map(f64::to_bits);
-        let next = self.assembly.n_vertices() as u32;
-        let vertex = *self.vertex_at.entry(bits).or_insert(next);
-        if vertex == next {
-            self.assembly
-                .vertex(position, place)
-                .map_err(|error| match error {
-                    ReadError::NonFiniteVertex { place, .. } => ReadError::NonFiniteVertex {
-                        number: self.met + 1,
-                        place,
-                    },
-                    other => other,
-                })?;
-        }
-        self.met += 1;
-        Ok(vertex)
-    }
-}
 
 /// Whether the file is exactly as long as its count of triangles asks for.
 ///
@@ -222,9 +181,17 @@ pub(super) fn write_ascii(soup: &PolygonSoup, comment: &str) -> Vec<u8> {
     out.into_bytes()
 }
 
-/// Writes positions rounded to single precision.
+/// How far a binary file moves a mesh to the origin, for whom to tell.
+pub(super) fn moved_by(soup: &PolygonSoup) -> Option<DVec3> {
+    let centre = single::centre(&soup.positions);
+    (centre != DVec3::ZERO).then_some(-centre)
+}
+
+/// Writes positions rounded to single precision, of a mesh far from the origin after it was moved
+/// there.
 pub(super) fn write_binary(soup: &PolygonSoup, comment: &str) -> Result<Vec<u8>, WriteError> {
-    super::error::check_single(&soup.positions)?;
+    let shift = moved_by(soup).unwrap_or(DVec3::ZERO);
+    single::check(soup.positions.iter().map(|p| *p + shift))?;
     let triangles = corner_positions(soup);
     let count = u32::try_from(triangles.len()).map_err(|_| WriteError::TooLarge {
         format: Format::Stl,
@@ -235,7 +202,8 @@ pub(super) fn write_binary(soup: &PolygonSoup, comment: &str) -> Result<Vec<u8>,
     out.reserve(TRIANGLE * count as usize);
     out.extend(count.to_le_bytes());
     for triangle in triangles {
-        let vectors = std::iter::once(normal(triangle)).chain(triangle);
+        let corners = triangle.map(|corner| corner + shift);
+        let vectors = std::iter::once(normal(triangle)).chain(corners);
         for coordinate in vectors.flat_map(|v| v.as_vec3().to_array()) {
             out.extend(coordinate.to_le_bytes());
         }

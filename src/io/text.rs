@@ -291,7 +291,7 @@ pub(super) fn parse_integer(word: &[u8]) -> Option<i64> {
 }
 
 /// A word for a message: at most 40 characters.
-fn shortened(word: &[u8]) -> String {
+pub(super) fn shortened(word: &[u8]) -> String {
     const LONGEST: usize = 40;
     // No character is longer than four bytes.
     let text = String::from_utf8_lossy(&word[..word.len().min(4 * LONGEST)]);

@@ -9,7 +9,7 @@ use umbilic::app::{
 };
 use umbilic::flow::option::{Allowed, OptionError};
 use umbilic::flow::{Advice, Cause, FlowError, Reason, Warning};
-use umbilic::io::{Expected, Extra, Format, Found, Oddity, Place, ReadError, WriteError};
+use umbilic::io::{Expected, Extra, Format, Found, Loss, Oddity, Place, ReadError, WriteError};
 use umbilic::linalg::LinalgError;
 use umbilic::mesh::shape::{Conflict, ShapeError};
 use umbilic::mesh::subdivide::SubdivisionError;
@@ -72,8 +72,8 @@ fn errors() -> Vec<(&'static str, Messages)> {
 
 fn others() -> Vec<(&'static str, Messages)> {
     groups![
-        Place, Found, Expected, Oddity, Extra, Repair, Conflict, FillNotice, Allowed, Warning,
-        Advice, Cause, Reason, Notice, RunNotice, Symptom, Label, MustBe, LinkValue,
+        Place, Found, Expected, Oddity, Extra, Loss, Repair, Conflict, FillNotice, Allowed,
+        Warning, Advice, Cause, Reason, Notice, RunNotice, Symptom, Label, MustBe, LinkValue,
     ]
     .to_vec()
 }
@@ -95,7 +95,7 @@ fn ids() -> Words {
     };
     add(errors(), true);
     add(others(), false);
-    for format in Format::ALL {
+    for format in Format::all() {
         let Value::Message(said) = Value::from(format) else {
             panic!("{format:?} has no words")
         };

@@ -90,7 +90,8 @@ test("a solver that never comes back is given up, and a later request brings the
   assert.equal((await solver.step())?.step, 3);
   const names = FakeWorker.last.asked.map(({ name }) => name);
   assert.deepEqual(names, ["load", "configure", "restore", "step"]);
-  assert.deepEqual(await solver.export("obj"), { format: "obj", bytes: Uint8Array.of(3) });
+  const own = { format: "obj", bytes: Uint8Array.of(3), losses: [] };
+  assert.deepEqual(await solver.export("obj"), own);
 });
 
 test("the page's own copy is to the bit what the solver writes, far from the origin too", async () => {
@@ -205,7 +206,7 @@ function page() {
   const status = () =>
     statusText(store.get(), made.shown(), made.player.motion.value === "playing");
   const errors = () => store.get().notes.filter(({ kind }) => kind === "error");
-  return { ...made, errors, status, load: () => made.open.open(file) };
+  return { ...made, errors, status, load: () => made.open.open([file]) };
 }
 
 test("two crashes within a second cost the stored steps, and the page says so once", async () => {
@@ -294,7 +295,7 @@ test("a refused mesh leaves the one before, and a refused option what is in forc
   const { store, open, run, load, errors, status } = page();
   await load();
   const before = store.get().mesh;
-  await open.open(/** @type {any} */ (new File(["v"], "broken.obj")));
+  await open.open([new File(["v"], "broken.obj")]);
   assert.equal(store.get().mesh, before);
   assert.equal(status(), "Ready");
   assert.equal(errors().length, 1);

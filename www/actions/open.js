@@ -138,23 +138,23 @@ export function createOpen(core, run, compare) {
     return load({ name, source, ask, options, fallback: suggested, scene, fill: sample.fill });
   }
 
-  /** @param {File} file @param {Uint8Array<ArrayBuffer>} bytes @param {Partial<Scene>} scene */
-  async function loadFile(file, bytes, scene) {
-    const name = stem(file.name);
+  /** @param {Bytes} file @param {Partial<Scene>} scene */
+  async function loadFile({ name: whole, bytes }, scene) {
+    const name = stem(whole);
     // Of what an earlier mesh was shown with, the choice of flow is the user's; the rest
     // says nothing about this one.
     const { flow, boundary, p, keep, regularise } = get().options;
     const plain = { ...defaults, boundary };
     const options = { ...plain, flow, p, keep, regularise, ...scene.options };
-    const own = { name, file: file.name, sha256: await sha256(bytes), bytes: bytes.byteLength };
+    const own = { name, file: whole, sha256: await sha256(bytes), bytes: bytes.byteLength };
     const source = /** @type {const} */ ({ kind: "file", ...own });
     if (scene.prepares) {
       const made = { origin: source, name, isPlain: false };
-      const given = { name: file.name, bytes };
+      const given = { name: whole, bytes };
       return remade(scene.prepares, made, given, { options, fallback: plain, scene });
     }
-    const ask = () => solver.load(file.name, bytes);
-    return load({ name: file.name, source, ask, options, fallback: plain, scene });
+    const ask = () => solver.load(whole, bytes);
+    return load({ name: whole, source, ask, options, fallback: plain, scene });
   }
 
   /** A recipe that was read. @typedef {{ text: string, card: RecipeCard }} Recipe */
@@ -254,6 +254,33 @@ export function createOpen(core, run, compare) {
     else notes.error({ message, hint });
   }
 
+  /**
+   * A mesh, perhaps the one that a recipe or a link waits for.
+   * @param {Bytes} file @param {Partial<Scene>} [given]
+   */
+  async function loadAwaited(file, given) {
+    if (given) return loadFile(file, given);
+    const [recipe, scene] = [awaited, linked];
+    [awaited, linked] = [null, null];
+    if (recipe && "sha256" in recipe.card.mesh) {
+      const { name, sha256: digest } = recipe.card.mesh;
+      if ((await sha256(file.bytes)) === digest) {
+        return followRecipe(recipe, { name, bytes: file.bytes });
+      }
+      await loadFile(file, {});
+      notes.answer(say("recipe-other-mesh", { name }));
+    } else if (scene) {
+      const isFile = await isLinked(scene, file.bytes);
+      const { prepares: _, follows: __, ...bare } = scene;
+      const isNamed = stem(file.name) === scene.mesh;
+      // What was done to another mesh means nothing on this one.
+      await loadFile(file, isFile || isNamed ? (isFile === false ? bare : scene) : {});
+      if (isFile === false)
+        notes.note(say("link-other-file", { name: file.name, mesh: scene.mesh }));
+      if (isFile || isNamed) check(scene, isFile);
+    } else await loadFile(file, {});
+  }
+
   const open = {
     load,
     loadSample,
@@ -267,31 +294,25 @@ export function createOpen(core, run, compare) {
         const scene = { options, arrangement, colour, comparison: null, figure: figure.id };
         return loadSample(figure.sample, scene);
       }),
-    /** A mesh, a recipe, or the mesh that a recipe or a link waits for. @param {File} file @param {Partial<Scene>} [given] */
-    open(file, given) {
+    /**
+     * A mesh, a recipe, or the mesh that a recipe or a link waits for; of several files the recipe
+     * first, then the mesh among them.
+     * @param {File[]} files @param {Partial<Scene>} [given]
+     */
+    open(files, given) {
       chosen += 1;
       return enqueue(async () => {
-        const bytes = new Uint8Array(await file.arrayBuffer());
+        const bytesOf = async (/** @type {File} */ one) => new Uint8Array(await one.arrayBuffer());
         patch({ dialog: null, welcome: false });
-        if (given) return loadFile(file, bytes, given);
-        if (/\.json$/i.test(file.name)) return readRecipe(bytes);
-        const [recipe, scene] = [awaited, linked];
-        [awaited, linked] = [null, null];
-        if (recipe && "sha256" in recipe.card.mesh) {
-          const { name, sha256: digest } = recipe.card.mesh;
-          if ((await sha256(bytes)) === digest) return followRecipe(recipe, { name, bytes });
-          await loadFile(file, bytes, {});
-          notes.answer(say("recipe-other-mesh", { name }));
-        } else if (scene) {
-          const isFile = await isLinked(scene, bytes);
-          const { prepares: _, follows: __, ...bare } = scene;
-          const isNamed = stem(file.name) === scene.mesh;
-          // What was done to another mesh means nothing on this one.
-          await loadFile(file, bytes, isFile || isNamed ? (isFile === false ? bare : scene) : {});
-          if (isFile === false)
-            notes.note(say("link-other-file", { name: file.name, mesh: scene.mesh }));
-          if (isFile || isNamed) check(scene, isFile);
-        } else await loadFile(file, bytes, {});
+        const recipeFile = given ? undefined : files.find(({ name }) => /\.json$/i.test(name));
+        if (recipeFile) await readRecipe(await bytesOf(recipeFile));
+        const rest = files.filter((one) => one !== recipeFile);
+        if (rest.length === 0) return;
+        const { meshAmong } = await import("../unpack.js");
+        const read = rest.map(async (one) => ({ name: one.name, bytes: await bytesOf(one) }));
+        const { name, bytes, others } = await meshAmong(await Promise.all(read));
+        await loadAwaited({ name, bytes }, given);
+        if (others.length > 0) notes.note(say("unpack-others", { name, others }), "unpack-others");
       });
     },
 

@@ -190,6 +190,7 @@ export function createRun(core, adopt) {
       if (format === "csv") return { format, bytes: await solver.history() };
       const file = await solver.export(format);
       if (file.format !== format) notes.answer(say("saved-own-copy"));
+      for (const loss of file.losses) notes.note(say(loss), loss.id);
       return file;
     },
   };

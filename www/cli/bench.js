@@ -8,9 +8,11 @@ import { perform } from "../session.js";
 import { say } from "../words.js";
 import { command } from "./command.js";
 import { orExit, usage } from "./failure.js";
-import { isMesh, readInput } from "./files.js";
+import { isMesh, readHelp, readInput, readMesh } from "./files.js";
 import { readFlags, typed } from "./options.js";
 import { table } from "./text.js";
+
+/** @typedef {import("./terminal.js").Terminal} Terminal */
 
 export const bench = command({
   name: "bench",
@@ -20,11 +22,11 @@ export const bench = command({
   options: {
     meshes: { value: "DIR", help: "of the table robustness: meshes to try every flow on" },
   },
-  async ask(values) {
+  async ask(values, _, io) {
     const options = await readFlags("bench", typed(schema.bench, values));
     if (values.meshes === undefined) return options;
     if (options.table !== "robustness") throw usage("--meshes needs --table robustness.");
-    return { ...options, meshes: meshesIn(values.meshes) };
+    return { ...options, meshes: await meshesIn(values.meshes, io) };
   },
   run({ session, asked: options, io }) {
     const { columns, left, digits, row } = orExit(4, () => perform(session, "bench", { options }));
@@ -51,8 +53,8 @@ function cell(value, digits) {
   return digits ? String(Number(value.toPrecision(digits))) : value.toFixed(1);
 }
 
-/** Mesh files of a folder, by name. @param {string} folder */
-function meshesIn(folder) {
+/** Mesh files of a folder, by name. @param {string} folder @param {Terminal} io */
+async function meshesIn(folder, io) {
   let names;
   try {
     names = readdirSync(folder).filter(isMesh).sort();
@@ -60,7 +62,12 @@ function meshesIn(folder) {
     throw usage(`${folder} is not a folder: ${/** @type {Error} */ (error).message}.`);
   }
   if (names.length === 0) {
-    throw usage(`${folder} holds no mesh.`, "Meshes are OBJ, OFF, PLY or STL files.");
+    throw usage(`${folder} holds no mesh.`, `Meshes end in ${readHelp}.`);
   }
-  return names.map((name) => ({ name, bytes: readInput(path.join(folder, name)) }));
+  const meshes = names.map(async (name) => {
+    const file = path.join(folder, name);
+    // An archive that cannot be unpacked is refused in its row, as any other file.
+    return readMesh(file, io).catch(() => ({ name, bytes: readInput(file) }));
+  });
+  return Promise.all(meshes);
 }

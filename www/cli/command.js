@@ -4,7 +4,7 @@
 
 import { perform } from "../session.js";
 import { orExit } from "./failure.js";
-import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
+import { checkOutputs, formatOf, readMesh, writeMesh, writeOutput, writtenHelp } from "./files.js";
 import { flagsOf, parse, readFlags, typed } from "./options.js";
 import { print } from "./text.js";
 
@@ -42,7 +42,7 @@ import { print } from "./text.js";
  * @property {readonly Row[]} [rows]  options that the solver reads
  * @property {string} [words]  what the names of their words begin with
  * @property {Options} [options]  others
- * @property {(values: Values, operands: string[]) => Promise<any>} [ask]  what is asked of the
+ * @property {(values: Values, operands: string[], io: Terminal) => Promise<any>} [ask]  what is asked of the
  *   solver; the options of the rows unless given
  * @property {(done: { session: Session, asked: any, values: Values, operands: string[],
  *   io: Terminal }) => Done} run
@@ -50,7 +50,7 @@ import { print } from "./text.js";
 
 /** @type {Options} */
 export const out = {
-  out: { value: "FILE", help: "the mesh at the end: .obj, .off, .ply, .stl or .glb" },
+  out: { value: "FILE", help: `the mesh at the end: ${writtenHelp}` },
 };
 
 /** @param {Spec} spec @returns {Command} */
@@ -69,20 +69,15 @@ export function command({
     syntax,
     async run({ parameters, io, open }) {
       const { operands: given, values } = await parse(parameters, syntax);
-      const asked = await ask(values, given);
+      const asked = await ask(values, given, io);
       const format = values.out && formatOf(values.out);
       const written = Object.keys(syntax.options).filter((key) => syntax.options[key].written);
       checkOutputs(["out", ...written].map((key) => values[key]));
-      const mesh = operands[0] === "MESH" ? readMesh(given[0], io) : null;
+      const mesh = operands[0] === "MESH" ? await readMesh(given[0], io) : null;
       const session = await open();
       if (mesh) orExit(3, () => perform(session, "load", mesh));
       const done = spec.run({ session, asked, values, operands: given, io });
-      if (format) {
-        writeOutput(
-          values.out,
-          orExit(3, () => perform(session, "export", { format })),
-        );
-      }
+      if (format) writeMesh(session, values.out, io);
       for (const [key, content] of Object.entries(done.files ?? {})) {
         if (values[key] !== undefined) writeOutput(values[key], content());
       }

@@ -6,6 +6,7 @@ import { perform } from "../session.js";
 import { bench } from "./bench.js";
 import { command, out } from "./command.js";
 import { orExit } from "./failure.js";
+import { readHelp } from "./files.js";
 import { fill, flow } from "./flow.js";
 import { replay } from "./replay.js";
 import { shape } from "./shape.js";
@@ -69,7 +70,9 @@ Willmore-type geometric flows on triangle meshes.
 
 ${rows.join("\n")}
 
-MESH is an OBJ, OFF, PLY or STL file, or - for standard input.
+MESH is a file that ends in
+${readHelp},
+or - for standard input.
 umbilic <command> --help lists a command's options; --version tells the version.
 Exit codes: 0 done, 2 bad usage, 3 refused input, 4 the surface could not be kept good: a failure,
 a singularity or a collapse.

@@ -1,33 +1,67 @@
 // @ts-check
 // Files in and out.
 
-import { accessSync, constants, readFileSync, statSync, writeFileSync } from "node:fs";
+import { accessSync, constants, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { Failure, usage } from "./failure.js";
+import {
+  endingOf,
+  isMeshName,
+  packedEndings,
+  readEndings,
+  writtenAs,
+  writtenEndings,
+} from "../mesh-format.js";
+import { perform } from "../session.js";
+import { meshAmong } from "../unpack.js";
+import { say, sayFault } from "../words.js";
+import { Failure, isRefusal, orExit, usage } from "./failure.js";
 
+/** @typedef {import("../pkg/solver/solver.js").Session} Session */
 /** @typedef {import("./terminal.js").Terminal} Terminal */
 
-/** The solver's name of a format by ending of the file name. */
-const formats = new Map([
-  [".obj", "obj"],
-  [".off", "off"],
-  [".ply", "ply"],
-  [".stl", "stl"],
-  [".glb", "glb"],
-]);
+/** Whether a file's name is that of a mesh that can be read, packed or not. @param {string} file */
+export const isMesh = (file) => isMeshName(file) || packedEndings.includes(endingOf(file));
 
-/** Whether a file's name is that of a mesh that can be read. @param {string} file */
-export const isMesh = (file) => /\.(?:obj|off|ply|stl)$/i.test(file);
+/** Formats, as help names them: those that are written, and those that are read. */
+export const writtenHelp = list(writtenEndings, "or");
+export const readHelp = `${list(readEndings, "or")}, also in ${list(packedEndings, "or")}`;
+
+/** @param {string[]} names @param {string} word  before the last */
+function list(names, word) {
+  return `${names.slice(0, -1).join(", ")} ${word} ${names.at(-1)}`;
+}
 
 /**
- * The bytes of a mesh file; `-` is standard input.
+ * The mesh in a file, unpacked, with the files beside it that it names; `-` is standard input.
  * @param {string} file
  * @param {Terminal} io
- * @returns {{ bytes: Uint8Array, name: string }}
+ * @returns {Promise<{ bytes: Uint8Array<ArrayBuffer>, name: string }>}
  */
-export function readMesh(file, io) {
-  if (file === "-") return { bytes: io.read(), name: "stdin" };
-  return { bytes: readInput(file), name: path.basename(file) };
+export async function readMesh(file, io) {
+  const isInput = file === "-";
+  const bytes = Uint8Array.from(isInput ? io.read() : readInput(file));
+  const name = isInput ? "stdin" : path.basename(file);
+  const beside = endingOf(name) === ".gltf" ? buffersBeside(file, bytes) : [];
+  try {
+    const { others, ...mesh } = await meshAmong([{ name, bytes }, ...beside]);
+    if (others.length > 0) io.log(say("unpack-others", { name: mesh.name, others }));
+    return mesh;
+  } catch (error) {
+    if (!isRefusal(error)) throw error;
+    const { kind, message, hint } = sayFault(error);
+    throw new Failure(3, kind, message, hint);
+  }
+}
+
+/** Files that a glTF file keeps its numbers in. @param {string} file @param {Uint8Array} bytes */
+function buffersBeside(file, bytes) {
+  const uris = [...new TextDecoder().decode(bytes).matchAll(/"uri"\s*:\s*"([^":]+)"/g)];
+  const names = uris.map(([, uri]) => decodeURI(uri));
+  const found = names.filter((name) => existsSync(path.join(path.dirname(file), name)));
+  return found.map((name) => ({
+    name,
+    bytes: Uint8Array.from(readInput(path.join(path.dirname(file), name))),
+  }));
 }
 
 /**
@@ -84,12 +118,26 @@ export function checkOutputs(files) {
  * @returns {any}  a name that `Session.export` knows
  */
 export function formatOf(file) {
-  const format = formats.get(path.extname(file).toLowerCase());
+  const format = writtenAs(file);
   if (format) return format;
   throw usage(
     `${file} does not say which format to write.`,
-    `End its name in ${[...formats.keys()].join(", ")}.`,
+    `End its name in ${list(writtenEndings, "or")}.`,
   );
+}
+
+/**
+ * Writes the session's mesh in the format that the file's name asks for, and says what that lacks.
+ * @param {Session} session @param {string} file @param {Terminal} io
+ */
+export function writeMesh(session, file, io) {
+  const format = formatOf(file);
+  const [bytes, losses] = orExit(3, () => [
+    perform(session, "export", { format }),
+    perform(session, "losses", { format }),
+  ]);
+  writeOutput(file, bytes);
+  for (const loss of losses) io.log(say(loss));
 }
 
 /**

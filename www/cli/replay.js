@@ -5,7 +5,7 @@ import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { perform } from "../session.js";
 import { Failure, orExit, usage } from "./failure.js";
-import { checkOutputs, formatOf, readMesh, writeOutput } from "./files.js";
+import { checkOutputs, formatOf, readMesh, writeMesh, writtenHelp } from "./files.js";
 import { parse } from "./options.js";
 import { table } from "./text.js";
 
@@ -18,7 +18,7 @@ const syntax = {
   summary: "does again what a recipe says, and compares",
   operands: ["RECIPE.json", "[MESH]"],
   options: {
-    out: { value: "FILE", help: "the mesh at the end: .obj, .off, .ply, .stl or .glb" },
+    out: { value: "FILE", help: `the mesh at the end: ${writtenHelp}` },
   },
 };
 
@@ -28,13 +28,13 @@ export const replay = {
   async run({ parameters, io, open }) {
     const { operands, values } = await parse(parameters, syntax);
     checkOutputs([values.out]);
-    const outFormat = values.out && formatOf(values.out);
+    if (values.out) formatOf(values.out);
     const [file, given] = operands;
     const text = textOf(file, io);
     const session = await open();
     const { mesh, flow, estimate } = orExit(3, () => perform(session, "readRecipe", { text }));
     const script = { recipe: text };
-    const bytes = meshOf(mesh, file, given, io);
+    const bytes = await meshOf(mesh, file, given, io);
     if (estimate.isLong) io.log(`The recipe runs about ${estimate.steps} steps.`);
     orExit(3, () => {
       perform(session, "prepare", { script, bytes, name: "" });
@@ -46,7 +46,7 @@ export const replay = {
       advance(session, io);
     });
     const report = perform(session, "compareRecipe", { text });
-    if (values.out) writeOutput(values.out, perform(session, "export", { format: outFormat }));
+    if (values.out) writeMesh(session, values.out, io);
     const { same, exact, tolerance, steps, expected, got } = report;
     const how = { same, exact, ...(exact ? {} : { tolerance }) };
     if (values.json) io.write(`${JSON.stringify({ ...how, steps, expected, got })}\n`);
@@ -73,7 +73,7 @@ function textOf(file, io) {
  * @param {string | undefined} given
  * @param {Terminal} io
  */
-function meshOf(mesh, file, given, io) {
+async function meshOf(mesh, file, given, io) {
   if ("shape" in mesh) {
     if (given) throw usage(`The recipe begins with the sample ${mesh.shape}: ${given} has no use.`);
     return null;
@@ -84,7 +84,7 @@ function meshOf(mesh, file, given, io) {
     const hint = "Give it after the recipe, or put it beside it.";
     throw usage(`The recipe begins with the mesh ${mesh.name}, which is missing.`, hint);
   }
-  return Uint8Array.from(readMesh(found, io).bytes);
+  return (await readMesh(found, io)).bytes;
 }
 
 /** Does what was begun, to its end. @param {Session} session @param {Terminal} io */

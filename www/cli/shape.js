@@ -4,6 +4,7 @@
 import { perform } from "../session.js";
 import { command } from "./command.js";
 import { orExit, usage } from "./failure.js";
+import { writtenHelp } from "./files.js";
 import { parse } from "./options.js";
 import { loadSolver } from "./solver.js";
 import { format, table } from "./text.js";
@@ -20,7 +21,7 @@ const shapeWith = (parameters) =>
     summary: "writes a sample shape; its parameters are options",
     operands: ["NAME"],
     options: {
-      out: { value: "FILE", help: "the mesh: .obj, .off, .ply, .stl or .glb" },
+      out: { value: "FILE", help: `the mesh: ${writtenHelp}` },
       selection: {
         value: "FILE.json",
         written: true,

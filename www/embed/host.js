@@ -145,7 +145,7 @@ export function createEmbedding(page) {
       const file = fileOf(request);
       const address = { search: "", hash: asHash(request.scene ?? "") };
       const scene = file && (await open.readLink(address));
-      if (file) await open.open(file, scene ?? {});
+      if (file) await open.open([file], scene ?? {});
       else await open.openLink(address, plainScene);
       await open.still();
       arrived();

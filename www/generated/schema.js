@@ -1,6 +1,7 @@
 // @ts-check
-// Flows and options as the solver knows them. Written from src/flow/spec.rs,
-// src/flow/option/rows.rs, src/app/given.rs and src/app/options.rs by `UPDATE_SCHEMA=1 cargo test --test schema`.
+// Flows, options and file formats as the solver knows them. Written from src/flow/spec.rs,
+// src/flow/option/rows.rs, src/app/given.rs, src/app/options.rs and src/io/format.rs by
+// `UPDATE_SCHEMA=1 cargo test --test schema`.
 
 /**
  * What an option may be, and what reads it. `absent` is the word for null.
@@ -35,6 +36,8 @@
  * @property {'clamped' | 'fixed' | 'free' | null} boundary  unless told otherwise
  * @property {Partial<FlowOptions>} sets  options of its family that make it this flow
  */
+
+/** A format of mesh files. @typedef {{ name: string, extensions: readonly string[], isWritten: boolean }} MeshFormat */
 
 /** @typedef {'circle' | 'p-willmore' | 'mean-curvature' | 'volume-preserving' | 'surface-diffusion' | 'willmore' | 'mmcv' | 'flips'} FlowName */
 
@@ -171,4 +174,21 @@ export const bench = [
   {"absent":null,"default":3,"flag":"steps","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"steps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"scheme":null,"unit":"steps"},
   {"absent":"all","default":null,"flag":"figures","flows":[],"goal":null,"group":"surface","ids":["circle-6","circle-6-adaptive","circle-7-fixed","circle-7-free","circle-8","circle-8-long","circle-9","circle-10","circle-11","circle-12-10","circle-12-100","p-willmore-1","p-willmore-2-p0","p-willmore-2-p2","p-willmore-2-p4","p-willmore-3-linear","p-willmore-3-nonlinear","p-willmore-4","p-willmore-5","p-willmore-6","p-willmore-6-blob","p-willmore-7","p-willmore-8","p-willmore-9","p-willmore-9-off","p-willmore-10-p0","p-willmore-10-p2","p-willmore-10-p4","p-willmore-11","p-willmore-12-p0","p-willmore-12-p2","p-willmore-12-p4","flips-6","flips-6-curvature","flips-7","flips-8","flips-8-volume","curvature-5.1-cylinder","curvature-5.1-sphere","curvature-5.4","curvature-5.2-two","curvature-5.2-three","curvature-5.2-six","curvature-5.3","curvature-5.5","curvature-5.6","volume-preserving-round"],"kind":"set","name":"figures","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
   {"absent":null,"default":false,"flag":"quick","flows":[],"goal":null,"group":"budget","ids":[],"kind":"switch","name":"quick","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+];
+
+/** @type {readonly MeshFormat[]} */
+export const meshFormats = [
+  {"extensions":["ply"],"isWritten":true,"name":"ply"},
+  {"extensions":["ply"],"isWritten":true,"name":"ply-ascii"},
+  {"extensions":["ply"],"isWritten":true,"name":"ply-big"},
+  {"extensions":["obj"],"isWritten":true,"name":"obj"},
+  {"extensions":["off"],"isWritten":true,"name":"off"},
+  {"extensions":["stl"],"isWritten":true,"name":"stl"},
+  {"extensions":["stl"],"isWritten":true,"name":"stl-ascii"},
+  {"extensions":["glb"],"isWritten":true,"name":"glb"},
+  {"extensions":["gltf"],"isWritten":false,"name":"gltf"},
+  {"extensions":["3mf"],"isWritten":false,"name":"3mf"},
+  {"extensions":["vtk"],"isWritten":false,"name":"vtk"},
+  {"extensions":["vtp","vtu"],"isWritten":false,"name":"vtp"},
+  {"extensions":["msh"],"isWritten":false,"name":"msh"},
 ];

@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -347,6 +347,10 @@ name: string, } } | { "follow": {
  * Which.
  */
 script: ScriptText, } } | { "advance": Record<symbol, never> } | { "cancelReplay": Record<symbol, never> } | { "export": { 
+/**
+ * Its format by name.
+ */
+format: string, } } | { "losses": { 
 /**
  * Its format by name.
  */

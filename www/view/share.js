@@ -3,7 +3,7 @@
 
 import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
-import { formats, meshFormats, named } from "../options.js";
+import { formats, named, savedMeshes } from "../options.js";
 import { elementCode, iframeCode, pageAddress, sayLack, sizes } from "../share.js";
 import { sceneTitle } from "../status.js";
 import { say } from "../words.js";
@@ -64,7 +64,7 @@ async function measure(page) {
 function zip(page) {
   const id = idOf("sequence-every");
   return html`
-    ${select(say("each-step-as"), named(meshFormats, "save-as"), sequence.format.value, (to) => {
+    ${select(say("each-step-as"), named(savedMeshes, "save-as"), sequence.format.value, (to) => {
       sequence.format.value = to;
       measure(page);
     })}

@@ -1,8 +1,9 @@
 //! The body of a PLY file, text or binary, behind one interface.
 
+use super::super::binary::{Cursor, Scalar};
 use super::super::text::{Lines, Words};
 use super::super::{Expected, Format, Place, ReadError};
-use super::header::{Element, Header, Scalar};
+use super::header::{Element, Header};
 
 /// Values of an element's records, in the header's order.
 pub(super) trait Body {
@@ -93,60 +94,18 @@ impl Body for Text<'_> {
 }
 
 /// A body in binary, big or little endian.
-pub(super) struct Binary<'a, const BIG: bool> {
-    bytes: &'a [u8],
-    at: usize,
-}
+pub(super) struct Binary<'a>(Cursor<'a>);
 
-impl<'a, const BIG: bool> Binary<'a, BIG> {
+impl<'a> Binary<'a> {
     pub(super) fn new(header: &Header, bytes: &'a [u8]) -> Self {
-        Self {
-            bytes,
-            at: header.body,
-        }
-    }
-
-    fn left(&self) -> &'a [u8] {
-        &self.bytes[self.at..]
-    }
-
-    fn check_left(&self, needed: u64) -> Result<(), ReadError> {
-        let available = self.left().len();
-        if needed <= available as u64 {
-            return Ok(());
-        }
-        Err(ReadError::Truncated {
-            offset: self.at,
-            needed,
-            available,
-        })
-    }
-
-    fn take<const N: usize>(&mut self) -> Result<[u8; N], ReadError> {
-        match self.left().first_chunk::<N>() {
-            Some(chunk) => {
-                let mut chunk = *chunk;
-                self.at += N;
-                if BIG {
-                    chunk.reverse();
-                }
-                Ok(chunk)
-            }
-            None => {
-                let available = self.left().len();
-                Err(ReadError::Truncated {
-                    offset: self.at,
-                    needed: N as u64,
-                    available,
-                })
-            }
-        }
+        let big = header.format == Format::PlyBigEndian;
+        Self(Cursor::new(bytes, header.body, big))
     }
 }
 
-impl<const BIG: bool> Body for Binary<'_, BIG> {
+impl Body for Binary<'_> {
     fn format(&self) -> Format {
-        if BIG {
+        if self.0.big {
             Format::PlyBigEndian
         } else {
             Format::Ply
@@ -160,7 +119,7 @@ impl<const BIG: bool> Body for Binary<'_, BIG> {
         }
         // Where all records are alike the file must hold them to the last byte; with
         // lists this is the least, and each list is checked on its own.
-        self.check_left(element.count.saturating_mul(size as u64))?;
+        self.0.check(element.count.saturating_mul(size as u64))?;
         checked(element, u64::MAX)
     }
 
@@ -169,31 +128,19 @@ impl<const BIG: bool> Body for Binary<'_, BIG> {
     }
 
     fn place(&self) -> Place {
-        Place::Byte { byte: self.at }
+        self.0.place()
     }
 
     fn value(&mut self, scalar: Scalar, _: Expected) -> Result<f64, ReadError> {
-        Ok(match scalar {
-            Scalar::I8 => i8::from_le_bytes(self.take()?).into(),
-            Scalar::U8 => u8::from_le_bytes(self.take()?).into(),
-            Scalar::I16 => i16::from_le_bytes(self.take()?).into(),
-            Scalar::U16 => u16::from_le_bytes(self.take()?).into(),
-            Scalar::I32 => i32::from_le_bytes(self.take()?).into(),
-            Scalar::U32 => u32::from_le_bytes(self.take()?).into(),
-            Scalar::F32 => f32::from_le_bytes(self.take()?).into(),
-            Scalar::F64 => f64::from_le_bytes(self.take()?),
-        })
+        self.0.value(scalar)
     }
 
     fn check_list(&self, scalar: Scalar, length: u64) -> Result<(), ReadError> {
-        self.check_left(length.saturating_mul(scalar.size() as u64))
+        self.0.check(length.saturating_mul(scalar.size() as u64))
     }
 
     fn skip(&mut self, scalar: Scalar, count: u64) -> Result<(), ReadError> {
-        let size = count.saturating_mul(scalar.size() as u64);
-        self.check_left(size)?;
-        // No more than is left, so it fits.
-        self.at += size as usize;
+        self.0.take(count.saturating_mul(scalar.size() as u64))?;
         Ok(())
     }
 }

@@ -1,5 +1,6 @@
 //! The header of a PLY file: which elements follow, how many, made of what.
 
+use super::super::binary::Scalar;
 use super::super::text::{Lines, Words};
 use super::super::{Expected, Format, Place, ReadError};
 
@@ -7,48 +8,19 @@ use super::super::{Expected, Format, Place, ReadError};
 const PLY: Expected = Expected::Keyword { word: "ply" };
 const END: Expected = Expected::Keyword { word: "end_header" };
 
-/// The numeric types of PLY.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Scalar {
-    I8,
-    U8,
-    I16,
-    U16,
-    I32,
-    U32,
-    F32,
-    F64,
-}
-
-impl Scalar {
-    /// The type of that name, old style or new.
-    fn from_name(name: &[u8]) -> Option<Self> {
-        Some(match name {
-            b"char" | b"int8" => Self::I8,
-            b"uchar" | b"uint8" => Self::U8,
-            b"short" | b"int16" => Self::I16,
-            b"ushort" | b"uint16" => Self::U16,
-            b"int" | b"int32" => Self::I32,
-            b"uint" | b"uint32" => Self::U32,
-            b"float" | b"float32" => Self::F32,
-            b"double" | b"float64" => Self::F64,
-            _ => return None,
-        })
-    }
-
-    pub(super) fn is_integer(self) -> bool {
-        !matches!(self, Self::F32 | Self::F64)
-    }
-
-    /// Bytes in a binary file.
-    pub(super) fn size(self) -> usize {
-        match self {
-            Self::I8 | Self::U8 => 1,
-            Self::I16 | Self::U16 => 2,
-            Self::I32 | Self::U32 | Self::F32 => 4,
-            Self::F64 => 8,
-        }
-    }
+/// The type of that name, old style or new.
+fn scalar_named(name: &[u8]) -> Option<Scalar> {
+    Some(match name {
+        b"char" | b"int8" => Scalar::I8,
+        b"uchar" | b"uint8" => Scalar::U8,
+        b"short" | b"int16" => Scalar::I16,
+        b"ushort" | b"uint16" => Scalar::U16,
+        b"int" | b"int32" => Scalar::I32,
+        b"uint" | b"uint32" => Scalar::U32,
+        b"float" | b"float32" => Scalar::F32,
+        b"double" | b"float64" => Scalar::F64,
+        _ => return None,
+    })
 }
 
 /// What a property is to the reader.
@@ -114,7 +86,7 @@ impl Property {
 fn read_type<'a>(words: &mut Words<'a>) -> Result<(Scalar, &'a [u8]), ReadError> {
     const EXPECTED: Expected = Expected::NumberType;
     let word = words.word(EXPECTED)?;
-    let scalar = Scalar::from_name(word).ok_or_else(|| words.error(Some(word), EXPECTED))?;
+    let scalar = scalar_named(word).ok_or_else(|| words.error(Some(word), EXPECTED))?;
     Ok((scalar, word))
 }
 

@@ -22,8 +22,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     let header = Header::read(bytes)?;
     match header.format {
         Format::PlyAscii => read_body(&header, Text::new(&header, bytes)?),
-        Format::PlyBigEndian => read_body(&header, Binary::<true>::new(&header, bytes)),
-        _ => read_body(&header, Binary::<false>::new(&header, bytes)),
+        _ => read_body(&header, Binary::new(&header, bytes)),
     }
 }
 
@@ -113,8 +112,7 @@ fn read_face(
     assembly.face(corners, place)
 }
 
-/// Triangles of strips that follow each other in one list, a negative number between two: each
-/// corner after the second makes one with the two before it, every other turned round.
+/// Triangles of strips that follow each other in one list, a negative number between two.
 fn read_strips(
     element: &Element,
     header: &Header,
@@ -137,15 +135,7 @@ fn read_strips(
                 continue;
             }
             corners.push(vertex(index, header, place)?);
-            let is_turned = corners.len().is_multiple_of(2);
-            if let [.., a, b, c] = **corners
-                && a != b
-                && b != c
-                && c != a
-            {
-                // A corner that repeats joins two parts of a strip.
-                assembly.face(&if is_turned { [b, a, c] } else { [a, b, c] }, place)?;
-            }
+            assembly.strip(corners, place)?;
         }
     }
     Ok(())
@@ -247,7 +237,7 @@ mod tests {
                     .unwrap()
                     .check_count(&header.elements[0])
             } else {
-                Binary::<false>::new(&header, &bytes).check_count(&header.elements[0])
+                Binary::new(&header, &bytes).check_count(&header.elements[0])
             };
             assert_eq!(count, Ok(0));
         }

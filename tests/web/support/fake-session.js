@@ -133,6 +133,10 @@ export class FakeSession {
     return Buffer.from(`${format} of step ${this.step_}`);
   }
 
+  losses() {
+    return [];
+  }
+
   history() {
     return "step,energy\n";
   }

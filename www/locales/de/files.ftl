@@ -12,6 +12,11 @@ format-ply-big = PLY (big-endian)
 format-stl = binäres STL
 format-stl-ascii = STL (ASCII)
 format-glb = GLB
+format-gltf = glTF
+format-3mf = 3MF
+format-vtk = VTK
+format-vtp = VTK-XML
+format-msh = MSH
 
 ## Was in einer Datei steht, und was stehen sollte
 
@@ -39,19 +44,43 @@ expected-number-type = ein Typ wie float oder uchar
 expected-one-element-each = Ecken und Facetten in je einem Element
 expected-vertex-properties = je eine Eigenschaft `x`, `y` und `z` im Element vertex
 expected-face-property = eine Liste `vertex_indices` ganzer Zahlen im Element face
+expected-cell-count = die Anzahl oder das Ende der Zellen
+expected-cell-type = eine bekannte Art von Zelle
+expected-vertex-number = eine Nummer, die keine andere Ecke hat
+expected-xml-element = `{ $name }` von XML
+expected-xml-attribute = das Attribut { $name } mit passendem Wert
+expected-json-value = wohlgeformtes JSON
+expected-json-member = ein passendes `{ $name }`
+expected-base64 = vollständiger Base64-Text
+expected-compressed = unbeschädigte zlib-Daten
+expected-model-object = die Nummer eines Objekts, das nicht Teil von sich selbst ist
+expected-transform = zwölf Zahlen
 
 ## Dateien, die abgelehnt werden
 
 read-empty = die Datei ist leer
     .hint = Prüfen Sie, ob der Export oder das Herunterladen zu Ende kam.
-read-unknown-format = `{ $name }` ist nicht als OBJ, OFF, PLY oder STL zu erkennen
-    .hint = Öffnen Sie eine OBJ-, OFF-, PLY- oder STL-Datei.
+read-unknown-format = `{ $name }` ist nicht als Netz zu erkennen
+    .hint = Öffnen Sie eine Datei mit einer dieser Endungen: { $known }.
 read-unsupported = Dateien der Art { $what ->
-    [gltf] glTF
+    [vtk-data-set] VTK ohne polygonale Daten oder unstrukturiertes Gitter
+    [vtk-compressor] VTK, anders als durch zlib komprimiert,
+    [msh-version] MSH einer anderen Version als 2 oder 4.1
+    [gltf-version] glTF einer anderen Version als 2
+    [gltf-external] glTF mit Daten in anderen Dateien
+    [gltf-draco] glTF, durch Draco komprimiert,
+    [gltf-meshopt] glTF, durch meshopt komprimiert,
+    [gltf-sparse] glTF mit dünn besetzten Feldern (sparse)
     [binary-off] binäres OFF
    *[nd-off] höherdimensionales OFF
 } lassen sich nicht lesen
-    .hint = Exportieren Sie die Fläche als OBJ, PLY oder STL.
+    .hint = { $what ->
+        [gltf-external] Öffnen Sie die .gltf zusammen mit den Dateien neben ihr, oder exportieren Sie eine GLB.
+        [gltf-draco] Exportieren Sie ohne Kompression.
+        [gltf-meshopt] Exportieren Sie ohne Kompression.
+        [msh-version] Sichern Sie sie als MSH 4.1 oder 2.2.
+       *[other] Exportieren Sie die Fläche als OBJ, PLY oder STL.
+    }
 read-not-text = { $format }: Byte { $offset } ist kein Text
     .hint = Die Datei ist binär oder UTF-16-Text; sichern Sie sie als UTF-8, oder geben Sie ihr die richtige Endung.
 read-syntax = { $format }, { $place }: { $found } gefunden, erwartet wurde { $expected }
@@ -61,6 +90,7 @@ read-decimal-comma = { $format }, { $place }: { $found } gefunden, erwartet wurd
 read-index-out-of-range = { $format }, { $place }: Eine Facette nennt Ecke { $index }, die Datei hat { $vertices }
     .hint = { $format ->
         [OBJ] OBJ zählt Ecken ab 1 oder ab -1 rückwärts. Exportieren Sie die Datei neu.
+        [MSH] MSH nennt Ecken bei eigenen Nummern. Exportieren Sie die Datei neu.
        *[other] Dieses Format zählt Ecken ab 0. Exportieren Sie die Datei neu.
     }
 read-non-finite-vertex = { $place }: Ecke Nummer { $number } (ab 1 gezählt) ist nicht endlich
@@ -68,6 +98,7 @@ read-non-finite-vertex = { $place }: Ecke Nummer { $number } (ab 1 gezählt) ist
 read-truncated = die Datei bricht ab: { $needed } Bytes werden ab Byte { $offset } gebraucht, { $available } sind da
     .hint = Das Herunterladen oder Kopieren endete wohl zu früh; holen Sie die Datei noch einmal.
 read-count-too-large = { $place } kündigt { $count } { $what ->
+    [bytes] Bytes Speicher
     [vertices] Ecken
     [faces] Facetten
     [corners] Ecken von Facetten
@@ -96,11 +127,21 @@ oddity-bytes-left = { $count ->
 oddity-no-end = Der letzte Körper hat kein Ende; vielleicht bricht die Datei ab.
 oddity-uncounted = Der Kopf zählt keine Dreiecke; bis zum Ende der Datei wurden { $count } gelesen.
 oddity-fourth-numbers = { $count } Ecken haben eine vierte Zahl, zuerst bei { $first }; sie blieb unbeachtet.
+oddity-other-cells = Punkte, Linien und Körper gehören zu keiner Fläche und wurden übergangen: { $count }, zuerst bei { $first }.
+oddity-seams-joined = { $count ->
+    [one] { $count } Ecke am Ort einer anderen wurde
+   *[other] { $count } Ecken am Ort einer anderen wurden
+} mit ihr vereinigt: Das Format teilt Ecken an Nähten.
 oddity-left-out = Weggelassen: { $what }.
 extra-colours = Farben
 extra-texture-coordinates = Texturkoordinaten
 extra-materials = Materialien
 extra-groups = Gruppen
+extra-data = Werte an Ecken und Zellen
+
+## Was einer geschriebenen Datei fehlt
+
+loss-moved = { $format } hat Koordinaten einfacher Genauigkeit: Das Netz wurde an den Ursprung verschoben, um ({ NUMBER($x) }, { NUMBER($y) }, { NUMBER($z) }). PLY, OBJ und OFF behalten seinen Ort.
 
 ## Netze, die sich nicht schreiben lassen
 
@@ -114,5 +155,7 @@ write-beyond-single = Ecke { $vertex } lässt sich nicht als 32-Bit-Gleitkommaza
     .hint = Verkleinern Sie das Netz, oder nehmen Sie OBJ, OFF oder PLY: Sie behalten doppelte Genauigkeit.
 write-normal-count = { $normals } Normalen für { $vertices } Ecken angegeben
     .hint = Das ist ein Fehler des Programms; bitte melden Sie ihn.
+write-read-only = { $format } wird gelesen und nicht geschrieben
+    .hint = Nehmen Sie PLY, OBJ, OFF, STL oder GLB.
 write-too-large = das Netz ist zu groß für { $format }
     .hint = Nehmen Sie OBJ, OFF oder PLY.

@@ -346,6 +346,7 @@ lack-regionTooLong = Der bemalte Bereich ist zu groß für einen Link und fehlt 
 lack-pathTooLong = Was unterwegs geändert wurde, ist zu groß für einen Link: ein heruntergeladenes Rezept schicken.
 save-as-ply = PLY
 save-as-ply-ascii = PLY, Text
+save-as-ply-big = PLY, big-endian
 save-as-obj = OBJ
 save-as-off = OFF
 save-as-stl = STL

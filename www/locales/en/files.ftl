@@ -12,6 +12,11 @@ format-ply-big = big-endian PLY
 format-stl = binary STL
 format-stl-ascii = ASCII STL
 format-glb = GLB
+format-gltf = glTF
+format-3mf = 3MF
+format-vtk = VTK
+format-vtp = VTK XML
+format-msh = MSH
 
 ## What stands in a file, and what should
 
@@ -39,19 +44,43 @@ expected-number-type = a type such as float or uchar
 expected-one-element-each = vertices and faces in one element each
 expected-vertex-properties = one property each `x`, `y` and `z` in element vertex
 expected-face-property = one list `vertex_indices` of integers in element face
+expected-cell-count = the number or the end of cells
+expected-cell-type = a known type of cell
+expected-vertex-number = a number that no other vertex has
+expected-xml-element = `{ $name }` of XML
+expected-xml-attribute = the attribute { $name } with a fitting value
+expected-json-value = well-formed JSON
+expected-json-member = a fitting `{ $name }`
+expected-base64 = whole base64 text
+expected-compressed = undamaged zlib data
+expected-model-object = the number of an object that is not part of itself
+expected-transform = twelve numbers
 
 ## Files that are refused
 
 read-empty = the file is empty
     .hint = Check that the export or download finished.
-read-unknown-format = `{ $name }` is not recognised as OBJ, OFF, PLY or STL
-    .hint = Open an OBJ, OFF, PLY or STL file.
+read-unknown-format = `{ $name }` is not recognised as a mesh
+    .hint = Open a file that ends in one of these: { $known }.
 read-unsupported = { $what ->
-    [gltf] glTF
+    [vtk-data-set] VTK without polygonal data or an unstructured grid: such
+    [vtk-compressor] VTK compressed by anything but zlib: such
+    [msh-version] MSH of another version than 2 or 4.1: such
+    [gltf-version] glTF of another version than 2: such
+    [gltf-external] glTF with its data in other files: such
+    [gltf-draco] Draco-compressed glTF
+    [gltf-meshopt] meshopt-compressed glTF
+    [gltf-sparse] glTF with sparse accessors: such
     [binary-off] binary OFF
    *[nd-off] higher-dimensional OFF
 } files cannot be read
-    .hint = Export the surface as OBJ, PLY or STL.
+    .hint = { $what ->
+        [gltf-external] Open the .gltf together with the files beside it, or export a GLB.
+        [gltf-draco] Export without compression.
+        [gltf-meshopt] Export without compression.
+        [msh-version] Save it again as MSH 4.1 or 2.2.
+       *[other] Export the surface as OBJ, PLY or STL.
+    }
 read-not-text = { $format }: byte { $offset } is not text
     .hint = The file is binary or UTF-16 text; save it as UTF-8 or give it the right ending.
 read-syntax = { $format }, { $place }: found { $found }, expected { $expected }
@@ -61,6 +90,7 @@ read-decimal-comma = { $format }, { $place }: found { $found }, expected { $expe
 read-index-out-of-range = { $format }, { $place }: a face names vertex { $index }, the file has { $vertices }
     .hint = { $format ->
         [OBJ] OBJ counts vertices from 1, or from -1 backwards. Export the file again.
+        [MSH] MSH names vertices by numbers of their own. Export the file again.
        *[other] This format counts vertices from 0. Export the file again.
     }
 read-non-finite-vertex = { $place }: vertex number { $number } (counted from 1) is not finite
@@ -68,6 +98,7 @@ read-non-finite-vertex = { $place }: vertex number { $number } (counted from 1) 
 read-truncated = the file is cut short: { $needed } bytes needed at byte { $offset }, { $available } there
     .hint = The download or copy may have stopped early; fetch it again.
 read-count-too-large = { $place } announces { $count } { $what ->
+    [bytes] bytes of memory
     [vertices] vertices
     [faces] faces
     [corners] corners
@@ -96,11 +127,21 @@ oddity-bytes-left = { $count ->
 oddity-no-end = The last solid has no end; the file may be cut short.
 oddity-uncounted = The header counts no triangles; { $count } were read, to the end of the file.
 oddity-fourth-numbers = { $count } vertices have a fourth number, the first at { $first }; it was left aside.
+oddity-other-cells = Points, lines and volumes are no part of a surface and were skipped: { $count }, the first at { $first }.
+oddity-seams-joined = { $count ->
+    [one] { $count } vertex at the position of another was
+   *[other] { $count } vertices at the position of another were
+} joined to it: the format splits vertices along seams.
 oddity-left-out = Left out: { $what }.
 extra-colours = colours
 extra-texture-coordinates = texture coordinates
 extra-materials = materials
 extra-groups = groups
+extra-data = values at vertices and cells
+
+## What a written file lacks
+
+loss-moved = { $format } holds coordinates in single precision: the mesh was moved to the origin, by ({ NUMBER($x) }, { NUMBER($y) }, { NUMBER($z) }). PLY, OBJ and OFF keep its place.
 
 ## Meshes that cannot be written
 
@@ -114,5 +155,7 @@ write-beyond-single = vertex { $vertex } cannot be written as a 32-bit float
     .hint = Scale the mesh down, or use OBJ, OFF or PLY: they keep double precision.
 write-normal-count = { $normals } normals given for { $vertices } vertices
     .hint = This is a fault of the program; please report it.
+write-read-only = { $format } is read and not written
+    .hint = Use PLY, OBJ, OFF, STL or GLB.
 write-too-large = the mesh is too large for { $format }
     .hint = Use OBJ, OFF or PLY.

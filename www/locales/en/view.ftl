@@ -346,6 +346,7 @@ lack-regionTooLong = The painted region is too large for a link and is not in it
 lack-pathTooLong = What was changed on the way is too large for a link: send a recipe, saved with Download.
 save-as-ply = PLY
 save-as-ply-ascii = PLY, text
+save-as-ply-big = PLY, big-endian
 save-as-obj = OBJ
 save-as-off = OFF
 save-as-stl = STL

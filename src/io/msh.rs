@@ -1,0 +1,340 @@
+//! MSH, the format of Gmsh, in text and in binary: the surface elements of versions 2 and 4.1.
+//!
+//! Source: the Gmsh reference manual, "File formats". Nodes have numbers of their own, in any
+//! order; elements of higher order are read as their corners; points, lines and volumes are
+//! counted as skipped.
+
+use super::assembly::{Assembly, Tally};
+use super::binary::Scalar;
+use super::stream::Stream;
+use super::{Expected, Extra, Format, Oddity, Place, Read, ReadError};
+
+/// Whether a file begins as MSH does.
+pub(super) fn is_header(bytes: &[u8]) -> bool {
+    const STARTS: [&[u8]; 3] = [b"$MeshFormat", b"$Comments", b"$NOD"];
+    STARTS.iter().any(|start| bytes.starts_with(start))
+}
+
+/// How many nodes an element of each of Gmsh's types has, from type 1, and how many of the first
+/// make a face: 0 where it is of no surface.
+const ELEMENTS: [(usize, usize); 38] = [
+    (2, 0),
+    (3, 3),
+    (4, 4),
+    (4, 0),
+    (8, 0),
+    (6, 0),
+    (5, 0),
+    (3, 0),
+    (6, 3),
+    (9, 4),
+    (10, 0),
+    (27, 0),
+    (18, 0),
+    (14, 0),
+    (1, 0),
+    (8, 4),
+    (20, 0),
+    (15, 0),
+    (13, 0),
+    (9, 3),
+    (10, 3),
+    (12, 3),
+    (15, 3),
+    (15, 3),
+    (21, 3),
+    (4, 0),
+    (5, 0),
+    (6, 0),
+    (20, 0),
+    (35, 0),
+    (56, 0),
+    // Of 32 and 33 the manual has none, of 34 and 35 neither.
+    (0, 0),
+    (0, 0),
+    (0, 0),
+    (0, 0),
+    (16, 4),
+    (25, 4),
+    (36, 4),
+];
+
+fn element(kind: u64) -> Option<(usize, usize)> {
+    let row = match kind {
+        // Hexahedra of third and fourth order.
+        92 => (64, 0),
+        93 => (125, 0),
+        _ => *ELEMENTS.get(usize::try_from(kind.checked_sub(1)?).ok()?)?,
+    };
+    (row.0 > 0).then_some(row)
+}
+
+/// The reader: the file, and the mesh so far.
+struct Reader<'a> {
+    stream: Stream<'a>,
+    is_binary: bool,
+    /// How sizes and numbers of nodes are written.
+    size: Scalar,
+    assembly: Assembly,
+    /// Numbers of the nodes with their place in the mesh, in the order of numbers.
+    nodes: Vec<(u64, u32)>,
+    skipped: Tally,
+}
+
+/// Reads an MSH file.
+pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
+    const SECTION: Expected = Expected::Keyword {
+        word: "$MeshFormat, $Nodes, $Elements",
+    };
+    let mut reader = Reader {
+        stream: Stream::new(Format::Msh, bytes.trim_ascii_start()),
+        is_binary: false,
+        size: Scalar::U64,
+        assembly: Assembly::new(),
+        nodes: Vec::new(),
+        skipped: Tally::default(),
+    };
+    let mut version = None;
+    let (mut has_groups, mut has_data) = (false, false);
+    while let Some(word) = reader.stream.try_word() {
+        match (word, version) {
+            (b"$MeshFormat", None) => version = Some(reader.format()?),
+            (b"$NOD", _) => {
+                let what = "msh-version";
+                return Err(ReadError::Unsupported { what });
+            }
+            (b"$Nodes", Some(4)) => reader.numbers(Reader::nodes_4)?,
+            (b"$Nodes", Some(_)) => reader.nodes_2()?,
+            (b"$Elements", Some(4)) => reader.numbers(Reader::elements_4)?,
+            (b"$Elements", Some(_)) => reader.elements_2()?,
+            _ if word.starts_with(b"$") => {
+                has_groups |= word == b"$PhysicalNames";
+                has_data |= word.ends_with(b"Data");
+            }
+            _ => return Err(reader.stream.error(Some(word), SECTION)),
+        }
+        if !word.starts_with(b"$End") {
+            let end = [b"$End", &word[1..]].concat();
+            reader.stream.skip_past(&end);
+        }
+    }
+    if version.is_none() {
+        return Err(reader.stream.error(None, SECTION));
+    }
+    let other = |(count, first)| Oddity::OtherCells { count, first };
+    let other = reader.skipped.met().map(other);
+    let mut read = reader.assembly.finish(Format::Msh)?;
+    read.warnings.extend(other);
+    let extra = [(Extra::Groups, has_groups), (Extra::Data, has_data)];
+    read.warnings.extend(Oddity::left_out(&extra));
+    Ok(read)
+}
+
+impl<'a> Reader<'a> {
+    /// The version, 2 or 4, once the header is read.
+    fn format(&mut self) -> Result<u8, ReadError> {
+        const NUMBER: Expected = Expected::Number;
+        let version = match self.stream.word(NUMBER)? {
+            b"2" | b"2.0" | b"2.1" | b"2.2" => 2,
+            b"4.1" => 4,
+            _ => {
+                let what = "msh-version";
+                return Err(ReadError::Unsupported { what });
+            }
+        };
+        self.is_binary = self.stream.count_word(NUMBER)? == 1;
+        self.size = match self.stream.count_word(NUMBER)? {
+            4 => Scalar::U32,
+            _ => Scalar::U64,
+        };
+        if self.is_binary {
+            self.stream.line();
+            // The number one tells the byte order.
+            let is_big = self.stream.left().first() == Some(&0);
+            self.stream.set_big_endian(is_big);
+        }
+        Ok(version)
+    }
+
+    /// Reads a section of numbers, which begin on the next line.
+    fn numbers(
+        &mut self,
+        read: impl FnOnce(&mut Self) -> Result<(), ReadError>,
+    ) -> Result<(), ReadError> {
+        self.stream.line();
+        self.stream.is_binary = self.is_binary;
+        let done = read(self);
+        self.stream.is_binary = false;
+        done
+    }
+
+    fn count(&mut self, scalar: Scalar) -> Result<u64, ReadError> {
+        self.stream.count(scalar, Expected::ElementCount)
+    }
+
+    fn node(&mut self, number: f64, scalar: Scalar, place: Place) -> Result<(), ReadError> {
+        if number < 0.0 {
+            let word = number.to_string();
+            let found = Some(word.as_bytes());
+            return Err(self.stream.error(found, Expected::VertexNumber));
+        }
+        let position = self.stream.point(scalar)?;
+        let vertex = self.assembly.n_vertices() as u32;
+        self.assembly.vertex(position, place)?;
+        self.nodes.push((number as u64, vertex));
+        Ok(())
+    }
+
+    /// Puts the nodes in the order of their numbers.
+    fn sort(&mut self) -> Result<(), ReadError> {
+        if !self.nodes.is_sorted() {
+            self.nodes.sort_unstable();
+        }
+        let mut pairs = self.nodes.windows(2);
+        match pairs.find(|pair| pair[0].0 == pair[1].0) {
+            Some(pair) => {
+                let word = pair[0].0.to_string();
+                let found = Some(word.as_bytes());
+                Err(self.stream.error(found, Expected::VertexNumber))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn corner(&self, number: f64, place: Place) -> Result<u32, ReadError> {
+        let found = self
+            .nodes
+            .binary_search_by(|(known, _)| (*known as f64).total_cmp(&number));
+        match found {
+            Ok(at) => Ok(self.nodes[at].1),
+            Err(_) => Err(ReadError::IndexOutOfRange {
+                format: Format::Msh,
+                place,
+                index: number as i64,
+                vertices: self.nodes.len(),
+            }),
+        }
+    }
+
+    /// The nodes of an element of a type that is known.
+    fn element(
+        &mut self,
+        (nodes, corners): (usize, usize),
+        scalar: Scalar,
+        place: Place,
+    ) -> Result<(), ReadError> {
+        let mut face = [0; 4];
+        for corner in &mut face[..corners] {
+            let number = self.stream.value(scalar, Expected::VertexIndex)?;
+            *corner = self.corner(number, place)?;
+        }
+        self.stream.skip(scalar, (nodes - corners) as u64)?;
+        if corners == 0 {
+            self.skipped.count(place);
+            return Ok(());
+        }
+        self.assembly.face(&face[..corners], place)
+    }
+
+    fn unknown(&self, kind: u64) -> ReadError {
+        let word = kind.to_string();
+        let found = Some(word.as_bytes());
+        self.stream.error(found, Expected::CellType)
+    }
+
+    /// Nodes of version 2: number, x, y, z.
+    fn nodes_2(&mut self) -> Result<(), ReadError> {
+        let count = self.stream.count_word(Expected::VertexCount)?;
+        self.numbers(|reader| {
+            let count = reader.stream.checked("vertices", count, 4, 28)?;
+            reader.assembly.reserve(count, 0);
+            for _ in 0..count {
+                let place = reader.stream.place();
+                let number = reader.stream.value(Scalar::I32, Expected::VertexNumber)?;
+                reader.node(number, Scalar::F64, place)?;
+            }
+            reader.sort()
+        })
+    }
+
+    /// Nodes of version 4.1, in blocks: numbers, then positions, perhaps with parameters.
+    fn nodes_4(&mut self) -> Result<(), ReadError> {
+        let blocks = self.count(self.size)?;
+        let count = self.count(self.size)?;
+        // The smallest and the largest number.
+        self.stream.skip(self.size, 2)?;
+        self.stream.checked("vertices", count, 4, 32)?;
+        let mut numbers = Vec::new();
+        for _ in 0..blocks {
+            let dimension = self.count(Scalar::I32)?;
+            self.stream.skip(Scalar::I32, 1)?;
+            let is_parametric = self.count(Scalar::I32)? == 1;
+            let count = self.count(self.size)?;
+            let count = self.stream.checked("vertices", count, 4, 32)?;
+            numbers.clear();
+            for _ in 0..count {
+                numbers.push(self.stream.value(self.size, Expected::VertexNumber)?);
+            }
+            let parameters = if is_parametric { dimension.min(3) } else { 0 };
+            for &number in &numbers {
+                let place = self.stream.place();
+                self.node(number, Scalar::F64, place)?;
+                self.stream.skip(Scalar::F64, parameters)?;
+            }
+        }
+        self.sort()
+    }
+
+    /// Elements of version 2. In text a line each: number, type, how many tags, tags, nodes. In
+    /// binary many of one type under one head.
+    fn elements_2(&mut self) -> Result<(), ReadError> {
+        const INT: Scalar = Scalar::I32;
+        let count = self.stream.count_word(Expected::FaceCount)?;
+        self.numbers(|reader| {
+            let count = reader.stream.checked("elements", count, 4, 8)? as u64;
+            let mut done = 0;
+            while done < count {
+                if !reader.is_binary {
+                    reader.stream.skip(INT, 1)?;
+                }
+                let kind = reader.stream.count(INT, Expected::CellType)?;
+                let row = element(kind).ok_or_else(|| reader.unknown(kind))?;
+                let block = if reader.is_binary {
+                    reader.count(INT)?
+                } else {
+                    1
+                };
+                let tags = reader.count(INT)?;
+                // An empty block would never come to an end.
+                for _ in 0..block.clamp(1, count - done) {
+                    let place = reader.stream.place();
+                    let before = u64::from(reader.is_binary);
+                    reader.stream.skip(INT, before + tags)?;
+                    reader.element(row, INT, place)?;
+                    done += 1;
+                }
+            }
+            Ok(())
+        })
+    }
+
+    /// Elements of version 4.1, in blocks of one type: number, nodes.
+    fn elements_4(&mut self) -> Result<(), ReadError> {
+        let blocks = self.count(self.size)?;
+        // How many in all, the smallest and the largest number.
+        self.stream.skip(self.size, 3)?;
+        for _ in 0..blocks {
+            self.stream.skip(Scalar::I32, 2)?;
+            let kind = self.stream.count(Scalar::I32, Expected::CellType)?;
+            let row = element(kind).ok_or_else(|| self.unknown(kind))?;
+            let count = self.count(self.size)?;
+            let size = self.size.size() * (1 + row.0);
+            for _ in 0..self.stream.checked("elements", count, 1 + row.0, size)? {
+                let place = self.stream.place();
+                self.stream.skip(self.size, 1)?;
+                self.element(row, self.size, place)?;
+            }
+        }
+        Ok(())
+    }
+}

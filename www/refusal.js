@@ -1,0 +1,15 @@
+// @ts-check
+// What the page and the worker refuse themselves, in the shape of the solver's refusals.
+
+/** @import { Fault as Refusal } from "./generated/types.js" */
+
+/**
+ * @param {string} kind @param {string} id  of the words @param {Record<string, unknown>} [values]
+ * @returns {Refusal}
+ */
+export const refusal = (kind, id, values = {}) => ({
+  kind,
+  message: { id, values },
+  hint: { id: `${id}.hint`, values },
+  detail: {},
+});

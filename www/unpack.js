@@ -1,0 +1,129 @@
+// @ts-check
+// The mesh among files that were opened together, for the page and the command line: out of gzip
+// and ZIP, and with what a glTF file or a 3MF package keeps elsewhere put into it.
+
+import { isMeshName } from "./mesh-format.js";
+import { refusal } from "./refusal.js";
+import { entriesOf, gunzip, isGzip, isZip } from "./zip.js";
+
+/** @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} Bytes */
+/** A file that is read when it is asked for. @typedef {import("./zip.js").Entry} Part */
+/**
+ * @typedef {object} Found
+ * @property {string} name  of the mesh itself, without `.gz`
+ * @property {Uint8Array<ArrayBuffer>} bytes
+ * @property {string[]} others  further meshes that were not taken
+ */
+
+/** @param {string} name */
+const base = (name) => name.slice(name.lastIndexOf("/") + 1);
+/** @param {string} name */
+const folder = (name) => name.slice(0, name.lastIndexOf("/") + 1);
+/** @param {string} name */
+const withoutGzip = (name) => name.replace(/\.gz$/i, "");
+
+/** What a file system adds of its own. @param {string} name */
+const isHidden = (name) => name.startsWith("__MACOSX/") || base(name).startsWith(".");
+
+/** @param {Bytes} file @returns {Promise<Part[]>} */
+async function partsOf({ name, bytes }) {
+  if (isGzip(bytes)) {
+    const plain = await gunzip(bytes);
+    return isZip(plain)
+      ? partsOf({ name: withoutGzip(name), bytes: plain })
+      : [{ name: withoutGzip(name), size: plain.length, read: async () => plain }];
+  }
+  if (!isZip(bytes)) return [{ name, size: bytes.length, read: async () => bytes }];
+  const entries = entriesOf(bytes).filter((entry) => !isHidden(entry.name));
+  const models = entries.filter((entry) => /^3D\/.*\.model$/i.test(entry.name));
+  return models.length > 0 ? [packageOf(name, models)] : entries;
+}
+
+/**
+ * The model files of a 3MF package as one, the first of them in front; each after an instruction
+ * that says its path, by which they name each other.
+ * @param {string} name @param {Part[]} models @returns {Part}
+ */
+function packageOf(name, models) {
+  const isFirst = (/** @type {Part} */ part) => part.name.toLowerCase() === "3d/3dmodel.model";
+  const sorted = [...models].sort((a, b) => Number(isFirst(b)) - Number(isFirst(a)));
+  return {
+    name: /\.3mf$/i.test(name) ? name : name.replace(/\.[^.]*$|$/, ".3mf"),
+    size: sorted.reduce((sum, { size }) => sum + size, 0),
+    async read() {
+      if (sorted.length === 1) return sorted[0].read();
+      /** @type {BlobPart[]} */
+      const whole = [];
+      for (const part of sorted) whole.push(`<?model /${part.name}?>\n`, await part.read(), "\n");
+      return new Uint8Array(await new Blob(whole).arrayBuffer());
+    },
+  };
+}
+
+/** @param {Uint8Array} bytes */
+function base64(bytes) {
+  let text = "";
+  // So many arguments of a call are sure to be allowed.
+  for (let at = 0; at < bytes.length; at += 0x6000) {
+    text += btoa(String.fromCharCode(...bytes.subarray(at, at + 0x6000)));
+  }
+  return text;
+}
+
+/**
+ * A glTF file with the buffers that are in files of their own.
+ * @param {Uint8Array<ArrayBuffer>} bytes @param {string} name @param {Part[]} parts
+ */
+async function withBuffers(bytes, name, parts) {
+  /** @type {any} */
+  let scene;
+  try {
+    scene = JSON.parse(new TextDecoder().decode(bytes));
+  } catch {
+    // Whoever reads it says where it breaks off.
+    return bytes;
+  }
+  let isChanged = false;
+  for (const buffer of Array.isArray(scene?.buffers) ? scene.buffers : []) {
+    if (typeof buffer?.uri !== "string" || buffer.uri.startsWith("data:")) continue;
+    let uri = buffer.uri;
+    try {
+      uri = decodeURIComponent(uri);
+    } catch {
+      // Taken as it stands.
+    }
+    const known =
+      parts.find((part) => part.name === folder(name) + uri) ??
+      parts.find((part) => base(part.name) === base(uri));
+    if (!known) continue;
+    buffer.uri = `data:application/octet-stream;base64,${base64(await known.read())}`;
+    isChanged = true;
+  }
+  return isChanged ? new TextEncoder().encode(JSON.stringify(scene)) : bytes;
+}
+
+/**
+ * @param {readonly Bytes[]} files  at least one
+ * @returns {Promise<Found>}
+ * @throws {import("./generated/types.js").Fault}
+ */
+export async function meshAmong(files) {
+  const parts = (await Promise.all(files.map(partsOf))).flat();
+  const named = parts.filter(({ name }) => isMeshName(withoutGzip(name)));
+  // One alone is read as what it is, whatever it is called.
+  const meshes = named.length === 0 && parts.length === 1 ? parts : named;
+  if (meshes.length === 0) {
+    throw refusal("NoMesh", "unpack-no-mesh", { names: parts.map(({ name }) => name) });
+  }
+  // Of several the finest.
+  const mesh = meshes.reduce((best, one) => (one.size > best.size ? one : best));
+  const read = await mesh.read();
+  const plain = isGzip(read) ? await gunzip(read) : read;
+  const name = base(withoutGzip(mesh.name));
+  const isScene = /\.gltf$/i.test(name);
+  return {
+    name,
+    bytes: isScene ? await withBuffers(plain, mesh.name, parts) : plain,
+    others: meshes.filter((one) => one !== mesh).map((one) => one.name),
+  };
+}
