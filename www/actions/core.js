@@ -207,6 +207,8 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
       patch({ configured, reading: configured.state, running: false });
     } catch (error) {
       patch({ options: { ...before } });
+      // Where it is refused the run is as it was, and the display is to be so too.
+      if (way === "configure" && get().reading) await refill().catch(() => {});
       throw error;
     }
     await core.followRivals();

@@ -68,6 +68,9 @@ export function curve(page) {
   ];
   const line = (/** @type {number[][]} */ list) =>
     `M${list.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
+  if (points.length === 0 || (points.length < 2 && !s.running)) {
+    return html`<div class="curve"><p class="empty">${say("curve-empty")}</p></div>`;
+  }
   const whole = some.map(at);
   const x = (lead.u / total) * WIDTH;
   const { index, share } = lead.clip.at(lead.u);
@@ -99,13 +102,10 @@ export function curve(page) {
       Home: () => page.run.seek(points[0].state.step),
       End: () => page.run.seek(points[points.length - 1].state.step),
     };
-    if (!Object.hasOwn(moves, event.key) || points.length === 0) return;
+    if (!Object.hasOwn(moves, event.key)) return;
     event.preventDefault();
     event.stopPropagation();
     moves[event.key]();
-  }
-  if (points.length < 2 && !s.running) {
-    return html`<div class="curve"><p class="empty">${say("curve-empty")}</p></div>`;
   }
   return html`<div class="curve">
     <span class="most" aria-hidden="true">${formatShort(most)}</span><span class="least" aria-hidden="true">0</span>
