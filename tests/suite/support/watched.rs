@@ -5,7 +5,6 @@ use glam::DVec3;
 use std::rc::Rc;
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::flow::{Decision, Driver, Monitored, Reason, Status, StepReport};
-use umbilic::mesh::triangulate;
 
 /// By how much a reading may lie above the least so far: fitted ones are not quite what the
 /// discrete flow lowers, and a hundredth is for steps that contract to a rest.
