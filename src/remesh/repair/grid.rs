@@ -1,0 +1,45 @@
+//! Points found by where they are.
+
+use glam::DVec3;
+use std::collections::HashMap;
+
+/// Points in cubes of one size.
+pub(super) struct Grid {
+    size: f64,
+    cells: HashMap<[i64; 3], Vec<u32>>,
+}
+
+impl Grid {
+    /// For questions within `reach`.
+    pub(super) fn new(reach: f64) -> Self {
+        Self {
+            size: reach.max(f64::MIN_POSITIVE),
+            cells: HashMap::new(),
+        }
+    }
+
+    /// The side of a cube.
+    pub(super) fn size(&self) -> f64 {
+        self.size
+    }
+
+    fn cell(&self, p: DVec3) -> [i64; 3] {
+        (p / self.size).to_array().map(|c| c.floor() as i64)
+    }
+
+    pub(super) fn insert(&mut self, p: DVec3, name: u32) {
+        self.cells.entry(self.cell(p)).or_default().push(name);
+    }
+
+    /// Whatever is in the cubes that a box touches.
+    pub(super) fn near(&self, low: DVec3, high: DVec3) -> impl Iterator<Item = u32> + '_ {
+        let (low, high) = (self.cell(low), self.cell(high));
+        let range = move |axis: usize| low[axis]..=high[axis];
+        range(0)
+            .flat_map(move |i| range(1).map(move |j| (i, j)))
+            .flat_map(move |(i, j)| range(2).map(move |k| [i, j, k]))
+            .filter_map(|cell| self.cells.get(&cell))
+            .flatten()
+            .copied()
+    }
+}
