@@ -25,9 +25,13 @@ export async function main(parameters, io, open) {
   try {
     return await dispatch(parameters, io, open);
   } catch (error) {
-    const { exit, kind, message, hint } = failureOf(error);
-    if (json) io.write(`${JSON.stringify({ kind, message, hint })}\n`);
-    else io.log(hint ? `umbilic: ${message}\n  ${hint}` : `umbilic: ${message}`);
+    const { exit, kind, message, hint, repairs } = failureOf(error);
+    const offer = repairs.length > 0 ? { repairs } : {};
+    if (json) io.write(`${JSON.stringify({ kind, message, hint, ...offer })}\n`);
+    else {
+      const lines = [...(hint ? [hint] : []), ...repairs.map((repair) => repair.message)];
+      io.log([`umbilic: ${message}`, ...lines].join("\n  "));
+    }
     return exit;
   }
 }

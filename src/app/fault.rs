@@ -1,5 +1,6 @@
 //! The one shape of error that leaves the crate.
 
+use super::edit::repair::RepairItem;
 use super::message::AppError;
 use crate::flow::FlowError;
 use crate::flow::option::OptionError;
@@ -27,6 +28,10 @@ pub struct Fault {
     pub hint: Message,
     /// The elements at fault: lists of indices by name.
     pub detail: BTreeMap<&'static str, Vec<f64>>,
+    /// Of a file that is no surface: what a repair would change to make it one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(as = "Option<Vec<RepairItem>>", optional))]
+    pub repairs: Vec<RepairItem>,
 }
 
 impl Fault {
@@ -37,6 +42,7 @@ impl Fault {
             message: said.message(),
             hint: said.hint(),
             detail: BTreeMap::new(),
+            repairs: Vec::new(),
         }
     }
 

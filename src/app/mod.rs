@@ -48,7 +48,10 @@ pub use diagnosis::{Change, Diagnosis, Label, Remedy, RemedyId, Symptom};
 pub use edit::fill::{FillOutcome, LoopInfo};
 pub use edit::flip::{Costs, FlipOutcome};
 pub use edit::invert::{InversionReadings, InversionReport, Inverted};
-pub use edit::options::{FillOptions, FlipOptions, Loops, SubdivideOptions, SubdivisionScheme};
+pub use edit::options::{
+    FillOptions, FlipOptions, Loops, RepairOptions, SubdivideOptions, SubdivisionScheme,
+};
+pub use edit::repair::RepairItem;
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use frame::{ChosenFlow, Frame};
@@ -118,6 +121,8 @@ pub struct Loaded {
     pub fixed: Option<TypedArray<u32>>,
     /// Vertices a sample suggests to move.
     pub free: Option<TypedArray<u32>>,
+    /// What a repair changed to make this of what was there before.
+    pub repaired: Vec<RepairItem>,
 }
 
 impl Loaded {
@@ -133,6 +138,7 @@ impl Loaded {
             triangles_only: document.polygons.is_triangular(),
             fixed: document.fixed.clone().map(TypedArray),
             free: document.free.clone().map(TypedArray),
+            repaired: document.repaired.clone(),
         }
     }
 }

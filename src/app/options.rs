@@ -2,7 +2,7 @@
 
 use super::RegulariseOptions;
 use super::bench::{BenchOptions, TableName};
-use super::edit::options::{FillOptions, FlipOptions, Loops};
+use super::edit::options::{FillOptions, FlipOptions, Loops, RepairOptions};
 use super::library;
 use super::readings::EnergyOptions;
 use crate::energy::circle::Boundary;
@@ -10,6 +10,7 @@ use crate::flow::option::kind::ids;
 use crate::flow::option::{Field, Kind, Named, Options, Range, ReadBy, Row, Value, row};
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
+use crate::remesh::repair::Weld;
 use std::sync::OnceLock;
 
 /// Beyond it |H|^p is no number on any mesh.
@@ -75,6 +76,32 @@ impl Options for FillOptions {
         row!(connect, "connect", "connect", Kind::Switch, "", Surface, ReadBy::COMMAND),
         row!(max_vertices, "maxVertices", "max-vertices",
             Kind::Number(Range::count(0.0)), "vertices", Budget, ReadBy::COMMAND).or("auto"),
+    ];
+}
+
+impl Field for Weld {
+    fn value(&self) -> Value {
+        match self {
+            Self::Auto => Value::Absent,
+            Self::Off => Value::Text("off".into()),
+            Self::Within(length) => length.value(),
+        }
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Absent => Some(Self::Auto),
+            Value::Text(word) if word == "off" => Some(Self::Off),
+            value => f64::of(value).map(Self::Within),
+        }
+    }
+}
+
+impl Options for RepairOptions {
+    #[rustfmt::skip]
+    const ROWS: &'static [Row<Self>] = &[
+        row!(weld, "weld", "weld", Kind::Number(Range::positive(f64::MAX)), "length",
+            Surface, ReadBy::COMMAND).or("auto").words(&["off"]),
     ];
 }
 

@@ -2,6 +2,7 @@
 //! field names in camel case.
 
 use super::crossing;
+use super::edit::repair::RepairItem;
 use super::message::Notice;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{self, Boundary, CircleEnergy};
@@ -55,10 +56,13 @@ pub struct Info {
     pub self_intersections: Option<usize>,
     /// What was repaired or is worth knowing.
     pub warnings: Vec<Message>,
+    /// What a repair does to the file: what was safe, and done when it was opened, and what
+    /// [`Session::repair`](super::Session::repair) would change now.
+    pub repairs: Vec<RepairItem>,
 }
 
 impl Info {
-    /// The card of a mesh; `triangles` is the same cut into triangles.
+    /// The card of a mesh, less its repairs; `triangles` is the same cut into triangles.
     pub fn of(
         mesh: &Rc<HalfedgeMesh>,
         triangles: &HalfedgeMesh,
@@ -88,6 +92,7 @@ impl Info {
             min_angle_degrees: measure::min_angle_degrees(mesh, x),
             self_intersections,
             warnings,
+            repairs: Vec::new(),
         }
     }
 }

@@ -115,15 +115,14 @@ impl Runner {
         said.push(filled.into());
         said.extend(outcome.warnings.iter().cloned());
         let document = Document {
-            name: document.name.clone(),
             triangles: triangulated(&polygons, &positions)?,
             polygons,
-            frame: document.frame,
             start: positions,
             warnings: said,
             fixed: None,
             // Where there is no new vertex, no flow should find that nothing may move.
             free: (n_new > 0).then(|| (n_old as u32..(n_old + n_new) as u32).collect()),
+            ..document
         };
         Ok((document, outcome))
     }

@@ -1,6 +1,7 @@
 //! What the edits of a mesh can be asked for. Unknown names are refused.
 
 use crate::remesh::flips::reduction::Criterion;
+use crate::remesh::repair::Weld;
 use serde::{Deserialize, Serialize};
 
 /// Which loops are filled: a word, or their numbers, counted from 0.
@@ -43,6 +44,15 @@ pub struct FlipOptions {
     pub guard_folds: bool,
     /// Whether every flip is listed.
     pub history: bool,
+}
+
+/// How a surface is repaired. Unknown names are refused.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct RepairOptions {
+    /// How near boundary vertices are welded.
+    pub weld: Weld,
 }
 
 /// How faces are divided into four.

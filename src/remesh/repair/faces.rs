@@ -79,12 +79,47 @@ impl Faces {
         true
     }
 
+    /// For each corner of the soup that these faces are of, the least corner of its fan: corners at
+    /// a vertex hang together where `joined` pairs the faces at an edge of it.
+    pub(super) fn fans(
+        &self,
+        soup: &PolygonSoup,
+        joined: impl Fn((u32, u32), &[u32]) -> Vec<(u32, u32)>,
+    ) -> Vec<u32> {
+        let corner_of = |f: u32, v: u32| {
+            let place = self.face(f as usize).iter().position(|&c| c == v);
+            place.map(|place| soup.face_starts[f as usize] + place as u32)
+        };
+        let mut parent: Vec<u32> = (0..soup.corners.len() as u32).collect();
+        for (&(a, b), of) in self.edges() {
+            for (f, g) in joined((a, b), of) {
+                for v in [a, b] {
+                    let (Some(c), Some(d)) = (corner_of(f, v), corner_of(g, v)) else {
+                        continue;
+                    };
+                    let (c, d) = (root(&mut parent, c), root(&mut parent, d));
+                    parent[c.max(d) as usize] = c.min(d);
+                }
+            }
+        }
+        let all = 0..parent.len() as u32;
+        all.map(|c| root(&mut parent, c)).collect()
+    }
+
     /// The soup of what is left.
     pub(super) fn write_to(self, soup: &mut PolygonSoup) {
         let positions = std::mem::take(&mut soup.positions);
         let faces: Vec<Vec<u32>> = self.faces.into_iter().filter(|f| !f.is_empty()).collect();
         *soup = PolygonSoup::from_faces(positions, &faces);
     }
+}
+
+fn root(parent: &mut [u32], mut i: u32) -> u32 {
+    while parent[i as usize] != i {
+        parent[i as usize] = parent[parent[i as usize] as usize];
+        i = parent[i as usize];
+    }
+    i
 }
 
 /// The sides of a face.

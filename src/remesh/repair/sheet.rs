@@ -1,7 +1,7 @@
 //! Edges of more than two faces: sheets that hang on them.
 
 use super::faces::{Faces, sides};
-use super::{RepairChange, key, named};
+use super::{Change, RepairChange};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -42,9 +42,18 @@ fn is_crowded(faces: &Faces, (a, b): (u32, u32)) -> bool {
     faces.at(a, b).len() > 2
 }
 
+/// Whether faces hang together, and with no others over an edge of two.
+fn is_sheet(faces: &Faces, sheet: &[usize]) -> bool {
+    let mut sides = sheet.iter().flat_map(|&f| sides(faces.face(f)));
+    sides.all(|(a, b)| match *faces.at(a, b) {
+        [f, g] => [f, g].iter().all(|f| sheet.contains(&(*f as usize))),
+        _ => true,
+    })
+}
+
 /// Drops small sheets that hang on an edge of more than two faces and end somewhere, the smallest
 /// first, as long as there are any.
-pub(super) fn drop_fins(soup: &mut PolygonSoup) -> Option<RepairChange> {
+pub(super) fn drop_fins(soup: &mut PolygonSoup) -> Option<Change> {
     let mut faces = Faces::of(soup);
     if !faces.edges().any(|(_, of)| of.len() > 2) {
         return None;
@@ -52,35 +61,39 @@ pub(super) fn drop_fins(soup: &mut PolygonSoup) -> Option<RepairChange> {
     let small = FEW.max((SMALL * soup.n_faces() as f64) as usize);
     let (mut count, mut vertices) = (0, Vec::new());
     loop {
-        let fins = sheets(&faces).into_iter().filter(|sheet| {
-            let edges = || sheet.iter().flat_map(|&f| sides(faces.face(f)));
-            sheet.len() <= small
-                && edges().any(|edge| is_crowded(&faces, edge))
-                && edges().any(|(a, b)| faces.at(a, b).len() == 1)
-        });
-        let Some(fin) = fins.min_by_key(Vec::len) else {
+        let before = count;
+        let mut fins = sheets(&faces);
+        fins.retain(|sheet| sheet.len() <= small);
+        fins.sort_by_key(Vec::len);
+        for fin in fins {
+            let edges = || fin.iter().flat_map(|&f| sides(faces.face(f)));
+            let hangs = edges().any(|edge| is_crowded(&faces, edge));
+            let ends = edges().any(|(a, b)| faces.at(a, b).len() == 1);
+            // Where one is gone two others may have become one.
+            if !hangs || !ends || !is_sheet(&faces, &fin) {
+                continue;
+            }
+            count += fin.len();
+            for f in fin {
+                vertices.extend(faces.remove(f));
+            }
+        }
+        if count == before {
             break;
-        };
-        count += fin.len();
-        for f in fin {
-            vertices.extend(faces.remove(f));
         }
     }
     if count == 0 {
         return None;
     }
     faces.write_to(soup);
-    Some(RepairChange::Fins {
-        count,
-        vertices: named(vertices),
-    })
+    Some(Change::of(&RepairChange::Fins { count }, 0, vertices))
 }
 
 /// Gives each sheet at an edge of more than two faces vertices of its own there. Two faces go on
 /// as one where they agree in orientation, belong together elsewhere, and lie most nearly
-/// opposite each other; what
-/// cannot be told apart, as its ends hang together elsewhere, is dropped.
-pub(super) fn cut(soup: &mut PolygonSoup) -> Option<RepairChange> {
+/// opposite each other. What cannot be taken apart, as its ends hang together elsewhere, is
+/// dropped. `origin` learns what new vertices are copies of.
+pub(super) fn cut(soup: &mut PolygonSoup, origin: &mut Vec<u32>) -> Vec<Change> {
     let (mut count, mut vertices) = (0, Vec::new());
     for round in 0..2 {
         let faces = Faces::of(soup);
@@ -105,21 +118,30 @@ pub(super) fn cut(soup: &mut PolygonSoup) -> Option<RepairChange> {
             .iter()
             .map(|&ends| (ends, paired(&faces, &sheet_of, ends, &soup.positions)))
             .collect();
-        split(soup, &pairs);
+        split(soup, origin, &faces, &pairs);
     }
+    if count == 0 {
+        return Vec::new();
+    }
+    let mut changes = vec![Change::of(&RepairChange::CutEdges { count }, 0, vertices)];
     // What still hangs together.
     let mut faces = Faces::of(soup);
-    let crowded: Vec<Vec<u32>> = (faces.edges().filter(|(_, of)| of.len() > 2))
-        .map(|(_, of)| of[2..].to_vec())
-        .collect();
-    for f in crowded.into_iter().flatten() {
-        faces.remove(f as usize);
+    let crowded = faces.edges().filter(|(_, of)| of.len() > 2);
+    let mut tangled: Vec<u32> = crowded.flat_map(|(_, of)| of[2..].to_vec()).collect();
+    tangled.sort_unstable();
+    tangled.dedup();
+    if !tangled.is_empty() {
+        let count = tangled.len();
+        let corners = tangled.into_iter().flat_map(|f| faces.remove(f as usize));
+        let corners: Vec<u32> = corners.map(|v| origin[v as usize]).collect();
+        changes.push(Change::of(
+            &RepairChange::TangledFaces { count },
+            0,
+            corners,
+        ));
+        faces.write_to(soup);
     }
-    faces.write_to(soup);
-    (count > 0).then(|| RepairChange::CutEdges {
-        count,
-        vertices: named(vertices),
-    })
+    changes
 }
 
 /// Which faces at an edge go on as one sheet.
@@ -164,60 +186,38 @@ fn paired(faces: &Faces, sheet_of: &[usize], (a, b): (u32, u32), x: &[DVec3]) ->
     pairs
 }
 
-fn root(parent: &mut [u32], mut i: u32) -> u32 {
-    while parent[i as usize] != i {
-        parent[i as usize] = parent[parent[i as usize] as usize];
-        i = parent[i as usize];
-    }
-    i
-}
-
 /// Gives every fan of faces about a vertex of a cut edge a vertex of its own; faces hang together
 /// over edges of two faces, and over the pairs at the others.
-fn split(soup: &mut PolygonSoup, pairs: &BTreeMap<(u32, u32), Vec<(u32, u32)>>) {
+fn split(
+    soup: &mut PolygonSoup,
+    origin: &mut Vec<u32>,
+    faces: &Faces,
+    pairs: &BTreeMap<(u32, u32), Vec<(u32, u32)>>,
+) {
     let mut is_cut = vec![false; soup.positions.len()];
     for (a, b) in pairs.keys() {
         is_cut[*a as usize] = true;
         is_cut[*b as usize] = true;
     }
-    let faces = Faces::of(soup);
-    let corner_of = |f: u32, v: u32| {
-        let start = soup.face_starts[f as usize];
-        let place = soup.face(f as usize).iter().position(|&c| c == v);
-        place.map(|place| start + place as u32)
-    };
-    let mut parent: Vec<u32> = (0..soup.corners.len() as u32).collect();
-    for (&(a, b), of) in faces.edges() {
-        let two = match of[..] {
-            [f, g] => vec![(f, g)],
-            _ => pairs.get(&key(a, b)).cloned().unwrap_or_default(),
-        };
-        for (f, g) in two {
-            for v in [a, b] {
-                let (Some(c), Some(d)) = (corner_of(f, v), corner_of(g, v)) else {
-                    continue;
-                };
-                let (c, d) = (root(&mut parent, c), root(&mut parent, d));
-                parent[c.max(d) as usize] = c.min(d);
-            }
-        }
-    }
-    let mut fans: BTreeMap<u32, BTreeMap<u32, u32>> = BTreeMap::new();
-    for c in 0..soup.corners.len() {
-        let v = soup.corners[c];
-        if !is_cut[v as usize] {
+    let fans = faces.fans(soup, |edge, of| match of[..] {
+        [f, g] => vec![(f, g)],
+        _ => pairs.get(&edge).cloned().unwrap_or_default(),
+    });
+    // The first fan keeps the vertex.
+    let mut has_fan = vec![false; is_cut.len()];
+    let mut name_of: BTreeMap<u32, u32> = BTreeMap::new();
+    for (corner, &fan) in soup.corners.iter_mut().zip(&fans) {
+        let v = *corner as usize;
+        if !is_cut[v] {
             continue;
         }
-        let fan = root(&mut parent, c as u32);
-        let of_vertex = fans.entry(v).or_default();
-        let is_first = of_vertex.is_empty();
-        let name = *of_vertex.entry(fan).or_insert_with(|| {
-            if is_first {
-                return v;
+        *corner = *name_of.entry(fan).or_insert_with(|| {
+            if !std::mem::replace(&mut has_fan[v], true) {
+                return v as u32;
             }
-            soup.positions.push(soup.positions[v as usize]);
+            soup.positions.push(soup.positions[v]);
+            origin.push(origin[v]);
             soup.positions.len() as u32 - 1
         });
-        soup.corners[c] = name;
     }
 }

@@ -41,11 +41,8 @@ fn torn(soup: &PolygonSoup, noise: f64) -> PolygonSoup {
 }
 
 fn kinds(repaired: &Repaired) -> Vec<(&'static str, usize)> {
-    use crate::message::Say;
-    let count = |change: &RepairChange| change.message().number("count").expect("a count") as usize;
-    (repaired.changes.iter())
-        .map(|change| (change.kind(), count(change)))
-        .collect()
+    let changes = repaired.changes.iter();
+    changes.map(|change| (change.kind, change.count)).collect()
 }
 
 #[test]

@@ -1,14 +1,14 @@
-//! Boundary vertices at the same place become one.
+//! Boundary vertices at the same place become one, where that stitches two edges.
 
+use super::faces::Faces;
 use super::grid::Grid;
-use super::{RepairChange, edges, key, named};
+use super::{edges, key};
 use crate::soup::PolygonSoup;
-use glam::DVec3;
 use std::collections::HashMap;
 
 /// Vertices at an end of an edge that only one face has.
-pub(super) fn boundary(soup: &PolygonSoup) -> Vec<bool> {
-    let mut faces_of_edge: HashMap<(u32, u32), u32> = HashMap::new();
+fn boundary(soup: &PolygonSoup) -> Vec<bool> {
+    let mut faces_of_edge: HashMap<(u32, u32), u32> = HashMap::with_capacity(soup.corners.len());
     for (a, b) in edges(soup) {
         *faces_of_edge.entry(key(a, b)).or_default() += 1;
     }
@@ -20,56 +20,71 @@ pub(super) fn boundary(soup: &PolygonSoup) -> Vec<bool> {
     is_boundary
 }
 
-/// Welds boundary vertices no farther apart than `near`: each to the first one there is. The
-/// corners of one face never become one.
-pub(super) fn weld(soup: &mut PolygonSoup, near: f64) -> Option<RepairChange> {
+/// Welds boundary vertices no farther apart than `near`: each to the nearest of those before it.
+/// The corners of one face never become one, and fans of faces stay apart that would meet in the
+/// vertex alone. Gives how many vertices are gone, and those that they became.
+pub(super) fn weld(soup: &mut PolygonSoup, near: f64) -> (usize, Vec<u32>) {
+    let Some(becomes) = meetings(soup, near) else {
+        return (0, Vec::new());
+    };
+    let before = soup.corners.clone();
+    for corner in &mut soup.corners {
+        *corner = becomes[*corner as usize];
+    }
+    let faces = Faces::of(soup);
+    let fans = faces.fans(soup, |_, of| {
+        of.windows(2).map(|pair| (pair[0], pair[1])).collect()
+    });
+    // The vertices that there were, fan by fan.
+    let mut were: Vec<(u32, u32)> = fans.iter().copied().zip(before).collect();
+    for (corner, (fan, _)) in soup.corners.iter_mut().zip(&were) {
+        *corner = *fan;
+    }
+    were.sort_unstable();
+    were.dedup();
+    let (mut count, mut vertices) = (0, Vec::new());
+    let mut first = HashMap::new();
+    for fan in were.chunk_by(|a, b| a.0 == b.0) {
+        let (name, v) = fan[0];
+        first.insert(name, v);
+        if fan.len() > 1 {
+            count += fan.len() - 1;
+            vertices.push(v);
+        }
+    }
+    for corner in &mut soup.corners {
+        *corner = first.get(corner).copied().unwrap_or(*corner);
+    }
+    (count, vertices)
+}
+
+/// What each vertex would become; `None` where each stays itself.
+fn meetings(soup: &PolygonSoup, near: f64) -> Option<Vec<u32>> {
     let is_boundary = boundary(soup);
-    let mut grid = Grid::new(2.0 * near);
-    let mut becomes: Vec<u32> = (0..soup.positions.len() as u32).collect();
-    let mut welded = Vec::new();
+    let x = &soup.positions;
+    let mut grid = Grid::new(2.0 * near, x);
+    let mut becomes: Vec<u32> = (0..x.len() as u32).collect();
     for v in (0..becomes.len()).filter(|&v| is_boundary[v]) {
-        let p = soup.positions[v];
-        let reach = DVec3::splat(near);
-        let first = grid
-            .near(p - reach, p + reach)
-            .filter(|&other| soup.positions[other as usize].distance(p) <= near)
-            .min();
-        match first {
-            Some(other) => {
-                becomes[v] = other;
-                welded.push(other);
-            }
-            None => grid.insert(p, v as u32),
+        match grid.nearest(x[v], near, x) {
+            Some(other) => becomes[v] = other,
+            None => grid.insert(x[v], v as u32),
         }
     }
     // A face smaller than that would be no face any more.
-    let (mut is_kept, mut kept) = (vec![false; becomes.len()], false);
+    let mut is_kept = vec![false; becomes.len()];
     for face in soup.faces() {
         for (i, &a) in face.iter().enumerate() {
             for &b in &face[i + 1..] {
                 if a != b && becomes[a as usize] == becomes[b as usize] {
                     is_kept[a as usize] = true;
                     is_kept[b as usize] = true;
-                    kept = true;
                 }
             }
         }
     }
-    if kept {
-        for v in (0..becomes.len()).filter(|&v| is_kept[v]) {
-            becomes[v] = v as u32;
-        }
+    for v in (0..becomes.len()).filter(|&v| is_kept[v]) {
+        becomes[v] = v as u32;
     }
-    let gone = (0..becomes.len()).filter(|&v| becomes[v] != v as u32);
-    let count = gone.count();
-    if count == 0 {
-        return None;
-    }
-    for corner in &mut soup.corners {
-        *corner = becomes[*corner as usize];
-    }
-    Some(RepairChange::Welded {
-        count,
-        vertices: named(welded),
-    })
+    let moves = (0..becomes.len()).any(|v| becomes[v] != v as u32);
+    moves.then_some(becomes)
 }
