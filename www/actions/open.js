@@ -8,9 +8,9 @@ import { sampleName } from "../library.js";
 import { linkIn, pageScene, sceneOf } from "../link.js";
 import { defaults } from "../options.js";
 import { alone } from "../store.js";
-import { say } from "../words.js";
+import { say, sayFault } from "../words.js";
 
-/** @import { Loaded, RecipeCard, ScriptText } from "../generated/types.js" */
+/** @import { Loaded, RecipeCard, RepairOptions, ScriptText } from "../generated/types.js" */
 /** @import { Figure, Sample } from "../library.js" */
 /** @import { Scene } from "../link.js" */
 /** @import { Options } from "../options.js" */
@@ -138,8 +138,11 @@ export function createOpen(core, run, compare) {
     return load({ name, source, ask, options, fallback: suggested, scene, fill: sample.fill });
   }
 
-  /** @param {File} file @param {Uint8Array<ArrayBuffer>} bytes @param {Partial<Scene>} scene */
-  async function loadFile(file, bytes, scene) {
+  /**
+   * @param {File} file @param {Uint8Array<ArrayBuffer>} bytes @param {Partial<Scene>} scene
+   * @param {Partial<RepairOptions> | null} [repair]  how it is repaired, where it is
+   */
+  async function loadFile(file, bytes, scene, repair = null) {
     const name = stem(file.name);
     // Of what an earlier mesh was shown with, the choice of flow is the user's; the rest
     // says nothing about this one.
@@ -153,8 +156,22 @@ export function createOpen(core, run, compare) {
       const given = { name: file.name, bytes };
       return remade(scene.prepares, made, given, { options, fallback: plain, scene });
     }
-    const ask = () => solver.load(file.name, bytes);
-    return load({ name: file.name, source, ask, options, fallback: plain, scene });
+    const ask = () => solver.load(file.name, bytes, repair);
+    try {
+      await load({ name: file.name, source, ask, options, fallback: plain, scene });
+    } catch (error) {
+      const fault = /** @type {any} */ (error);
+      if (!fault?.repairs?.length) throw error;
+      // No surface: with one press it is opened as the one that a repair makes of it.
+      const again = () => enqueue(() => loadFile(file, bytes, scene, {}));
+      const offer = { label: say("repair-and-open"), act: again };
+      const { message, hint } = sayFault(fault);
+      const what = fault.repairs.map((/** @type {any} */ item) => say(item.message));
+      notes.error({ message, hint: [hint, say("repair-would"), ...what].join(" ") }, [offer]);
+      return;
+    }
+    const { mesh } = get();
+    if (repair && mesh) core.showRepairs(mesh);
   }
 
   /** A recipe that was read. @typedef {{ text: string, card: RecipeCard }} Recipe */

@@ -3,6 +3,7 @@
 
 import { facing, trianglesAt, vectorArea } from "../facing.js";
 import { say } from "../words.js";
+import { isBroken } from "./edit.js";
 import { stepsOf } from "./run.js";
 
 /** @import { Diagnosis, Remedy } from "../generated/types.js" */
@@ -89,6 +90,16 @@ export function createWhy(core, { adopt, edit }, run) {
     },
   };
 
+  core.showRepairs = ({ repaired }) => {
+    const kinds = repaired.filter(({ done }) => !done);
+    const vertices = Uint32Array.from(new Set(kinds.flatMap((item) => [...item.vertices])));
+    const none = new Uint32Array();
+    if (vertices.length > 0) why.point({ vertices, faces: none, edges: none }, null);
+    const count = kinds.reduce((sum, item) => sum + item.count, 0);
+    if (kinds.length > 0) core.notes.answer(say("repaired-all", { count }));
+    patch({ tab: "surface" });
+  };
+
   /** What helps against a refusal of a mesh that is on screen. @param {Fault} fault */
   core.offers = ({ kind, detail }) => {
     const { mesh, options } = get();
@@ -122,7 +133,11 @@ export function createWhy(core, { adopt, edit }, run) {
     const elements = { vertices: list("vertices"), faces: list("faces"), edges: new Uint32Array() };
     const isHere = ofFlows.includes(kind) && elements.vertices.length + elements.faces.length > 0;
     const place = { label: say("why-show"), act: () => why.point(elements, get().camera) };
-    return [...(isHere ? [place] : []), ...(known[kind] ?? [])];
+    const repair =
+      ofFlows.includes(kind) && isBroken(mesh.info)
+        ? [{ label: say("repair"), act: edit.repair }]
+        : [];
+    return [...(isHere ? [place] : []), ...repair, ...(known[kind] ?? [])];
   };
   return why;
 }
