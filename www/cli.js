@@ -29,7 +29,8 @@ export async function main(parameters, io, open) {
     const offer = repairs.length > 0 ? { repairs } : {};
     if (json) io.write(`${JSON.stringify({ kind, message, hint, ...offer })}\n`);
     else {
-      const lines = [...(hint ? [hint] : []), ...repairs.map((repair) => repair.message)];
+      const would = repairs.map(({ message: change }) => `repair: ${change}`);
+      const lines = [...(hint ? [hint] : []), ...would];
       io.log([`umbilic: ${message}`, ...lines].join("\n  "));
     }
     return exit;

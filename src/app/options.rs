@@ -16,6 +16,9 @@ use std::sync::OnceLock;
 /// Beyond it |H|^p is no number on any mesh.
 const MAX_EXPONENT: f64 = 1e3;
 
+/// Of a length: there is no larger mesh.
+const MAX_LENGTH: f64 = 1e100;
+
 impl Options for EnergyOptions {
     #[rustfmt::skip]
     const ROWS: &'static [Row<Self>] = &[
@@ -100,7 +103,7 @@ impl Field for Weld {
 impl Options for RepairOptions {
     #[rustfmt::skip]
     const ROWS: &'static [Row<Self>] = &[
-        row!(weld, "weld", "weld", Kind::Number(Range::positive(f64::MAX)), "length",
+        row!(weld, "weld", "weld", Kind::Number(Range::positive(MAX_LENGTH)), "length",
             Surface, ReadBy::COMMAND).or("auto").words(&["off"]),
     ];
 }

@@ -87,7 +87,18 @@ const regularise = command({
 /** @typedef {import("./command.js").Command} Command */
 
 /** @type {Record<string, Command>} */
-export const commands = { info, repair, energy, flow, flips, regularise, fill, replay, shape, bench };
+export const commands = {
+  info,
+  repair,
+  energy,
+  flow,
+  flips,
+  regularise,
+  fill,
+  replay,
+  shape,
+  bench,
+};
 
 /** @returns {string} */
 export function overview() {

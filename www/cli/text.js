@@ -59,11 +59,13 @@ export function print({ message, warnings = [], changes, repairs = [], ...rest }
   const lines = (/** @type {string[][]} */ rows) => (rows.length > 0 ? table(rows) : "");
   const parts = [
     message ? `${message}\n` : "",
-    changes ? (changes.map(said).join("") || "Nothing was to be repaired.\n") : "",
+    changes ? changes.map(said).join("") || "Nothing was to be repaired.\n" : "",
     lines(entries(all).map(([key, value]) => [key, format(value)])),
     sides ? compared(sides) : "",
     warnings.map((/** @type {string} */ warning) => `warning: ${warning}\n`).join(""),
-    repairs.map((/** @type {{ message: string }} */ { message }) => `repair: ${message}\n`).join(""),
+    repairs
+      .map((/** @type {{ message: string }} */ { message }) => `repair: ${message}\n`)
+      .join(""),
   ];
   return parts.filter((part) => part !== "").join("\n");
 }
