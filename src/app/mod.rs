@@ -325,7 +325,7 @@ impl Session {
         options: &FillOptions,
         progress: FillProgress<'_>,
     ) -> Result<FillOutcome, Fault> {
-        let options = self.runner()?.numbered(options);
+        let options = options.named();
         self.edit(Edit::Fill(options.clone()), |runner| {
             runner.filled(&options, progress)
         })

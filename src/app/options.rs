@@ -57,7 +57,7 @@ impl Options for RegulariseOptions {
 impl Field for Loops {
     fn value(&self) -> Value {
         match self {
-            Self::All => Value::Absent,
+            Self::Usual => Value::Absent,
             Self::Some(loops) => loops.value(),
             Self::Word(word) => word.value(),
         }
@@ -65,7 +65,8 @@ impl Field for Loops {
 
     fn of(value: &Value) -> Option<Self> {
         match value {
-            Value::Absent => Some(Self::All),
+            Value::Absent => Some(Self::Usual),
+            Value::Text(word) => Some(Self::Word(word.clone())),
             value => Vec::of(value).map(Self::Some),
         }
     }
@@ -75,7 +76,8 @@ impl Options for FillOptions {
     #[rustfmt::skip]
     const ROWS: &'static [Row<Self>] = &[
         row!(loops, "loops", "loops",
-            Kind::Numbers(Range::count(0.0)), "", Surface, ReadBy::COMMAND).or("all"),
+            Kind::Numbers(Range::count(0.0)), "", Surface, ReadBy::COMMAND)
+            .or("small").words(&["all"]),
         row!(connect, "connect", "connect", Kind::Switch, "", Surface, ReadBy::COMMAND),
         row!(max_vertices, "maxVertices", "max-vertices",
             Kind::Number(Range::count(0.0)), "vertices", Budget, ReadBy::COMMAND).or("auto"),

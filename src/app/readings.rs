@@ -14,6 +14,7 @@ use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::message::Message;
 use crate::operator::{Elements, Mass};
+use crate::remesh::fill::boundary_loops;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -32,7 +33,7 @@ pub struct Info {
     pub faces: usize,
     /// Number of connected components.
     pub components: usize,
-    /// Number of boundary loops.
+    /// Number of boundary loops; of holes that touch in a vertex each counts.
     pub boundary_loops: usize,
     /// V − E + F.
     pub euler_characteristic: i64,
@@ -81,7 +82,7 @@ impl Info {
             edges: mesh.n_edges(),
             faces: mesh.n_faces(),
             components: mesh.components().1,
-            boundary_loops: mesh.n_boundary_loops(),
+            boundary_loops: boundary_loops(mesh, x).len(),
             euler_characteristic: mesh.euler_characteristic(),
             genus: mesh.genus(),
             closed: mesh.is_closed(),

@@ -4,18 +4,19 @@ use crate::remesh::flips::reduction::Criterion;
 use crate::remesh::repair::Weld;
 use serde::{Deserialize, Serialize};
 
-/// Which loops are filled: a word, or their numbers, counted from 0.
+/// Which loops are filled: a word, or their numbers, counted from 0; unless told otherwise the
+/// small ones.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum Loops {
     /// Some of them.
     Some(Vec<usize>),
-    /// A word: `all`, or `inner` for all but the longest.
+    /// A word: `small`, or `all`.
     Word(String),
-    /// All.
+    /// Those that are holes and no outer rims; where loops are connected, all.
     #[default]
-    All,
+    Usual,
 }
 
 /// How holes are filled. Unknown names are refused.
@@ -29,6 +30,18 @@ pub struct FillOptions {
     pub connect: bool,
     /// New vertices at most; 200,000 if absent.
     pub max_vertices: Option<usize>,
+}
+
+impl FillOptions {
+    /// The same with the usual loops by their word, which is how a recipe has them.
+    pub(in crate::app) fn named(&self) -> Self {
+        let mut options = self.clone();
+        if options.loops == Loops::Usual {
+            let word = if options.connect { "all" } else { "small" };
+            options.loops = Loops::Word(word.into());
+        }
+        options
+    }
 }
 
 /// How connectivity is optimised. Unknown names are refused.

@@ -135,6 +135,13 @@ fill-loop-out-of-range = es gibt keine Randkurve { $index }; das Netz hat { $loo
     .hint = Nehmen Sie alle Randkurven oder eine von denen, die es gibt.
 fill-touching-loop = Randkurve { $index } berührt sich selbst: Die Ecken { $a } und { $b } liegen am selben Ort
     .hint = Wo zwei Ränder aufeinander liegen, näht eine Reparatur mit größerem Schweißabstand sie zusammen.
+fill-no-small-loops = { $loops ->
+    [one] die Randkurve ist
+   *[other] die { $loops } Randkurven sind
+} zu lang für ein Loch: Der äußere Rand eines Blatts bleibt offen, solange er nicht gewählt wird
+    .hint = Verlangen Sie alle Randkurven, oder einige mit ihren Nummern.
+fill-no-room = an Randkurve { $index } ist kein Platz für einen Flicken: Er fiele auf Facetten, die es schon gibt
+    .hint = Lassen Sie die Randkurve offen, oder löschen Sie die Facetten um sie.
 fill-not-orientable = die Fläche hat keine einheitliche Orientierung
     .hint = Eine einseitige Fläche lässt sich nicht füllen.
 fill-too-few-loops = { $loops ->

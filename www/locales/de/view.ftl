@@ -177,6 +177,10 @@ fill-chosen = { $count ->
     [one] Diesen füllen
    *[other] Diese { $count } füllen
 }
+fill-small = { $count ->
+    [one] Das kleine Loch füllen
+   *[other] { $count } kleine Löcher füllen
+}
 fill-all = { $count ->
     [one] Füllen
    *[other] Alle { $count } füllen

@@ -144,6 +144,13 @@ fill-loop-out-of-range = there is no boundary loop { $index }; the mesh has { $l
     .hint = Ask for all loops, or for one of those there are.
 fill-touching-loop = boundary loop { $index } touches itself: vertices { $a } and { $b } lie in the same place
     .hint = Where two boundaries lie on each other, a repair with a larger welding distance stitches them.
+fill-no-small-loops = { $loops ->
+    [one] the boundary loop is
+   *[other] the { $loops } boundary loops are
+} too long to be a hole: the outer rim of a sheet is left open unless chosen
+    .hint = Ask for all loops, or for some by their numbers.
+fill-no-room = there is no room for a patch at boundary loop { $index }: it would fall onto faces that are there
+    .hint = Leave the loop open, or delete the faces around it.
 fill-not-orientable = the surface has no consistent orientation
     .hint = A one-sided surface cannot be filled.
 fill-too-few-loops = { $loops ->

@@ -177,6 +177,10 @@ fill-chosen = { $count ->
     [one] Fill this one
    *[other] Fill these { $count }
 }
+fill-small = { $count ->
+    [one] Fill the small hole
+   *[other] Fill { $count } small holes
+}
 fill-all = { $count ->
     [one] Fill it
    *[other] Fill all { $count }
