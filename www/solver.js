@@ -314,8 +314,12 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       scene = { ...scene, ...origins.pop(), isConfigured: true };
       return loaded;
     },
-    /** @param {Partial<RepairOptions>} options */
-    repair: (options) => edit("repair", { options }),
+    /** Where there is nothing to repair it is no edit. @param {Partial<RepairOptions>} options */
+    async repair(options) {
+      const loaded = /** @type {Loaded} */ (await ask("repair", { options }, { ends: true }));
+      if (loaded.repaired.length > 0) await keep(loaded);
+      return loaded;
+    },
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
     subdivide: (scheme) => edit("subdivide", { options: { scheme } }),
     /** @returns {Promise<SelfIntersections | null>} */

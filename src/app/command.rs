@@ -333,6 +333,12 @@ impl Session {
     /// # Errors
     /// Those of the method it stands for; nothing has changed then.
     pub fn perform(&mut self, command: Command) -> Result<Answer, Fault> {
+        let opens = matches!(command, Command::Load { .. });
+        self.carried_out(command)
+            .map_err(|fault| if opens { fault } else { self.offering(fault) })
+    }
+
+    fn carried_out(&mut self, command: Command) -> Result<Answer, Fault> {
         use Command as C;
         if matches!(
             command,

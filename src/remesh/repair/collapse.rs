@@ -1,12 +1,13 @@
 //! Edges without length.
 
 use super::faces::{Faces, sides};
-use std::collections::{BTreeSet, HashMap};
+use super::hash::Table;
+use std::collections::BTreeSet;
 
 /// Collapses edges; remembers which faces a vertex has as long as nobody else changes them.
 #[derive(Default)]
 pub(super) struct Collapser {
-    faces_of: HashMap<u32, Vec<usize>>,
+    faces_of: Table<u32, Vec<usize>>,
 }
 
 impl Collapser {

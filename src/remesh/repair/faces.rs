@@ -1,20 +1,20 @@
 //! Faces that change, found by their edges.
 
+use super::hash::Table;
 use super::key;
 use crate::soup::PolygonSoup;
-use std::collections::HashMap;
 
 /// Faces of a soup; those that are gone are empty.
 pub(super) struct Faces {
     faces: Vec<Vec<u32>>,
-    of_edge: HashMap<(u32, u32), Vec<u32>>,
+    of_edge: Table<(u32, u32), Vec<u32>>,
 }
 
 impl Faces {
     pub(super) fn of(soup: &PolygonSoup) -> Self {
         let mut this = Self {
             faces: Vec::with_capacity(soup.n_faces()),
-            of_edge: HashMap::with_capacity(soup.corners.len()),
+            of_edge: Table::with_capacity_and_hasher(soup.corners.len(), Default::default()),
         };
         for face in soup.faces() {
             this.add(face.to_vec());

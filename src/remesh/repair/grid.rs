@@ -1,8 +1,8 @@
 //! Points found by where they are.
 
 use super::bounds;
+use super::hash::Table;
 use glam::DVec3;
-use std::collections::HashMap;
 
 /// A cube is no smaller than this share of the whole: their numbers stay exact.
 const FINEST: f64 = 1e-9;
@@ -11,7 +11,7 @@ const FINEST: f64 = 1e-9;
 pub(super) struct Grid {
     low: DVec3,
     size: f64,
-    cells: HashMap<[i64; 3], Vec<u32>>,
+    cells: Table<[i64; 3], Vec<u32>>,
 }
 
 impl Grid {
@@ -22,7 +22,7 @@ impl Grid {
         Self {
             low,
             size: reach.max(finest).max(f64::MIN_POSITIVE),
-            cells: HashMap::new(),
+            cells: Table::default(),
         }
     }
 

@@ -2,15 +2,16 @@
 
 use super::faces::Faces;
 use super::grid::Grid;
+use super::hash::Table;
+use super::weld;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
-use std::collections::HashMap;
 
 /// Boundary edges, and what is near them.
 pub(super) struct Rims<'a> {
     x: &'a [DVec3],
     edges: Vec<(u32, u32)>,
-    neighbours: HashMap<u32, Vec<u32>>,
+    neighbours: Table<u32, Vec<u32>>,
     grid: Grid,
     near: f64,
 }
@@ -24,7 +25,7 @@ impl<'a> Rims<'a> {
             return None;
         }
         edges.sort_unstable();
-        let mut neighbours: HashMap<u32, Vec<u32>> = HashMap::new();
+        let mut neighbours: Table<u32, Vec<u32>> = Table::default();
         for &(a, b) in &edges {
             neighbours.entry(a).or_default().push(b);
             neighbours.entry(b).or_default().push(a);
@@ -100,6 +101,9 @@ impl<'a> Rims<'a> {
 /// Inserts boundary vertices that lie on a boundary edge, no farther from it than `near`, into the
 /// face of that edge. Gives how often, and the vertices.
 pub(super) fn insert(soup: &mut PolygonSoup, near: f64) -> (usize, Vec<u32>) {
+    if !weld::boundary(soup).contains(&true) {
+        return (0, Vec::new());
+    }
     let mut faces = Faces::of(soup);
     let open: Vec<(u32, u32)> = faces
         .edges()

@@ -1,6 +1,6 @@
 //! Repairs that change a file's faces, on request: what people bring as a surface becomes one.
 //!
-//! In turn: boundary vertices at the same place are welded where that stitches two edges, so that
+//! In turn: open sheets that lie on another are dropped; boundary vertices at the same place are welded where that stitches two edges, so that
 //! boundary chains that coincide close; faces without area go; a vertex in the middle of a
 //! neighbour's edge is inserted there; sheets that hang on an edge of two other faces are dropped
 //! where they are small, else cut loose. Every change is listed with its count and its vertices.
@@ -8,9 +8,11 @@
 //! and so do two holes that share a corner.
 
 mod collapse;
+mod double;
 mod faces;
 mod flat;
 mod grid;
+mod hash;
 mod junction;
 mod sheet;
 mod suspect;
@@ -43,6 +45,11 @@ messages! {
     /// What a repair has changed.
     #[derive(Clone, Debug, PartialEq)]
     pub enum RepairChange as "repaired" {
+        /// Faces of sheets that lie exactly on an earlier one were dropped.
+        DoubledFaces {
+            /// How many.
+            count: usize,
+        },
         /// Boundary vertices were made one with others at the same place.
         Welded {
             /// How many are gone.
@@ -189,6 +196,9 @@ fn changed(soup: &mut PolygonSoup, origin: &mut Vec<u32>, weld: Weld) -> Vec<Cha
     let cleaned = repairs.iter().filter_map(|r| Change::built(r, 0));
     let mut changes: Vec<Change> = cleaned.collect();
 
+    let mut doubled = Tally::default();
+    doubled.add(double::drop_doubles(soup));
+    changes.extend(doubled.change(|count| RepairChange::DoubledFaces { count }));
     let near = distance(soup, weld);
     let [mut welded, mut collapsed, mut flat, mut inserted] = [(); 4].map(|()| Tally::default());
     for _ in 0..ROUNDS {
@@ -212,8 +222,10 @@ fn changed(soup: &mut PolygonSoup, origin: &mut Vec<u32>, weld: Weld) -> Vec<Cha
     changes.extend(collapsed.change(|count| R::CollapsedEdges { count }));
     changes.extend(flat.change(|count| R::FlatFaces { count }));
     changes.extend(inserted.change(|count| R::Inserted { count }));
-    changes.extend(sheet::drop_fins(soup));
-    changes.extend(sheet::cut(soup, origin));
+    if sheet::has_crowded_edge(soup) {
+        changes.extend(sheet::drop_fins(soup));
+        changes.extend(sheet::cut(soup, origin));
+    }
     changes
 }
 

@@ -1,7 +1,8 @@
 //! Edges of more than two faces: sheets that hang on them.
 
 use super::faces::{Faces, sides};
-use super::{Change, RepairChange};
+use super::hash::Table;
+use super::{Change, RepairChange, edges, key};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -12,7 +13,7 @@ const SMALL: f64 = 0.01;
 const FEW: usize = 4;
 
 /// The faces of each sheet: those that hang together over edges of two faces.
-fn sheets(faces: &Faces) -> Vec<Vec<usize>> {
+pub(super) fn sheets(faces: &Faces) -> Vec<Vec<usize>> {
     let mut is_seen = vec![false; faces.len()];
     let mut all = Vec::new();
     for seed in 0..faces.len() {
@@ -38,6 +39,17 @@ fn sheets(faces: &Faces) -> Vec<Vec<usize>> {
     all
 }
 
+/// Whether there is an edge of more than two faces.
+pub(super) fn has_crowded_edge(soup: &PolygonSoup) -> bool {
+    let mut count: Table<(u32, u32), u32> =
+        Table::with_capacity_and_hasher(soup.corners.len(), Default::default());
+    edges(soup).any(|(a, b)| {
+        let count = count.entry(key(a, b)).or_default();
+        *count += 1;
+        *count > 2
+    })
+}
+
 fn is_crowded(faces: &Faces, (a, b): (u32, u32)) -> bool {
     faces.at(a, b).len() > 2
 }
@@ -55,9 +67,6 @@ fn is_sheet(faces: &Faces, sheet: &[usize]) -> bool {
 /// first, as long as there are any.
 pub(super) fn drop_fins(soup: &mut PolygonSoup) -> Option<Change> {
     let mut faces = Faces::of(soup);
-    if !faces.edges().any(|(_, of)| of.len() > 2) {
-        return None;
-    }
     let small = FEW.max((SMALL * soup.n_faces() as f64) as usize);
     let (mut count, mut vertices) = (0, Vec::new());
     loop {

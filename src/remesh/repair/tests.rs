@@ -1,6 +1,5 @@
 use super::*;
 use crate::mesh::{HalfedgeMesh, build, shape};
-use std::collections::BTreeSet;
 
 fn sphere(level: f64) -> PolygonSoup {
     shape::make("icosphere", &[("level".into(), level)])
@@ -193,6 +192,48 @@ fn a_fin_is_dropped_and_the_smaller_of_two_bodies_is_not() {
 }
 
 #[test]
+fn a_sheet_that_was_exported_twice_is_one() {
+    let one = shape::make("disk", &[]).expect("a disk").soup;
+    let n = one.positions.len() as u32;
+    for turned in [false, true] {
+        let mut both = one.clone();
+        both.positions.extend(&one.positions);
+        for face in one.faces() {
+            let mut face: Vec<u32> = face.iter().map(|v| v + n).collect();
+            if turned {
+                face.reverse();
+            }
+            both.push_face(&face);
+        }
+        let repaired = repair(&both, Weld::Auto);
+        assert_eq!(kinds(&repaired), [("DoubledFaces", one.n_faces())]);
+        assert_eq!(repaired.soup, one);
+    }
+}
+
+/// Soups of few vertices in few places, some of them nearly the same.
+fn random_soups() -> impl Iterator<Item = PolygonSoup> {
+    let mut state = 7_u64;
+    let mut random = move |n: u64| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (state >> 33) % n
+    };
+    (0..1500).map(move |k| {
+        let n = 5 + random(12);
+        let scale = 10f64.powi((k % 13) - 6);
+        let far = [0.0, 1e3, 5e6][k as usize % 3];
+        let mut c = |m: u64| (random(m) as f64 + random(2) as f64 * 1e-7) * scale + far;
+        let x: Vec<DVec3> = (0..n).map(|_| DVec3::new(c(4), c(4), c(3))).collect();
+        let faces: Vec<Vec<u32>> = (0..3 + random(40))
+            .map(|_| (0..3 + random(2)).map(|_| random(n) as u32).collect())
+            .collect();
+        PolygonSoup::from_faces(x, &faces)
+    })
+}
+
+#[test]
 fn whatever_is_repaired_is_a_surface_and_good_ones_are_left_alone() {
     for name in [
         "icosphere",
@@ -201,38 +242,41 @@ fn whatever_is_repaired_is_a_surface_and_good_ones_are_left_alone() {
         "cube",
         "four-bumps",
         "klein-bottle",
+        "disk",
+        "cylinder",
+        "holed-sphere",
     ] {
         let Ok(sample) = shape::make(name, &[]) else {
             continue;
         };
-        assert_eq!(repair(&sample.soup, Weld::Auto).changes, [], "{name}");
+        let repaired = repair(&sample.soup, Weld::Auto);
+        assert_eq!(repaired.changes, [], "{name}");
+        let bits = |soup: &PolygonSoup| -> Vec<[u64; 3]> {
+            let positions = soup.positions.iter();
+            positions.map(|p| p.to_array().map(f64::to_bits)).collect()
+        };
+        assert_eq!(bits(&repaired.soup), bits(&sample.soup), "{name}");
+        assert_eq!(repaired.soup, sample.soup, "{name}");
     }
-    // Faces at random on few vertices.
-    let mut state = 7_u64;
-    let mut random = |n: u64| {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
-        (state >> 33) % n
-    };
-    for _ in 0..300 {
-        let n = 5 + random(12);
-        let x = (0..n).map(|_| DVec3::new(random(4) as f64, random(4) as f64, random(3) as f64));
-        let x: Vec<DVec3> = x.collect();
-        let faces: Vec<Vec<u32>> = (0..3 + random(40))
-            .map(|_| (0..3 + random(2)).map(|_| random(n) as u32).collect())
-            .collect();
-        let soup = PolygonSoup::from_faces(x, &faces);
+    for soup in random_soups() {
         for weld in [Weld::Off, Weld::Auto, Weld::Within(1.0)] {
             let repaired = repair(&soup, weld);
-            let result = build(&repaired.soup);
-            let is_fine = matches!(result, Ok(_) | Err(crate::mesh::MeshError::NoFaces));
-            assert!(is_fine, "{result:?} of {faces:?}");
-            let used: BTreeSet<u32> = repaired.soup.corners.iter().copied().collect();
-            assert!(
-                used.iter()
-                    .all(|v| (*v as usize) < repaired.soup.positions.len())
-            );
+            assert_eq!(repaired.origin.len(), repaired.soup.positions.len());
+            let n = soup.positions.len() as u32;
+            assert!(repaired.origin.iter().all(|v| *v < n));
+            let built = match build(&repaired.soup) {
+                Ok(built) => built,
+                Err(error) => {
+                    assert_eq!(error, crate::mesh::MeshError::NoFaces);
+                    continue;
+                }
+            };
+            built.mesh.validate().expect("a surface");
+            // What looks whole is.
+            if !is_suspect(&built.mesh, &built.positions, weld) {
+                let again = repair(&built.mesh.to_soup(&built.positions), weld);
+                assert_eq!(again.changes, [], "{weld:?}");
+            }
         }
     }
 }

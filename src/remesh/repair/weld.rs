@@ -2,13 +2,14 @@
 
 use super::faces::Faces;
 use super::grid::Grid;
+use super::hash::Table;
 use super::{edges, key};
 use crate::soup::PolygonSoup;
-use std::collections::HashMap;
 
 /// Vertices at an end of an edge that only one face has.
-fn boundary(soup: &PolygonSoup) -> Vec<bool> {
-    let mut faces_of_edge: HashMap<(u32, u32), u32> = HashMap::with_capacity(soup.corners.len());
+pub(super) fn boundary(soup: &PolygonSoup) -> Vec<bool> {
+    let mut faces_of_edge: Table<(u32, u32), u32> =
+        Table::with_capacity_and_hasher(soup.corners.len(), Default::default());
     for (a, b) in edges(soup) {
         *faces_of_edge.entry(key(a, b)).or_default() += 1;
     }
@@ -43,7 +44,7 @@ pub(super) fn weld(soup: &mut PolygonSoup, near: f64) -> (usize, Vec<u32>) {
     were.sort_unstable();
     were.dedup();
     let (mut count, mut vertices) = (0, Vec::new());
-    let mut first = HashMap::new();
+    let mut first = Table::default();
     for fan in were.chunk_by(|a, b| a.0 == b.0) {
         let (name, v) = fan[0];
         first.insert(name, v);

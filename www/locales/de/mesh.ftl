@@ -52,6 +52,13 @@ repair-turned-faces = Den Nachbarn entsprechend umgedreht: { $count ->
 }.
 repair-inside-out = Die Fläche war umgestülpt (negatives Volumen): Alle Facetten wurden umgedreht.
 
+repaired-doubled-faces = Weggelassen: { $count ->
+    [one] { $count } Facette, die
+   *[other] { $count } Facetten, die
+} genau auf einem früheren Blatt { $count ->
+    [one] liegt
+   *[other] liegen
+}.
 repaired-welded = Verschweißt: { $count ->
     [one] { $count } Randecke mit einer anderen
    *[other] { $count } Randecken mit anderen
@@ -134,7 +141,7 @@ fill-no-loops = das Netz hat keine Randkurve
 fill-loop-out-of-range = es gibt keine Randkurve { $index }; das Netz hat { $loops }, ab 0 gezählt
     .hint = Nehmen Sie alle Randkurven oder eine von denen, die es gibt.
 fill-touching-loop = Randkurve { $index } berührt sich selbst: Die Ecken { $a } und { $b } liegen am selben Ort
-    .hint = Wo zwei Ränder aufeinander liegen, näht eine Reparatur mit größerem Schweißabstand sie zusammen.
+    .hint = Eine Reparatur näht Ränder zusammen, die aufeinander liegen.
 fill-no-small-loops = { $loops ->
     [one] die Randkurve ist
    *[other] die { $loops } Randkurven sind

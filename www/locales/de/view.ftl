@@ -127,10 +127,11 @@ found-repaired = Repariert
 repair = Reparieren
 repair-and-open = Reparieren und öffnen
 repair-would = Eine Reparatur würde dies tun:
-repaired-all = Repariert: { $count ->
-    [one] { $count } Änderung
-   *[other] { $count } Änderungen
-}.
+repaired-all = { $count ->
+    [0] Es gibt nichts zu reparieren.
+    [one] Repariert: { $count } Änderung.
+   *[other] Repariert: { $count } Änderungen.
+}
 found-holes = { $count ->
     [one] { $count } Rand
    *[other] { $count } Ränder

@@ -52,6 +52,10 @@ repair-turned-faces = Turned { $count ->
 } to agree with the neighbours.
 repair-inside-out = The surface was inside out (negative volume): all faces were turned.
 
+repaired-doubled-faces = Dropped { $count ->
+    [one] { $count } face that lies
+   *[other] { $count } faces that lie
+} exactly on an earlier sheet.
 repaired-welded = Welded { $count ->
     [one] { $count } boundary vertex
    *[other] { $count } boundary vertices
@@ -143,7 +147,7 @@ fill-no-loops = the mesh has no boundary loop
 fill-loop-out-of-range = there is no boundary loop { $index }; the mesh has { $loops }, counted from 0
     .hint = Ask for all loops, or for one of those there are.
 fill-touching-loop = boundary loop { $index } touches itself: vertices { $a } and { $b } lie in the same place
-    .hint = Where two boundaries lie on each other, a repair with a larger welding distance stitches them.
+    .hint = A repair stitches boundaries that lie on each other.
 fill-no-small-loops = { $loops ->
     [one] the boundary loop is
    *[other] the { $loops } boundary loops are

@@ -127,10 +127,11 @@ found-repaired = Repaired
 repair = Repair
 repair-and-open = Repair and open
 repair-would = A repair would do this:
-repaired-all = Repaired: { $count ->
-    [one] { $count } change
-   *[other] { $count } changes
-}.
+repaired-all = { $count ->
+    [0] There is nothing to repair.
+    [one] Repaired: { $count } change.
+   *[other] Repaired: { $count } changes.
+}
 found-holes = { $count ->
     [one] { $count } boundary
    *[other] { $count } boundaries
