@@ -655,7 +655,7 @@ hint: Message,
  */
 detail: { [key in string]: Array<number> }, 
 /**
- * Of a file that is no surface: what a repair would change to make it one.
+ * Of a file that is no surface, or a surface that is not whole: what a repair would change.
  */
 repairs?: Array<RepairItem>, };
 

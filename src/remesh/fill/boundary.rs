@@ -9,9 +9,9 @@ use std::f64::consts::TAU;
 /// Vertices of a loop closer than this share of its mean edge lie in the same place.
 const SAME_PLACE: f64 = 1e-9;
 
-/// A loop is small where it is no longer than this share of the diagonal of its component's
-/// bounding box: a circle of a quarter of it. The outer rim of a sheet is longer than the whole.
-const SMALL: f64 = 0.75;
+/// A loop is small where it is no longer than so many times the diagonal of its component's
+/// bounding box: a circle of a third of it. The outer rim of a sheet is twice and more as long.
+const SMALL: f64 = 1.0;
 
 /// A boundary loop; it has as many edges as vertices.
 #[derive(Clone, Debug, PartialEq)]
