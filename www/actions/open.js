@@ -8,7 +8,7 @@ import { sampleName } from "../library.js";
 import { linkIn, pageScene, sceneOf } from "../link.js";
 import { defaults } from "../options.js";
 import { alone } from "../store.js";
-import { say, sayFault } from "../words.js";
+import { say } from "../words.js";
 
 /** @import { Loaded, RecipeCard, RepairOptions, ScriptText } from "../generated/types.js" */
 /** @import { Figure, Sample } from "../library.js" */
@@ -160,14 +160,13 @@ export function createOpen(core, run, compare) {
     try {
       await load({ name: file.name, source, ask, options, fallback: plain, scene });
     } catch (error) {
-      const fault = /** @type {any} */ (error);
-      if (!fault?.repairs?.length) throw error;
+      const { message, hint, repairs } = /** @type {import("../words.js").Fault} */ (error);
+      if (!repairs?.length) throw error;
       // No surface: with one press it is opened as the one that a repair makes of it.
       const again = () => enqueue(() => loadFile(file, bytes, scene, {}));
-      const offer = { label: say("repair-and-open"), act: again };
-      const { message, hint } = sayFault(fault);
-      const what = fault.repairs.map((/** @type {any} */ item) => say(item.message));
-      notes.error({ message, hint: [hint, say("repair-would"), ...what].join(" ") }, [offer]);
+      const what = repairs.map((item) => say(item.message));
+      const offers = [{ label: say("repair-and-open"), act: again }];
+      notes.error({ message, hint: [hint, say("repair-would"), ...what].join(" ") }, offers);
       return;
     }
     const { mesh } = get();
