@@ -55,7 +55,7 @@ impl Document {
                 let first = u32::from(read.format == Format::Obj);
                 let mut fault = Fault::from(error.counted_from(first));
                 if let Ok(mended) = mend(&read.soup, Weld::Auto) {
-                    fault.repairs = mended.items;
+                    fault.repairs = mended.items.into();
                 }
                 return Err(fault);
             }

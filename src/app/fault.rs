@@ -29,9 +29,9 @@ pub struct Fault {
     /// The elements at fault: lists of indices by name.
     pub detail: BTreeMap<&'static str, Vec<f64>>,
     /// Of a file that is no surface, or a surface that is not whole: what a repair would change.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "<[RepairItem]>::is_empty")]
     #[cfg_attr(test, ts(as = "Option<Vec<RepairItem>>", optional))]
-    pub repairs: Vec<RepairItem>,
+    pub repairs: Box<[RepairItem]>,
 }
 
 impl Fault {
@@ -42,7 +42,7 @@ impl Fault {
             message: said.message(),
             hint: said.hint(),
             detail: BTreeMap::new(),
-            repairs: Vec::new(),
+            repairs: Box::default(),
         }
     }
 

@@ -80,7 +80,7 @@ impl Soup {
                                 soup.x.len() - 1
                             })
                         };
-                        let mut quad = vec![
+                        let mut quad = [
                             corner(i, j),
                             corner(i + 1, j),
                             corner(i + 1, j + 1),
@@ -317,10 +317,10 @@ fn an_edge_without_length_is_collapsed() {
             let half = ring.len() / 2;
             let far: Vec<(usize, usize)> = ring[..half].to_vec();
             for face in &mut soup.faces {
-                if let Some(n) = face.iter().position(|c| *c == v) {
-                    if far.contains(&(face[(n + 1) % 3], face[(n + 2) % 3])) {
-                        face[n] = w;
-                    }
+                if let Some(n) = face.iter().position(|c| *c == v)
+                    && far.contains(&(face[(n + 1) % 3], face[(n + 2) % 3]))
+                {
+                    face[n] = w;
                 }
             }
             let (p, q) = (ring[0].0, ring[half].0);

@@ -262,7 +262,9 @@ fn opened(bytes: &[u8]) -> Session {
 
 #[test]
 fn holes_that_share_a_corner_are_two_and_the_outer_rim_stays_open() {
-    let cases: [(usize, &[(usize, usize)], f64, f64); 4] = [
+    // Squares along a side, those that are left out, size and place.
+    type Case = (usize, &'static [(usize, usize)], f64, f64);
+    let cases: [Case; 4] = [
         (8, &[(3, 3), (4, 4)], 1.0, 0.0),
         (9, &[(4, 4), (5, 3)], 1e-6, 1.0),
         (12, &[(2, 2), (3, 3), (4, 4)], 1e6, 5e6),

@@ -206,7 +206,7 @@ impl Session {
         if let Some(runner) = &self.runner
             && MENDABLE.contains(&fault.kind)
         {
-            fault.repairs = preview(runner.polygons(), &runner.x);
+            fault.repairs = preview(runner.polygons(), &runner.x).into();
         }
         fault
     }
