@@ -1,9 +1,9 @@
 //! The mesh a session works on, as loaded and as flowed.
 
-use super::edit::repair::{Mended, RepairItem, mend, preview};
 use super::fault::Fault;
 use super::message::Notice;
 use super::readings::Info;
+use super::repairs::{Mended, RepairItem, mend, preview};
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
 use crate::io::Format;

@@ -1,7 +1,7 @@
 //! The one shape of error that leaves the crate.
 
-use super::edit::repair::RepairItem;
 use super::message::AppError;
+use super::repairs::RepairItem;
 use crate::flow::FlowError;
 use crate::flow::option::OptionError;
 use crate::io::{ReadError, WriteError};

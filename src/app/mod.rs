@@ -32,6 +32,7 @@ mod probe;
 mod provenance;
 mod readings;
 mod recipe;
+mod repairs;
 mod runner;
 mod segment;
 mod study;
@@ -51,7 +52,6 @@ pub use edit::invert::{InversionReadings, InversionReport, Inverted};
 pub use edit::options::{
     FillOptions, FlipOptions, Loops, RepairOptions, SubdivideOptions, SubdivisionScheme,
 };
-pub use edit::repair::RepairItem;
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use frame::{ChosenFlow, Frame};
@@ -75,6 +75,7 @@ pub use recipe::{
     Estimate, MustBe, Origin, RecipeCard, RecipeError, RecipeMesh, ReplayProgress, ReplayReport,
     ReplayResult, ScriptText,
 };
+pub use repairs::RepairItem;
 pub use runner::Configured;
 pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
 

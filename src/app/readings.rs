@@ -2,8 +2,8 @@
 //! field names in camel case.
 
 use super::crossing;
-use super::edit::repair::RepairItem;
 use super::message::Notice;
+use super::repairs::RepairItem;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{self, Boundary, CircleEnergy};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore, WillmoreBounds};

@@ -2,7 +2,7 @@
 
 use super::remedy::Remedy;
 use super::stop::WINDOW;
-use crate::app::edit::repair::preview;
+use crate::app::repairs::preview;
 use crate::app::runner::Runner;
 use crate::flow::StepReport;
 use crate::flow::constraint::Kept;
