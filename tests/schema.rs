@@ -4,7 +4,8 @@
 use serde_json::{Value as Json, json};
 use std::path::Path;
 use umbilic::app::{
-    Arrangement, BenchOptions, EnergyOptions, FillOptions, FlipOptions, RegulariseOptions, Session,
+    Arrangement, BenchOptions, EnergyOptions, FillOptions, FlipOptions, RegulariseOptions,
+    RepairOptions, Session,
 };
 use umbilic::energy::circle::Boundary;
 use umbilic::flow::option::{Kind, Options, Row, Value};
@@ -47,6 +48,7 @@ fn schema() -> String {
  * @property {readonly string[]} ids
  * @property {any} default
  * @property {string | null} absent
+ * @property {readonly string[]} words  that stand for themselves
  * @property {string} unit
  * @property {string} group
  * @property {readonly FlowName[]} flows
@@ -85,6 +87,7 @@ fn schema() -> String {
         "// Of the commands that are called so.\n".into(),
         list("readonly Row[]", "energy", &rows::<EnergyOptions>()),
         list("readonly Row[]", "regularise", &rows::<RegulariseOptions>()),
+        list("readonly Row[]", "repair", &rows::<RepairOptions>()),
         list("readonly Row[]", "fill", &rows::<FillOptions>()),
         list("readonly Row[]", "flips", &rows::<FlipOptions>()),
         list("readonly Row[]", "bench", &rows::<BenchOptions>()),
@@ -155,6 +158,7 @@ fn row_json<S: Options>(row: &Row<S>) -> Json {
         "ids": ids,
         "default": (row.get)(&S::default()),
         "absent": row.absent,
+        "words": row.words,
         "unit": row.unit,
         "group": row.group,
         "flows": flows,

@@ -25,9 +25,14 @@ export async function main(parameters, io, open) {
   try {
     return await dispatch(parameters, io, open);
   } catch (error) {
-    const { exit, kind, message, hint } = failureOf(error);
-    if (json) io.write(`${JSON.stringify({ kind, message, hint })}\n`);
-    else io.log(hint ? `umbilic: ${message}\n  ${hint}` : `umbilic: ${message}`);
+    const { exit, kind, message, hint, repairs } = failureOf(error);
+    const offer = repairs.length > 0 ? { repairs } : {};
+    if (json) io.write(`${JSON.stringify({ kind, message, hint, ...offer })}\n`);
+    else {
+      const would = repairs.map(({ message: change }) => `repair: ${change}`);
+      const lines = [...(hint ? [hint] : []), ...would];
+      io.log([`umbilic: ${message}`, ...lines].join("\n  "));
+    }
     return exit;
   }
 }

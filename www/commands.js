@@ -67,6 +67,7 @@ export const commands = [
   { id: "fill", keys: [], act: (page) => page.tool("fill") },
   { id: "subdivide", keys: [], act: (page) => page.tool("subdivide") },
   { id: "invert", keys: [], act: (page) => page.tool("invert") },
+  { id: "repair", keys: [], act: (page) => page.edit.repair() },
   { id: "regularise", keys: [], act: (page) => page.edit.regularise() },
   { id: "adopt", keys: [], act: (page) => page.edit.adopt() },
   { id: "download", keys: [], act: (page) => page.save.file("ply") },

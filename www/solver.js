@@ -3,7 +3,7 @@
 // is given that scene before it is asked for anything else.
 
 /** @import { Arrangement, FlowOptions } from "./generated/schema.js" */
-/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Message, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, Wanted, WrittenLink } from "./generated/types.js" */
+/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Message, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, RepairOptions, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, Wanted, WrittenLink } from "./generated/types.js" */
 /** @import { Finding } from "./library.js" */
 /** @import { Field, FieldName } from "./store.js" */
 /** @import { Fault } from "./words.js" */
@@ -259,8 +259,11 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     writeLink: (scene) => ask("writeLink", { scene }),
     /** @param {string} sent  the energy of a link @param {number} step @returns {Promise<LinkCheck | null>} */
     checkLink: (sent, step) => ask("checkLink", { sent, step }),
-    /** @param {string} name @param {Uint8Array<ArrayBuffer>} bytes  kept, so that a lost worker can be replaced */
-    load: (name, bytes) => make("load", { name, bytes }),
+    /**
+     * @param {string} name @param {Uint8Array<ArrayBuffer>} bytes  kept, so that a lost worker can be replaced
+     * @param {Partial<RepairOptions> | null} [repair]  how it is repaired, where it is
+     */
+    load: (name, bytes, repair = null) => make("load", { name, bytes, repair }),
     /** What the mesh was read from, if it was. @returns {Uint8Array<ArrayBuffer> | null} */
     file: () => scene.origin?.fields.bytes ?? null,
     /** @param {string} name @param {Record<string, number>} parameters */
@@ -309,6 +312,12 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     async undo() {
       const loaded = await move("undo");
       scene = { ...scene, ...origins.pop(), isConfigured: true };
+      return loaded;
+    },
+    /** Where there is nothing to repair it is no edit. @param {Partial<RepairOptions>} options */
+    async repair(options) {
+      const loaded = /** @type {Loaded} */ (await ask("repair", { options }, { ends: true }));
+      if (loaded.repaired.length > 0) await keep(loaded);
       return loaded;
     },
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */

@@ -107,11 +107,10 @@ function put(message, values) {
 }
 
 /** A refusal in words. @param {Refusal} refusal @returns {Fault} */
-export const sayFault = ({ kind, message, hint, detail }) => ({
-  kind,
+export const sayFault = ({ message, hint, ...rest }) => ({
+  ...rest,
   message: say(message),
   hint: hint ? say(hint) : "",
-  detail,
 });
 
 /** Words that are read only once there is a solver. @type {Promise<string> | null} */

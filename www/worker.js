@@ -217,8 +217,8 @@ const isTrap = (error) => error instanceof WebAssembly.RuntimeError || error ins
 /** @param {any} error @returns {Refusal} */
 function asRefusal(error) {
   if (typeof error?.kind === "string") {
-    const { kind, message, hint, detail } = error;
-    return { kind, message, hint, detail };
+    const { kind, message, hint, detail, repairs } = error;
+    return { kind, message, hint, detail, repairs };
   }
   return refusal("Internal", "worker-internal", { reason: String(error?.message ?? error) });
 }

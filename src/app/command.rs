@@ -9,7 +9,7 @@ use super::diagnosis::Diagnosis;
 use super::edit::fill::{FillOutcome, LoopInfo};
 use super::edit::flip::FlipOutcome;
 use super::edit::invert::{InversionReport, Inverted};
-use super::edit::options::{FillOptions, FlipOptions, SubdivideOptions};
+use super::edit::options::{FillOptions, FlipOptions, RepairOptions, SubdivideOptions};
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::history::Timeline;
@@ -47,6 +47,9 @@ pub enum Command {
         bytes: TypedArray<u8>,
         /// Its name.
         name: String,
+        /// How it is repaired; null for a file that is a surface.
+        #[serde(default)]
+        repair: Option<RepairOptions>,
     },
     /// Loads a sample shape.
     Sample {
@@ -125,6 +128,12 @@ pub enum Command {
         /// Which, and how.
         #[serde(default)]
         options: FillOptions,
+    },
+    /// Repairs the surface as it is now.
+    Repair {
+        /// How.
+        #[serde(default)]
+        options: RepairOptions,
     },
     /// Divides each triangle into four.
     Subdivide {
@@ -290,6 +299,7 @@ pub enum Answer {
     Regularise(Regularised),
     Flip(FlipOutcome),
     Fill(FillOutcome),
+    Repair(Loaded),
     Subdivide(Loaded),
     Invert(InversionReport),
     Adopt(Loaded),
@@ -334,6 +344,12 @@ impl Session {
     /// # Errors
     /// Those of the method it stands for; nothing has changed then.
     pub fn perform(&mut self, command: Command) -> Result<Answer, Fault> {
+        let opens = matches!(command, Command::Load { .. });
+        self.carried_out(command)
+            .map_err(|fault| if opens { fault } else { self.offering(fault) })
+    }
+
+    fn carried_out(&mut self, command: Command) -> Result<Answer, Fault> {
         use Command as C;
         if matches!(
             command,
@@ -349,7 +365,14 @@ impl Session {
             self.view.forget_steps();
         }
         Ok(match command {
-            C::Load { bytes, name } => Answer::Load(self.load(&bytes, &name)?),
+            C::Load {
+                bytes,
+                name,
+                repair,
+            } => Answer::Load(match repair {
+                Some(options) => self.load_repaired(&bytes, &name, options)?,
+                None => self.load(&bytes, &name)?,
+            }),
             C::Sample { name, parameters } => {
                 let values: Vec<(String, f64)> = parameters.into_iter().collect();
                 Answer::Sample(self.sample(&name, &values)?)
@@ -395,6 +418,7 @@ impl Session {
             C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),
             C::Flip { options } => Answer::Flip(self.flip(&options)?),
             C::Fill { options } => Answer::Fill(self.fill_telling(&options)?),
+            C::Repair { options } => Answer::Repair(self.repair(options)?),
             C::Subdivide { options } => Answer::Subdivide(self.subdivide(options)?),
             C::Invert { centre } => Answer::Invert(self.invert(centre)?.1),
             C::Adopt {} => Answer::Adopt(self.adopt()?),

@@ -3,13 +3,15 @@
 use super::fault::Fault;
 use super::message::Notice;
 use super::readings::Info;
+use super::repairs::{Mended, RepairItem, mend, preview};
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
+use crate::io::Format;
 use crate::mesh::shape::Sample;
 use crate::mesh::{self, Built, HalfedgeMesh};
-use crate::message::Message;
+use crate::message::{Message, Say};
 use crate::operator::Elements;
-use crate::soup::PolygonSoup;
+use crate::remesh::repair::Weld;
 use glam::DVec3;
 use std::rc::Rc;
 
@@ -32,6 +34,10 @@ pub(super) struct Document {
     pub(super) start: Vec<DVec3>,
     /// What was repaired, and is to be known of it.
     pub(super) warnings: Vec<Message>,
+    /// What of that was done when the file was opened.
+    pub(super) opened: Vec<RepairItem>,
+    /// What a repair changed to make this of what was there before.
+    pub(super) repaired: Vec<RepairItem>,
     /// Vertices to hold or to move, of a sample that suggests them.
     pub(super) fixed: Option<Vec<u32>>,
     /// See `fixed`.
@@ -42,18 +48,47 @@ impl Document {
     /// From a file.
     pub(super) fn from_file(bytes: &[u8], file_name: &str) -> Result<Self, Fault> {
         let read = crate::io::read(bytes, file_name)?;
-        let base = file_name.rsplit(['/', '\\']).next().unwrap_or(file_name);
-        let name = base.rsplit_once('.').map_or(base, |(stem, _)| stem);
-        Self::new(
-            if name.is_empty() { "mesh" } else { name },
-            read.soup,
-            read.warnings.into_iter().map(Message::from).collect(),
-        )
+        let built = match mesh::build(&read.soup) {
+            Ok(built) => built,
+            Err(error) => {
+                // OBJ counts from 1.
+                let first = u32::from(read.format == Format::Obj);
+                let mut fault = Fault::from(error.counted_from(first));
+                if let Ok(mended) = mend(&read.soup, Weld::Auto) {
+                    fault.repairs = mended.items.into();
+                }
+                return Err(fault);
+            }
+        };
+        let warnings = read.warnings.into_iter().map(Message::from).collect();
+        Self::of_built(stem(file_name), built, warnings)
+    }
+
+    /// From a file that is no surface until it is repaired.
+    pub(super) fn from_broken_file(
+        bytes: &[u8],
+        file_name: &str,
+        weld: Weld,
+    ) -> Result<Self, Fault> {
+        let read = crate::io::read(bytes, file_name)?;
+        let Mended { built, items, .. } = mend(&read.soup, weld)?;
+        let mut warnings: Vec<Message> = read.warnings.into_iter().map(Message::from).collect();
+        warnings.extend(items.iter().map(|item| item.message.clone()));
+        let told = Built {
+            repairs: Vec::new(),
+            ..built
+        };
+        let document = Self::of_built(stem(file_name), told, warnings)?;
+        Ok(Self {
+            repaired: items,
+            ..document
+        })
     }
 
     /// From a sample shape.
     pub(super) fn from_sample(name: &str, sample: Sample) -> Result<Self, Fault> {
-        let document = Self::new(name, sample.soup, Vec::new())?;
+        let built = mesh::build(&sample.soup)?;
+        let document = Self::of_built(name, built, Vec::new())?;
         Ok(Self {
             fixed: sample.fixed,
             free: sample.free,
@@ -61,14 +96,14 @@ impl Document {
         })
     }
 
-    fn new(name: &str, soup: PolygonSoup, mut warnings: Vec<Message>) -> Result<Self, Fault> {
+    fn of_built(name: &str, built: Built, mut warnings: Vec<Message>) -> Result<Self, Fault> {
+        let opened = RepairItem::opened(&built);
         let Built {
             mesh: polygons,
             positions: mut start,
             repairs,
             ..
-        } = mesh::build(&soup)?;
-        drop(soup);
+        } = built;
         warnings.extend(repairs.into_iter().map(Message::from));
         let polygons = Rc::new(polygons);
         let triangles = triangulated(&polygons, &start)?;
@@ -93,14 +128,27 @@ impl Document {
             frame,
             start,
             warnings,
+            opened,
+            repaired: Vec::new(),
             fixed: None,
             free: None,
         };
         Ok(document.with_shape_warnings())
     }
 
-    /// Adds warnings about triangles that are hard on any flow.
-    fn with_shape_warnings(mut self) -> Self {
+    /// With warnings about triangles that are hard on any flow, in the place of earlier ones.
+    pub(super) fn with_shape_warnings(mut self) -> Self {
+        let ids = [
+            Notice::FlatTriangles { count: 0 }.message().id,
+            Notice::ShortEdges {
+                count: 0,
+                a: 0,
+                b: 0,
+            }
+            .message()
+            .id,
+        ];
+        self.warnings.retain(|warning| !ids.contains(&warning.id));
         let (mesh, x) = (&self.triangles, &self.start);
         let flat = mesh
             .faces()
@@ -129,8 +177,20 @@ impl Document {
 
     /// Diagnosis at the start.
     pub(super) fn info(&self) -> Info {
-        Info::of(&self.polygons, &self.triangles, &self.start, &self.warnings)
+        let mut repairs = self.opened.clone();
+        repairs.extend(preview(&self.polygons, &self.start));
+        Info {
+            repairs,
+            ..Info::of(&self.polygons, &self.triangles, &self.start, &self.warnings)
+        }
     }
+}
+
+/// What a file's mesh is called.
+fn stem(file_name: &str) -> &str {
+    let base = file_name.rsplit(['/', '\\']).next().unwrap_or(file_name);
+    let name = base.rsplit_once('.').map_or(base, |(stem, _)| stem);
+    if name.is_empty() { "mesh" } else { name }
 }
 
 /// The same surface with triangles only; the mesh itself if it has no others.

@@ -1,6 +1,7 @@
 //! The one shape of error that leaves the crate.
 
 use super::message::AppError;
+use super::repairs::RepairItem;
 use crate::flow::FlowError;
 use crate::flow::option::OptionError;
 use crate::io::{ReadError, WriteError};
@@ -27,6 +28,10 @@ pub struct Fault {
     pub hint: Message,
     /// The elements at fault: lists of indices by name.
     pub detail: BTreeMap<&'static str, Vec<f64>>,
+    /// Of a file that is no surface, or a surface that is not whole: what a repair would change.
+    #[serde(skip_serializing_if = "<[RepairItem]>::is_empty")]
+    #[cfg_attr(test, ts(as = "Option<Vec<RepairItem>>", optional))]
+    pub repairs: Box<[RepairItem]>,
 }
 
 impl Fault {
@@ -37,6 +42,7 @@ impl Fault {
             message: said.message(),
             hint: said.hint(),
             detail: BTreeMap::new(),
+            repairs: Box::default(),
         }
     }
 

@@ -32,6 +32,7 @@ mod probe;
 mod provenance;
 mod readings;
 mod recipe;
+mod repairs;
 mod runner;
 mod segment;
 mod study;
@@ -48,7 +49,9 @@ pub use diagnosis::{Change, Diagnosis, Label, Remedy, RemedyId, Symptom};
 pub use edit::fill::{FillOutcome, LoopInfo};
 pub use edit::flip::{Costs, FlipOutcome};
 pub use edit::invert::{InversionReadings, InversionReport, Inverted};
-pub use edit::options::{FillOptions, FlipOptions, Loops, SubdivideOptions, SubdivisionScheme};
+pub use edit::options::{
+    FillOptions, FlipOptions, Loops, RepairOptions, SubdivideOptions, SubdivisionScheme,
+};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use frame::{ChosenFlow, Frame};
@@ -72,6 +75,7 @@ pub use recipe::{
     Estimate, MustBe, Origin, RecipeCard, RecipeError, RecipeMesh, ReplayProgress, ReplayReport,
     ReplayResult, ScriptText,
 };
+pub use repairs::RepairItem;
 pub use runner::Configured;
 pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
 
@@ -119,6 +123,8 @@ pub struct Loaded {
     pub fixed: Option<TypedArray<u32>>,
     /// Vertices a sample suggests to move.
     pub free: Option<TypedArray<u32>>,
+    /// What a repair changed to make this of what was there before.
+    pub repaired: Vec<RepairItem>,
 }
 
 impl Loaded {
@@ -134,6 +140,7 @@ impl Loaded {
             triangles_only: document.polygons.is_triangular(),
             fixed: document.fixed.clone().map(TypedArray),
             free: document.free.clone().map(TypedArray),
+            repaired: document.repaired.clone(),
         }
     }
 }
@@ -320,7 +327,7 @@ impl Session {
         options: &FillOptions,
         progress: FillProgress<'_>,
     ) -> Result<FillOutcome, Fault> {
-        let options = self.runner()?.numbered(options);
+        let options = options.named();
         self.edit(Edit::Fill(options.clone()), |runner| {
             runner.filled(&options, progress)
         })

@@ -2,7 +2,7 @@
 
 use super::RegulariseOptions;
 use super::bench::{BenchOptions, TableName};
-use super::edit::options::{FillOptions, FlipOptions, Loops};
+use super::edit::options::{FillOptions, FlipOptions, Loops, RepairOptions};
 use super::library;
 use super::readings::EnergyOptions;
 use crate::energy::circle::Boundary;
@@ -10,10 +10,14 @@ use crate::flow::option::kind::ids;
 use crate::flow::option::{Field, Kind, Named, Options, Range, ReadBy, Row, Value, row};
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
+use crate::remesh::repair::Weld;
 use std::sync::OnceLock;
 
 /// Beyond it |H|^p is no number on any mesh.
 const MAX_EXPONENT: f64 = 1e3;
+
+/// Of a length: there is no larger mesh.
+const MAX_LENGTH: f64 = 1e100;
 
 impl Options for EnergyOptions {
     #[rustfmt::skip]
@@ -53,7 +57,7 @@ impl Options for RegulariseOptions {
 impl Field for Loops {
     fn value(&self) -> Value {
         match self {
-            Self::All => Value::Absent,
+            Self::Usual => Value::Absent,
             Self::Some(loops) => loops.value(),
             Self::Word(word) => word.value(),
         }
@@ -61,7 +65,8 @@ impl Field for Loops {
 
     fn of(value: &Value) -> Option<Self> {
         match value {
-            Value::Absent => Some(Self::All),
+            Value::Absent => Some(Self::Usual),
+            Value::Text(word) => Some(Self::Word(word.clone())),
             value => Vec::of(value).map(Self::Some),
         }
     }
@@ -71,10 +76,37 @@ impl Options for FillOptions {
     #[rustfmt::skip]
     const ROWS: &'static [Row<Self>] = &[
         row!(loops, "loops", "loops",
-            Kind::Numbers(Range::count(0.0)), "", Surface, ReadBy::COMMAND).or("all"),
+            Kind::Numbers(Range::count(0.0)), "", Surface, ReadBy::COMMAND)
+            .or("small").words(&["all"]),
         row!(connect, "connect", "connect", Kind::Switch, "", Surface, ReadBy::COMMAND),
         row!(max_vertices, "maxVertices", "max-vertices",
             Kind::Number(Range::count(0.0)), "vertices", Budget, ReadBy::COMMAND).or("auto"),
+    ];
+}
+
+impl Field for Weld {
+    fn value(&self) -> Value {
+        match self {
+            Self::Auto => Value::Absent,
+            Self::Off => Value::Text("off".into()),
+            Self::Within(length) => length.value(),
+        }
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Absent => Some(Self::Auto),
+            Value::Text(word) if word == "off" => Some(Self::Off),
+            value => f64::of(value).map(Self::Within),
+        }
+    }
+}
+
+impl Options for RepairOptions {
+    #[rustfmt::skip]
+    const ROWS: &'static [Row<Self>] = &[
+        row!(weld, "weld", "weld", Kind::Number(Range::positive(MAX_LENGTH)), "length",
+            Surface, ReadBy::COMMAND).or("auto").words(&["off"]),
     ];
 }
 

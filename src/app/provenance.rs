@@ -1,6 +1,6 @@
 //! How a surface came about: what was done to it, in turn, so that it can be done again.
 
-use super::edit::options::{FillOptions, FlipOptions, SubdivideOptions};
+use super::edit::options::{FillOptions, FlipOptions, RepairOptions, SubdivideOptions};
 use crate::flow::options::FlowOptions;
 use crate::remesh::static_pass::RegulariseOptions;
 use serde::{Deserialize, Serialize};
@@ -31,6 +31,9 @@ pub enum Edit {
     Fill(FillOptions),
     /// Connectivity was optimised.
     Flip(FlipOptions),
+    /// What keeps it from being a whole surface was repaired; before all else it is the file that
+    /// was, which need not be a surface.
+    Repair(RepairOptions),
     /// Faces were divided into four.
     Subdivide(SubdivideOptions),
     /// The surface was inverted in a sphere: its centre, in the units of [`Session::invert`](crate::app::Session::invert).
@@ -47,6 +50,16 @@ pub struct EditRecord {
     pub path: Vec<Action>,
     /// The edit.
     pub edit: Edit,
+}
+
+impl EditRecord {
+    /// The repair of what was loaded, before anything else was done with it.
+    pub(super) fn repair(&self) -> Option<RepairOptions> {
+        match self.edit {
+            Edit::Repair(options) if self.flow.is_none() && self.path.is_empty() => Some(options),
+            _ => None,
+        }
+    }
 }
 
 /// How the present surface came about.

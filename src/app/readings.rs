@@ -3,6 +3,7 @@
 
 use super::crossing;
 use super::message::Notice;
+use super::repairs::RepairItem;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{self, Boundary, CircleEnergy};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore, WillmoreBounds};
@@ -13,6 +14,7 @@ use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::message::Message;
 use crate::operator::{Elements, Mass};
+use crate::remesh::fill::boundary_loops;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -31,7 +33,7 @@ pub struct Info {
     pub faces: usize,
     /// Number of connected components.
     pub components: usize,
-    /// Number of boundary loops.
+    /// Number of boundary loops; of holes that touch in a vertex each counts.
     pub boundary_loops: usize,
     /// V − E + F.
     pub euler_characteristic: i64,
@@ -55,10 +57,13 @@ pub struct Info {
     pub self_intersections: Option<usize>,
     /// What was repaired or is worth knowing.
     pub warnings: Vec<Message>,
+    /// What a repair does to the file: what was safe, and done when it was opened, and what
+    /// [`Session::repair`](super::Session::repair) would change now.
+    pub repairs: Vec<RepairItem>,
 }
 
 impl Info {
-    /// The card of a mesh; `triangles` is the same cut into triangles.
+    /// The card of a mesh, less its repairs; `triangles` is the same cut into triangles.
     pub fn of(
         mesh: &Rc<HalfedgeMesh>,
         triangles: &HalfedgeMesh,
@@ -77,7 +82,7 @@ impl Info {
             edges: mesh.n_edges(),
             faces: mesh.n_faces(),
             components: mesh.components().1,
-            boundary_loops: mesh.n_boundary_loops(),
+            boundary_loops: boundary_loops(mesh, x).len(),
             euler_characteristic: mesh.euler_characteristic(),
             genus: mesh.genus(),
             closed: mesh.is_closed(),
@@ -88,6 +93,7 @@ impl Info {
             min_angle_degrees: measure::min_angle_degrees(mesh, x),
             self_intersections,
             warnings,
+            repairs: Vec::new(),
         }
     }
 }

@@ -18,7 +18,6 @@ pub(super) use replay::Replay;
 pub(super) use script::steps_in;
 
 use super::Session;
-use super::edit::options::Loops;
 use super::fault::Fault;
 use super::history::Event;
 use super::message::AppError;
@@ -113,12 +112,7 @@ impl Runner {
     }
 
     /// How a document that `edit` makes of what is shown comes about.
-    pub(super) fn origin_of(&self, mut edit: Edit) -> Option<Vec<EditRecord>> {
-        if let Edit::Fill(options) = &mut edit
-            && options.loops == Loops::All
-        {
-            options.loops = Loops::Word("all".into());
-        }
+    pub(super) fn origin_of(&self, edit: Edit) -> Option<Vec<EditRecord>> {
         let mut records = self.origin.clone().filter(|_| !self.is_restored)?;
         records.push(EditRecord {
             flow: self.first_options(),

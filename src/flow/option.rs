@@ -108,6 +108,8 @@ pub struct Row<S: 'static> {
     pub kind: Kind,
     /// The word for `null`, where the option may be left to the program or be no limit.
     pub absent: Option<&'static str>,
+    /// Words that stand for themselves beside the kind.
+    pub words: &'static [&'static str],
     /// Of a number, as text; empty where it has none.
     pub unit: &'static str,
     /// Where it stands.
@@ -131,6 +133,11 @@ impl<S> Row<S> {
         }
     }
 
+    /// The same, of which these words stand for themselves.
+    pub const fn words(self, words: &'static [&'static str]) -> Self {
+        Self { words, ..self }
+    }
+
     /// The same, of which a change of flow takes the value back.
     pub const fn of_one_flow(self) -> Self {
         Self {
@@ -143,6 +150,7 @@ impl<S> Row<S> {
     pub fn read(&self, value: &Value) -> Value {
         match value {
             Value::Text(text) if Some(text.as_str()) == self.absent => Value::Absent,
+            Value::Text(text) if self.words.contains(&text.as_str()) => value.clone(),
             Value::Text(text) => self.kind.read(text),
             other => other.clone(),
         }
@@ -150,14 +158,11 @@ impl<S> Row<S> {
 
     /// The allowed values.
     pub fn allowed(&self) -> Allowed {
-        let allowed = self.kind.allowed();
-        match self.absent {
-            Some(word) => Allowed::WordOr {
-                word,
-                allowed: allowed.message(),
-            },
-            None => allowed,
-        }
+        let words = self.absent.iter().chain(self.words).rev();
+        words.fold(self.kind.allowed(), |allowed, word| Allowed::WordOr {
+            word,
+            allowed: allowed.message(),
+        })
     }
 
     /// Refuses what it cannot be.
@@ -165,7 +170,12 @@ impl<S> Row<S> {
     /// # Errors
     /// [`OptionError::BadOption`].
     pub fn check(&self, value: &Value) -> Result<(), OptionError> {
-        if self.kind.holds(value) || *value == Value::Absent && self.absent.is_some() {
+        let is_word = match value {
+            Value::Absent => self.absent.is_some(),
+            Value::Text(text) => self.words.contains(&text.as_str()),
+            _ => false,
+        };
+        if is_word || self.kind.holds(value) {
             return Ok(());
         }
         Err(OptionError::BadOption {

@@ -31,6 +31,8 @@ messages! {
             faces: Vec<u32>,
             /// How many more such edges there are.
             others: usize,
+            /// The number of the first vertex and of the first face: 0, or 1 as a file counts.
+            first: u32,
         },
         /// Nothing is left after degenerate and duplicate faces were dropped.
         NoFaces,
@@ -43,6 +45,21 @@ messages! {
 }
 
 impl MeshError {
+    /// The same with elements counted from `first`, as a file does that it is of.
+    #[must_use]
+    pub fn counted_from(mut self, to: u32) -> Self {
+        if let Self::NonManifoldEdge {
+            a, b, faces, first, ..
+        } = &mut self
+        {
+            let from = std::mem::replace(first, to);
+            for n in [a, b].into_iter().chain(faces) {
+                *n = *n - from + to;
+            }
+        }
+        self
+    }
+
     /// The elements at fault, for highlighting.
     pub fn detail(&self) -> Vec<(&'static str, Vec<u32>)> {
         match self {
@@ -50,8 +67,11 @@ impl MeshError {
                 vec![("faces", vec![*face as u32]), ("vertices", vec![*vertex])]
             }
             Self::NonFiniteVertex { vertex } => vec![("vertices", vec![*vertex as u32])],
-            Self::NonManifoldEdge { a, b, faces, .. } => {
-                vec![("vertices", vec![*a, *b]), ("faces", faces.clone())]
+            Self::NonManifoldEdge {
+                a, b, faces, first, ..
+            } => {
+                let faces = faces.iter().map(|f| f - first).collect();
+                vec![("vertices", vec![a - first, b - first]), ("faces", faces)]
             }
             Self::NoFaces | Self::TooLarge { .. } => Vec::new(),
         }

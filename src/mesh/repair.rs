@@ -7,7 +7,7 @@ use crate::soup::PolygonSoup;
 use glam::DVec3;
 
 /// Drops degenerate and duplicate faces.
-pub(super) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> PolygonSoup {
+pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> PolygonSoup {
     let mut clean = PolygonSoup {
         positions: soup.positions.clone(),
         ..PolygonSoup::default()

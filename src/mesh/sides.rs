@@ -38,6 +38,7 @@ pub(super) fn paired_sides(soup: &PolygonSoup) -> Result<Vec<Side>, MeshError> {
     };
     if let Some(group) = crowded().next() {
         return Err(MeshError::NonManifoldEdge {
+            first: 0,
             a: (group[0].key >> 32) as u32,
             b: group[0].key as u32,
             faces: group.iter().map(|s| s.face).collect(),

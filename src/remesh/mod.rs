@@ -3,6 +3,7 @@
 pub mod conformal;
 pub mod fill;
 pub mod flips;
+pub mod repair;
 pub mod static_pass;
 
 pub use conformal::{Mode, Regulariser};

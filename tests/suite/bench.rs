@@ -204,10 +204,18 @@ fn flags_are_read_by_the_rows_of_their_command() {
     let energy = read("energy", &[("p", "2.5, 6"), ("boundary", "free")]).expect("options");
     assert_eq!(energy["p"], Given::List(vec![number(2.5), number(6.0)]));
     assert_eq!(refused("energy", &[("p", "2,-1")]), "BadOption");
-    assert_eq!(
-        read("fill", &[("loops", "all")]).expect("all")["loops"],
-        Given::Absent
-    );
+    let one = |command: &str, name: &str, word: &str| {
+        let mut values = read(command, &[(name, word)]).expect("it may be");
+        values.remove(name).expect("a value")
+    };
+    assert_eq!(one("fill", "loops", "small"), Given::Absent);
+    assert_eq!(one("fill", "loops", "all"), Given::Text("all".into()));
+    assert_eq!(one("repair", "weld", "auto"), Given::Absent);
+    assert_eq!(one("repair", "weld", "off"), Given::Text("off".into()));
+    assert_eq!(one("repair", "weld", "1e-3"), number(1e-3));
+    for weld in ["0", "-1", "wide"] {
+        assert_eq!(refused("repair", &[("weld", weld)]), "BadOption");
+    }
     assert_eq!(refused("fill", &[("loops", "inner")]), "BadOption");
     assert_eq!(refused("fill", &[("loops", "0,1.5")]), "BadOption");
     assert_eq!(refused("regularise", &[("mode", "off")]), "BadOption");

@@ -3,7 +3,7 @@
 
 use crate::support::session::{Dice, flowing, shown, with};
 use umbilic::app::{
-    Action, Arrangement, Compare, Edit, FillOptions, FlipOptions, RegulariseOptions, Session,
+    Action, Arrangement, Compare, Edit, FillOptions, FlipOptions, Loops, RegulariseOptions, Session,
 };
 use umbilic::flow::Status;
 use umbilic::flow::options::{FlowName, FlowOptions, Integrator};
@@ -385,10 +385,12 @@ fn a_new_start_has_no_history_and_a_recipe_with_all_that_was_done() {
 fn a_fill_is_told_by_its_loops() {
     let mut session = Session::new();
     session.sample("pipe", &[]).expect("a sample");
+    let all = FillOptions {
+        loops: Loops::Word("all".into()),
+        ..FillOptions::default()
+    };
     session
-        .fill(&FillOptions::default(), &mut |_, _| {
-            std::ops::ControlFlow::Continue(())
-        })
+        .fill(&all, &mut |_, _| std::ops::ControlFlow::Continue(()))
         .expect("filled");
     let recipe = session.provenance().expect("a recipe");
     assert_eq!(

@@ -32,6 +32,7 @@ mod property_io;
 mod real_meshes;
 mod recipe;
 mod regularise;
+mod repair;
 mod robust_flows;
 mod self_intersection;
 mod session;

@@ -192,7 +192,8 @@ fn what_cannot_be_repaired_is_named() {
             a: 0,
             b: 1,
             faces: vec![0, 1, 2],
-            others: 0
+            others: 0,
+            first: 0
         }
     );
 

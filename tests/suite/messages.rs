@@ -16,6 +16,7 @@ use umbilic::mesh::subdivide::SubdivisionError;
 use umbilic::mesh::{MeshError, Repair};
 use umbilic::message::{Message, Value};
 use umbilic::remesh::fill::{FillError, FillNotice};
+use umbilic::remesh::repair::RepairChange;
 use umbilic::remesh::static_pass::RegulariseError;
 use umbilic::viewer::error::ViewerError;
 
@@ -72,8 +73,27 @@ fn errors() -> Vec<(&'static str, Messages)> {
 
 fn others() -> Vec<(&'static str, Messages)> {
     groups![
-        Place, Found, Expected, Oddity, Extra, Loss, Repair, Conflict, FillNotice, Allowed,
-        Warning, Advice, Cause, Reason, Notice, RunNotice, Symptom, Label, MustBe, LinkValue,
+        Place,
+        Found,
+        Expected,
+        Oddity,
+        Extra,
+        Loss,
+        Repair,
+        RepairChange,
+        Conflict,
+        FillNotice,
+        Allowed,
+        Warning,
+        Advice,
+        Cause,
+        Reason,
+        Notice,
+        RunNotice,
+        Symptom,
+        Label,
+        MustBe,
+        LinkValue,
     ]
     .to_vec()
 }

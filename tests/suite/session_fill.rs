@@ -14,6 +14,14 @@ fn session(name: &str, values: &[(&str, f64)]) -> Session {
     session
 }
 
+/// Outer rims too.
+fn all() -> FillOptions {
+    FillOptions {
+        loops: Loops::Word("all".into()),
+        ..FillOptions::default()
+    }
+}
+
 fn fill(session: &mut Session, options: &FillOptions) -> Result<FillOutcome, Fault> {
     let go_on: FillProgress<'_> = &mut |_, _| ControlFlow::Continue(());
     session.fill(options, go_on)
@@ -37,7 +45,7 @@ fn the_next_flow_moves_the_new_vertices_only() {
     let mut s = session("monkey-saddle", &[]);
     let before = s.positions().expect("positions");
     let n = before.len() / 3;
-    let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
+    let outcome = fill(&mut s, &all()).expect("filled");
     assert_eq!(
         (outcome.loops.as_slice(), outcome.first_vertex),
         (&[0][..], n)
@@ -103,7 +111,7 @@ fn a_selection_from_before_does_not_outlive_the_fill() {
         ..FlowOptions::default()
     };
     s.configure(options).expect("configured");
-    let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
+    let outcome = fill(&mut s, &all()).expect("filled");
     s.reset().expect("reset");
     let free = s
         .held_vertices()
@@ -129,9 +137,7 @@ fn cancelling_and_failing_leave_everything_as_it_was() {
                 ControlFlow::Continue(())
             }
         };
-        let fault = s
-            .fill(&FillOptions::default(), stop)
-            .expect_err("cancelled");
+        let fault = s.fill(&all(), stop).expect_err("cancelled");
         assert_eq!(fault.kind, "Cancelled");
         assert!(everything(&s) == before && !s.can_undo_edit(), "{calls}");
     }
@@ -160,7 +166,7 @@ fn undo_restores_a_session_bit_for_bit_and_the_flow_goes_on() {
     twin.run(4).expect("steps");
     let before = everything(&s);
     assert_eq!(s.positions(), twin.positions());
-    fill(&mut s, &FillOptions::default()).expect("filled");
+    fill(&mut s, &all()).expect("filled");
     s.run(2).expect("steps");
     assert!(before != everything(&s) && s.can_undo_edit());
     let loaded = s.undo_edit().expect("undone");
@@ -200,7 +206,7 @@ fn flips_and_fills_are_undone_in_turn_and_a_new_mesh_forgets_them() {
     };
     fill(&mut s, &options).expect("filled");
     let half = everything(&s);
-    fill(&mut s, &FillOptions::default()).expect("filled");
+    fill(&mut s, &all()).expect("filled");
     s.undo_edit().expect("undone");
     assert!(everything(&s) == half);
     s.undo_edit().expect("undone");
@@ -225,4 +231,165 @@ fn loops_are_told_in_the_order_of_their_numbers() {
     };
     fill(&mut s, &options).expect("filled");
     assert_eq!(s.boundary_loops().expect("a mesh"), loops[1..]);
+}
+
+/// A curved sheet of `n` by `n` squares without those of a list, as an OBJ file.
+fn sheet(n: usize, without: &[(usize, usize)], scale: f64, far: f64) -> Vec<u8> {
+    let mut text = String::new();
+    for j in 0..=n {
+        for i in 0..=n {
+            let (x, y) = (i as f64 / n as f64, j as f64 / n as f64);
+            let z = 0.2 * (2.5 * x).sin() * (1.0 + y);
+            let [x, y, z] = [x, y, z].map(|c| c * scale + far);
+            text += &format!("v {x:?} {y:?} {z:?}\n");
+        }
+    }
+    for j in 0..n {
+        for i in (0..n).filter(|i| !without.contains(&(*i, j))) {
+            let a = j * (n + 1) + i + 1;
+            let [b, c, d] = [a + 1, a + n + 2, a + n + 1];
+            text += &format!("f {a} {b} {c}\nf {a} {c} {d}\n");
+        }
+    }
+    text.into_bytes()
+}
+
+fn opened(bytes: &[u8]) -> Session {
+    let mut session = Session::new();
+    session.load(bytes, "sheet.obj").expect("a surface");
+    session
+}
+
+#[test]
+fn holes_that_share_a_corner_are_two_and_the_outer_rim_stays_open() {
+    // Squares along a side, those that are left out, size and place.
+    type Case = (usize, &'static [(usize, usize)], f64, f64);
+    let cases: [Case; 4] = [
+        (8, &[(3, 3), (4, 4)], 1.0, 0.0),
+        (9, &[(4, 4), (5, 3)], 1e-6, 1.0),
+        (12, &[(2, 2), (3, 3), (4, 4)], 1e6, 5e6),
+        (10, &[(2, 2), (3, 3), (2, 3), (4, 4), (7, 7)], 1e3, 0.0),
+    ];
+    for (n, without, scale, far) in cases {
+        let mut s = opened(&sheet(n, without, scale, far));
+        let loops = s.boundary_loops().expect("a mesh");
+        let info = s.info().expect("a mesh");
+        assert_eq!(info.boundary_loops, loops.len());
+        let small: Vec<usize> = (0..loops.len()).filter(|n| loops[*n].small).collect();
+        // Squares that share an edge are one hole.
+        let holes = if without.len() == 5 { 3 } else { without.len() };
+        assert_eq!((loops.len(), small.len()), (holes + 1, holes), "{loops:?}");
+        let vertices = info.vertices;
+        let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
+        assert_eq!((&outcome.loops, &outcome.warnings[..]), (&small, &[][..]));
+        let after = s.info().expect("a mesh");
+        assert_eq!((after.boundary_loops, after.components), (1, 1));
+        assert_eq!((after.euler_characteristic, after.genus), (1, Some(0)));
+        // The copies of a corner are one vertex again.
+        assert!(outcome.first_vertex < vertices && after.oriented);
+        assert_eq!(
+            after.vertices,
+            outcome.first_vertex + outcome.vertices_added
+        );
+        assert!(s.boundary_loops().expect("a mesh").iter().all(|l| !l.small));
+        s.undo_edit().expect("undone");
+        // One of them alone, and then the next by the number that it has then.
+        let one = |n: usize| FillOptions {
+            loops: Loops::Some(vec![n]),
+            ..FillOptions::default()
+        };
+        let mut left = loops.len();
+        while let Some(n) = s
+            .boundary_loops()
+            .expect("a mesh")
+            .iter()
+            .position(|l| l.small)
+        {
+            fill(&mut s, &one(n)).expect("filled");
+            left -= 1;
+            assert_eq!(s.boundary_loops().expect("a mesh").len(), left);
+        }
+        assert_eq!(s.info().expect("a mesh").euler_characteristic, 1);
+    }
+}
+
+#[test]
+fn an_outer_rim_is_filled_only_when_it_is_chosen() {
+    for (name, loops) in [("disk", 1), ("hemisphere", 1), ("monkey-saddle", 1)] {
+        let mut s = session(name, &[]);
+        let before = everything(&s);
+        let fault = fill(&mut s, &FillOptions::default()).expect_err("no hole");
+        assert_eq!(
+            (fault.kind, fault.message.number("loops")),
+            ("NoSmallLoops", Some(1.0))
+        );
+        assert!(everything(&s) == before);
+        assert_eq!(fill(&mut s, &all()).expect("filled").loops.len(), loops);
+        assert!(s.info().expect("a mesh").closed);
+    }
+    let mut s = opened(&sheet(8, &[(3, 3)], 1.0, 0.0));
+    let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
+    assert_eq!(
+        (
+            outcome.loops.len(),
+            s.info().expect("a mesh").boundary_loops
+        ),
+        (1, 1)
+    );
+    let Some(folder) = crate::support::shared_folder("cases/files") else {
+        return;
+    };
+    for (name, holes) in [("flat_hole.obj", 1), ("bowtie_hole.obj", 2)] {
+        let mut s = opened(&std::fs::read(folder.join(name)).expect("a file"));
+        let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
+        let info = s.info().expect("a mesh");
+        assert_eq!(
+            (outcome.loops.len(), info.boundary_loops),
+            (holes, 1),
+            "{name}"
+        );
+        if name == "flat_hole.obj" {
+            assert!((info.area - 1.0).abs() < 1e-9, "{}", info.area);
+        }
+    }
+}
+
+/// Where there is no room for a patch the builder would leave faces out, and what was known of the
+/// patches by their numbers would be of others.
+#[test]
+fn a_folded_quadrilateral_beside_another_component_is_left_open() {
+    let cube =
+        "v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nv 5.5 .5 1\nf 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\n";
+    for (n, fourth) in [
+        "0 1 0",
+        "1e-12 1 0",
+        "0 1.0000001 0",
+        "1 0 1e-7",
+        "0 0 1e-9",
+        ".5 .5 0",
+    ]
+    .iter()
+    .enumerate()
+    {
+        for faces in ["f 1 2 3 4\n", "f 1 2 3\nf 1 3 4\n", "f 1 2 4\nf 2 3 4\n"] {
+            let text = format!("v 1 0 0\nv 0 1 0\nv 0 0 0\nv {fourth}\n{cube}{faces}");
+            let mut session = Session::new();
+            if session.load(text.as_bytes(), "fold.obj").is_err() {
+                continue;
+            }
+            for options in [all(), FillOptions::default()] {
+                match fill(&mut session, &options) {
+                    Ok(_) => {
+                        session.info().expect("a mesh");
+                        session.run(1).ok();
+                        session.undo_edit().expect("undone");
+                    }
+                    Err(fault) => assert!(
+                        ["NoRoom", "TouchingLoop", "NoSmallLoops"].contains(&fault.kind),
+                        "{n}: {fault:?}"
+                    ),
+                }
+            }
+        }
+    }
 }

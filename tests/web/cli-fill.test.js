@@ -61,7 +61,7 @@ function lines(name) {
 
 test("fill closes a hemisphere and leaves what was there as it was", () => {
   const [mesh, out] = [shape("hemisphere"), file("closed.off")];
-  const report = json(["fill", mesh, "--out", out]);
+  const report = json(["fill", mesh, "--loops", "all", "--out", out]);
   assert.deepEqual(Object.keys(report), [
     ...["loops", "verticesAdded", "facesAdded", "warnings", "warningIds", "info"],
   ]);
@@ -83,10 +83,10 @@ test("fill --loops closes the loops named, --max-vertices bounds the patches", (
   assert.deepEqual([one.loops, one.info.boundaryLoops], [[1], 1]);
   const both = json(["fill", mesh, "--loops", "0,1"]);
   assert.deepEqual([both.loops, both.info.closed], [[0, 1], true]);
-  const few = json(["fill", mesh, "--max-vertices", "30"]);
+  const few = json(["fill", mesh, "--loops", "all", "--max-vertices", "30"]);
   assert.ok(few.verticesAdded <= 30 && both.verticesAdded > 30);
   assert.match(few.warnings[0], /limit of 30/);
-  const words = umbilic(["fill", mesh, "--max-vertices", "30"]);
+  const words = umbilic(["fill", mesh, "--loops", "all", "--max-vertices", "30"]);
   assert.match(words.out, /^verticesAdded +\d+$[\s\S]*^warning: /m);
 });
 
@@ -99,8 +99,19 @@ test("fill --connect blends tubes into one surface", () => {
 
 test("fill --fair runs a flow on the new vertices only", () => {
   const [mesh, out] = [shape("hemisphere", "--rings", "8"), file("faired.off")];
-  const plain = json(["fill", mesh, "--out", file("plain.off")]);
-  const report = json(["fill", mesh, "--fair", "circle", "--steps", "5", "--out", out]);
+  const plain = json(["fill", mesh, "--loops", "all", "--out", file("plain.off")]);
+  const report = json([
+    "fill",
+    mesh,
+    "--loops",
+    "all",
+    "--fair",
+    "circle",
+    "--steps",
+    "5",
+    "--out",
+    out,
+  ]);
   assert.equal(report.fair.flow, "circle");
   assert.ok(report.fair.steps > 0 && report.fair.steps <= 5);
   assert.equal(report.info.vertices, plain.info.vertices);
@@ -140,11 +151,20 @@ test("fill warns of what no flow can make good", () => {
   // One ring of surface is too little for curvature.
   const ring = shape("cylinder", "--along", "1", "--length", "0.2");
   assert.match(said([ring, "--loops", "0"]), /fewer than three rings/);
-  assert.match(said([shape("disk")]), /larger than a hemisphere/);
+  assert.match(said([shape("disk"), "--loops", "all"]), /larger than a hemisphere/);
   // Nothing to move.
   const quad = "OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 2 0\n-1 2 0\n";
   writeFileSync(file("quad.off"), `${quad}3 1 0 3\n3 3 2 1\n3 2 3 4\n3 3 5 4\n`);
-  const none = json(["fill", file("quad.off"), "--max-vertices", "0", "--fair", "mmcv"]);
+  const none = json([
+    "fill",
+    file("quad.off"),
+    "--loops",
+    "all",
+    "--max-vertices",
+    "0",
+    "--fair",
+    "mmcv",
+  ]);
   assert.equal(none.verticesAdded, 0);
   assert.equal(none.fair, undefined);
   assert.match(none.warnings.join(), /no new vertex, and nothing for mmcv to move/);
@@ -159,5 +179,8 @@ test("fill refuses in words", () => {
   assert.equal(json(["fill", shape("disk"), "--connect"], 3).kind, "TooFewLoops");
   // A single triangle has no room for a flow, but is closed all the same.
   writeFileSync(file("triangle.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  assert.equal(json(["fill", file("triangle.off")]).info.closed, true);
+  assert.equal(json(["fill", file("triangle.off"), "--loops", "all"]).info.closed, true);
+  // Its rim is no hole.
+  const rim = json(["fill", file("triangle.off")], 3);
+  assert.deepEqual([rim.kind, /outer rim/.test(rim.message)], ["NoSmallLoops", true]);
 });

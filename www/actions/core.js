@@ -303,6 +303,8 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     // What the groups of actions know, and put in their place.
     /** @type {(fault: Fault) => readonly { label: string, act: () => unknown }[]} */
     offers: () => [],
+    /** Marks what a repair changed, and says so. @type {(loaded: import("../generated/types.js").Loaded) => void} */
+    showRepairs: () => {},
     /** @type {(id: number) => Promise<unknown>} */
     settleRival: async () => {},
     /** @type {() => Promise<unknown>} */

@@ -87,6 +87,17 @@ export function createEdit(core) {
         const { options, reading } = get();
         if (reading && reading.step > 0) await adopt(options, stepsOf(reading.step));
       }),
+    /** What keeps it from being a whole surface. */
+    repair: () =>
+      change(async () => {
+        const loaded = await long("repair", () => solver.repair({}));
+        if (loaded.repaired.length > 0) {
+          const free = loaded.free ? [...loaded.free] : null;
+          const fixed = loaded.fixed ? [...loaded.fixed] : null;
+          await edited(loaded, say("edit-repair"), { ...get().options, free, fixed });
+        }
+        core.showRepairs(loaded);
+      }),
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
     subdivide: (scheme) =>
       change(async () => {

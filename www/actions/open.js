@@ -10,7 +10,7 @@ import { defaults } from "../options.js";
 import { alone } from "../store.js";
 import { say } from "../words.js";
 
-/** @import { Loaded, RecipeCard, ScriptText } from "../generated/types.js" */
+/** @import { Loaded, RecipeCard, RepairOptions, ScriptText } from "../generated/types.js" */
 /** @import { Figure, Sample } from "../library.js" */
 /** @import { Scene } from "../link.js" */
 /** @import { Options } from "../options.js" */
@@ -138,8 +138,12 @@ export function createOpen(core, run, compare) {
     return load({ name, source, ask, options, fallback: suggested, scene, fill: sample.fill });
   }
 
-  /** @param {Bytes} file @param {Partial<Scene>} scene */
-  async function loadFile({ name: whole, bytes }, scene) {
+  /**
+   * @param {Bytes} file @param {Partial<Scene>} scene
+   * @param {Partial<RepairOptions> | null} [repair]  how it is repaired, where it is
+   */
+  async function loadFile(file, scene, repair = null) {
+    const { name: whole, bytes } = file;
     const name = stem(whole);
     // Of what an earlier mesh was shown with, the choice of flow is the user's; the rest
     // says nothing about this one.
@@ -153,8 +157,21 @@ export function createOpen(core, run, compare) {
       const given = { name: whole, bytes };
       return remade(scene.prepares, made, given, { options, fallback: plain, scene });
     }
-    const ask = () => solver.load(whole, bytes);
-    return load({ name: whole, source, ask, options, fallback: plain, scene });
+    const ask = () => solver.load(whole, bytes, repair);
+    try {
+      await load({ name: whole, source, ask, options, fallback: plain, scene });
+    } catch (error) {
+      const { message, hint, repairs } = /** @type {import("../words.js").Fault} */ (error);
+      if (!repairs?.length) throw error;
+      // No surface: with one press it is opened as the one that a repair makes of it.
+      const again = () => enqueue(() => loadFile(file, scene, {}));
+      const what = repairs.map((item) => say(item.message));
+      const offers = [{ label: say("repair-and-open"), act: again }];
+      notes.error({ message, hint: [hint, say("repair-would"), ...what].join(" ") }, offers);
+      return;
+    }
+    const { mesh } = get();
+    if (repair && mesh) core.showRepairs(mesh);
   }
 
   /** A recipe that was read. @typedef {{ text: string, card: RecipeCard }} Recipe */

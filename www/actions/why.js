@@ -75,6 +75,7 @@ export function createWhy(core, { adopt, edit }, run) {
         if (remedy.fromStart) await enqueue(() => rest().then(() => change(remedy)));
         await edit.regularise();
       }
+      if (remedy.id === "repair") await edit.repair();
       if (remedy.id === "subdivide") await edit.subdivide("loop");
       await enqueue(async () => {
         await rest();
@@ -89,8 +90,18 @@ export function createWhy(core, { adopt, edit }, run) {
     },
   };
 
+  core.showRepairs = ({ repaired }) => {
+    const kinds = repaired.filter(({ done }) => !done);
+    const vertices = Uint32Array.from(new Set(kinds.flatMap((item) => [...item.vertices])));
+    const none = new Uint32Array();
+    if (vertices.length > 0) why.point({ vertices, faces: none, edges: none }, null);
+    const count = kinds.reduce((sum, item) => sum + item.count, 0);
+    core.notes.answer(say("repaired-all", { count }));
+    patch({ tab: "surface" });
+  };
+
   /** What helps against a refusal of a mesh that is on screen. @param {Fault} fault */
-  core.offers = ({ kind, detail }) => {
+  core.offers = ({ kind, detail, repairs }) => {
     const { mesh, options } = get();
     if (!mesh) return [];
     const { flow, free, fixed } = options;
@@ -122,7 +133,8 @@ export function createWhy(core, { adopt, edit }, run) {
     const elements = { vertices: list("vertices"), faces: list("faces"), edges: new Uint32Array() };
     const isHere = ofFlows.includes(kind) && elements.vertices.length + elements.faces.length > 0;
     const place = { label: say("why-show"), act: () => why.point(elements, get().camera) };
-    return [...(isHere ? [place] : []), ...(known[kind] ?? [])];
+    const repair = repairs?.length ? [{ label: say("repair"), act: edit.repair }] : [];
+    return [...(isHere ? [place] : []), ...repair, ...(known[kind] ?? [])];
   };
   return why;
 }

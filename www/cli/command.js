@@ -44,8 +44,10 @@ import { print } from "./text.js";
  * @property {Options} [options]  others
  * @property {(values: Values, operands: string[], io: Terminal) => Promise<any>} [ask]  what is asked of the
  *   solver; the options of the rows unless given
+ * @property {(session: Session, mesh: { bytes: Uint8Array, name: string }, asked: any) => any} [load]
+ *   how the mesh is loaded, where that takes more; what it answers is `loaded`
  * @property {(done: { session: Session, asked: any, values: Values, operands: string[],
- *   io: Terminal }) => Done} run
+ *   io: Terminal, loaded: any }) => Done} run
  */
 
 /** @type {Options} */
@@ -64,6 +66,7 @@ export function command({
   ...spec
 }) {
   const syntax = { summary, operands, options: { ...flagsOf(rows, words ?? name), ...options } };
+  const load = spec.load ?? ((session, mesh) => perform(session, "load", mesh));
   const ask = spec.ask ?? ((values) => readFlags(name, typed(rows, values)));
   return {
     syntax,
@@ -75,8 +78,8 @@ export function command({
       checkOutputs(["out", ...written].map((key) => values[key]));
       const mesh = operands[0] === "MESH" ? await readMesh(given[0], io) : null;
       const session = await open();
-      if (mesh) orExit(3, () => perform(session, "load", mesh));
-      const done = spec.run({ session, asked, values, operands: given, io });
+      const loaded = mesh && orExit(3, () => load(session, mesh, asked));
+      const done = spec.run({ session, asked, values, operands: given, io, loaded });
       if (format) writeMesh(session, values.out, io);
       for (const [key, content] of Object.entries(done.files ?? {})) {
         if (values[key] !== undefined) writeOutput(values[key], content());

@@ -5,18 +5,49 @@ import * as schema from "../generated/schema.js";
 import { perform } from "../session.js";
 import { bench } from "./bench.js";
 import { command, out } from "./command.js";
-import { orExit } from "./failure.js";
+import { isRefusal, orExit } from "./failure.js";
 import { readHelp } from "./files.js";
 import { fill, flow } from "./flow.js";
 import { replay } from "./replay.js";
 import { shape } from "./shape.js";
-import { inWords } from "./text.js";
+import { inWords, repairInWords } from "./text.js";
 
 const info = command({
   name: "info",
   summary: "what a mesh is and what is odd about it",
   run: ({ session }) => ({ result: inWords(perform(session, "info")) }),
 });
+
+const repair = command({
+  name: "repair",
+  summary: "makes a whole surface of a broken file, and lists what it changed",
+  rows: schema.repair,
+  options: out,
+  load(session, mesh, asked) {
+    const before = infoOf(session, mesh);
+    const { repaired } = perform(session, "load", { ...mesh, repair: asked });
+    return { before, repaired };
+  },
+  run({ session, loaded: { before, repaired } }) {
+    const after = inWords(perform(session, "info"));
+    return { result: { changes: repaired.map(repairInWords), before, after } };
+  },
+});
+
+/**
+ * What a file is before a repair; null where it is no surface.
+ * @param {import("./solver.js").Session} session
+ * @param {{ bytes: Uint8Array, name: string }} mesh
+ */
+function infoOf(session, mesh) {
+  try {
+    return inWords(perform(session, "load", mesh).info);
+  } catch (error) {
+    // What a repair does not help against it will refuse itself.
+    if (isRefusal(error)) return null;
+    throw error;
+  }
+}
 
 const energy = command({
   name: "energy",
@@ -57,7 +88,18 @@ const regularise = command({
 /** @typedef {import("./command.js").Command} Command */
 
 /** @type {Record<string, Command>} */
-export const commands = { info, energy, flow, flips, regularise, fill, replay, shape, bench };
+export const commands = {
+  info,
+  repair,
+  energy,
+  flow,
+  flips,
+  regularise,
+  fill,
+  replay,
+  shape,
+  bench,
+};
 
 /** @returns {string} */
 export function overview() {

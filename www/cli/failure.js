@@ -3,6 +3,7 @@
 
 /** @typedef {import("../generated/types.js").Fault} Fault */
 import { sayFault } from "../words.js";
+import { repairInWords } from "./text.js";
 
 /** @typedef {import("../generated/types.js").Fault} Refusal */
 
@@ -13,12 +14,14 @@ export class Failure extends Error {
    * @param {string} kind
    * @param {string} message
    * @param {string} hint
+   * @param {readonly { kind: string, count: number, message: string }[]} [repairs]  what would help
    */
-  constructor(exit, kind, message, hint) {
+  constructor(exit, kind, message, hint, repairs = []) {
     super(message);
     this.exit = exit;
     this.kind = kind;
     this.hint = hint;
+    this.repairs = repairs;
   }
 }
 
@@ -43,7 +46,9 @@ export function orExit(exit, call) {
   } catch (error) {
     if (!isRefusal(error)) throw error;
     const { kind, message, hint } = sayFault(error);
-    throw new Failure(exit, kind, message, hint);
+    const repairs = (error.repairs ?? []).map(repairInWords);
+    const way = "`umbilic repair MESH --out FILE` writes such a surface.";
+    throw new Failure(exit, kind, message, repairs.length > 0 ? `${hint} ${way}` : hint, repairs);
   }
 }
 

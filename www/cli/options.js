@@ -85,14 +85,14 @@ async function strictly(args, options) {
 const moving = schema.flows.filter(({ order }) => order > 0).map(({ id }) => id);
 
 /** @param {Row} row */
-function placeholder({ kind, ids, absent, range }) {
+function placeholder({ kind, ids, absent, words, range, unit }) {
   if (kind === "vertices") return "FILE.json";
   if (kind === "set" && ids.length > 4) return `${absent ? `${absent}|` : ""}ID,ID`;
   if (kind === "set") return ids.join(",");
   if (kind === "choice") return [...(absent ? [absent] : []), ...ids].join("|");
-  const one = range?.whole ? "N" : "VALUE";
+  const one = unit === "length" ? "LENGTH" : range?.whole ? "N" : "VALUE";
   const value = kind === "numbers" ? `${one},${one}` : one;
-  return absent ? `${absent}|${value}` : value;
+  return [...(absent ? [absent] : []), ...words, value].join("|");
 }
 
 /** @param {NonNullable<Row["range"]>} range */

@@ -3,18 +3,22 @@
 
 import { say } from "../words.js";
 
-/** @import { Message } from "../generated/types.js" */
+/** @import { Message, RepairItem } from "../generated/types.js" */
 
 /**
  * Warnings as sentences, their ids beside them.
- * @template {{ warnings: Message[] }} T
+ * @template {{ warnings: Message[], repairs?: RepairItem[] }} T
  * @param {T} told
  */
 export const inWords = (told) => ({
   ...told,
   warnings: told.warnings.map((warning) => say(warning)),
   warningIds: told.warnings.map(({ id }) => id),
+  ...(told.repairs && { repairs: told.repairs.map(repairInWords) }),
 });
+
+/** A change of a repair as people read it. @param {RepairItem} item */
+export const repairInWords = ({ kind, count, message }) => ({ kind, count, message: say(message) });
 
 /**
  * Six significant digits; whole numbers in full.
@@ -47,18 +51,27 @@ export function table(rows, left = 1) {
  * @param {Record<string, any>} result
  * @returns {string}
  */
-export function print({ message, warnings = [], ...rest }) {
+export function print({ message, warnings = [], changes, repairs = [], ...rest }) {
   const { before, after, initial, final, ...others } = rest;
   const sides = before ? { before, after } : initial && { initial, final };
+  // A file that was no surface has nothing to stand before it.
+  const all = sides || !after ? others : { ...others, ...after };
   const lines = (/** @type {string[][]} */ rows) => (rows.length > 0 ? table(rows) : "");
   const parts = [
     message ? `${message}\n` : "",
-    lines(entries(others).map(([key, value]) => [key, format(value)])),
+    changes ? changes.map(said).join("") || "Nothing was to be repaired.\n" : "",
+    lines(entries(all).map(([key, value]) => [key, format(value)])),
     sides ? compared(sides) : "",
     warnings.map((/** @type {string} */ warning) => `warning: ${warning}\n`).join(""),
+    repairs
+      .map((/** @type {{ message: string }} */ { message }) => `repair: ${message}\n`)
+      .join(""),
   ];
   return parts.filter((part) => part !== "").join("\n");
 }
+
+/** @param {{ message: string }} change */
+const said = ({ message }) => `${message}\n`;
 
 /** Two objects of the same keys side by side. @param {Record<string, object>} sides */
 function compared(sides) {

@@ -5,8 +5,8 @@
 
 /** @type {readonly Sample[]} */
 export const samples = [
-  {"id":"icosahedron","group":"closed","shape":"icosahedron","parameters":{"level":4},"options":{}},
   {"id":"bumpy-sphere","group":"closed","shape":"bumpy-sphere","parameters":{"level":4},"options":{}},
+  {"id":"icosahedron","group":"closed","shape":"icosahedron","parameters":{"level":4},"options":{}},
   {"id":"coarse-torus","group":"closed","shape":"coarse-torus","parameters":{"level":2},"options":{}},
   {"id":"clifford-torus","group":"closed","shape":"clifford-torus","parameters":{},"options":{"epsilon":0.001}},
   {"id":"pipe","group":"tubes","shape":"pipe","parameters":{},"options":{"boundary":"clamped"}},
@@ -29,7 +29,7 @@ export const samples = [
   {"id":"two-tubes","group":"tubes","shape":"tubes","parameters":{"count":2},"options":{"flow":"mmcv"},"fill":{"loops":[0,2],"connect":true,"maxVertices":null}},
   {"id":"three-tubes","group":"tubes","shape":"tubes","parameters":{"count":3},"options":{"flow":"mmcv"},"fill":{"loops":[0,2,4],"connect":true,"maxVertices":null}},
   {"id":"six-tubes","group":"tubes","shape":"tubes","parameters":{"count":6},"options":{"flow":"mmcv"},"fill":{"loops":[0,2,4,6,8,10],"connect":true,"maxVertices":null}},
-  {"id":"holed-scan","group":"repair","shape":"scan-clean","parameters":{"resolution":140,"loops":30},"options":{"flow":"mmcv"},"fill":{"loops":"inner","connect":false,"maxVertices":null}},
+  {"id":"holed-scan","group":"repair","shape":"scan-clean","parameters":{"resolution":140,"loops":30},"options":{"flow":"mmcv"},"fill":{"loops":"small","connect":false,"maxVertices":null}},
   {"id":"holed-sphere","group":"repair","shape":"holed-sphere","parameters":{},"options":{"flow":"mmcv"},"fill":{"loops":"all","connect":false,"maxVertices":null}},
   {"id":"dodecahedron","group":"boundary","shape":"dodecahedron","parameters":{},"options":{"flow":"mmcv","prefill":true}},
   {"id":"four-bumps","group":"boundary","shape":"four-bumps","parameters":{},"options":{"flow":"mmcv","prefill":true}},

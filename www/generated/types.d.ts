@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -206,7 +206,11 @@ bytes: Uint8Array,
 /**
  * Its name.
  */
-name: string, } } | { "sample": { 
+name: string, 
+/**
+ * How it is repaired; null for a file that is a surface.
+ */
+repair: RepairOptions | null, } } | { "sample": { 
 /**
  * Its name.
  */
@@ -258,7 +262,11 @@ options: FlipOptions, } } | { "fill": {
 /**
  * Which, and how.
  */
-options: FillOptions, } } | { "subdivide": { 
+options: FillOptions, } } | { "repair": { 
+/**
+ * How.
+ */
+options: RepairOptions, } } | { "subdivide": { 
 /**
  * By which scheme.
  */
@@ -649,7 +657,11 @@ hint: Message,
 /**
  * The elements at fault: lists of indices by name.
  */
-detail: { [key in string]: Array<number> }, };
+detail: { [key in string]: Array<number> }, 
+/**
+ * Of a file that is no surface, or a surface that is not whole: what a repair would change.
+ */
+repairs?: Array<RepairItem>, };
 
 /**
  * A value per vertex and how to show it.
@@ -1019,7 +1031,7 @@ faces: number,
  */
 components: number, 
 /**
- * Number of boundary loops.
+ * Number of boundary loops; of holes that touch in a vertex each counts.
  */
 boundaryLoops: number, 
 /**
@@ -1063,7 +1075,12 @@ selfIntersections: number | null,
 /**
  * What was repaired or is worth knowing.
  */
-warnings: Array<Message>, };
+warnings: Array<Message>, 
+/**
+ * What a repair does to the file: what was safe, and done when it was opened, and what
+ * [`Session::repair`](super::Session::repair) would change now.
+ */
+repairs: Array<RepairItem>, };
 
 /**
  * How time is discretised.
@@ -1341,7 +1358,11 @@ fixed: Uint32Array | null,
 /**
  * Vertices a sample suggests to move.
  */
-free: Uint32Array | null, };
+free: Uint32Array | null, 
+/**
+ * What a repair changed to make this of what was there before.
+ */
+repaired: Array<RepairItem>, };
 
 /**
  * What is kept level between panes.
@@ -1392,10 +1413,16 @@ length: number,
 /**
  * Its vertices in order.
  */
-vertices: Array<number>, };
+vertices: Array<number>, 
+/**
+ * Whether it is a hole rather than the outer rim of a sheet: those are filled unless told
+ * otherwise.
+ */
+small: boolean, };
 
 /**
- * Which loops are filled: a word, or their numbers, counted from 0.
+ * Which loops are filled: a word, or their numbers, counted from 0; unless told otherwise the
+ * small ones.
  */
 export type Loops = Array<number> | string | null;
 
@@ -1957,7 +1984,41 @@ steps: number, };
 /**
  * What is done.
  */
-export type RemedyId = "regularise" | "regulariseEachStep" | "subdivide" | "smallerStep" | "automaticStep" | "largerEpsilon" | "recommendedScheme" | "continue" | "back" | "keepAndFlips" | "keepVolume" | "otherFlow" | "prefill" | "lowerExponent" | "refine";
+export type RemedyId = "regularise" | "regulariseEachStep" | "repair" | "subdivide" | "smallerStep" | "automaticStep" | "largerEpsilon" | "recommendedScheme" | "continue" | "back" | "keepAndFlips" | "keepVolume" | "otherFlow" | "prefill" | "lowerExponent" | "refine";
+
+/**
+ * A kind of change that a repair makes, or has made.
+ */
+export type RepairItem = { 
+/**
+ * Noun of what is changed.
+ */
+kind: string, 
+/**
+ * How often.
+ */
+count: number, 
+/**
+ * The same to be said.
+ */
+message: Message, 
+/**
+ * Vertices of the surface at which it is, of many only some.
+ */
+vertices: Uint32Array, 
+/**
+ * Whether that was safe, and so done when the file was opened.
+ */
+done: boolean, };
+
+/**
+ * How a surface is repaired. Unknown names are refused.
+ */
+export type RepairOptions = { 
+/**
+ * How near boundary vertices are welded.
+ */
+weld: Weld, };
 
 /**
  * How far it is.
@@ -2505,6 +2566,11 @@ circles: boolean,
  * Principal directions.
  */
 directions: boolean, };
+
+/**
+ * How near boundary vertices are welded: a word, or a length.
+ */
+export type Weld = "auto" | "off" | number;
 
 /**
  * A link, and what it lacks.

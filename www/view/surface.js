@@ -10,13 +10,14 @@ import { say } from "../words.js";
 import { button, select } from "./parts.js";
 
 /** @import { Page } from "../actions.js" */
+/** @import { RepairItem } from "../generated/types.js" */
 
 /** Below this angle triangles are called uneven, in degrees. */
 const EVEN = 15;
 
-/** @param {string} text @param {string} hint @param {unknown} [act] */
+/** @param {string} text @param {unknown} hint @param {unknown} [act] */
 const finding = (text, hint, act = nothing) =>
-  html`<div class="finding"><div>${text}<p class="hint">${hint}</p></div>${act}</div>`;
+  html`<div class="finding"><div>${text}<div class="hint">${hint}</div></div>${act}</div>`;
 
 /** @param {Page} page */
 function findings(page) {
@@ -27,6 +28,7 @@ function findings(page) {
   const angle = page.shown()?.minAngleDegrees ?? minAngleDegrees;
   const isEven = angle >= EVEN;
   return html`<h3>${say("found")}</h3>
+    ${defects(page)}
     ${
       boundaryLoops > 0
         ? finding(
@@ -51,6 +53,23 @@ function findings(page) {
         : nothing
     }
     ${mesh.info.warnings.map((warning) => html`<p class="hint">${say(warning)}</p>`)}`;
+}
+
+/** What a repair would change, or has changed. @param {Page} page */
+function defects(page) {
+  const { mesh } = page.state.value;
+  if (!mesh) return nothing;
+  const { repaired, info } = mesh;
+  /** @param {readonly RepairItem[]} items */
+  const list = (items) =>
+    html`<ul class="changes">${items.map((item) => html`<li>${say(item.message)}</li>`)}</ul>`;
+  const wanting = info.repairs.filter(({ done }) => !done);
+  const start = button(say("repair"), page.edit.repair, { kind: "small primary" });
+  return html`${
+    wanting.length > 0
+      ? finding(say("found-broken"), html`${say("found-broken.hint")}${list(wanting)}`, start)
+      : nothing
+  }${repaired.length > 0 ? finding(say("found-repaired"), list(repaired)) : nothing}`;
 }
 
 /** @param {Page} page */

@@ -313,6 +313,9 @@ export function createTools(page) {
     fill: () => {
       const count = chosen.value.length;
       const all = loops.value.length;
+      const holes = loops.value.filter(({ small: isHole }) => isHole).length;
+      // The outer rim of a sheet is no hole.
+      const some = holes > 0 && holes < all;
       return html`<span class="hint">${say("loops-chosen", { count, all })}</span>
         ${
           loops.value.length <= 12
@@ -327,7 +330,8 @@ export function createTools(page) {
         }
         ${count > 0 ? button(say("fill-chosen", { count }), () => fill([...chosen.value]), { kind: "small primary" }) : nothing}
         ${count > 1 ? button(say("bridge"), () => fill([...chosen.value], true), small) : nothing}
-        ${button(say("fill-all", { count: all }), () => fill("all"), { kind: count > 0 ? "small" : "small primary" })}
+        ${some ? button(say("fill-small", { count: holes }), () => fill("small"), { kind: count > 0 ? "small" : "small primary" }) : nothing}
+        ${button(say("fill-all", { count: all }), () => fill("all"), { kind: count > 0 || some ? "small" : "small primary" })}
         <label class="inline">${say("most-vertices")} <input class="short" type="number" min="1" step="1" placeholder=${say("automatic")}
           @change=${(/** @type {any} */ { target }) => {
             most.value = target.value === "" ? null : target.valueAsNumber;

@@ -2,6 +2,7 @@
 
 use super::remedy::Remedy;
 use super::stop::WINDOW;
+use crate::app::repairs::preview;
 use crate::app::runner::Runner;
 use crate::flow::StepReport;
 use crate::flow::constraint::Kept;
@@ -42,6 +43,12 @@ impl Runner {
     pub(super) fn can_regularise(&self) -> Option<Remedy> {
         let mesh = &self.document.polygons;
         (mesh.is_closed() && mesh.is_oriented()).then(Remedy::regularise)
+    }
+
+    /// Repair of the surface as it is, where that would change anything.
+    pub(super) fn can_repair(&self) -> Option<Remedy> {
+        let changes = preview(&self.document.polygons, &self.x);
+        (!changes.is_empty()).then(Remedy::repair)
     }
 
     /// The flow's own regularisation, where it has one and that is off.

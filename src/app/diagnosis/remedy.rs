@@ -16,6 +16,8 @@ pub enum RemedyId {
     Regularise,
     /// The same after each step.
     RegulariseEachStep,
+    /// Repair of the surface as it is, which becomes the start.
+    Repair,
     /// The surface as it is becomes the start, by one step of Loop's scheme four times as fine.
     Subdivide,
     /// A smaller constant step.
@@ -136,6 +138,8 @@ messages! {
         RegulariseAndGoOn,
         /// And to use surface diffusion then.
         RegulariseAndDiffuse,
+        /// To repair the surface.
+        RepairAndGoOn,
         /// To regularise the mesh again and again.
         RegulariseEachStep,
         /// To make the mesh finer.
@@ -239,6 +243,10 @@ impl Remedy {
             steps,
             ..Self::new(RemedyId::Back, label)
         }
+    }
+
+    pub(super) fn repair() -> Self {
+        Self::new(RemedyId::Repair, Label::RepairAndGoOn)
     }
 
     pub(super) fn regularise() -> Self {

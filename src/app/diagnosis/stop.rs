@@ -86,7 +86,12 @@ impl Runner {
             FlowError::Unfit { vertex } => {
                 let vertex = *vertex;
                 let circle = Remedy::other_flow(FlowName::Circle).anew();
-                let remedies = [Some(circle), self.can_regularise(), self.can_go_back()];
+                let remedies = [
+                    self.can_repair(),
+                    Some(circle),
+                    self.can_regularise(),
+                    self.can_go_back(),
+                ];
                 let diagnosis = Diagnosis::new(&Symptom::Unfit { vertex }).at_vertices([vertex]);
                 Some(diagnosis.with(remedies))
             }

@@ -221,6 +221,7 @@ impl Runner {
             before: self.start_angle(),
         };
         let remedies = [
+            self.can_repair(),
             self.can_regularise_each_step(),
             self.can_regularise(),
             self.can_flip(),

@@ -6,7 +6,9 @@ use crate::app::fault::Fault;
 use crate::app::message::{AppError, Notice};
 use crate::app::runner::Runner;
 use crate::message::Message;
-use crate::remesh::fill::{self, BoundaryLoop, FillProgress, Filled, boundary_loops};
+use crate::remesh::fill::{
+    self, BoundaryLoop, FillError, FillProgress, Filled, boundary_loops, small_loops,
+};
 use serde::Serialize;
 use std::rc::Rc;
 
@@ -38,30 +40,53 @@ pub struct LoopInfo {
     pub length: f64,
     /// Its vertices in order.
     pub vertices: Vec<u32>,
+    /// Whether it is a hole rather than the outer rim of a sheet: those are filled unless told
+    /// otherwise.
+    pub small: bool,
 }
 
 impl Runner {
     /// The boundary loops of the surface as it is now.
     pub(in crate::app) fn boundary_loops(&self) -> Vec<LoopInfo> {
-        let info = |BoundaryLoop { vertices, length }: BoundaryLoop| LoopInfo {
+        let loops = boundary_loops(self.polygons(), &self.x);
+        let small = small_loops(self.polygons(), &self.x, &loops);
+        let info = |(
+            n,
+            BoundaryLoop {
+                vertices, length, ..
+            },
+        ): (usize, BoundaryLoop)| LoopInfo {
             edges: vertices.len(),
             length,
             vertices,
+            small: small.contains(&n),
         };
-        let loops = boundary_loops(self.polygons(), &self.x);
-        loops.into_iter().map(info).collect()
+        loops.into_iter().enumerate().map(info).collect()
     }
 
-    /// The inner loops by their numbers, which is how a recipe tells them: all but the longest.
-    pub(in crate::app) fn numbered(&self, options: &FillOptions) -> FillOptions {
-        let mut options = options.clone();
-        if options.loops == Loops::Word("inner".into()) {
-            let loops = self.boundary_loops();
-            let longest = loops.iter().map(|l| l.length).fold(0.0, f64::max);
-            let inner = (0..loops.len()).filter(|&n| loops[n].length < longest);
-            options.loops = Loops::Some(inner.collect());
+    /// The loops to be filled, and whether those that cannot be are left open.
+    fn chosen(&self, options: &FillOptions) -> Result<(Option<Vec<usize>>, bool), Fault> {
+        match &options.loops {
+            Loops::Some(loops) => Ok((Some(loops.clone()), false)),
+            Loops::Word(word) if word == "all" => Ok((None, true)),
+            Loops::Word(word) if word == "small" => {
+                if !self.polygons().is_oriented() {
+                    return Err(FillError::NotOrientable.into());
+                }
+                let all = boundary_loops(self.polygons(), &self.x);
+                let small = small_loops(self.polygons(), &self.x, &all);
+                if small.is_empty() && !all.is_empty() {
+                    let loops = all.len();
+                    return Err(FillError::NoSmallLoops { loops }.into());
+                }
+                Ok((Some(small), true))
+            }
+            Loops::Word(word) => {
+                let word = word.clone();
+                Err(AppError::UnknownLoops { word }.into())
+            }
+            Loops::Usual => self.chosen(&options.named()),
         }
-        options
     }
 
     /// A document with the holes of the surface as it is now filled.
@@ -70,19 +95,12 @@ impl Runner {
         options: &FillOptions,
         progress: FillProgress<'_>,
     ) -> Result<(Document, FillOutcome), Fault> {
-        let loops = match &options.loops {
-            Loops::All => None,
-            Loops::Word(word) if word == "all" => None,
-            Loops::Some(loops) => Some(loops.clone()),
-            Loops::Word(word) => {
-                let word = word.clone();
-                return Err(AppError::UnknownLoops { word }.into());
-            }
-        };
+        let (loops, lenient) = self.chosen(options)?;
         let document = self.present();
         let defaults = fill::FillOptions::default();
         let settings = fill::FillOptions {
             loops,
+            lenient,
             connect: options.connect,
             max_vertices: options.max_vertices.unwrap_or(defaults.max_vertices),
         };
@@ -95,7 +113,8 @@ impl Runner {
         } = fill::fill(&document.polygons, &self.x, &settings, progress)?;
         let mut warnings: Vec<Message> = notices.into_iter().map(Message::from).collect();
         warnings.extend(repairs.into_iter().map(Message::from));
-        let (n_old, n_new) = (self.x.len(), positions.len() - self.x.len());
+        let n_new: usize = patches.iter().map(|p| p.vertices.len()).sum();
+        let n_old = positions.len() - n_new;
         let outcome = FillOutcome {
             loops: patches
                 .iter()
@@ -115,15 +134,14 @@ impl Runner {
         said.push(filled.into());
         said.extend(outcome.warnings.iter().cloned());
         let document = Document {
-            name: document.name.clone(),
             triangles: triangulated(&polygons, &positions)?,
             polygons,
-            frame: document.frame,
             start: positions,
             warnings: said,
             fixed: None,
             // Where there is no new vertex, no flow should find that nothing may move.
             free: (n_new > 0).then(|| (n_old as u32..(n_old + n_new) as u32).collect()),
+            ..document
         };
         Ok((document, outcome))
     }

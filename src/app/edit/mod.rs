@@ -4,6 +4,7 @@ pub(super) mod fill;
 pub(super) mod flip;
 pub(super) mod invert;
 pub(super) mod options;
+pub(super) mod repair;
 pub(super) mod subdivide;
 
 use super::document::Document;
@@ -60,7 +61,10 @@ impl Session {
         name: Edit,
         edit: impl FnOnce(&Runner) -> Result<(Document, T), Fault>,
     ) -> Result<T, Fault> {
-        let (document, outcome) = edit(self.runner()?)?;
+        let (mut document, outcome) = edit(self.runner()?)?;
+        if !matches!(name, Edit::Repair(_)) {
+            document.repaired.clear();
+        }
         let Some(before) = self.runner.take() else {
             return Err(Fault::no_mesh());
         };
@@ -98,8 +102,8 @@ impl Session {
         !self.edits.0.is_empty()
     }
 
-    /// Undoes the last edit, a fill, edge flips, an inversion or a surface that was kept: mesh, positions,
-    /// flow, history and reports are those before it, bit for bit.
+    /// Undoes the last edit, a fill, a repair, edge flips, an inversion or a surface that was kept: mesh,
+    /// positions, flow, history and reports are those before it, bit for bit.
     ///
     /// # Errors
     /// `NothingToUndo`.

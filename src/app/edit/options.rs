@@ -1,20 +1,22 @@
 //! What the edits of a mesh can be asked for. Unknown names are refused.
 
 use crate::remesh::flips::reduction::Criterion;
+use crate::remesh::repair::Weld;
 use serde::{Deserialize, Serialize};
 
-/// Which loops are filled: a word, or their numbers, counted from 0.
+/// Which loops are filled: a word, or their numbers, counted from 0; unless told otherwise the
+/// small ones.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum Loops {
     /// Some of them.
     Some(Vec<usize>),
-    /// A word: `all`, or `inner` for all but the longest.
+    /// A word: `small`, or `all`.
     Word(String),
-    /// All.
+    /// Those that are holes and no outer rims; where loops are connected, all.
     #[default]
-    All,
+    Usual,
 }
 
 /// How holes are filled. Unknown names are refused.
@@ -30,6 +32,18 @@ pub struct FillOptions {
     pub max_vertices: Option<usize>,
 }
 
+impl FillOptions {
+    /// The same with the usual loops by their word, which is how a recipe has them.
+    pub(in crate::app) fn named(&self) -> Self {
+        let mut options = self.clone();
+        if options.loops == Loops::Usual {
+            let word = if options.connect { "all" } else { "small" };
+            options.loops = Loops::Word(word.into());
+        }
+        options
+    }
+}
+
 /// How connectivity is optimised. Unknown names are refused.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -43,6 +57,15 @@ pub struct FlipOptions {
     pub guard_folds: bool,
     /// Whether every flip is listed.
     pub history: bool,
+}
+
+/// How a surface is repaired. Unknown names are refused.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct RepairOptions {
+    /// How near boundary vertices are welded.
+    pub weld: Weld,
 }
 
 /// How faces are divided into four.

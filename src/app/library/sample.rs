@@ -56,8 +56,8 @@ pub enum Holes {
     Open,
     /// All, one by one.
     All,
-    /// All but the longest.
-    Inner,
+    /// The small ones.
+    Small,
     /// These, by one patch that connects them.
     Blended(&'static [usize]),
 }
@@ -68,7 +68,7 @@ impl Holes {
         let (loops, connect) = match self {
             Self::Open => return None,
             Self::All => (Loops::Word("all".into()), false),
-            Self::Inner => (Loops::Word("inner".into()), false),
+            Self::Small => (Loops::Word("small".into()), false),
             Self::Blended(loops) => (Loops::Some(loops.to_vec()), true),
         };
         Some(FillOptions {
@@ -341,7 +341,7 @@ pub static SAMPLES: &[Sample] = {
             shape("scan-clean", &[("resolution", 140.0), ("loops", 30.0)]),
         )
         .with(mmcv)
-        .filled(Holes::Inner),
+        .filled(Holes::Small),
         sample("holed-sphere", Repair, shape("holed-sphere", &[]))
             .with(mmcv)
             .filled(Holes::All),

@@ -5,11 +5,12 @@ use super::error::{MustBe, RecipeError};
 use super::file::{Recipe, RecipeMesh, ReplayResult};
 use super::script::steps_in;
 use crate::app::arrangement::Arrangement;
-use crate::app::edit::options::FillOptions;
+use crate::app::edit::options::{FillOptions, RepairOptions};
 use crate::app::link::region;
 use crate::app::provenance::{Action, Edit, EditRecord};
 use crate::flow::option::{self, OptionError, Value, Values};
 use crate::flow::options::FlowOptions;
+use crate::remesh::repair::Weld;
 use crate::remesh::static_pass::RegulariseOptions;
 use serde::Deserialize;
 use serde_json::Value as Json;
@@ -238,6 +239,9 @@ impl Reader {
             Edit::Fill(FillOptions { max_vertices, .. }) => {
                 max_vertices.is_none_or(|most| most <= MAX_NEW_VERTICES)
             }
+            Edit::Repair(RepairOptions {
+                weld: Weld::Within(length),
+            }) => length.is_finite() && *length >= 0.0,
             _ => true,
         };
         match Edit::deserialize(edit.value) {

@@ -5,6 +5,7 @@ use super::error::RecipeError;
 use super::file::{Recipe, sha256};
 use super::script::{Script, Start};
 use crate::app::arrangement::{Arrangement, Compare};
+use crate::app::edit::options::RepairOptions;
 use crate::app::fault::Fault;
 use crate::app::link::Link;
 use crate::app::provenance::{Action, Edit, EditRecord};
@@ -43,7 +44,8 @@ type File = (Vec<u8>, String);
 
 /// One thing to do.
 enum Task {
-    Open(Start),
+    /// A mesh, repaired where it is a file that need not be a surface.
+    Open(Start, Option<RepairOptions>),
     Configure(Box<FlowOptions>),
     Act(Action),
     /// What is left of [`Action::Steps`]: to this step; whether the flow has said that it is over.
@@ -99,7 +101,7 @@ impl Replay {
             return Ok(());
         };
         match task {
-            Task::Open(start) => self.open(session, start)?,
+            Task::Open(start, repair) => self.open(session, start, repair)?,
             Task::Configure(options) => {
                 session.configure(*options)?;
             }
@@ -135,7 +137,12 @@ impl Replay {
         Ok(())
     }
 
-    fn open(&mut self, session: &mut Session, start: Start) -> Result<(), Fault> {
+    fn open(
+        &mut self,
+        session: &mut Session,
+        start: Start,
+        repair: Option<RepairOptions>,
+    ) -> Result<(), Fault> {
         let (name, asked) = match start {
             Start::Shape { name, parameters } => {
                 session.sample(&name, &parameters)?;
@@ -156,7 +163,10 @@ impl Replay {
                 return Err(RecipeError::AnotherMesh { name, asked, found }.into());
             }
         }
-        session.load(&bytes, &name)?;
+        match repair {
+            Some(options) => session.load_repaired(&bytes, &name, options)?,
+            None => session.load(&bytes, &name)?,
+        };
         Ok(())
     }
 
@@ -212,6 +222,7 @@ fn edited(session: &mut Session, edit: Edit) -> Result<(), Fault> {
         Edit::Adopt => drop(session.adopt()?),
         Edit::Fill(options) => drop(session.fill_telling(&options)?),
         Edit::Flip(options) => drop(session.flip(&options)?),
+        Edit::Repair(options) => drop(session.repair(options)?),
         Edit::Subdivide(options) => drop(session.subdivide(options)?),
         Edit::Invert(centre) => drop(session.invert(centre)?),
     }
@@ -257,7 +268,10 @@ impl Session {
     /// What is wrong with the script.
     pub fn prepare(&mut self, text: &ScriptText, file: Option<File>) -> Result<(), Fault> {
         let Script { start, edits, .. } = text.script()?;
-        let mut tasks = VecDeque::from([Task::Open(start)]);
+        let mut edits = edits.into_iter().peekable();
+        let repair = edits.next_if(|first| start.is_file() && first.repair().is_some());
+        let repair = repair.and_then(|first| first.repair());
+        let mut tasks = VecDeque::from([Task::Open(start, repair)]);
         for EditRecord { flow, path, edit } in edits {
             tasks.extend(flow.map(|options| Task::Configure(Box::new(options))));
             tasks.extend(path.into_iter().map(Task::Act));

@@ -21,6 +21,12 @@ pub(in crate::app) enum Start {
     },
 }
 
+impl Start {
+    pub(in crate::app) fn is_file(&self) -> bool {
+        matches!(self, Self::File { .. })
+    }
+}
+
 /// What is done to a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) struct Script {

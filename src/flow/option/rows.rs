@@ -26,6 +26,7 @@ macro_rules! option_row {
             flag: $flag,
             kind: $kind,
             absent: None,
+            words: &[],
             unit: $unit,
             group: $crate::flow::option::Group::$group,
             read_by: $by,

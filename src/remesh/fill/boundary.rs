@@ -1,7 +1,6 @@
 //! Boundary loops, and what the surface around them forbids.
 
 use super::error::FillError;
-use crate::geometry::measure::edge_length;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
@@ -10,6 +9,10 @@ use std::f64::consts::TAU;
 /// Vertices of a loop closer than this share of its mean edge lie in the same place.
 const SAME_PLACE: f64 = 1e-9;
 
+/// A loop is small where it is no longer than so many times the diagonal of its component's
+/// bounding box: a circle of a third of it. The outer rim of a sheet is twice and more as long.
+const SMALL: f64 = 1.0;
+
 /// A boundary loop; it has as many edges as vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoundaryLoop {
@@ -17,23 +20,85 @@ pub struct BoundaryLoop {
     pub vertices: Vec<u32>,
     /// Sum of its edge lengths.
     pub length: f64,
+    /// Copies of one vertex, made because surface meets there in a point, that are one again as
+    /// soon as the loop is filled: those where an edge of it ends and where the next begins.
+    pub copies: Vec<[u32; 2]>,
 }
 
-/// The boundary loops of a mesh, in the order of [`HalfedgeMesh::boundary_loops`].
+/// The boundary loops of a mesh, in the order of [`HalfedgeMesh::boundary_loops`]; one that passes
+/// a point more than once is several, in the order in which they close.
 pub fn boundary_loops(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<BoundaryLoop> {
     mesh.boundary_loops()
-        .map(|halfedges| {
-            let mut found = BoundaryLoop {
-                vertices: Vec::new(),
-                length: 0.0,
-            };
-            for h in halfedges {
-                found.vertices.push(mesh.tail(h).0);
-                found.length += edge_length(mesh, x, h.edge());
-            }
-            found
+        .flat_map(|halfedges| {
+            let vertices: Vec<u32> = halfedges.map(|h| mesh.tail(h).0).collect();
+            let whole = || vec![vertices.iter().map(|&v| [v, v]).collect()];
+            let parts = parts(&vertices, x).unwrap_or_else(whole);
+            parts.into_iter().map(|part| of_part(&part, x))
         })
         .collect()
+}
+
+/// The parts of a loop between passing a point and passing it again, each vertex by the copy where
+/// an edge ends and that where the next begins; `None` where a part has no inside, as along a slit.
+fn parts(vertices: &[u32], x: &[DVec3]) -> Option<Vec<Vec<[u32; 2]>>> {
+    let mut found = Vec::new();
+    let mut path: Vec<[u32; 2]> = Vec::new();
+    let mut place_of: HashMap<[u64; 3], usize> = HashMap::new();
+    // Of −0 and 0 the same.
+    let key = |v: u32| (x[v as usize] + 0.0).to_array().map(f64::to_bits);
+    for &v in vertices {
+        let Some(&place) = place_of.get(&key(v)) else {
+            place_of.insert(key(v), path.len());
+            path.push([v, v]);
+            continue;
+        };
+        let mut part = path.split_off(place);
+        if part.len() < 3 {
+            return None;
+        }
+        for [w, _] in &part[1..] {
+            place_of.remove(&key(*w));
+        }
+        // The part ends at this copy, and the path goes on from it.
+        let [before, after] = part[0];
+        part[0] = [v, after];
+        path.push([before, v]);
+        found.push(part);
+    }
+    if path.len() < 3 {
+        return None;
+    }
+    found.push(path);
+    Some(found)
+}
+
+fn of_part(part: &[[u32; 2]], x: &[DVec3]) -> BoundaryLoop {
+    let next = part.iter().cycle().skip(1);
+    let edges = part.iter().zip(next);
+    let lengths = edges.map(|([_, a], [b, _])| x[*a as usize].distance(x[*b as usize]));
+    BoundaryLoop {
+        length: lengths.sum(),
+        vertices: part.iter().map(|[_, v]| *v).collect(),
+        copies: part.iter().copied().filter(|[a, b]| a != b).collect(),
+    }
+}
+
+/// The loops that are holes and no outer rims, by their length.
+pub fn small_loops(mesh: &HalfedgeMesh, x: &[DVec3], all: &[BoundaryLoop]) -> Vec<usize> {
+    let (component, count) = mesh.components();
+    let mut boxes = vec![(DVec3::INFINITY, DVec3::NEG_INFINITY); count];
+    for (p, c) in x.iter().zip(&component) {
+        let (low, high) = &mut boxes[*c as usize];
+        (*low, *high) = (low.min(*p), high.max(*p));
+    }
+    let is_small = |index: &usize| {
+        let BoundaryLoop {
+            vertices, length, ..
+        } = &all[*index];
+        let (low, high) = boxes[component[vertices[0] as usize] as usize];
+        *length <= SMALL * low.distance(high)
+    };
+    (0..all.len()).filter(is_small).collect()
 }
 
 /// Refuses a loop of which two vertices that are not neighbours lie in the same place.
@@ -77,6 +142,8 @@ pub(super) struct Rim {
     pub(super) joined: HashSet<(u32, u32)>,
     /// Mean length of the loops' edges.
     pub(super) mean_edge: f64,
+    /// Of each vertex the copies of it, where it has others.
+    copies: HashMap<u32, Vec<u32>>,
 }
 
 impl Rim {
@@ -87,10 +154,19 @@ impl Rim {
             vertices.extend_from_slice(&all[index].vertices);
             starts.push(vertices.len());
         }
-        let local: HashMap<u32, u32> = vertices.iter().copied().zip(0..).collect();
+        let mut local: HashMap<u32, u32> = vertices.iter().copied().zip(0..).collect();
+        let mut copies: HashMap<u32, Vec<u32>> = HashMap::new();
+        for &[other, v] in loops.iter().flat_map(|&index| &all[index].copies) {
+            copies.entry(v).or_default().push(other);
+            if let Some(&i) = local.get(&v) {
+                local.insert(other, i);
+            }
+        }
         let mut joined = HashSet::new();
-        for (&v, &i) in vertices.iter().zip(local_numbers(vertices.len()).iter()) {
-            for spoke in mesh.star(Vertex(v)).filter(|s| s.face.is_some()) {
+        let of = |v: u32| std::iter::once(v).chain(copies.get(&v).into_iter().flatten().copied());
+        for (&v, i) in vertices.iter().zip(0..) {
+            let spokes = of(v).flat_map(|copy| mesh.star(Vertex(copy)));
+            for spoke in spokes.filter(|s| s.face.is_some()) {
                 for w in mesh.face_vertices(spoke.face) {
                     if let Some(&j) = local.get(&w.0).filter(|j| **j > i) {
                         joined.insert((i, j));
@@ -99,13 +175,15 @@ impl Rim {
             }
         }
         let length: f64 = loops.iter().map(|&index| all[index].length).sum();
+        let valence = |v: &u32| of(*v).map(|copy| mesh.valence(Vertex(copy))).sum();
         Self {
-            valences: vertices.iter().map(|&v| mesh.valence(Vertex(v))).collect(),
+            valences: vertices.iter().map(valence).collect(),
             mean_edge: length / vertices.len() as f64,
             loops,
             vertices,
             starts,
             joined,
+            copies,
         }
     }
 
@@ -136,21 +214,32 @@ impl Rim {
         self.vertices.len() == 3 && mesh.star(Vertex(self.vertices[0])).any(|s| has_rim(&s))
     }
 
-    /// Interior angle at each vertex as the surface around sees it: 2π less its angles.
+    /// Interior angle at each vertex as the surface around sees it: 2π less its angles. Where other
+    /// holes touch the vertex, the angle between the two sides.
     pub(super) fn angles(&self, mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<f64> {
-        let angle = |v: &u32| {
-            let spokes: Vec<_> = mesh.star(Vertex(*v)).collect();
-            let towards = |w: Vertex| x[w.index()] - x[*v as usize];
-            let corner = |pair: &[crate::mesh::walk::Spoke]| {
-                let (a, b) = (towards(pair[0].neighbour), towards(pair[1].neighbour));
-                a.cross(b).length().atan2(a.dot(b))
-            };
-            TAU - spokes.windows(2).map(corner).sum::<f64>()
+        let between = |v: u32, p: u32, q: u32| {
+            let [a, b] = [p, q].map(|w| x[w as usize] - x[v as usize]);
+            a.cross(b).length().atan2(a.dot(b))
         };
-        self.vertices.iter().map(angle).collect()
+        let around = |v: u32| {
+            let spokes: Vec<_> = mesh.star(Vertex(v)).collect();
+            let corners = spokes.windows(2);
+            TAU - corners
+                .map(|pair| between(v, pair[0].neighbour.0, pair[1].neighbour.0))
+                .sum::<f64>()
+        };
+        let mut angles: Vec<f64> = self.vertices.iter().map(|v| around(*v)).collect();
+        let sides: Vec<(u32, u32)> = self.sides().collect();
+        for &(from, to) in &sides {
+            let v = self.vertices[to as usize];
+            if !self.copies.contains_key(&v) {
+                continue;
+            }
+            if let Some((_, next)) = sides.iter().find(|(a, _)| *a == to) {
+                let [p, q] = [from, *next].map(|i| self.vertices[i as usize]);
+                angles[to as usize] = between(v, p, q);
+            }
+        }
+        angles
     }
-}
-
-fn local_numbers(n: usize) -> Vec<u32> {
-    (0..n as u32).collect()
 }

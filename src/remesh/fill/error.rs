@@ -27,6 +27,16 @@ messages! {
             /// Another.
             b: u32,
         },
+        /// No loop is so small that it is a hole rather than the outer rim of a sheet.
+        NoSmallLoops {
+            /// How many loops there are.
+            loops: usize,
+        },
+        /// The patch of a loop would fall onto faces that are there.
+        NoRoom {
+            /// The loop.
+            index: usize,
+        },
         /// A one-sided surface: a patch would have no side to agree with.
         NotOrientable,
         /// Connecting takes two loops.

@@ -7,7 +7,9 @@
 //! one patch, which begins as their convex hull.
 //!
 //! Old vertices keep their numbers and positions bit for bit, old faces their numbers and
-//! corners; what is new follows. (Only where the closed result would be inside out all
+//! corners; what is new follows. Two holes that share a corner are two loops, though the mesh has
+//! copies of that corner, one for each sheet: they are one vertex again in what is filled, and
+//! numbers after the second move up. (Only where the closed result would be inside out all
 //! faces are turned, as [`build`](crate::mesh::build()) does, and a warning says so.) Nothing depends on position,
 //! orientation or size of the mesh.
 
@@ -21,7 +23,7 @@ mod notice;
 mod patch;
 mod refine;
 
-pub use boundary::{BoundaryLoop, boundary_loops};
+pub use boundary::{BoundaryLoop, boundary_loops, small_loops};
 pub use error::{FillError, FillNotice};
 
 use crate::mesh::{Built, HalfedgeMesh, Repair, build};
@@ -42,6 +44,9 @@ pub type FillProgress<'a> = &'a mut dyn FnMut(&str, f64) -> ControlFlow<()>;
 pub struct FillOptions {
     /// Numbers of the loops; all if absent.
     pub loops: Option<Vec<usize>>,
+    /// Whether loops that cannot be filled are left open, with a notice, and are no error as long
+    /// as there are others; where all are filled it is always so.
+    pub lenient: bool,
     /// Whether one patch connects the loops, instead of one patch each.
     pub connect: bool,
     /// New vertices at most, of all patches together. Where the loops' own edge lengths ask
@@ -53,9 +58,16 @@ impl Default for FillOptions {
     fn default() -> Self {
         Self {
             loops: None,
+            lenient: false,
             connect: false,
             max_vertices: 200_000,
         }
+    }
+}
+
+impl FillOptions {
+    fn is_lenient(&self) -> bool {
+        self.lenient || self.loops.is_none()
     }
 }
 
@@ -112,9 +124,6 @@ struct Job {
 
 /// Fills holes, or connects loops, of a mesh at `x`.
 ///
-/// A loop that [touches itself](FillError::TouchingLoop) is left open with a warning if all
-/// loops were asked for.
-///
 /// # Errors
 /// [`FillError`].
 pub fn fill(
@@ -152,8 +161,10 @@ pub fn fill(
         Smoothing::Umbrella
     };
     remesh(&mut jobs, ROUNDS[0], first, progress)?;
-    let old = mesh.to_soup(x);
+    let mut old = mesh.to_soup(x);
+    unite_copies(&mut old, &all, &mut jobs);
     let triangles = old.triangulated();
+    leave_misfits(&triangles, &mut jobs, options, &mut notices)?;
     draw_in(&mut jobs, &triangles, 1, progress)?;
     if !options.connect {
         remesh(&mut jobs, ROUNDS[1], Smoothing::Tangential, progress)?;
@@ -195,7 +206,7 @@ fn choose(
     for index in chosen {
         match check_simple(index, &all[index], x) {
             Ok(()) => simple.push(index),
-            Err(error) if options.loops.is_some() => return Err(error),
+            Err(error) if !options.is_lenient() => return Err(error),
             Err(error) => {
                 touching.get_or_insert_with(|| error.clone());
                 notices.push(FillNotice::LeftOpen { reason: error });
@@ -307,6 +318,87 @@ fn remesh(
     Ok(())
 }
 
+/// Makes one vertex of the copies that the jobs' loops meet in; later numbers move up.
+fn unite_copies(old: &mut PolygonSoup, all: &[BoundaryLoop], jobs: &mut [Job]) {
+    let filled = jobs.iter().flat_map(|job| &job.rim.loops);
+    let copies: Vec<[u32; 2]> = filled
+        .flat_map(|&index| all[index].copies.iter().copied())
+        .collect();
+    if copies.is_empty() {
+        return;
+    }
+    let n = old.positions.len() as u32;
+    let mut first: Vec<u32> = (0..n).collect();
+    let least = |first: &[u32], mut v: u32| {
+        while first[v as usize] != v {
+            v = first[v as usize];
+        }
+        v
+    };
+    for pair in copies {
+        let [a, b] = pair.map(|v| least(&first, v));
+        first[a.max(b) as usize] = a.min(b);
+    }
+    let mut name = vec![0; first.len()];
+    let mut positions = Vec::with_capacity(first.len());
+    for v in 0..n {
+        let one = least(&first, v);
+        if one == v {
+            name[v as usize] = positions.len() as u32;
+            positions.push(old.positions[v as usize]);
+        } else {
+            name[v as usize] = name[one as usize];
+        }
+    }
+    old.positions = positions;
+    let vertices = jobs.iter_mut().flat_map(|job| &mut job.rim.vertices);
+    for v in old.corners.iter_mut().chain(vertices) {
+        *v = name[*v as usize];
+    }
+}
+
+/// Whether the builder makes a mesh of a soup without leaving anything out, so that numbers stay.
+fn is_kept(soup: &PolygonSoup) -> bool {
+    build(soup).is_ok_and(|built| {
+        built.mesh.n_faces() == soup.n_faces() && built.positions.len() == soup.positions.len()
+    })
+}
+
+/// Leaves the loops open whose patch the surface around leaves no room for: it would fall onto
+/// faces that are there.
+///
+/// # Errors
+/// Where nothing may be left open, or no other loop is left.
+fn leave_misfits(
+    triangles: &PolygonSoup,
+    jobs: &mut Vec<Job>,
+    options: &FillOptions,
+    notices: &mut Vec<FillNotice>,
+) -> Result<(), FillError> {
+    if is_kept(&assemble(triangles, jobs).0) {
+        return Ok(());
+    }
+    let mut fitting: Vec<Job> = Vec::new();
+    let mut last = None;
+    for job in jobs.drain(..) {
+        let index = job.rim.loops.first().copied().unwrap_or_default();
+        fitting.push(job);
+        if !is_kept(&assemble(triangles, &fitting).0) {
+            fitting.pop();
+            let reason = FillError::NoRoom { index };
+            notices.push(FillNotice::LeftOpen {
+                reason: reason.clone(),
+            });
+            last = Some(reason);
+        }
+    }
+    *jobs = fitting;
+    match last {
+        Some(error) if !options.is_lenient() || jobs.is_empty() => Err(error),
+        _ => Ok(()),
+    }
+}
+
 /// Old faces and patches as one soup, and where each patch's new vertices and faces are.
 fn assemble(old: &PolygonSoup, jobs: &[Job]) -> (PolygonSoup, Vec<[Range<u32>; 2]>) {
     let mut soup = old.clone();
@@ -362,7 +454,11 @@ fn finish(old: PolygonSoup, jobs: Vec<Job>, notices: Vec<FillNotice>) -> Result<
         repairs,
         ..
     } = build(&soup)?;
-    debug_assert!(mesh.n_faces() == soup.n_faces() && positions.len() == soup.positions.len());
+    if mesh.n_faces() != soup.n_faces() || positions.len() != soup.positions.len() {
+        let loops = jobs.first().and_then(|job| job.rim.loops.first());
+        let index = loops.copied().unwrap_or_default();
+        return Err(FillError::NoRoom { index });
+    }
     let report = |(job, [vertices, faces]): (Job, [Range<u32>; 2])| FilledPatch {
         loops: job.rim.loops,
         vertices,

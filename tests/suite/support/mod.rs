@@ -50,7 +50,7 @@ pub fn drive(
 }
 
 /// A folder of `../shared`, beside the project; says that tests skip where it is missing.
-fn shared_folder(name: &str) -> Option<PathBuf> {
+pub fn shared_folder(name: &str) -> Option<PathBuf> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared");
     let folder = folder.join(name);
     if folder.is_dir() {

@@ -155,6 +155,7 @@ remedy-back = { $steps ->
 }
 remedy-regularise-and-go-on = Netz regularisieren und weitermachen
 remedy-regularise-and-diffuse = Regularisieren und Oberflächendiffusion verwenden
+remedy-repair-and-go-on = Fläche reparieren und weitermachen
 remedy-regularise-each-step = Nach jedem Schritt regularisieren
 remedy-subdivide-and-go-on = Netz unterteilen und weitermachen
 remedy-set-tau = τ auf { $tau } setzen

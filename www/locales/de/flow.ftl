@@ -9,7 +9,7 @@ flow-zero-length-edge = die Kante zwischen den Ecken { $a } und { $b } hat keine
     [one] ; eine weitere Kante ist ebenso
    *[other] ; { $others } weitere Kanten sind ebenso
 }
-    .hint = Verschmelzen Sie die beiden Ecken in einem Netzeditor (nach Abstand), und laden Sie neu.
+    .hint = Eine Reparatur zieht die Kante zusammen.
 flow-nothing-free = keine Ecke kann sich bewegen
     .hint = Bei eingespanntem Rand werden auch die Ecken festgehalten, die eine Kante von ihm entfernt sind: Wählen Sie festen oder freien Rand, ein feineres Netz oder eine größere Auswahl.
 flow-selection-out-of-range = die Auswahl nennt Ecke { $vertex }, es gibt aber nur { $vertices } Ecken
@@ -19,7 +19,7 @@ flow-not-closed = die Fläche hat { $loops ->
     [one] { $loops } Randkurve
    *[other] { $loops } Randkurven
 }; dieser Fluss ist für geschlossene Flächen
-    .hint = Schließen Sie die Löcher in einem Netzeditor und öffnen Sie es neu, oder wählen Sie den Willmore-Fluss der Kreiswinkel, der Ränder zulässt.
+    .hint = Füllen Sie ihre Löcher, oder wählen Sie den Willmore-Fluss der Kreiswinkel, der Ränder zulässt.
 flow-not-oriented = die Fläche ist einseitig; dieser Fluss ist für orientierbare Flächen
     .hint = Wählen Sie den Willmore-Fluss der Kreiswinkel, der keine Orientierung braucht.
 flow-mixed-faces = das Netz mischt Facetten verschiedener Eckenzahl

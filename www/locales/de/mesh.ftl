@@ -10,8 +10,11 @@ mesh-non-manifold-edge = die Kante zwischen den Ecken { $a } und { $b } hat { CO
     [0] {""}
     [one] ; eine weitere Kante ist ebenso
    *[other] ; { $others } weitere Kanten sind ebenso
+}{ $first ->
+    [1] {" "}(gezählt ab 1, wie in der Datei)
+   *[other] {""}
 }
-    .hint = Eine Fläche hat an einer Kante höchstens zwei Facetten. Wählen Sie in einem Netzeditor die nicht-mannigfaltigen Kanten aus und löschen Sie die inneren Facetten, oder trennen Sie die Fläche dort.
+    .hint = Eine Fläche hat an einer Kante höchstens zwei Facetten. Eine Reparatur lässt kleine Blätter weg, die an einer solchen Kante hängen, und schneidet andere los.
 mesh-no-faces = es gibt keine Facette mit drei verschiedenen Ecken und einem Flächeninhalt
     .hint = Prüfen Sie, ob die Datei eine Fläche enthält und nicht nur Punkte oder Linien.
 mesh-too-large = { $count } Ecken von Facetten sind mehr, als 32-Bit-Indizes benennen können
@@ -48,6 +51,42 @@ repair-turned-faces = Den Nachbarn entsprechend umgedreht: { $count ->
    *[other] { $count } Facetten
 }.
 repair-inside-out = Die Fläche war umgestülpt (negatives Volumen): Alle Facetten wurden umgedreht.
+
+repaired-doubled-faces = Weggelassen: { $count ->
+    [one] { $count } Facette, die
+   *[other] { $count } Facetten, die
+} genau auf einem früheren Blatt { $count ->
+    [one] liegt
+   *[other] liegen
+}.
+repaired-welded = Verschweißt: { $count ->
+    [one] { $count } Randecke mit einer anderen
+   *[other] { $count } Randecken mit anderen
+} am selben Ort, wo das die Fläche schließt.
+repaired-collapsed-edges = Zusammengezogen: { $count ->
+    [one] { $count } Kante ohne Länge, mit den Facetten an ihr
+   *[other] { $count } Kanten ohne Länge, mit den Facetten an ihnen
+}.
+repaired-flat-faces = Weggelassen: { $count ->
+    [one] { $count } Dreieck
+   *[other] { $count } Dreiecke
+} ohne Flächeninhalt; was das öffnete, ist geschlossen.
+repaired-inserted = Eingefügt: { $count ->
+    [one] { $count } Ecke in die Kante, auf der sie liegt
+   *[other] { $count } Ecken in die Kanten, auf denen sie liegen
+}.
+repaired-fins = Weggelassen: { $count ->
+    [one] { $count } Facette
+   *[other] { $count } Facetten
+} kleiner Blätter, die an einer Kante zweier anderer Facetten hängen.
+repaired-cut-edges = Aufgeschnitten: { $count ->
+    [one] { $count } Kante mit mehr als zwei Facetten
+   *[other] { $count } Kanten mit mehr als zwei Facetten
+}; jedes Blatt hat nun seine eigene.
+repaired-tangled-faces = Weggelassen: { $count ->
+    [one] { $count } Facette
+   *[other] { $count } Facetten
+} an einer Kante mit mehr als zweien, die kein Schnitt trennt.
 
 ## Unterteilung
 
@@ -102,7 +141,14 @@ fill-no-loops = das Netz hat keine Randkurve
 fill-loop-out-of-range = es gibt keine Randkurve { $index }; das Netz hat { $loops }, ab 0 gezählt
     .hint = Nehmen Sie alle Randkurven oder eine von denen, die es gibt.
 fill-touching-loop = Randkurve { $index } berührt sich selbst: Die Ecken { $a } und { $b } liegen am selben Ort
-    .hint = Verschmelzen Sie solche Ecken in einem Netzeditor (nach Abstand), oder löschen Sie die Facetten um sie.
+    .hint = Eine Reparatur näht Ränder zusammen, die aufeinander liegen.
+fill-no-small-loops = { $loops ->
+    [one] die Randkurve ist
+   *[other] die { $loops } Randkurven sind
+} zu lang für ein Loch: Der äußere Rand eines Blatts bleibt offen, solange er nicht gewählt wird
+    .hint = Verlangen Sie alle Randkurven, oder einige mit ihren Nummern.
+fill-no-room = an Randkurve { $index } ist kein Platz für einen Flicken: Er fiele auf Facetten, die es schon gibt
+    .hint = Lassen Sie die Randkurve offen, oder löschen Sie die Facetten um sie.
 fill-not-orientable = die Fläche hat keine einheitliche Orientierung
     .hint = Eine einseitige Fläche lässt sich nicht füllen.
 fill-too-few-loops = { $loops ->

@@ -51,6 +51,7 @@ stage-triangulate = Löcher triangulieren
 stage-remesh = Flicken neu vernetzen
 stage-flips = Kanten tauschen
 stage-finish = Fläche messen
+stage-repair = Reparieren
 stage-replay = Dem Rezept folgen
 stage-sequence = Gespeicherte Schritte schreiben
 mode-paint = Über die Fläche ziehen, um Teile beweglich zu machen oder festzuhalten.
@@ -120,6 +121,17 @@ mesh-size = { $vertices } Ecken · { $faces } Seiten{ $loops ->
    *[other] {" · "}{ $loops } Ränder
 }
 found = In diesem Netz gefunden
+found-broken = Nicht heil
+    .hint = Eine Reparatur würde dies tun; sie lässt sich zurücknehmen.
+found-repaired = Repariert
+repair = Reparieren
+repair-and-open = Reparieren und öffnen
+repair-would = Eine Reparatur würde dies tun:
+repaired-all = { $count ->
+    [0] Es gibt nichts zu reparieren.
+    [one] Repariert: { $count } Änderung.
+   *[other] Repariert: { $count } Änderungen.
+}
 found-holes = { $count ->
     [one] { $count } Rand
    *[other] { $count } Ränder
@@ -144,6 +156,7 @@ tool-edge = Kante wählen
 start-from-here = Von hier beginnen
 undo = Zurücknehmen: { $what }
 edit-subdivision = die Unterteilung
+edit-repair = die Reparatur
 edit-inversion = die Spiegelung
 edit-flips = die Kantenflips
 
@@ -164,6 +177,10 @@ boundary-loop = { $edges } Kanten, Länge { NUMBER($length, digits: 3) }
 fill-chosen = { $count ->
     [one] Diesen füllen
    *[other] Diese { $count } füllen
+}
+fill-small = { $count ->
+    [one] Das kleine Loch füllen
+   *[other] { $count } kleine Löcher füllen
 }
 fill-all = { $count ->
     [one] Füllen
@@ -458,6 +475,7 @@ command-paint = Bewegliches anmalen
 command-fill = Löcher füllen
 command-subdivide = Unterteilen
 command-invert = An einer Kugel spiegeln
+command-repair = Reparieren
 command-regularise = Dreiecke ausgleichen
 command-adopt = Von hier beginnen
 command-download = Netz herunterladen

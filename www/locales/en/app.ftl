@@ -155,6 +155,7 @@ remedy-back = { $steps ->
 }
 remedy-regularise-and-go-on = Regularise the mesh and go on
 remedy-regularise-and-diffuse = Regularise and use surface diffusion
+remedy-repair-and-go-on = Repair the surface and go on
 remedy-regularise-each-step = Regularise after each step
 remedy-subdivide-and-go-on = Subdivide the mesh and go on
 remedy-set-tau = Set τ to { $tau }

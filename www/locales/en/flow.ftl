@@ -9,7 +9,7 @@ flow-zero-length-edge = the edge between vertices { $a } and { $b } has no lengt
     [one] ; one other edge is like it
    *[other] ; { $others } other edges are like it
 }
-    .hint = Merge the two vertices in a mesh editor (merge by distance), then load again.
+    .hint = A repair collapses the edge.
 flow-nothing-free = no vertex is free to move
     .hint = With a clamped boundary the vertices within one edge of it are held too: choose a fixed or free boundary, a finer mesh, or a larger selection.
 flow-selection-out-of-range = the selection names vertex { $vertex }, but there are only { $vertices } vertices
@@ -19,7 +19,7 @@ flow-not-closed = the surface has { $loops ->
     [one] { $loops } boundary loop
    *[other] { $loops } boundary loops
 }; this flow is for closed surfaces
-    .hint = Close its holes in a mesh editor and open it again, or choose the circle-angle Willmore flow, which takes boundaries.
+    .hint = Fill its holes, or choose the circle-angle Willmore flow, which takes boundaries.
 flow-not-oriented = the surface is one-sided; this flow is for orientable surfaces
     .hint = Choose the circle-angle Willmore flow, which needs no orientation.
 flow-mixed-faces = the mesh mixes faces of different degree

@@ -10,8 +10,11 @@ mesh-non-manifold-edge = the edge between vertices { $a } and { $b } has { COUNT
     [0] {""}
     [one] ; one other edge is like it
    *[other] ; { $others } other edges are like it
+}{ $first ->
+    [1] {" "}(counted from 1, as in the file)
+   *[other] {""}
 }
-    .hint = A surface has at most two faces at an edge. In a mesh editor, select non-manifold edges and delete the inner faces, or split the surface there.
+    .hint = A surface has at most two faces at an edge. A repair drops small sheets that hang on such an edge, and cuts others loose.
 mesh-no-faces = there is no face with three different corners and an area
     .hint = Check that the file holds a surface and not only points or lines.
 mesh-too-large = { $count } face corners are more than 32-bit indices can name
@@ -48,6 +51,48 @@ repair-turned-faces = Turned { $count ->
    *[other] { $count } faces
 } to agree with the neighbours.
 repair-inside-out = The surface was inside out (negative volume): all faces were turned.
+
+repaired-doubled-faces = Dropped { $count ->
+    [one] { $count } face that lies
+   *[other] { $count } faces that lie
+} exactly on an earlier sheet.
+repaired-welded = Welded { $count ->
+    [one] { $count } boundary vertex
+   *[other] { $count } boundary vertices
+} to { $count ->
+    [one] another
+   *[other] others
+} at the same place, where that closes the surface.
+repaired-collapsed-edges = Collapsed { $count ->
+    [one] { $count } edge
+   *[other] { $count } edges
+} without length, and the faces at { $count ->
+    [one] it
+   *[other] them
+}.
+repaired-flat-faces = Dropped { $count ->
+    [one] { $count } triangle
+   *[other] { $count } triangles
+} without area, and closed what that opened.
+repaired-inserted = Inserted { $count ->
+    [one] { $count } vertex
+   *[other] { $count } vertices
+} into the edge on which { $count ->
+    [one] it lies (a T-junction)
+   *[other] each lies (T-junctions)
+}.
+repaired-fins = Dropped { $count ->
+    [one] { $count } face
+   *[other] { $count } faces
+} of small sheets that hang on an edge of two other faces.
+repaired-cut-edges = Cut { $count ->
+    [one] { $count } edge of more than two faces
+   *[other] { $count } edges of more than two faces
+}, so that each sheet has its own.
+repaired-tangled-faces = Dropped { $count ->
+    [one] { $count } face
+   *[other] { $count } faces
+} at an edge of more than two that no cut takes apart.
 
 ## Subdivision
 
@@ -102,7 +147,14 @@ fill-no-loops = the mesh has no boundary loop
 fill-loop-out-of-range = there is no boundary loop { $index }; the mesh has { $loops }, counted from 0
     .hint = Ask for all loops, or for one of those there are.
 fill-touching-loop = boundary loop { $index } touches itself: vertices { $a } and { $b } lie in the same place
-    .hint = Merge such vertices in a mesh editor (merge by distance), or delete the faces around them.
+    .hint = A repair stitches boundaries that lie on each other.
+fill-no-small-loops = { $loops ->
+    [one] the boundary loop is
+   *[other] the { $loops } boundary loops are
+} too long to be a hole: the outer rim of a sheet is left open unless chosen
+    .hint = Ask for all loops, or for some by their numbers.
+fill-no-room = there is no room for a patch at boundary loop { $index }: it would fall onto faces that are there
+    .hint = Leave the loop open, or delete the faces around it.
 fill-not-orientable = the surface has no consistent orientation
     .hint = A one-sided surface cannot be filled.
 fill-too-few-loops = { $loops ->

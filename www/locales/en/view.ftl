@@ -51,6 +51,7 @@ stage-triangulate = Triangulating the holes
 stage-remesh = Remeshing the patches
 stage-flips = Flipping edges
 stage-finish = Measuring the surface
+stage-repair = Repairing
 stage-replay = Following the recipe
 stage-sequence = Writing the stored steps
 mode-paint = Drag over the surface to let parts of it move, or to hold them.
@@ -120,6 +121,17 @@ mesh-size = { $vertices } vertices · { $faces } faces{ $loops ->
    *[other] {" · "}{ $loops } boundaries
 }
 found = Found in this mesh
+found-broken = Not whole
+    .hint = A repair would do this; it can be undone.
+found-repaired = Repaired
+repair = Repair
+repair-and-open = Repair and open
+repair-would = A repair would do this:
+repaired-all = { $count ->
+    [0] There is nothing to repair.
+    [one] Repaired: { $count } change.
+   *[other] Repaired: { $count } changes.
+}
 found-holes = { $count ->
     [one] { $count } boundary
    *[other] { $count } boundaries
@@ -144,6 +156,7 @@ tool-edge = Choose an edge
 start-from-here = Start from here
 undo = Undo { $what }
 edit-subdivision = the subdivision
+edit-repair = the repair
 edit-inversion = the inversion
 edit-flips = the edge flips
 
@@ -164,6 +177,10 @@ boundary-loop = { $edges } edges, length { NUMBER($length, digits: 3) }
 fill-chosen = { $count ->
     [one] Fill this one
    *[other] Fill these { $count }
+}
+fill-small = { $count ->
+    [one] Fill the small hole
+   *[other] Fill { $count } small holes
 }
 fill-all = { $count ->
     [one] Fill it
@@ -458,6 +475,7 @@ command-paint = Paint what moves
 command-fill = Fill holes
 command-subdivide = Subdivide
 command-invert = Invert in a sphere
+command-repair = Repair
 command-regularise = Even out triangles
 command-adopt = Start from here
 command-download = Download the mesh

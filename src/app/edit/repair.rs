@@ -1,0 +1,122 @@
+//! Repair: what keeps a file, or the surface at hand, from being a whole surface.
+
+use super::options::RepairOptions;
+use crate::app::document::{Document, triangulated};
+use crate::app::fault::Fault;
+use crate::app::provenance::{Edit, EditRecord};
+use crate::app::repairs::{Mended, mend, preview};
+use crate::app::runner::Runner;
+use crate::app::{Loaded, Session};
+use crate::remesh::repair::is_suspect;
+use std::rc::Rc;
+
+impl Runner {
+    /// A document of the surface as it is now, repaired; `None` where there is nothing to repair.
+    fn repaired(&self, options: RepairOptions) -> Result<Option<Document>, Fault> {
+        let document = self.present();
+        if !is_suspect(&document.polygons, &self.x, options.weld) {
+            return Ok(None);
+        }
+        let mended = mend(&document.polygons.to_soup(&self.x), options.weld)?;
+        let Mended { built, items, were } = mended;
+        if items.is_empty() {
+            return Ok(None);
+        }
+        let chosen = |list: &Option<Vec<u32>>| {
+            let list = list.as_ref()?;
+            let mut is_chosen = vec![false; self.x.len()];
+            for &v in list {
+                if let Some(is_chosen) = is_chosen.get_mut(v as usize) {
+                    *is_chosen = true;
+                }
+            }
+            let now = (0..).zip(&were).filter(|(_, v)| is_chosen[**v as usize]);
+            Some(now.map(|(v, _)| v).collect())
+        };
+        let polygons = Rc::new(built.mesh);
+        let mut warnings = document.warnings.clone();
+        warnings.extend(items.iter().map(|item| item.message.clone()));
+        let repaired = Document {
+            triangles: triangulated(&polygons, &built.positions)?,
+            polygons,
+            start: built.positions,
+            free: chosen(&self.options().free),
+            fixed: chosen(&self.options().fixed),
+            warnings,
+            opened: Vec::new(),
+            repaired: items,
+            ..document
+        };
+        Ok(Some(repaired.with_shape_warnings()))
+    }
+}
+
+/// Refusals of a surface that a repair may help against.
+const MENDABLE: [&str; 7] = [
+    "NotClosed",
+    "NotOriented",
+    "NotOrientable",
+    "ZeroLengthEdge",
+    "Unfit",
+    "TouchingLoop",
+    "NoRoom",
+];
+
+impl Session {
+    /// A refusal with what a repair of the surface would change, where that may help.
+    pub(in crate::app) fn offering(&self, mut fault: Fault) -> Fault {
+        if let Some(runner) = &self.runner
+            && MENDABLE.contains(&fault.kind)
+        {
+            fault.repairs = preview(runner.polygons(), &runner.x).into();
+        }
+        fault
+    }
+
+    /// Repairs the surface as it is now, which becomes the start; where there is nothing to repair
+    /// nothing changes. [`undo_edit`](Self::undo_edit) undoes it. What was changed stands in
+    /// [`Loaded::repaired`].
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`]; where no face is left.
+    pub fn repair(&mut self, options: RepairOptions) -> Result<Loaded, Fault> {
+        match self.runner()?.repaired(options)? {
+            Some(document) => self.edit(Edit::Repair(options), |_| Ok((document, ())))?,
+            None => self.runner_mut()?.document.repaired.clear(),
+        }
+        self.loaded()
+    }
+
+    /// Loads a mesh file and repairs it; it need not be a surface.
+    /// [`undo_edit`](Self::undo_edit) takes the repair of one that is back.
+    ///
+    /// # Errors
+    /// As [`load`](Self::load), less what a repair helps against; the mesh loaded before stays.
+    pub fn load_repaired(
+        &mut self,
+        bytes: &[u8],
+        file_name: &str,
+        options: RepairOptions,
+    ) -> Result<Loaded, Fault> {
+        match Document::from_file(bytes, file_name) {
+            Ok(document) => {
+                let opened = document.opened.clone();
+                self.open(document)?;
+                self.repair(options)?;
+                let runner = self.runner_mut()?;
+                runner.document.repaired.splice(0..0, opened);
+            }
+            Err(fault) if fault.repairs.is_empty() => return Err(fault),
+            Err(_) => {
+                let document = Document::from_broken_file(bytes, file_name, options.weld)?;
+                self.open(document)?;
+                self.runner_mut()?.origin = Some(vec![EditRecord {
+                    flow: None,
+                    path: Vec::new(),
+                    edit: Edit::Repair(options),
+                }]);
+            }
+        }
+        self.loaded()
+    }
+}

@@ -1,0 +1,142 @@
+//! What a repair changes, kind by kind: before it is done, and after.
+
+use crate::arrays::TypedArray;
+use crate::mesh::{self, Built, HalfedgeMesh, MeshError};
+use crate::message::Message;
+use crate::remesh::repair::{Change, Repaired, Weld, is_suspect, repair};
+use crate::soup::PolygonSoup;
+use glam::DVec3;
+use serde::Serialize;
+use std::collections::HashMap;
+
+/// Vertices that are listed of one kind of change, at most.
+const MAX_PLACES: usize = 1000;
+
+/// A kind of change that a repair makes, or has made.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct RepairItem {
+    /// Noun of what is changed.
+    pub kind: &'static str,
+    /// How often.
+    pub count: usize,
+    /// The same to be said.
+    pub message: Message,
+    /// Vertices of the surface at which it is, of many only some.
+    pub vertices: TypedArray<u32>,
+    /// Whether that was safe, and so done when the file was opened.
+    pub done: bool,
+}
+
+impl RepairItem {
+    fn new(change: Change, vertices: Vec<u32>, done: bool) -> Self {
+        let mut vertices = vertices;
+        vertices.truncate(MAX_PLACES);
+        Self {
+            kind: change.kind,
+            count: change.count,
+            message: change.message,
+            vertices: vertices.into(),
+            done,
+        }
+    }
+
+    /// What was done when a file was opened.
+    pub(super) fn opened(built: &Built) -> Vec<Self> {
+        let n_faces = built.mesh.n_faces();
+        let changes = built.repairs.iter();
+        let changes = changes.filter_map(|repair| Change::built(repair, n_faces));
+        let places = Places::of(&built.soup_vertex);
+        changes
+            .map(|change| {
+                let vertices = places.now(&change.vertices);
+                Self::new(change, vertices, true)
+            })
+            .collect()
+    }
+}
+
+/// Where the vertices that there were are now.
+struct Places(HashMap<u32, u32>);
+
+impl Places {
+    fn of(were: &[u32]) -> Self {
+        // Of several copies the first.
+        Self(
+            were.iter()
+                .copied()
+                .zip(0..)
+                .collect::<Vec<_>>()
+                .into_iter()
+                .rev()
+                .collect(),
+        )
+    }
+
+    fn now(&self, were: &[u32]) -> Vec<u32> {
+        let all = were.iter().filter_map(|v| self.0.get(v).copied());
+        all.collect()
+    }
+}
+
+/// A soup that was repaired and is a surface.
+pub(super) struct Mended {
+    pub(super) built: Built,
+    pub(super) items: Vec<RepairItem>,
+    /// For each vertex the one that it was.
+    pub(super) were: Vec<u32>,
+}
+
+/// Repairs a soup and makes a surface of it.
+pub(super) fn mend(soup: &PolygonSoup, weld: Weld) -> Result<Mended, MeshError> {
+    let Repaired {
+        soup,
+        origin,
+        changes,
+    } = repair(soup, weld);
+    let built = mesh::build(&soup)?;
+    let were: Vec<u32> = built
+        .soup_vertex
+        .iter()
+        .map(|&v| origin[v as usize])
+        .collect();
+    let n_faces = built.mesh.n_faces();
+    let after = built.repairs.iter();
+    let after = after.filter_map(|repair| Change::built(repair, n_faces));
+    let after = after.map(|change| Change {
+        vertices: change
+            .vertices
+            .iter()
+            .map(|&v| origin[v as usize])
+            .collect(),
+        ..change
+    });
+    let places = Places::of(&were);
+    let items = changes.into_iter().chain(after).map(|change| {
+        let vertices = places.now(&change.vertices);
+        RepairItem::new(change, vertices, false)
+    });
+    let items = items.collect();
+    Ok(Mended { built, items, were })
+}
+
+/// What a repair of a surface would change, its vertices those of the surface as it is.
+pub(super) fn preview(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<RepairItem> {
+    let weld = Weld::Auto;
+    if !is_suspect(mesh, x, weld) {
+        return Vec::new();
+    }
+    let mended = mend(&mesh.to_soup(x), weld);
+    let Ok(Mended {
+        mut items, were, ..
+    }) = mended
+    else {
+        return Vec::new();
+    };
+    for item in &mut items {
+        for v in &mut item.vertices.0 {
+            *v = were[*v as usize];
+        }
+    }
+    items
+}

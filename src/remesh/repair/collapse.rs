@@ -1,0 +1,76 @@
+//! Edges without length.
+
+use super::faces::{Faces, sides};
+use super::hash::Table;
+use std::collections::BTreeSet;
+
+/// Collapses edges; remembers which faces a vertex has as long as nobody else changes them.
+#[derive(Default)]
+pub(super) struct Collapser {
+    faces_of: Table<u32, Vec<usize>>,
+}
+
+impl Collapser {
+    /// The faces were changed by somebody else.
+    pub(super) fn forget(&mut self) {
+        self.faces_of.clear();
+    }
+
+    fn star(&self, faces: &Faces, v: u32) -> Vec<usize> {
+        let known = self.faces_of.get(&v).into_iter().flatten().copied();
+        let mut star: Vec<usize> = known.filter(|&f| faces.face(f).contains(&v)).collect();
+        star.sort_unstable();
+        star.dedup();
+        star
+    }
+
+    /// Makes one vertex of the ends of an edge, where that leaves a surface a surface; gives the
+    /// vertex.
+    pub(super) fn collapse(&mut self, faces: &mut Faces, [a, b]: [u32; 2]) -> Option<u32> {
+        if self.faces_of.is_empty() {
+            for f in 0..faces.len() {
+                for &v in faces.face(f) {
+                    self.faces_of.entry(v).or_default().push(f);
+                }
+            }
+        }
+        let around = |v: u32| -> BTreeSet<u32> {
+            let star = self.star(faces, v);
+            let pairs = star.iter().flat_map(|&f| sides(faces.face(f)));
+            let with = pairs.filter(|&(p, q)| p == v || q == v);
+            with.map(|(p, q)| if p == v { q } else { p }).collect()
+        };
+        let is_boundary = |v: u32| around(v).iter().any(|&w| faces.at(v, w).len() == 1);
+        // Every neighbour of both must be across a triangle that goes with the edge.
+        let at_edge = faces.at(a, b);
+        let triangles = at_edge
+            .iter()
+            .filter(|&&f| faces.face(f as usize).len() == 3);
+        let shared = around(a).intersection(&around(b)).count();
+        let pinches = at_edge.len() == 2 && is_boundary(a) && is_boundary(b);
+        if shared != triangles.count() || pinches {
+            return None;
+        }
+        let (kept, gone) = (a.min(b), a.max(b));
+        for f in self.star(faces, gone) {
+            let mut face = faces.remove(f);
+            for v in &mut face {
+                if *v == gone {
+                    *v = kept;
+                }
+            }
+            face.dedup();
+            if face.len() > 1 && face.first() == face.last() {
+                face.pop();
+            }
+            if face.len() < 3 {
+                continue;
+            }
+            for &v in &face {
+                self.faces_of.entry(v).or_default().push(faces.len());
+            }
+            faces.add(face);
+        }
+        Some(kept)
+    }
+}

@@ -1,0 +1,97 @@
+//! Triangles without area.
+
+use super::collapse::Collapser;
+use super::faces::Faces;
+use crate::soup::PolygonSoup;
+use glam::DVec3;
+
+/// Height over length of the longest side, at and below which a triangle has no area.
+const FLAT: f64 = 1e-10;
+
+/// How a triangle has no area.
+#[derive(Clone, Copy)]
+enum Flat {
+    /// Its third corner lies between the two others.
+    Between([u32; 3]),
+    /// Its first two corners lie at the same place.
+    Short([u32; 2]),
+}
+
+/// `None` for a face with an area, and for any that is no triangle.
+fn flat(face: &[u32], x: &[DVec3]) -> Option<Flat> {
+    let &[a, b, c] = face else { return None };
+    let at = |v: u32| x[v as usize];
+    let mut sides = [[a, b, c], [b, c, a], [c, a, b]];
+    let length = |s: &[u32; 3]| at(s[0]).distance_squared(at(s[1]));
+    sides.sort_by(|s, t| length(s).total_cmp(&length(t)));
+    let [shortest, _, longest] = sides;
+    let [p, q, r] = longest.map(at);
+    let twice = (q - p).cross(r - p).length();
+    if twice > FLAT * length(&longest) {
+        return None;
+    }
+    let is_short = length(&shortest) <= FLAT * FLAT * length(&longest);
+    Some(if is_short {
+        Flat::Short([shortest[0], shortest[1]])
+    } else {
+        Flat::Between(longest)
+    })
+}
+
+/// Whether a face has no area.
+pub(super) fn is_flat(face: &[u32], x: &[DVec3]) -> bool {
+    flat(face, x).is_some()
+}
+
+/// How many there were, and their vertices.
+#[derive(Default)]
+pub(super) struct Dropped {
+    pub(super) flat: (usize, Vec<u32>),
+    pub(super) collapsed: (usize, Vec<u32>),
+}
+
+/// Drops triangles without area. Where a corner lies between the others it joins the neighbour
+/// across the longest side, so that no gap is left; an edge without length is collapsed.
+pub(super) fn drop_flat(soup: &mut PolygonSoup) -> Dropped {
+    let mut dropped = Dropped::default();
+    if !soup.faces().any(|face| is_flat(face, &soup.positions)) {
+        return dropped;
+    }
+    let mut faces = Faces::of(soup);
+    let mut collapser = Collapser::default();
+    let x = &soup.positions;
+    // Those that an insertion makes are of the next round.
+    for f in 0..faces.len() {
+        match flat(faces.face(f), x) {
+            None => {}
+            Some(Flat::Short(ends)) => {
+                if let Some(kept) = collapser.collapse(&mut faces, ends) {
+                    dropped.collapsed.0 += 1;
+                    dropped.collapsed.1.push(kept);
+                }
+            }
+            Some(Flat::Between([a, b, c])) => {
+                collapser.forget();
+                faces.remove(f);
+                dropped.flat.0 += 1;
+                dropped.flat.1.extend([a, b, c]);
+                let is_open = |v: u32| faces.at(v, c).is_empty();
+                if is_open(a) && is_open(b) {
+                    continue;
+                }
+                // A flat neighbour goes itself: what it leaves open is closed as a junction.
+                let others = faces.at(a, b).iter().copied();
+                let others: Vec<u32> = others
+                    .filter(|g| !is_flat(faces.face(*g as usize), x))
+                    .collect();
+                for g in others {
+                    faces.insert(g as usize, (a, b), c);
+                }
+            }
+        }
+    }
+    if dropped.flat.0 + dropped.collapsed.0 > 0 {
+        faces.write_to(soup);
+    }
+    dropped
+}

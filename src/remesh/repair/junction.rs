@@ -1,0 +1,130 @@
+//! Vertices in the middle of a neighbour's edge.
+
+use super::faces::Faces;
+use super::grid::Grid;
+use super::hash::Table;
+use super::weld;
+use crate::soup::PolygonSoup;
+use glam::DVec3;
+
+/// Boundary edges, and what is near them.
+pub(super) struct Rims<'a> {
+    x: &'a [DVec3],
+    edges: Vec<(u32, u32)>,
+    neighbours: Table<u32, Vec<u32>>,
+    grid: Grid,
+    near: f64,
+}
+
+impl<'a> Rims<'a> {
+    /// `None` where the boundary has no length.
+    pub(super) fn new(mut edges: Vec<(u32, u32)>, x: &'a [DVec3], near: f64) -> Option<Self> {
+        let length = |&(a, b): &(u32, u32)| x[a as usize].distance(x[b as usize]);
+        let total: f64 = edges.iter().map(length).sum();
+        if total == 0.0 {
+            return None;
+        }
+        edges.sort_unstable();
+        let mut neighbours: Table<u32, Vec<u32>> = Table::default();
+        for &(a, b) in &edges {
+            neighbours.entry(a).or_default().push(b);
+            neighbours.entry(b).or_default().push(a);
+        }
+        // Cubes as long as the mean edge: all edges together lead through few of them.
+        let mut grid = Grid::new((total / edges.len() as f64).max(2.0 * near), x);
+        let mut vertices: Vec<u32> = neighbours.keys().copied().collect();
+        vertices.sort_unstable();
+        for v in vertices {
+            grid.insert(x[v as usize], v);
+        }
+        Some(Self {
+            x,
+            edges,
+            neighbours,
+            grid,
+            near,
+        })
+    }
+
+    /// Vertices on an edge, farther than `near` from its ends, in order from its first end. Only
+    /// those from which a boundary edge goes on along it: others touch it in a point.
+    fn on_edge(&self, (a, b): (u32, u32)) -> Vec<u32> {
+        let at = |v: u32| self.x[v as usize];
+        let (p, q) = (at(a), at(b));
+        let along = q - p;
+        let length = along.length();
+        // Rounding of the coordinates, where nothing is to be welded.
+        let near = self.near.max(1e-12 * (p.abs() + q.abs()).max_element());
+        let reach = DVec3::splat(near);
+        let parts = (length / self.grid.size()).ceil().max(1.0) as usize;
+        let mut found: Vec<(f64, u32)> = Vec::new();
+        for part in 0..parts {
+            let [s, t] = [part, part + 1].map(|i| p + along * (i as f64 / parts as f64));
+            for v in self.grid.near(s.min(t) - reach, s.max(t) + reach) {
+                let r = at(v) - p;
+                let share = r.dot(along) / (length * length);
+                let is_inside = share * length > near && (1.0 - share) * length > near;
+                let is_on = (r - share * along).length() <= near;
+                if v != a && v != b && is_inside && is_on {
+                    found.push((share, v));
+                }
+            }
+        }
+        found.sort_by(|s, t| s.0.total_cmp(&t.0).then(s.1.cmp(&t.1)));
+        found.dedup();
+        let all: Vec<u32> = found.into_iter().map(|(_, v)| v).collect();
+        let goes_on = |v: &u32| {
+            self.neighbours[v].iter().any(|&w| {
+                let is_end = [p, q].iter().any(|end| at(w).distance(*end) <= near);
+                is_end || all.contains(&w)
+            })
+        };
+        all.iter().copied().filter(goes_on).collect()
+    }
+
+    /// Whether two boundary vertices lie within `near` of each other, or one on an edge.
+    pub(super) fn is_suspect(&self) -> bool {
+        let reach = DVec3::splat(self.near);
+        let is_near = |(&v, _): (&u32, &Vec<u32>)| {
+            let p = self.x[v as usize];
+            let mut others = self.grid.near(p - reach, p + reach);
+            others.any(|w| w != v && self.x[w as usize].distance(p) <= self.near)
+        };
+        self.neighbours.iter().any(is_near)
+            || self
+                .edges
+                .iter()
+                .any(|&edge| !self.on_edge(edge).is_empty())
+    }
+}
+
+/// Inserts boundary vertices that lie on a boundary edge, no farther from it than `near`, into the
+/// face of that edge. Gives how often, and the vertices.
+pub(super) fn insert(soup: &mut PolygonSoup, near: f64) -> (usize, Vec<u32>) {
+    if !weld::boundary(soup).contains(&true) {
+        return (0, Vec::new());
+    }
+    let mut faces = Faces::of(soup);
+    let open: Vec<(u32, u32)> = faces
+        .edges()
+        .filter(|(_, faces)| faces.len() == 1)
+        .map(|(ends, _)| *ends)
+        .collect();
+    let Some(rims) = Rims::new(open, &soup.positions, near) else {
+        return (0, Vec::new());
+    };
+    let mut inserted = Vec::new();
+    for &(mut from, to) in &rims.edges {
+        for v in rims.on_edge((from, to)) {
+            let &[f] = faces.at(from, to) else { break };
+            if faces.insert(f as usize, (from, to), v) {
+                inserted.push(v);
+                from = v;
+            }
+        }
+    }
+    if !inserted.is_empty() {
+        faces.write_to(soup);
+    }
+    (inserted.len(), inserted)
+}

@@ -1,0 +1,40 @@
+//! Whether a mesh may need a repair, found without taking it apart.
+
+use super::junction::Rims;
+use super::{Weld, automatic, flat};
+use crate::geometry::measure::edge_length;
+use crate::mesh::HalfedgeMesh;
+use glam::DVec3;
+
+/// Whether [`repair`](super::repair) might change a mesh: where this is false it changes nothing.
+/// Linear in the number of elements, without a copy.
+pub fn is_suspect(mesh: &HalfedgeMesh, x: &[DVec3], weld: Weld) -> bool {
+    let mut corners = Vec::new();
+    let mut has_flat = |f| {
+        corners.clear();
+        corners.extend(mesh.face_vertices(f).map(|v| v.0));
+        flat::is_flat(&corners, x)
+    };
+    if mesh.faces().any(&mut has_flat) {
+        return true;
+    }
+    let open = mesh.edges().filter(|&e| mesh.is_boundary_edge(e));
+    let open: Vec<(u32, u32)> = open.map(|e| mesh.ends(e).map(|v| v.0).into()).collect();
+    if open.is_empty() {
+        return false;
+    }
+    let near = match weld {
+        Weld::Off => None,
+        Weld::Within(length) => Some(length.max(0.0)),
+        Weld::Auto => {
+            // A side of each face, as in a soup.
+            let sides = mesh.edges().flat_map(|e| {
+                let n = 2 - usize::from(mesh.is_boundary_edge(e));
+                std::iter::repeat_n(edge_length(mesh, x, e), n)
+            });
+            automatic(x, sides.collect())
+        }
+    };
+    let near = near.unwrap_or(0.0);
+    Rims::new(open, x, near).is_some_and(|rims| rims.is_suspect())
+}

@@ -1,0 +1,632 @@
+//! Broken files, from opening to undo: what a repair would do is known before, what it did is
+//! listed, and what comes of it is a surface.
+
+use crate::support::shared_folder;
+use std::fmt::Write as _;
+use umbilic::app::{Edit, Info, Loaded, Origin, RepairItem, RepairOptions, ScriptText, Session};
+use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::io::Format;
+use umbilic::remesh::repair::Weld;
+
+/// Positions and faces, vertices counted from 0.
+#[derive(Clone, Default)]
+struct Soup {
+    x: Vec<[f64; 3]>,
+    faces: Vec<Vec<usize>>,
+}
+
+impl Soup {
+    fn obj(&self) -> Vec<u8> {
+        let mut text = String::new();
+        for [x, y, z] in &self.x {
+            let _ = writeln!(text, "v {x:?} {y:?} {z:?}");
+        }
+        for face in &self.faces {
+            let corners: Vec<String> = face.iter().map(|v| (v + 1).to_string()).collect();
+            let _ = writeln!(text, "f {}", corners.join(" "));
+        }
+        text.into_bytes()
+    }
+
+    /// A sphere of rings, with poles.
+    fn sphere(rings: usize, around: usize) -> Self {
+        let mut soup = Self::default();
+        soup.x.push([0.0, 0.0, 1.0]);
+        for ring in 1..rings {
+            let theta = std::f64::consts::PI * ring as f64 / rings as f64;
+            for n in 0..around {
+                let phi = std::f64::consts::TAU * n as f64 / around as f64;
+                let (sin, z) = theta.sin_cos();
+                soup.x.push([sin * phi.cos(), sin * phi.sin(), z]);
+            }
+        }
+        soup.x.push([0.0, 0.0, -1.0]);
+        let last = soup.x.len() - 1;
+        let at = |ring: usize, n: usize| match ring {
+            0 => 0,
+            r if r == rings => last,
+            r => 1 + (r - 1) * around + n % around,
+        };
+        for ring in 0..rings {
+            for n in 0..around {
+                let [a, b] = [at(ring, n), at(ring, n + 1)];
+                let [c, d] = [at(ring + 1, n), at(ring + 1, n + 1)];
+                if ring > 0 {
+                    soup.faces.push(vec![a, c, b]);
+                }
+                if ring + 1 < rings {
+                    soup.faces.push(vec![b, c, d]);
+                }
+            }
+        }
+        soup
+    }
+
+    /// An axis-aligned box of squares, `n` along each edge.
+    fn cube(n: usize) -> Self {
+        let mut soup = Self::default();
+        let mut names = std::collections::HashMap::new();
+        for axis in 0..3 {
+            for side in [0, n] {
+                for i in 0..n {
+                    for j in 0..n {
+                        let mut corner = |i: usize, j: usize| {
+                            let mut at = [0; 3];
+                            at[axis] = side;
+                            at[(axis + 1) % 3] = i;
+                            at[(axis + 2) % 3] = j;
+                            *names.entry(at).or_insert_with(|| {
+                                soup.x.push(at.map(|c| c as f64 / n as f64));
+                                soup.x.len() - 1
+                            })
+                        };
+                        let mut quad = [
+                            corner(i, j),
+                            corner(i + 1, j),
+                            corner(i + 1, j + 1),
+                            corner(i, j + 1),
+                        ];
+                        if side == 0 {
+                            quad.reverse();
+                        }
+                        soup.faces.push(vec![quad[0], quad[1], quad[2]]);
+                        soup.faces.push(vec![quad[0], quad[2], quad[3]]);
+                    }
+                }
+            }
+        }
+        soup
+    }
+}
+
+/// Numbers that look random, the same every time.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        ((self.next() * n as f64) as usize).min(n - 1)
+    }
+}
+
+/// Ten of a kind: other meshes, sizes and places.
+fn variants(mut each: impl FnMut(&mut Soup, &mut Random), mut check: impl FnMut(&[u8], usize)) {
+    for n in 0..10 {
+        let mut random = Random(17 * n + 1);
+        let mut soup = match n % 3 {
+            0 => Soup::cube(2 + n as usize / 2),
+            _ => Soup::sphere(6 + n as usize, 7 + n as usize),
+        };
+        each(&mut soup, &mut random);
+        let scale = 10f64.powi([0, -6, 6, -3, 3, 1, -1, 5, -5, 0][n as usize]);
+        let far = [0.0, 0.0, 1.0, 50.0, 0.1, 5e5, 3.0, 5.0, 0.0, 5e6][n as usize] * scale;
+        for p in &mut soup.x {
+            *p = p.map(|c| c * scale + far);
+        }
+        check(&soup.obj(), n as usize);
+    }
+}
+
+fn open(bytes: &[u8]) -> (Session, Info) {
+    let mut session = Session::new();
+    let loaded = session.load(bytes, "a.obj").expect("a surface");
+    (session, loaded.info)
+}
+
+fn repaired(bytes: &[u8], weld: Weld) -> (Session, Loaded) {
+    let mut session = Session::new();
+    let loaded = session
+        .load_repaired(bytes, "a.obj", RepairOptions { weld })
+        .expect("repaired");
+    (session, loaded)
+}
+
+fn kinds(items: &[RepairItem]) -> Vec<(&'static str, usize)> {
+    items.iter().map(|item| (item.kind, item.count)).collect()
+}
+
+fn is_sphere(info: &Info) -> bool {
+    info.closed && info.components == 1 && info.genus == Some(0) && info.oriented
+}
+
+/// Repaired, written, and read back, it is whole: nothing is left to repair.
+fn stays_whole(session: &Session, name: &str) {
+    for format in [Format::Obj, Format::Ply] {
+        let bytes = session.export(format).expect("a file");
+        let (_, info) = open(&bytes);
+        assert_eq!(kinds(&info.repairs), [], "{name}");
+    }
+}
+
+/// The bytes are a broken sphere: told beforehand, whole after.
+fn becomes_sphere(bytes: &[u8], kind: &str, name: usize) {
+    let (mut session, before) = open(bytes);
+    let told: Vec<_> = before.repairs.iter().filter(|item| !item.done).collect();
+    assert!(
+        told.iter().any(|item| item.kind == kind),
+        "{name}: {told:?}"
+    );
+    let x = session.positions().expect("positions");
+    let loaded = session.repair(RepairOptions::default()).expect("repaired");
+    assert!(is_sphere(&loaded.info), "{name}: {:?}", loaded.info);
+    assert_eq!(
+        kinds(&loaded.repaired),
+        told.iter().map(|i| (i.kind, i.count)).collect::<Vec<_>>(),
+        "what was told is what was done"
+    );
+    for item in &loaded.repaired {
+        assert!(
+            item.vertices
+                .0
+                .iter()
+                .all(|v| (*v as usize) < loaded.info.vertices)
+        );
+    }
+    stays_whole(&session, kind);
+    session.undo_edit().expect("undone");
+    assert_eq!(session.positions().expect("positions"), x);
+    let again = session.info().expect("a mesh");
+    assert_eq!(
+        (again.vertices, again.faces),
+        (before.vertices, before.faces)
+    );
+    let (_, loaded) = repaired(bytes, Weld::Auto);
+    assert!(is_sphere(&loaded.info), "{name}");
+}
+
+/// The bytes are no surface: refused with an offer that helps.
+fn is_refused_and_repaired(bytes: &[u8], kind: &str, name: usize) -> (Session, Loaded) {
+    let mut session = Session::new();
+    let fault = session.load(bytes, "a.obj").expect_err("no surface");
+    assert_eq!(fault.kind, "NonManifoldEdge", "{name}");
+    assert!(
+        fault.repairs.iter().any(|i| i.kind == kind),
+        "{name}: {:?}",
+        fault.repairs
+    );
+    let (session, loaded) = repaired(bytes, Weld::Auto);
+    assert_eq!(kinds(&loaded.repaired), kinds(&fault.repairs), "{name}");
+    stays_whole(&session, kind);
+    (session, loaded)
+}
+
+fn torn(soup: &mut Soup, face: usize) {
+    for n in 0..soup.faces[face].len() {
+        let v = soup.faces[face][n];
+        soup.x.push(soup.x[v]);
+        soup.faces[face][n] = soup.x.len() - 1;
+    }
+}
+
+#[test]
+fn a_heap_of_triangles_becomes_a_surface() {
+    variants(
+        |soup, _| (0..soup.faces.len()).for_each(|f| torn(soup, f)),
+        |bytes, n| becomes_sphere(bytes, "Welded", n),
+    );
+}
+
+#[test]
+fn a_seam_is_welded() {
+    // Faces of one side have vertices of their own.
+    variants(
+        |soup, random| {
+            let level = 0.2 + 0.6 * random.next();
+            let copies: Vec<usize> = (0..soup.x.len()).collect();
+            let (n, x) = (soup.x.len(), soup.x.clone());
+            soup.x.extend(copies.iter().map(|v| x[*v]));
+            for face in &mut soup.faces {
+                let middle: f64 = face.iter().map(|v| x[*v][0]).sum::<f64>() / 3.0;
+                if middle < level {
+                    face.iter_mut().for_each(|v| *v += n);
+                }
+            }
+        },
+        |bytes, n| becomes_sphere(bytes, "Welded", n),
+    );
+}
+
+#[test]
+fn a_vertex_on_an_edge_is_inserted() {
+    variants(
+        |soup, random| {
+            let f = random.below(soup.faces.len());
+            let [a, b, c] = [0, 1, 2].map(|i| soup.faces[f][i]);
+            let middle: [f64; 3] = std::array::from_fn(|i| 0.5 * (soup.x[a][i] + soup.x[b][i]));
+            soup.x.push(middle);
+            let m = soup.x.len() - 1;
+            soup.faces[f] = vec![a, m, c];
+            soup.faces.push(vec![m, b, c]);
+        },
+        |bytes, n| becomes_sphere(bytes, "Inserted", n),
+    );
+}
+
+#[test]
+fn a_triangle_of_collinear_corners_is_dropped() {
+    variants(
+        |soup, random| {
+            let f = random.below(soup.faces.len());
+            let [a, b, c] = [0, 1, 2].map(|i| soup.faces[f][i]);
+            let middle: [f64; 3] = std::array::from_fn(|i| 0.5 * (soup.x[a][i] + soup.x[b][i]));
+            soup.x.push(middle);
+            let m = soup.x.len() - 1;
+            soup.faces[f] = vec![a, m, c];
+            soup.faces.push(vec![m, b, c]);
+            soup.faces.push(vec![a, b, m]);
+        },
+        |bytes, n| {
+            // Far off the middle is beside the edge by rounding, and the triangle has an area.
+            if n < 5 || n == 8 {
+                becomes_sphere(bytes, "FlatFaces", n);
+            }
+        },
+    );
+}
+
+#[test]
+fn an_edge_without_length_is_collapsed() {
+    // A vertex becomes two at the same place, joined by an edge with two faces.
+    variants(
+        |soup, random| {
+            let v = soup.faces[random.below(soup.faces.len())][0];
+            let star: Vec<usize> = (0..soup.faces.len())
+                .filter(|f| soup.faces[*f].contains(&v))
+                .collect();
+            // Around it in order, each face given by the edge across from it.
+            let across = |f: usize| {
+                let face = &soup.faces[f];
+                let n = face.iter().position(|c| *c == v).expect("a corner");
+                (face[(n + 1) % 3], face[(n + 2) % 3])
+            };
+            let mut ring = vec![across(star[0])];
+            while ring.len() < star.len() {
+                let end = ring[ring.len() - 1].1;
+                let next = star.iter().map(|f| across(*f)).find(|(a, _)| *a == end);
+                ring.push(next.expect("a closed star"));
+            }
+            soup.x.push(soup.x[v]);
+            let w = soup.x.len() - 1;
+            let half = ring.len() / 2;
+            let far: Vec<(usize, usize)> = ring[..half].to_vec();
+            for face in &mut soup.faces {
+                if let Some(n) = face.iter().position(|c| *c == v)
+                    && far.contains(&(face[(n + 1) % 3], face[(n + 2) % 3]))
+                {
+                    face[n] = w;
+                }
+            }
+            let (p, q) = (ring[0].0, ring[half].0);
+            soup.faces.push(vec![v, w, p]);
+            soup.faces.push(vec![w, v, q]);
+        },
+        |bytes, n| becomes_sphere(bytes, "CollapsedEdges", n),
+    );
+}
+
+#[test]
+fn a_fin_is_dropped() {
+    variants(
+        |soup, random| {
+            let f = random.below(soup.faces.len());
+            let [a, b] = [0, 1].map(|i| soup.faces[f][i]);
+            soup.x.push([3.0, 2.5, 2.0 + random.next()]);
+            soup.faces.push(vec![a, b, soup.x.len() - 1]);
+        },
+        |bytes, n| {
+            let (_, loaded) = is_refused_and_repaired(bytes, "Fins", n);
+            assert!(is_sphere(&loaded.info), "{n}");
+        },
+    );
+}
+
+#[test]
+fn an_inner_wall_is_cut_loose() {
+    variants(
+        |soup, _| {
+            // A lid across a ring of edges: of the cube its waist, of a sphere the ring about a pole.
+            let ring: Vec<usize> = match soup.x[0] {
+                [0.0, 0.0, 1.0] => {
+                    let pole: Vec<&Vec<usize>> =
+                        soup.faces.iter().filter(|face| face.contains(&0)).collect();
+                    (1..=pole.len()).collect()
+                }
+                _ => {
+                    let f = &soup.faces[0];
+                    let g = &soup.faces[1];
+                    vec![f[0], f[1], f[2], g[2]]
+                }
+            };
+            soup.x.push(if ring.len() == 4 {
+                [0.5, 0.4, 0.3]
+            } else {
+                [0.0, 0.0, 0.1]
+            });
+            let tip = soup.x.len() - 1;
+            for n in 0..ring.len() {
+                soup.faces
+                    .push(vec![ring[n], ring[(n + 1) % ring.len()], tip]);
+            }
+        },
+        |bytes, n| {
+            let (_, loaded) = is_refused_and_repaired(bytes, "CutEdges", n);
+            let Info {
+                components,
+                genus,
+                oriented,
+                ..
+            } = loaded.info;
+            assert_eq!((components, genus, oriented), (2, Some(0), true), "{n}");
+        },
+    );
+}
+
+#[test]
+fn bodies_that_share_an_edge_become_two() {
+    variants(
+        |soup, random| {
+            let f = random.below(soup.faces.len());
+            let [a, b] = [0, 1].map(|i| soup.faces[f][i]);
+            let n = soup.x.len();
+            let (p, q) = (soup.x[a], soup.x[b]);
+            // Turned about the middle of the edge.
+            let turned = |x: &[f64; 3]| std::array::from_fn(|i| p[i] + q[i] - x[i]);
+            let copies: Vec<[f64; 3]> = soup.x.iter().map(turned).collect();
+            soup.x.extend(copies);
+            let name = |v: usize| match v {
+                v if v == a => b,
+                v if v == b => a,
+                v => v + n,
+            };
+            let mut copies: Vec<Vec<usize>> = soup
+                .faces
+                .iter()
+                .map(|face| face.iter().rev().map(|v| name(*v)).collect())
+                .collect();
+            // A turn by a point turns a surface inside out.
+            copies.truncate(soup.faces.len());
+            soup.faces.extend(copies);
+        },
+        |bytes, n| {
+            let (_, loaded) = is_refused_and_repaired(bytes, "CutEdges", n);
+            assert!(
+                loaded.info.closed && loaded.info.components == 2,
+                "{n}: {:?}",
+                loaded.info
+            );
+        },
+    );
+}
+
+#[test]
+fn what_opening_does_is_listed_too() {
+    // Twice the same face, a corner repeated, a vertex of no face, faces that disagree.
+    let mut soup = Soup::sphere(7, 9);
+    let twice = soup.faces[3].clone();
+    soup.faces.push(twice);
+    soup.faces.push(vec![4, 4, 5]);
+    soup.faces[10].reverse();
+    soup.x.push([9.0, 9.0, 9.0]);
+    let (_, info) = open(&soup.obj());
+    let expected = [
+        ("DegenerateFaces", 1),
+        ("DuplicateFaces", 1),
+        ("TurnedFaces", 1),
+        ("UnusedVertices", 1),
+    ];
+    assert_eq!(kinds(&info.repairs), expected);
+    assert!(info.repairs.iter().all(|item| item.done));
+    let (session, loaded) = repaired(&soup.obj(), Weld::Auto);
+    assert_eq!(kinds(&loaded.repaired), expected);
+    assert!(is_sphere(&loaded.info) && !session.can_undo_edit());
+    // Bodies that meet in a vertex.
+    let mut two = Soup::sphere(7, 9);
+    let n = two.x.len();
+    let copies: Vec<[f64; 3]> = two.x.iter().map(|[x, y, z]| [*x, *y, z + 2.0]).collect();
+    two.x.extend(copies);
+    let faces = two.faces.clone();
+    for face in faces {
+        let name = |v: &usize| if *v == n - 1 { 0 } else { v + n };
+        two.faces.push(face.iter().map(name).collect());
+    }
+    let (_, loaded) = repaired(&two.obj(), Weld::Auto);
+    let found = kinds(&loaded.repaired);
+    assert!(found.contains(&("SplitVertices", 1)), "{found:?}");
+    assert_eq!(loaded.info.components, 2);
+}
+
+#[test]
+fn a_gap_is_closed_only_when_asked_for() {
+    let mut soup = Soup::sphere(9, 12);
+    let (n, x) = (soup.x.len(), soup.x.clone());
+    soup.x.extend(x.iter().map(|[x, y, z]| [*x, *y, z + 1e-3]));
+    for face in &mut soup.faces {
+        if face.iter().map(|v| x[*v][2]).sum::<f64>() > 0.0 {
+            face.iter_mut().for_each(|v| *v += n);
+        }
+    }
+    let bytes = soup.obj();
+    let (_, info) = open(&bytes);
+    assert!(info.repairs.iter().all(|item| item.done) && !info.closed);
+    let (_, loaded) = repaired(&bytes, Weld::Auto);
+    assert!(!loaded.info.closed);
+    let (_, loaded) = repaired(&bytes, Weld::Within(2e-3));
+    assert!(is_sphere(&loaded.info), "{:?}", loaded.info);
+    let (_, loaded) = repaired(&bytes, Weld::Off);
+    assert!(!loaded.info.closed);
+}
+
+#[test]
+fn a_repair_is_part_of_a_recipe_and_selections_go_with_their_vertices() {
+    let mut soup = Soup::sphere(7, 9);
+    soup.x.push([2.0, 2.0, 2.0]);
+    soup.faces.push(vec![0, 1, soup.x.len() - 1]);
+    let (bytes, name) = (soup.obj(), "fin.obj");
+    let (mut session, _) = repaired(&bytes, Weld::Auto);
+    let options = FlowOptions {
+        flow: FlowName::MeanCurvature,
+        ..FlowOptions::default()
+    };
+    session.configure(options).expect("configured");
+    session.run(2).expect("steps");
+    let edits = session.provenance().expect("known").edits;
+    assert!(matches!(edits[..], [ref first] if matches!(first.edit, Edit::Repair(_))));
+    let origin = Origin::File {
+        name: "fin".into(),
+        file: Some(name.into()),
+        sha256: Some(digest(&bytes)),
+        bytes: Some(bytes.len()),
+    };
+    let text = session.write_recipe(Some(&origin)).expect("a recipe");
+    let script = ScriptText::Recipe(text.clone());
+    let mut again = Session::new();
+    again
+        .prepare(&script, Some((bytes.clone(), name.into())))
+        .expect("prepared");
+    while !again.advance().expect("made").is_done {}
+    let card = again.read_recipe(&text).expect("a card");
+    again.configure(card.flow).expect("configured");
+    again.follow(&script).expect("followed");
+    while !again.advance().expect("steps").is_done {}
+    assert!(again.compare_recipe(&text).expect("compared").same);
+
+    // A vertex on an edge of the first face; the corners of the last are free.
+    let mut soup = Soup::sphere(7, 9);
+    let [a, b, c] = [0, 1, 2].map(|i| soup.faces[0][i]);
+    let middle: [f64; 3] = std::array::from_fn(|i| 0.5 * (soup.x[a][i] + soup.x[b][i]));
+    soup.x.push(middle);
+    let m = soup.x.len() - 1;
+    soup.faces[0] = vec![a, m, c];
+    soup.faces.push(vec![m, b, c]);
+    torn(&mut soup, 20);
+    let (mut session, _) = open(&soup.obj());
+    let triangles = session.loaded().expect("a mesh").triangles.0;
+    let free = triangles[triangles.len() - 6..triangles.len() - 3].to_vec();
+    let options = FlowOptions {
+        flow: FlowName::MeanCurvature,
+        free: Some(free.clone()),
+        ..FlowOptions::default()
+    };
+    session.configure(options).expect("configured");
+    let before = session.positions().expect("positions");
+    let loaded = session.repair(RepairOptions::default()).expect("repaired");
+    let chosen = free;
+    let free = loaded.free.expect("a selection").0;
+    let at = |x: &[f32], v: u32| x[3 * v as usize..3 * v as usize + 3].to_vec();
+    let were: Vec<Vec<f32>> = chosen.iter().map(|v| at(&before, *v)).collect();
+    assert_eq!(free.len(), 3, "{free:?}");
+    assert!(
+        free.iter()
+            .all(|v| were.contains(&at(&loaded.positions.0, *v)))
+    );
+}
+
+fn digest(bytes: &[u8]) -> String {
+    use sha2::{Digest, Sha256};
+    let digest = Sha256::digest(bytes);
+    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[test]
+fn the_message_counts_as_the_file_does() {
+    let mut soup = Soup::sphere(7, 9);
+    soup.x.push([2.0, 2.0, 2.0]);
+    soup.faces.push(vec![0, 1, soup.x.len() - 1]);
+    let fault = Session::new()
+        .load(&soup.obj(), "a.obj")
+        .expect_err("refused");
+    let number = |name| fault.message.number(name);
+    assert_eq!(
+        (number("a"), number("b"), number("first")),
+        (Some(1.0), Some(2.0), Some(1.0))
+    );
+    assert_eq!(fault.detail["vertices"], [0.0, 1.0]);
+}
+
+/// Name, vertices, edges, faces, and what is found before.
+#[test]
+fn files_that_people_brought_become_surfaces() {
+    let Some(folder) = shared_folder("cases/files") else {
+        return;
+    };
+    let rows = [
+        ("obj_uvseam_pole.obj", 114, 336, 224, "Welded"),
+        ("stl_unwelded_noise.stl", 162, 480, 320, "Welded"),
+        ("fin.obj", 162, 480, 320, "Fins"),
+        ("zero_area.obj", 163, 483, 322, "FlatFaces"),
+        ("slit.obj", 642, 1920, 1280, "Welded"),
+    ];
+    for (name, vertices, edges, faces, kind) in rows {
+        let bytes = std::fs::read(folder.join(name)).expect("a file");
+        let mut session = Session::new();
+        let loaded = session
+            .load_repaired(&bytes, name, RepairOptions::default())
+            .expect("repaired");
+        let info = &loaded.info;
+        let counts = (info.vertices, info.edges, info.faces);
+        assert_eq!(
+            counts,
+            (vertices, edges, faces),
+            "{name}: {:?}",
+            loaded.repaired
+        );
+        assert!(is_sphere(info), "{name}");
+        assert!(
+            loaded.repaired.iter().any(|i| i.kind == kind),
+            "{name}: {:?}",
+            loaded.repaired
+        );
+        stays_whole(&session, name);
+    }
+    let bytes = std::fs::read(folder.join("tjunction.obj")).expect("a file");
+    let (_, loaded) = repaired(&bytes, Weld::Auto);
+    let Info {
+        closed,
+        area,
+        volume,
+        ..
+    } = loaded.info;
+    assert!(closed && (area - 6.0).abs() < 1e-12, "{area}");
+    assert!((volume.expect("closed") - 1.0).abs() < 1e-12);
+    assert_eq!(kinds(&loaded.repaired), [("Inserted", 1)]);
+    // Whole ones are as they were.
+    for name in [
+        "bumpy_utm.obj",
+        "db.obj",
+        "bowtie_hole.obj",
+        "flat_hole.obj",
+    ] {
+        let bytes = std::fs::read(folder.join(name)).expect("a file");
+        let mut session = Session::new();
+        let before = session.load(&bytes, name).expect("a surface");
+        let after = session.repair(RepairOptions::default()).expect("whole");
+        assert!(after == before && !session.can_undo_edit(), "{name}");
+    }
+}
