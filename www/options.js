@@ -131,10 +131,10 @@ export const colours = /** @type {readonly import("./store.js").FieldName[]} */ 
   "displacement",
 ]);
 
-/** Formats of meshes. */
+/** Formats of meshes. @type {readonly import("./element.js").MeshFormat[]} */
 export const meshFormats = ["ply", "ply-ascii", "obj", "off", "stl", "stl-ascii", "glb"];
 
-/** All that can be saved. */
+/** All that can be saved. @type {readonly import("./element.js").ExportFormat[]} */
 export const formats = [...meshFormats, "csv", "recipe", "png"];
 
 /** @param {readonly string[]} ids @param {"colour" | "save-as"} kind */
