@@ -7,7 +7,9 @@
 // Attributes are the words of a link (`flow`, `p`, `step`, `camera`, …; `smoothSteps` is written
 // `smooth-steps`), and those of `own` below. Methods return promises; events are
 // `ready`, `frame`, `statechange`, `error` and `key` (Page Up or Down, pressed in the surface);
-// what they tell is in `detail`.
+// what they tell is in `detail`. `element.d.ts` has the types of all of it.
+
+/** @import { UmbilicSurface as Typed } from "./element.js" */
 
 /**
  * Attributes that are no words of a link: `mesh`, the address of a mesh file, which the
@@ -23,6 +25,8 @@ const global =
   /^(?:id|class|style|slot|part|lang|dir|hidden|tabindex|role|name|data-.*|aria-.*|on.*)$/;
 
 const script = import.meta.url;
+/** Bundled with other code it does not know where the page is. */
+const isBundled = !/\/embed\.js$/.test(new URL(script).pathname);
 /** @param {string} attribute */
 const wordOf = (attribute) => attribute.replace(/-(\w)/g, (_, letter) => letter.toUpperCase());
 /** @param {string} address @returns {string} the last part of it, as a file is called */
@@ -134,7 +138,8 @@ class UmbilicSurface extends HTMLElement {
   get #address() {
     const page = this.getAttribute("page");
     if (page) return new URL(page, document.baseURI);
-    return new URL(import.meta.env.DEV ? "../" : "./", script);
+    // By its name: not every host shows it for its folder.
+    return new URL(import.meta.env.DEV ? "../index.html" : "./index.html", script);
   }
 
   /** The attributes that are words of a link. @param {(attribute: string) => boolean} [which] */
@@ -148,6 +153,7 @@ class UmbilicSurface extends HTMLElement {
   }
 
   #open() {
+    if (isBundled && !this.hasAttribute("page")) return this.#miss();
     const frame = document.createElement("iframe");
     const address = this.#address;
     const query = new URLSearchParams(address.search);
@@ -168,6 +174,15 @@ class UmbilicSurface extends HTMLElement {
     frame.src = address.href;
     this.#frame = frame;
     this.#shadow.replaceChildren(frame);
+  }
+
+  /** Whatever stands where the page is looked for would be shown instead, maybe this very page. */
+  #miss() {
+    const message = "The page of Umbilic is not where this script was bundled to.";
+    const hint = "Add the plugin `umbilic/vite`, or say where the page is in the attribute `page`.";
+    this.#shadow.replaceChildren(`${message} ${hint}`);
+    // After whoever made the element has had time to listen.
+    queueMicrotask(() => this.#announce("error", { message, hint }));
   }
 
   #close() {
@@ -224,7 +239,7 @@ class UmbilicSurface extends HTMLElement {
   #ask(type, fields = {}, isFirst = false) {
     const frame = this.#frame;
     if (!frame) {
-      return Promise.reject(new DOMException("The surface is in no page.", "InvalidStateError"));
+      return Promise.reject(new DOMException("The surface is not shown.", "InvalidStateError"));
     }
     this.#lastId += 1;
     const message = { umbilic: 1, id: this.#lastId, type, ...fields };
@@ -269,8 +284,8 @@ class UmbilicSurface extends HTMLElement {
   #follow() {
     const changed = [...this.#changed];
     this.#changed.clear();
-    if (!this.#frame) return;
-    if (changed.includes("title")) this.#frame.title = this.title || "Umbilic";
+    if (!this.#frame && !changed.includes("page")) return;
+    if (this.#frame && changed.includes("title")) this.#frame.title = this.title || "Umbilic";
     /** A refusal has no other way to whoever wrote the attribute. @param {unknown} error */
     const tell = (error) => this.#announce("error", error);
     const isNew = changed.some((name) => ["sample", "figure"].includes(name));
@@ -290,5 +305,7 @@ class UmbilicSurface extends HTMLElement {
 }
 
 if (!customElements.get("umbilic-surface")) {
-  customElements.define("umbilic-surface", UmbilicSurface);
+  /** @type {new () => Typed} */
+  const typed = UmbilicSurface;
+  customElements.define("umbilic-surface", typed);
 }

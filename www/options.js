@@ -133,9 +133,11 @@ export const colours = /** @type {readonly import("./store.js").FieldName[]} */ 
 ]);
 
 /** Formats of meshes. */
-export const savedMeshes = written.map(({ name }) => name);
+export const savedMeshes = /** @type {import("./element.js").MeshFormat[]} */ (
+  written.map(({ name }) => name)
+);
 
-/** All that can be saved. */
+/** All that can be saved. @type {readonly import("./element.js").ExportFormat[]} */
 export const formats = [...savedMeshes, "csv", "recipe", "png"];
 
 /** @param {readonly string[]} ids @param {"colour" | "save-as"} kind */

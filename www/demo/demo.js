@@ -18,7 +18,7 @@ function byId(id, type) {
   return found;
 }
 
-/** @typedef {HTMLElement & { play(): Promise<unknown>, pause(): Promise<unknown>, state(): Promise<{ phase: string, isWaiting: boolean }> }} Surface */
+/** @import {} from "../element.js" */
 
 // The surfaces speak as these slides do, also where only the address asks for that.
 const lang = new URLSearchParams(location.search).get("lang");
@@ -67,7 +67,7 @@ next.addEventListener("click", deck.next);
 /** Plays what stands in the slide, or pauses it. */
 async function toggle() {
   await element;
-  const surfaces = /** @type {Surface[]} */ ([...current.querySelectorAll("umbilic-surface")]);
+  const surfaces = [...current.querySelectorAll("umbilic-surface")];
   const states = await Promise.all(surfaces.map((surface) => surface.state()));
   const isPlaying = states.some(({ phase, isWaiting }) => phase === "running" || isWaiting);
   await Promise.all(surfaces.map((surface) => (isPlaying ? surface.pause() : surface.play())));
@@ -95,18 +95,15 @@ for (const surface of document.querySelectorAll("umbilic-surface")) {
   const outputs = [...(figure?.querySelectorAll("output") ?? [])].filter(
     ({ dataset }) => Number(dataset.of ?? 0) === number,
   );
-  surface.addEventListener("frame", (event) => {
-    const standing = /** @type {CustomEvent<Record<string, number | null>>} */ (event).detail;
+  surface.addEventListener("frame", ({ detail }) => {
     for (const output of outputs) {
       const { reading = "", digits } = output.dataset;
-      const value = standing[reading];
+      const value = /** @type {Record<string, any>} */ (detail)[reading];
       output.textContent = digits ? formatNumber(value, Number(digits)) : String(value);
     }
   });
   // Who has clicked into a surface still has the clicker in hand.
-  surface.addEventListener("key", (event) => {
-    deck.press(/** @type {CustomEvent<{ key: string }>} */ (event).detail.key);
-  });
+  surface.addEventListener("key", ({ detail }) => deck.press(detail.key));
 }
 
 const loaded = new Promise((resolve) => addEventListener("load", resolve));

@@ -3,6 +3,7 @@
 // nobody sees it. Works only in an address with `?embed`.
 
 /** @import { Page } from "../actions.js" */
+/** @import { SurfaceState } from "../element.js" */
 /** @import { Request } from "./messages.js" */
 
 import { linkIn, plainScene, sceneOf } from "../link.js";
@@ -44,7 +45,7 @@ export function createEmbedding(page) {
   function post(message, transfer = []) {
     host?.postMessage({ umbilic: PROTOCOL, ...message }, origin, transfer);
   }
-  /** @param {string} event @param {Record<string, unknown>} [detail] */
+  /** @param {string} event @param {object} [detail] */
   const tell = (event, detail = {}) => post({ event, detail });
 
   /** A run that rests until it is seen. */
@@ -52,7 +53,7 @@ export function createEmbedding(page) {
   let isIntersecting = false;
   const isSeen = () => isIntersecting && document.visibilityState === "visible";
 
-  /** @returns {"empty" | "loading" | "failed" | "running" | "ready" | "paused"} */
+  /** @returns {SurfaceState["phase"]} */
   function phaseNow() {
     const { phase } = get();
     if (phase !== "ready") return phase;
@@ -61,7 +62,7 @@ export function createEmbedding(page) {
     return shown && shown.step === 0 && shown.status === "ready" ? "ready" : "paused";
   }
 
-  /** Where it stands. */
+  /** Where it stands. @returns {SurfaceState} */
   function standing() {
     const { mesh, options, version, extras } = get();
     const reading = page.shown();

@@ -5,6 +5,8 @@
 import { readdirSync } from "node:fs";
 import path from "node:path";
 import { ensureChromium } from "../../tests/web/support/chromium.js";
+import { ensureFirefox } from "../../tests/web/support/firefox.js";
+import { ensureWebkit } from "../../tests/web/support/webkit.js";
 import { formatChecks, rustChecks, typeCheck } from "./checks.js";
 import { prerequisites } from "./prerequisites.js";
 import { root, run, runNode, say, script } from "./process.js";
@@ -26,12 +28,19 @@ function nodeTests(names) {
   runNode(["--test", "--test-concurrency=1", ...paths]);
 }
 
+/** Chromium must be there; what is missing of the others is said, and their tests are skipped. */
+async function browsers() {
+  await ensureChromium();
+  if (!ensureFirefox()) say("No Firefox here: its test is skipped");
+  if (!ensureWebkit()) say("No WebKitGTK here: its test is skipped");
+}
+
 /** @type {{ title: string, run: () => unknown }[]} */
 const checks = [
   { title: "Node, node packages, Rust", run: prerequisites },
   ...formatChecks,
   // Looked for now: to find none after ten minutes would be unkind.
-  { title: "A Chromium for the browser tests", run: ensureChromium },
+  { title: "Browsers for the browser tests", run: browsers },
   ...rustChecks,
   { title: "Rust tests", run: () => run("cargo", ["test", "--locked"]) },
   { title: "Wasm build", run: buildWasm },

@@ -4,6 +4,7 @@
 import { html, nothing } from "lit-html";
 import { say } from "../words.js";
 import { close, icon, lazy } from "./parts.js";
+import { handle, isTall } from "./sheet.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { Tab } from "../store.js" */
@@ -54,8 +55,9 @@ export function rail(page) {
 export function drawer(page) {
   const { tab } = page.state.value;
   if (!tab) return nothing;
-  return html`<div class="panel" role="tabpanel" aria-labelledby="tab-${tab}">
-    <header><h2>${say(`tab-${tab}`)}</h2>${close(() => turn(page, tab))}</header>
+  const shut = () => turn(page, tab);
+  return html`<div class="panel ${isTall.value ? "tall" : ""}" role="tabpanel" aria-labelledby="tab-${tab}">
+    <header><h2>${say(`tab-${tab}`)}</h2>${handle(shut)}${close(shut)}</header>
     <div class="body" tabindex="-1">${contents[tab](page)}</div>
   </div>`;
 }

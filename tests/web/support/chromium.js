@@ -2,9 +2,7 @@
 // Finds a Chromium for the browser tests, installs one where that is possible, and
 // knows the switches under which it draws WebGPU without a graphics card.
 
-import { spawnSync } from "node:child_process";
-import { accessSync, constants } from "node:fs";
-import path from "node:path";
+import { findProgram, installPackages, isExecutable, succeeds } from "./programs.js";
 
 const names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
 const places = [
@@ -19,14 +17,7 @@ const places = [
  * @returns {string | null}
  */
 export function findChromium() {
-  const asked = process.env.CHROMIUM_PATH;
-  if (asked) {
-    if (!isExecutable(asked)) throw new Error(`CHROMIUM_PATH is not a program: ${asked}`);
-    return asked;
-  }
-  const folders = (process.env.PATH ?? "").split(path.delimiter);
-  const candidates = names.flatMap((name) => folders.map((folder) => path.join(folder, name)));
-  return [...candidates, ...places].find(isExecutable) ?? null;
+  return findProgram(names, places, "CHROMIUM_PATH");
 }
 
 /**
@@ -44,13 +35,8 @@ export async function ensureChromium() {
   );
 }
 
-/** Debian and its like, as root. */
 function installPackage() {
-  if (process.platform !== "linux" || process.getuid?.() !== 0) return null;
-  if (!succeeds("apt-get", ["--version"], "ignore")) return null;
-  console.log("  installing the package chromium");
-  succeeds("apt-get", ["update", "-q"]);
-  succeeds("apt-get", ["install", "-q", "-y", "--no-install-recommends", "chromium"]);
+  installPackages(["chromium"]);
   return findChromium();
 }
 
@@ -61,26 +47,6 @@ async function downloadChromium() {
   console.log("  downloading Playwright's Chromium");
   succeeds(process.execPath, ["node_modules/playwright-core/cli.js", "install", "chromium"]);
   return isExecutable(program) ? program : null;
-}
-
-/**
- * @param {string} program
- * @param {string[]} parameters
- * @param {"inherit" | "ignore"} [stdio]
- */
-function succeeds(program, parameters, stdio = "inherit") {
-  const env = { ...process.env, DEBIAN_FRONTEND: "noninteractive" };
-  return spawnSync(program, parameters, { stdio, env }).status === 0;
-}
-
-/** @param {string} file */
-function isExecutable(file) {
-  try {
-    accessSync(file, constants.X_OK);
-    return true;
-  } catch {
-    return false;
-  }
 }
 
 /**

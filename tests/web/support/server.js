@@ -5,21 +5,10 @@ import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { typeOf } from "../../../www/vite-plugin.js";
 
 /** The built site. */
 export const site = fileURLToPath(new URL("../../../dist", import.meta.url));
-
-/** @type {Record<string, string>} */
-const types = {
-  ".css": "text/css",
-  ".html": "text/html; charset=utf-8",
-  ".js": "text/javascript",
-  ".json": "application/json",
-  ".png": "image/png",
-  ".svg": "image/svg+xml",
-  ".wasm": "application/wasm",
-  ".webmanifest": "application/manifest+json",
-};
 
 /**
  * Serves a folder on a free port of this machine, by default below a sub-path:
@@ -37,9 +26,8 @@ export async function serve(folder = site, base = "/some/folder/", wanted = 0) {
     try {
       if (file === null || !file.startsWith(folder + path.sep)) throw new Error("outside");
       const bytes = await readFile(file);
-      const type = types[path.extname(file)] ?? "application/octet-stream";
       // As hosts of static sites do: a script module may be used by other pages only so.
-      const headers = { "content-type": type, "access-control-allow-origin": "*" };
+      const headers = { "content-type": typeOf(file), "access-control-allow-origin": "*" };
       response.writeHead(200, headers).end(bytes);
     } catch {
       response.writeHead(404).end();

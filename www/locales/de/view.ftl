@@ -6,6 +6,7 @@ library = Bibliothek
 present = Vorführen
 help = Hilfe
 close = Schließen
+full-height = Ganze Höhe
 dismiss = Verwerfen
 panels = Bereiche
 tab-surface = Fläche

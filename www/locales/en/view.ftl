@@ -6,6 +6,7 @@ library = Library
 present = Present
 help = Help
 close = Close
+full-height = Full height
 dismiss = Dismiss
 panels = Panels
 tab-surface = Surface

@@ -1,0 +1,84 @@
+// @ts-check
+// The plugin `umbilic/vite`: <umbilic-surface> in a project that Vite serves and builds. The
+// element shows a page that comes in many files, which no bundler follows by itself; they are
+// served, and copied to what is built, below `umbilic/`.
+
+import { readdirSync, readFileSync } from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+/** The built site. */
+const site = fileURLToPath(new URL("../dist/", import.meta.url));
+const script = path.join(site, "embed.js");
+/** How the element says where it is. */
+const place = "import.meta.url";
+/** Where the site is in the project's own. */
+const folder = "umbilic/";
+
+/** @type {Record<string, string>} */
+const types = {
+  ".css": "text/css",
+  ".html": "text/html; charset=utf-8",
+  ".js": "text/javascript",
+  ".json": "application/json",
+  ".png": "image/png",
+  ".svg": "image/svg+xml",
+  ".wasm": "application/wasm",
+  ".webmanifest": "application/manifest+json",
+  ".webp": "image/webp",
+  ".woff2": "font/woff2",
+};
+
+/** What a web server says that a file of the site is. @param {string} file */
+export const typeOf = (file) => types[path.extname(file)] ?? "application/octet-stream";
+
+/** @returns {import("vite").Plugin} */
+export function umbilic() {
+  let base = "/";
+  let isServing = false;
+  return {
+    name: "umbilic",
+    // Bundled beforehand, the element would not come by here.
+    config: () => ({ optimizeDeps: { exclude: ["umbilic"] } }),
+    configResolved(config) {
+      base = config.base;
+      isServing = config.command === "serve";
+    },
+
+    configureServer({ middlewares }) {
+      middlewares.use((request, response, next) => {
+        const { pathname } = new URL(request.url ?? "/", "http://localhost");
+        const start = `${base}${folder}`;
+        const inside = decodeURIComponent(pathname.slice(start.length)) || "index.html";
+        const file = path.join(site, inside);
+        if (!pathname.startsWith(start) || !file.startsWith(site)) return next();
+        try {
+          const bytes = readFileSync(file);
+          response.writeHead(200, { "content-type": typeOf(file) }).end(bytes);
+        } catch {
+          next();
+        }
+      });
+    },
+
+    transform(code, id) {
+      if (path.normalize(id.split("?")[0]) !== script) return null;
+      if (isServing) {
+        const address = JSON.stringify(`${base}${folder}embed.js`);
+        return code.replace(place, () => `new URL(${address}, location.origin).href`);
+      }
+      let copied = "";
+      for (const entry of readdirSync(site, { recursive: true, withFileTypes: true })) {
+        if (!entry.isFile()) continue;
+        const file = path.join(entry.parentPath, entry.name);
+        const name = path.relative(site, file).split(path.sep).join("/");
+        const fileName = `${folder}${name}`;
+        const asset = this.emitFile({ type: "asset", fileName, source: readFileSync(file) });
+        if (file === script) copied = asset;
+      }
+      // From there on: it may be a path from the root, and another place with a relative base.
+      const address = `import.meta.ROLLUP_FILE_URL_${copied}`;
+      return code.replace(place, () => `new URL(${address}, ${place}).href`);
+    },
+  };
+}
