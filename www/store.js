@@ -112,6 +112,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {{ diagnosis: import("./generated/types.js").Diagnosis | null, isShown: boolean } | null} why  the card that says it
  * @property {string | null} section     of the drawer, that is open
  * @property {boolean} welcome
+ * @property {boolean} isNew             whether a mesh was opened that nothing has been done to
  * @property {boolean} legend            whether its options are open
  * @property {readonly Note[]} notes
  * @property {number} noteShown          the last that has been in the status line
@@ -174,6 +175,7 @@ export const initial = Object.freeze({
   why: null,
   section: null,
   welcome: false,
+  isNew: false,
   legend: false,
   notes: [],
   noteShown: 0,

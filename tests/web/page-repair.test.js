@@ -107,3 +107,21 @@ test("a file with a slit is repaired by its button, and Undo brings the slit bac
   assert.deepEqual(faults, []);
   await close();
 });
+
+test("an opened scan is asked what it is for, once, and is smoothed a little", async () => {
+  const { page, faults, close } = await site.open();
+  await openMesh(page, "bust.obj", obj(wavyTorus(48, 24)));
+  await page.getByText("What is this mesh for?").waitFor();
+  await button(page, "Smooth a little").click();
+  await until(page, /^Stopped after 10 steps/);
+  assert.equal(await page.getByText("What is this mesh for?").count(), 0);
+  // Nothing is remembered for another file, and a small mesh is no scan.
+  await openMesh(page, "small.obj", obj(wavyTorus(12, 8)));
+  assert.equal(await page.getByText("What is this mesh for?").count(), 0);
+  await openMesh(page, "again.obj", obj(wavyTorus(48, 24)));
+  await page.getByText("What is this mesh for?").waitFor();
+  await openTab(page, "Flow");
+  assert.equal(await page.getByRole("radio", { name: "Come to rest" }).isChecked(), true);
+  assert.deepEqual(faults, []);
+  await close();
+});

@@ -31,7 +31,7 @@ export function createEdit(core) {
     const kept = [...earlier, { source, options: before, what }].slice(-MOST_EDITS);
     // No sample any more, and no file either: a link to it can only name it.
     patch({ source: { kind: "file", name: mesh.name }, mesh: loaded, earlier: kept, mode: null });
-    patch({ preview: null, reading: null, configured: null });
+    patch({ preview: null, reading: null, configured: null, isNew: false });
     anew();
     await core.configure(options);
     if (get().colour !== "none") await core.colour(get().colour);

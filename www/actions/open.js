@@ -32,6 +32,9 @@ import { say } from "../words.js";
 
 /** A file that something begins with. @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} Bytes */
 
+/** Faces of a file from which it is taken for a scan. */
+const SCANNED = 2000;
+
 /** The name of a file's mesh. @param {string} file */
 const stem = (file) => file.replace(/\.[^.]+$/, "");
 
@@ -55,7 +58,13 @@ export function createOpen(core, run, compare) {
       notes.clear();
       patch({
         ...{ source, origin, mesh, reading: null, timeline: null, configured: null, earlier: [] },
-        ...{ figure: null, goal: null, camera: scene.camera ?? null, applies: "start" },
+        ...{
+          figure: null,
+          goal: null,
+          isNew: false,
+          camera: scene.camera ?? null,
+          applies: "start",
+        },
       });
       anew();
       for (const warning of mesh.info.warnings) notes.note(say(warning), warning.id);
@@ -172,6 +181,9 @@ export function createOpen(core, run, compare) {
     }
     const { mesh } = get();
     if (repair && mesh) core.showRepairs(mesh);
+    // What a finely meshed file is for decides what is to be done with it.
+    const isPlainly = Object.keys(scene).length === 0;
+    patch({ isNew: isPlainly && (mesh?.info.faces ?? 0) >= SCANNED });
   }
 
   /** A recipe that was read. @typedef {{ text: string, card: RecipeCard }} Recipe */

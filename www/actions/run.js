@@ -34,7 +34,7 @@ export function createRun(core, adopt) {
 
   async function play() {
     if (!isUsable() || isMoving()) return;
-    patch({ welcome: false, mode: null, preview: null });
+    patch({ welcome: false, isNew: false, mode: null, preview: null });
     if (core.isOver() && !maySolve() && isAtEnd()) player.begin(true);
     else {
       if (maySolve()) await core.run();
@@ -149,6 +149,12 @@ export function createRun(core, adopt) {
       }),
     /** @param {"start" | "here"} applies */
     applies: (applies) => patch({ applies }),
+    /** What an opened mesh is for: noise taken off it, or all that bends. @param {"smooth" | "relax"} goal */
+    async aim(goal) {
+      patch({ isNew: false });
+      await run.configure({ flow: "circle", goal });
+      await run.play();
+    },
     /** Everything as usual, but for flow and surface. */
     recommend() {
       const { flow, boundary, free, fixed, p, keep } = get().options;

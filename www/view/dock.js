@@ -37,6 +37,8 @@ function line(page) {
       <progress max="1" .value=${s.progress.fraction} aria-label=${say("progress")}></progress>
       ${button(say("stop-now"), async () => (await page.open.giveUp()) || page.run.halt(), { kind: "small" })}`;
   }
+  const isAsked = s.isNew && s.mode === null && page.shown()?.step === 0 && !s.running;
+  if (isAsked) return purpose(page);
   if (page.player.isWaiting.value) return html`<span class="text">${say("computing")}</span>`;
   const shown = page.shown();
   const last = page.lead.clip.last?.state.step ?? 0;
@@ -47,6 +49,21 @@ function line(page) {
       ? html`<button type="button" class="link" @click=${page.why.ask}>${say("why")}</button>`
       : nothing
   }`;
+}
+
+/** What a mesh was opened for. @param {Page} page */
+function purpose(page) {
+  const { mesh } = page.state.value;
+  const small = { kind: "small" };
+  return html`<span class="text">${say("purpose")}</span>
+    ${button(say("purpose-smooth"), () => page.run.aim("smooth"), small)}
+    ${button(say("purpose-relax"), () => page.run.aim("relax"), small)}
+    ${
+      (mesh?.info.boundaryLoops ?? 0) > 0
+        ? button(say("purpose-fill"), () => page.edit.mode("fill"), small)
+        : nothing
+    }
+    ${iconButton("close", say("dismiss"), () => page.patch({ isNew: false }))}`;
 }
 
 /** @param {Page} page */
