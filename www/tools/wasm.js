@@ -20,9 +20,9 @@ import { root, run, runNode, say, targetDir } from "./process.js";
 
 /** @type {Half[]} */
 const halves = [
-  { name: "solver", level: "s", shrink: ["-Oz", "--converge"] },
+  { name: "solver", level: "s", shrink: ["-Oz"] },
   // What takes time in a picture is the browser's; the smallest code will do.
-  { name: "viewer", level: "z", shrink: ["-Oz", "--converge"] },
+  { name: "viewer", level: "z", shrink: ["-Oz"] },
   // Large with a shader compiler that runs once: for size, dependencies and all.
   { name: "viewer-webgl", level: "z", rest: "z", shrink: ["-Oz"] },
 ];
