@@ -159,7 +159,7 @@ pictured.then(fetchDialogs).catch(() => {});
 // dropped before the solver is there waits for it.
 if (!embedding) {
   file.addEventListener("change", () => {
-    if (file.files?.[0]) page.open.open(file.files[0]);
+    if (file.files?.[0]) openFile(file.files[0]);
     file.value = "";
   });
   addEventListener("dragover", (event) => {
@@ -172,9 +172,12 @@ if (!embedding) {
   addEventListener("drop", (event) => {
     event.preventDefault();
     const dropped = event.dataTransfer?.files[0];
-    if (dropped) page.open.open(dropped);
+    if (dropped) openFile(dropped);
   });
 }
+
+/** After the scene of the address, which it replaces. @param {File} file */
+const openFile = (file) => begun.catch(() => {}).then(() => page.open.open(file));
 
 /** Links being opened: until their scene is there, the address is theirs. */
 let opening = 0;
@@ -198,7 +201,7 @@ effect(() => {
 addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL)));
 if (!embedding && location.hash.length < 2 && remembered("visited") === null)
   page.patch({ welcome: true });
-const opened = Promise.resolve(embedding?.wanted).then(async () => {
+const begun = Promise.resolve(embedding?.wanted).then(async () => {
   // What the solver says is said in these.
   const words = fetchRest().catch(console.error);
   try {
@@ -208,8 +211,8 @@ const opened = Promise.resolve(embedding?.wanted).then(async () => {
     throw error;
   }
   await words;
-  if (!embedding?.isFed) return openLink(location);
 });
+const opened = begun.then(() => (embedding?.isFed ? undefined : openLink(location)));
 opened.catch(page.report);
 embedding?.begin(opened);
 // In another page it is that one's concern.
