@@ -164,7 +164,7 @@ pictured
 // dropped before the solver is there waits for it.
 if (!embedding) {
   file.addEventListener("change", () => {
-    if (file.files?.length) page.open.open([...file.files]);
+    if (file.files?.length) openFiles([...file.files]);
     file.value = "";
   });
   addEventListener("dragover", (event) => {
@@ -177,9 +177,12 @@ if (!embedding) {
   addEventListener("drop", (event) => {
     event.preventDefault();
     const dropped = [...(event.dataTransfer?.files ?? [])];
-    if (dropped.length > 0) page.open.open(dropped);
+    if (dropped.length > 0) openFiles(dropped);
   });
 }
+
+/** After the scene of the address, which they replace. @param {File[]} files */
+const openFiles = (files) => begun.catch(() => {}).then(() => page.open.open(files));
 
 /** Links being opened: until their scene is there, the address is theirs. */
 let opening = 0;
@@ -209,7 +212,7 @@ const up = new Promise((resolve) => {
     if (page.state.value.version !== "") resolve(null);
   });
 });
-const opened = Promise.resolve(embedding?.wanted).then(async () => {
+const begun = Promise.resolve(embedding?.wanted).then(async () => {
   try {
     page.solver.begin();
   } catch (error) {
@@ -219,8 +222,8 @@ const opened = Promise.resolve(embedding?.wanted).then(async () => {
   // What the solver says is said in words that the first picture need not wait for.
   await Promise.race([pictured, up]);
   await fetchRest().catch(console.error);
-  if (!embedding?.isFed) return openLink(location);
 });
+const opened = begun.then(() => (embedding?.isFed ? undefined : openLink(location)));
 opened.catch(page.report);
 embedding?.begin(opened);
 // In another page it is that one's concern.

@@ -103,8 +103,9 @@ test("a file that is chosen while the page starts is opened", async () => {
   const held = new Promise((resolve) => {
     release = resolve;
   });
-  // The solver comes after the file was chosen.
-  await page.route(/solver_bg[^/]*\.wasm$/, (route) => held.then(() => route.continue()));
+  // The solver comes after the file was chosen, and so do the words of what it refuses.
+  const late = /solver_bg[^/]*\.wasm$|refusal-[^/]*\.js$/;
+  await page.route(late, (route) => held.then(() => route.continue()));
   await page.goto(`${site.url}?msaa=1`, { waitUntil: "commit" });
   const file = page.getByLabel("Open mesh", { exact: true });
   await file.waitFor({ state: "attached" });
