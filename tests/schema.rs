@@ -4,7 +4,8 @@
 use serde_json::{Value as Json, json};
 use std::path::Path;
 use umbilic::app::{
-    Arrangement, BenchOptions, EnergyOptions, FillOptions, FlipOptions, RegulariseOptions, Session,
+    Arrangement, BenchOptions, EnergyOptions, FillOptions, FlipOptions, RegulariseOptions,
+    RemeshOptions, Session,
 };
 use umbilic::energy::circle::Boundary;
 use umbilic::flow::option::{Kind, Options, Row, Value};
@@ -82,6 +83,7 @@ fn schema() -> String {
         list("readonly Row[]", "energy", &rows::<EnergyOptions>()),
         list("readonly Row[]", "regularise", &rows::<RegulariseOptions>()),
         list("readonly Row[]", "fill", &rows::<FillOptions>()),
+        list("readonly Row[]", "remesh", &rows::<RemeshOptions>()),
         list("readonly Row[]", "flips", &rows::<FlipOptions>()),
         list("readonly Row[]", "bench", &rows::<BenchOptions>()),
     ]

@@ -9,7 +9,8 @@ use super::diagnosis::Diagnosis;
 use super::edit::fill::{FillOutcome, LoopInfo};
 use super::edit::flip::FlipOutcome;
 use super::edit::invert::{InversionReport, Inverted};
-use super::edit::options::{FillOptions, FlipOptions, SubdivideOptions};
+use super::edit::options::{FillOptions, FlipOptions, RemeshOptions, SubdivideOptions};
+use super::edit::remesh::RemeshOutcome;
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::history::Timeline;
@@ -130,6 +131,12 @@ pub enum Command {
         /// By which scheme.
         #[serde(default)]
         options: SubdivideOptions,
+    },
+    /// Gives the surface other triangles.
+    Remesh {
+        /// Which, and how many.
+        #[serde(default)]
+        options: RemeshOptions,
     },
     /// Makes the surface inverted in a sphere the start.
     Invert {
@@ -285,6 +292,8 @@ pub enum Answer {
     Flip(FlipOutcome),
     Fill(FillOutcome),
     Subdivide(Loaded),
+    /// The mesh is loaded anew with `loaded`.
+    Remesh(RemeshOutcome),
     Invert(InversionReport),
     Adopt(Loaded),
     Undo(Loaded),
@@ -384,6 +393,7 @@ impl Session {
             C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),
             C::Flip { options } => Answer::Flip(self.flip(&options)?),
             C::Fill { options } => Answer::Fill(self.fill_telling(&options)?),
+            C::Remesh { options } => Answer::Remesh(self.remesh(&options)?),
             C::Subdivide { options } => Answer::Subdivide(self.subdivide(options)?),
             C::Invert { centre } => Answer::Invert(self.invert(centre)?.1),
             C::Adopt {} => Answer::Adopt(self.adopt()?),

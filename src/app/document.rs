@@ -142,5 +142,5 @@ pub(super) fn triangulated(
         return Ok(Rc::clone(polygons));
     }
     let cut = polygons.to_soup(x).triangulated();
-    Ok(Rc::new(mesh::build(&cut)?.mesh))
+    Ok(Rc::new(mesh::build_as_given(&cut)?.mesh))
 }

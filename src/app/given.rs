@@ -4,7 +4,7 @@
 use super::RegulariseOptions;
 use super::arrangement::{Arrangement, Compare};
 use super::bench::BenchOptions;
-use super::edit::options::{FillOptions, FlipOptions};
+use super::edit::options::{FillOptions, FlipOptions, RemeshOptions};
 use super::fault::Fault;
 use super::readings::EnergyOptions;
 use crate::flow::option::{
@@ -52,6 +52,7 @@ pub fn read_flags(command: &str, words: &Values) -> Result<Values, Fault> {
         "flips" => option::read::<FlipOptions>(words)?,
         "regularise" => option::read::<RegulariseOptions>(words)?,
         "fill" => option::read::<FillOptions>(words)?,
+        "remesh" => option::read::<RemeshOptions>(words)?,
         "bench" => {
             let values = option::read::<BenchOptions>(words)?;
             option::options_of::<BenchOptions>(&values)?.check()?;

@@ -48,7 +48,10 @@ pub use diagnosis::{Change, Diagnosis, Label, Remedy, RemedyId, Symptom};
 pub use edit::fill::{FillOutcome, LoopInfo};
 pub use edit::flip::{Costs, FlipOutcome};
 pub use edit::invert::{InversionReadings, InversionReport, Inverted};
-pub use edit::options::{FillOptions, FlipOptions, Loops, SubdivideOptions, SubdivisionScheme};
+pub use edit::options::{
+    FillOptions, FlipOptions, Loops, RemeshOptions, SubdivideOptions, SubdivisionScheme,
+};
+pub use edit::remesh::{MeshReadings, RemeshOutcome};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use frame::{ChosenFlow, Frame};

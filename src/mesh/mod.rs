@@ -22,7 +22,7 @@ pub mod topology;
 pub mod validate;
 pub mod walk;
 
-pub use build::{Built, build};
+pub use build::{Built, build, build_as_given};
 pub use element::{Edge, Face, Halfedge, Vertex};
 pub use error::{MeshError, Repair};
 

@@ -53,10 +53,31 @@ const regularise = command({
   },
 });
 
+const remesh = command({
+  name: "remesh",
+  summary: "gives a surface other triangles, of one size or as small as it bends",
+  rows: schema.remesh,
+  options: out,
+  run({ session, asked }) {
+    return { result: orExit(3, () => perform(session, "remesh", { options: asked })) };
+  },
+});
+
 /** @typedef {import("./command.js").Command} Command */
 
 /** @type {Record<string, Command>} */
-export const commands = { info, energy, flow, flips, regularise, fill, replay, shape, bench };
+export const commands = {
+  info,
+  energy,
+  flow,
+  flips,
+  regularise,
+  remesh,
+  fill,
+  replay,
+  shape,
+  bench,
+};
 
 /** @returns {string} */
 export function overview() {

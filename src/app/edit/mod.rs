@@ -4,6 +4,7 @@ pub(super) mod fill;
 pub(super) mod flip;
 pub(super) mod invert;
 pub(super) mod options;
+pub(super) mod remesh;
 pub(super) mod subdivide;
 
 use super::document::Document;

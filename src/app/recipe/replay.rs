@@ -213,6 +213,7 @@ fn edited(session: &mut Session, edit: Edit) -> Result<(), Fault> {
         Edit::Fill(options) => drop(session.fill_telling(&options)?),
         Edit::Flip(options) => drop(session.flip(&options)?),
         Edit::Subdivide(options) => drop(session.subdivide(options)?),
+        Edit::Remesh(options) => drop(session.remesh(&options)?),
         Edit::Invert(centre) => drop(session.invert(centre)?),
     }
     Ok(())

@@ -150,6 +150,10 @@ flips-criterion-help = { option-criterion-help }
 flips-guardFolds-help = { option-guardFolds-help }
 flips-max-help = höchstens so viele Flips
 
+remesh-kind-help = adaptive: kurze Kanten, wo sich die Fläche biegt; isotropic: lauter gleiche
+remesh-target-help = mittlere Länge der Kanten
+remesh-vertices-help = Zahl der Ecken; so viele wie vorher, wenn keines von beiden gegeben ist
+
 bench-table-help = welche Tabelle
 bench-maxVertices-help = lässt größere Netze weg
 bench-steps-help = gemessene Schritte je Zeile, nach einem, der nicht zählt

@@ -150,6 +150,10 @@ flips-criterion-help = { option-criterion-help }
 flips-guardFolds-help = { option-guardFolds-help }
 flips-max-help = at most so many flips
 
+remesh-kind-help = adaptive edges are short where the surface bends, isotropic ones are equal
+remesh-target-help = mean length of the edges
+remesh-vertices-help = number of vertices; as many as there are if neither is given
+
 bench-table-help = which table
 bench-maxVertices-help = leaves out larger meshes
 bench-steps-help = steps measured a row, after one that is not
