@@ -9,7 +9,6 @@ use crate::mesh::shape::Sample;
 use crate::mesh::{self, Built, HalfedgeMesh};
 use crate::message::Message;
 use crate::operator::Elements;
-use crate::soup::PolygonSoup;
 use glam::DVec3;
 use std::rc::Rc;
 
@@ -46,14 +45,18 @@ impl Document {
         let name = base.rsplit_once('.').map_or(base, |(stem, _)| stem);
         Self::new(
             if name.is_empty() { "mesh" } else { name },
-            read.soup,
+            mesh::build(&read.soup)?,
             read.warnings.into_iter().map(Message::from).collect(),
         )
     }
 
     /// From a sample shape.
     pub(super) fn from_sample(name: &str, sample: Sample) -> Result<Self, Fault> {
-        let document = Self::new(name, sample.soup, Vec::new())?;
+        let built = match sample.keeps_sides {
+            true => mesh::build_as_given(&sample.soup)?,
+            false => mesh::build(&sample.soup)?,
+        };
+        let document = Self::new(name, built, Vec::new())?;
         Ok(Self {
             fixed: sample.fixed,
             free: sample.free,
@@ -61,14 +64,13 @@ impl Document {
         })
     }
 
-    fn new(name: &str, soup: PolygonSoup, mut warnings: Vec<Message>) -> Result<Self, Fault> {
+    fn new(name: &str, built: Built, mut warnings: Vec<Message>) -> Result<Self, Fault> {
         let Built {
             mesh: polygons,
             positions: mut start,
             repairs,
             ..
-        } = mesh::build(&soup)?;
-        drop(soup);
+        } = built;
         warnings.extend(repairs.into_iter().map(Message::from));
         let polygons = Rc::new(polygons);
         let triangles = triangulated(&polygons, &start)?;

@@ -35,6 +35,8 @@ pub(super) enum Event {
     Regularise(RegulariseOptions),
     /// From here on a flow of these options.
     Flow(Rc<FlowOptions>),
+    /// From here on another mesh of the same surface; it follows from what was there.
+    Pass,
 }
 
 /// All of a run that changes from step to step.
@@ -74,7 +76,10 @@ impl Snapshot {
 
     fn bytes(&self) -> usize {
         let positions = self.x.as_deref().unwrap_or_default();
-        size_of::<Self>() + size_of_val(positions) + size_of_val(&*self.flipped)
+        // Others share its segment, and go before the first of it.
+        let is_first = self.state.step == self.segment.from;
+        let segment = if is_first { self.segment.bytes() } else { 0 };
+        size_of::<Self>() + size_of_val(positions) + size_of_val(&*self.flipped) + segment
     }
 }
 
@@ -372,7 +377,7 @@ impl History {
             .pop()
             .map(|transition| match transition.event {
                 Event::Step => (transition, self.reports.pop()),
-                Event::Regularise(_) | Event::Flow(_) => (transition, None),
+                Event::Regularise(_) | Event::Flow(_) | Event::Pass => (transition, None),
             });
         self.bytes = self.bytes + live.bytes() - previous.bytes();
         self.future.push(live);

@@ -84,6 +84,7 @@ use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
 use crate::io::Format;
 use crate::mesh::shape;
+use crate::remesh::adaptive::Soundness;
 use crate::remesh::fill::FillProgress;
 use crate::remesh::flips::lab::Lab;
 use document::Document;
@@ -422,6 +423,15 @@ impl Session {
             return Ok(None);
         }
         runner.field(FieldName::parse(name)?).map(Some)
+    }
+
+    /// Whether readings of the surface as it is now can be believed; `None` of open and one-sided
+    /// ones.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn soundness(&self) -> Result<Option<Soundness>, Fault> {
+        Ok(self.runner()?.soundness())
     }
 
     /// Diagnosis of the surface as it is now.

@@ -45,6 +45,13 @@ pub struct HalfedgeMesh {
 }
 
 impl HalfedgeMesh {
+    /// Memory of the connectivity.
+    pub fn bytes(&self) -> usize {
+        let halfedges = 3 * size_of::<Halfedge>() + size_of::<Face>();
+        self.n_halfedges() * halfedges
+            + (self.n_vertices() + self.n_faces() + self.n_boundary_loops()) * size_of::<Halfedge>()
+    }
+
     /// Number of vertices.
     pub fn n_vertices(&self) -> usize {
         self.halfedge_of_vertex.len()

@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -262,7 +262,11 @@ options: FillOptions, } } | { "subdivide": {
 /**
  * By which scheme.
  */
-options: SubdivideOptions, } } | { "invert": { 
+options: SubdivideOptions, } } | { "remesh": { 
+/**
+ * Which, and how many.
+ */
+options: RemeshOptions, } } | { "invert": { 
 /**
  * From the middle of the bounding box, in diagonals of it.
  */
@@ -456,6 +460,23 @@ area: number,
  * W = 2 Σ β − 2πV over interior edges: Σ W_i as printed on closed meshes.
  */
 circle: number, };
+
+/**
+ * Operations of a pass.
+ */
+export type Counts = { 
+/**
+ * Edges split.
+ */
+splits: number, 
+/**
+ * Edges collapsed.
+ */
+collapses: number, 
+/**
+ * Edges flipped.
+ */
+flips: number, };
 
 /**
  * What is to become small.
@@ -1153,6 +1174,11 @@ look: Look, };
 export type Kept = "area" | "volume";
 
 /**
+ * What decides how long edges are.
+ */
+export type Kind = "adaptive" | "isotropic";
+
+/**
  * What the random quadrilaterals say so far.
  */
 export type LabReport = { 
@@ -1443,6 +1469,35 @@ area: number,
  * Signed volume, of a closed oriented surface.
  */
 volume: number | null, };
+
+/**
+ * Readings of a mesh before or after.
+ */
+export type MeshReadings = { 
+/**
+ * Number of vertices.
+ */
+vertices: number, 
+/**
+ * Mean length of the edges.
+ */
+meanEdgeLength: number, 
+/**
+ * Smallest corner angle.
+ */
+minAngleDegrees: number, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * Enclosed volume, of a closed surface.
+ */
+volume: number | null, 
+/**
+ * Whether the readings of the mesh can be believed; null of open surfaces.
+ */
+soundness: Soundness | null, };
 
 /**
  * Something to be said. In JSON `{ id, values }`.
@@ -1956,6 +2011,40 @@ steps: number, };
 export type RemedyId = "regularise" | "regulariseEachStep" | "subdivide" | "smallerStep" | "automaticStep" | "largerEpsilon" | "recommendedScheme" | "continue" | "back" | "keepAndFlips" | "keepVolume" | "otherFlow" | "prefill" | "lowerExponent" | "refine";
 
 /**
+ * What a remeshing makes. Unknown names are refused.
+ */
+export type RemeshOptions = { 
+/**
+ * What decides how long edges are.
+ */
+kind: Kind, 
+/**
+ * Mean length of the edges; not together with `vertices`.
+ */
+target: number | null, 
+/**
+ * Number of vertices; as many as there are if both are absent.
+ */
+vertices: number | null, };
+
+/**
+ * What a remeshing did.
+ */
+export type RemeshOutcome = { 
+/**
+ * Operations.
+ */
+counts: Counts, 
+/**
+ * Before it.
+ */
+before: MeshReadings, 
+/**
+ * After it.
+ */
+after: MeshReadings, };
+
+/**
  * How far it is.
  */
 export type ReplayProgress = { 
@@ -2112,6 +2201,27 @@ triangles: Uint32Array, };
  * How faces are lit.
  */
 export type Shading = "smooth" | "flat";
+
+/**
+ * What tells a sound mesh of a closed triangulated surface from a spoilt one. No unit.
+ */
+export type Soundness = { 
+/**
+ * Largest κh: the larger principal curvature times the mean edge at a vertex.
+ */
+bend: number, 
+/**
+ * Least product of a unit face normal with a unit normal at its corners.
+ */
+alignment: number, 
+/**
+ * ∫K/4π of the fitted quadrics less χ/2, which it is on smooth surfaces.
+ */
+gaussBonnet: number, 
+/**
+ * ∫H² of the fitted quadrics over ∫H² of the mesh.
+ */
+fittedEnergy: number, };
 
 /**
  * Where a session stands.

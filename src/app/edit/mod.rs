@@ -48,6 +48,9 @@ impl Runner {
             let mesh = Rc::new(HalfedgeMesh::clone(self.triangles()));
             document.polygons = Rc::clone(&mesh);
             document.triangles = mesh;
+        } else if let Some(mesh) = &self.segment.mesh {
+            document.polygons = Rc::clone(mesh);
+            document.triangles = Rc::clone(mesh);
         }
         document
     }
