@@ -221,6 +221,12 @@ impl History {
         matches!(last, Some(Event::Flow(_))) && self.future.is_empty() && self.can_go_back()
     }
 
+    /// Whether the present snapshot is what a pass made, which a step follows.
+    pub(super) fn ends_with_pass(&self) -> bool {
+        let last = self.transitions.last().map(|transition| &transition.event);
+        last == Some(&Event::Pass) && self.can_go_back()
+    }
+
     /// Forgets what is stored to come.
     pub(super) fn drop_future(&mut self) {
         for snapshot in self.future.drain(..) {

@@ -22,8 +22,6 @@ mod restore;
 mod size;
 mod soundness;
 mod split;
-#[cfg(test)]
-mod tests;
 
 pub use need::{is_due, is_urgent};
 pub use origin::Origin;
@@ -203,3 +201,6 @@ fn finished(
         counts,
     })
 }
+
+#[cfg(test)]
+mod tests;
