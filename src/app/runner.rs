@@ -346,17 +346,6 @@ impl Runner {
         Ok(report)
     }
 
-    /// A step on the mesh that a pass has made, which is taken back where there is none to take.
-    fn step_after(&mut self, pass: Pass, extends: bool) -> Result<Option<StepReport>, Fault> {
-        let (mut report, decision) = self.flow_step(self.copied(), extends)?;
-        match &mut report {
-            Some(report) => report.pass = Some(pass),
-            None => self.take_pass_back(),
-        }
-        self.end(decision);
-        Ok(report)
-    }
-
     fn end(&mut self, decision: Decision) {
         if let Decision::Stop(status, why) = decision {
             self.state.status = status;

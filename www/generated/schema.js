@@ -65,6 +65,7 @@
  * @property {number | null} [tauMax]
  * @property {'semi-implicit' | 'forward-euler' | 'backward-euler' | 'l-bfgs'} [integrator]
  * @property {'auto' | 'uniform' | 'area'} [mass]
+ * @property {'adaptive' | 'isotropic' | 'off'} [remesh]
  * @property {'off' | 'linear' | 'nonlinear'} [regularise]
  * @property {number} [regulariseEpsilon]
  * @property {number} [perturbation]
@@ -119,6 +120,7 @@ export const options = [
   {"absent":"auto","default":null,"flag":"tau-max","flows":["p-willmore","volume-preserving"],"goal":null,"group":"step","ids":[],"kind":"number","name":"tauMax","ofOneFlow":false,"range":{"also":null,"high":1000000000000,"low":0,"lowOpen":true,"whole":false},"scheme":"paper","unit":""},
   {"absent":null,"default":"semi-implicit","flag":"integrator","flows":["circle"],"goal":null,"group":"method","ids":["semi-implicit","forward-euler","backward-euler","l-bfgs"],"kind":"choice","name":"integrator","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
   {"absent":null,"default":"auto","flag":"mass","flows":["circle"],"goal":null,"group":"method","ids":["auto","uniform","area"],"kind":"choice","name":"mass","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"adaptive","flag":"remesh","flows":["p-willmore"],"goal":null,"group":"method","ids":["adaptive","isotropic","off"],"kind":"choice","name":"remesh","ofOneFlow":false,"range":null,"scheme":"auto","unit":""},
   {"absent":null,"default":"nonlinear","flag":"regularise","flows":["p-willmore","volume-preserving"],"goal":null,"group":"method","ids":["off","linear","nonlinear"],"kind":"choice","name":"regularise","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
   {"absent":null,"default":0.01,"flag":"regularise-epsilon","flows":["p-willmore","volume-preserving"],"goal":null,"group":"method","ids":[],"kind":"number","name":"regulariseEpsilon","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":""},
   {"absent":null,"default":0,"flag":"perturbation","flows":["p-willmore","volume-preserving"],"goal":null,"group":"method","ids":[],"kind":"number","name":"perturbation","ofOneFlow":false,"range":{"also":null,"high":0.3,"low":0,"lowOpen":false,"whole":false},"scheme":null,"unit":"mean edge lengths"},
@@ -155,6 +157,13 @@ export const fill = [
   {"absent":"all","default":null,"flag":"loops","flows":[],"goal":null,"group":"surface","ids":[],"kind":"numbers","name":"loops","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":""},
   {"absent":null,"default":false,"flag":"connect","flows":[],"goal":null,"group":"surface","ids":[],"kind":"switch","name":"connect","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
   {"absent":"auto","default":null,"flag":"max-vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxVertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"scheme":null,"unit":"vertices"},
+];
+
+/** @type {readonly Row[]} */
+export const remesh = [
+  {"absent":null,"default":"adaptive","flag":"kind","flows":[],"goal":null,"group":"method","ids":["adaptive","isotropic"],"kind":"choice","name":"kind","ofOneFlow":false,"range":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"target","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"target","ofOneFlow":false,"range":{"also":null,"high":1e+300,"low":0,"lowOpen":true,"whole":false},"scheme":null,"unit":"length"},
+  {"absent":"auto","default":null,"flag":"vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"vertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":4,"lowOpen":false,"whole":true},"scheme":null,"unit":"vertices"},
 ];
 
 /** @type {readonly Row[]} */

@@ -911,6 +911,11 @@ p: number,
  */
 keep: Array<Kept>, 
 /**
+ * p-Willmore, recommended scheme: passes of remeshing where a closed triangle mesh has become
+ * bad, in place of its regularisation.
+ */
+remesh: Remeshing, 
+/**
  * Closed surfaces: conformal regularisation after each step.
  */
 regularise: Mode, 
@@ -1709,6 +1714,39 @@ change: Partial<FlowOptions>,
 step: number | null, };
 
 /**
+ * A pass of remeshing between two steps.
+ */
+export type Pass = { 
+/**
+ * The step before it.
+ */
+afterStep: number, 
+/**
+ * Vertices after it.
+ */
+vertices: number, 
+/**
+ * Edges split.
+ */
+splits: number, 
+/**
+ * Edges collapsed.
+ */
+collapses: number, 
+/**
+ * Edges flipped.
+ */
+flips: number, 
+/**
+ * Smallest corner angle before and after, in degrees.
+ */
+angles: [number, number], 
+/**
+ * The monitored functional before and after: what it jumps by is the error of the meshes.
+ */
+objective: [number, number], };
+
+/**
  * What a plot has of a step, and what the step warns of.
  */
 export type PlotPoint = { 
@@ -2043,6 +2081,11 @@ before: MeshReadings,
  * After it.
  */
 after: MeshReadings, };
+
+/**
+ * Passes of remeshing between the steps of a flow.
+ */
+export type Remeshing = "adaptive" | "isotropic" | "off";
 
 /**
  * How far it is.
@@ -2448,6 +2491,10 @@ solveMilliseconds: number,
  * Time for sliding vertices along the surface.
  */
 regulariseMilliseconds: number, 
+/**
+ * The pass of remeshing that came before the step, where there was one.
+ */
+pass?: Pass, 
 /**
  * Worth telling the user.
  */

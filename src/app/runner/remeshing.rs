@@ -17,7 +17,7 @@ use crate::app::segment::Segment;
 use crate::energy::p_willmore::integrated_power;
 use crate::flow::constraint::Kept;
 use crate::flow::options::{FlowOptions, Remeshing};
-use crate::flow::{Decision, Pass, Status};
+use crate::flow::{Decision, Pass, Status, StepReport};
 use crate::geometry::measure;
 use crate::remesh::Mode;
 use crate::remesh::adaptive::{self, Kind, Soundness, Targets};
@@ -163,8 +163,23 @@ impl Runner {
         is_closed.then(|| Soundness::of(mesh, x, integrated_power(mesh, x, 2.0)))
     }
 
+    /// A step on the mesh that a pass has made, which is taken back where there is none to take.
+    pub(super) fn step_after(
+        &mut self,
+        pass: Pass,
+        extends: bool,
+    ) -> Result<Option<StepReport>, Fault> {
+        let (mut report, decision) = self.flow_step(self.copied(), extends)?;
+        match &mut report {
+            Some(report) => report.pass = Some(pass),
+            None => self.take_pass_back(),
+        }
+        self.end(decision);
+        Ok(report)
+    }
+
     /// Takes back a pass that no step followed.
-    pub(super) fn take_pass_back(&mut self) {
+    fn take_pass_back(&mut self) {
         self.back();
         self.history.drop_future();
     }

@@ -13,6 +13,7 @@ mod curve;
 mod delaunay;
 mod face;
 pub mod gap;
+mod great;
 mod grid;
 mod hexagon;
 pub mod hole;

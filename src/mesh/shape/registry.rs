@@ -5,8 +5,8 @@ use glam::DVec3;
 use super::parameter::{HEIGHT, LOOPS, RESOLUTION, RINGS, SEED, count, level, real};
 use super::{Conflict, Sample, Shape};
 use super::{
-    blocks, gap, hole, holed, inverted, knot, kusner, one_sided, patch, platonic, rough, scan,
-    scar, sphere, torus, tubes,
+    blocks, gap, great, hole, holed, knot, one_sided, patch, platonic, rough, scan, scar, sphere,
+    torus, tubes,
 };
 use crate::mesh::subdivide::{SubdivisionError, linear_levels};
 use crate::soup::PolygonSoup;
@@ -138,64 +138,11 @@ pub(super) static SHAPES: &[Shape] = &[
         parameters: &[],
         build: |_| Ok(rough::counterexample().into()),
     },
-    Shape {
-        name: "morin",
-        label: "Morin’s surface",
-        parameters: &[
-            count("vertices", "Vertices", 2400, 300, 20_000),
-            real(
-                "height",
-                "Centre of the inversion",
-                kusner::MORIN_HEIGHT,
-                0.05,
-                2.0,
-            ),
-            real("push", "Push along the normals", 0.0, -0.1, 0.1),
-        ],
-        build: |v| {
-            Ok(Sample {
-                keeps_sides: true,
-                ..kusner::morin(n(v[0]), v[1], v[2]).into()
-            })
-        },
-    },
-    Shape {
-        name: "boy",
-        label: "Boy’s surface",
-        parameters: &[
-            count("vertices", "Vertices", 2000, 300, 10_000),
-            real(
-                "height",
-                "Centre of the inversion",
-                kusner::BOY_HEIGHT,
-                0.05,
-                2.0,
-            ),
-        ],
-        build: |v| Ok(kusner::boy(n(v[0]), v[1]).into()),
-    },
-    Shape {
-        name: "inverted-catenoid",
-        label: "Inverted catenoid",
-        parameters: &[count("vertices", "Vertices", 2000, 300, 20_000)],
-        build: |v| Ok(inverted::catenoid(n(v[0])).into()),
-    },
-    Shape {
-        name: "inverted-enneper",
-        label: "Inverted surface of Enneper",
-        parameters: &[count("vertices", "Vertices", 4000, 300, 20_000)],
-        build: |v| Ok(inverted::enneper(n(v[0])).into()),
-    },
-    Shape {
-        name: "cyclide",
-        label: "Cyclide of Dupin",
-        parameters: &[
-            count("around", "Steps around", 64, 3, 1000),
-            count("tube", "Steps of the tube", 64, 3, 1000),
-            real("turn", "Turn in the 3-sphere", 0.4, 0.0, 0.7),
-        ],
-        build: |v| Ok(torus::cyclide(n(v[0]), n(v[1]), v[2]).into()),
-    },
+    great::MORIN,
+    great::BOY,
+    great::INVERTED_CATENOID,
+    great::INVERTED_ENNEPER,
+    great::CYCLIDE,
     Shape {
         name: "clifford-torus",
         label: "Clifford torus",
