@@ -22,7 +22,7 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::flips::EdgeFlips;
 use crate::flow::options::FlowOptions;
-use crate::flow::{Decision, FlowError, Pass, Progress, Status, StepReport, p_willmore};
+use crate::flow::{Decision, FlowError, Progress, Status, StepReport, p_willmore};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::message::Say;

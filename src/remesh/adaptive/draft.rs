@@ -97,13 +97,13 @@ impl Draft {
         let mut sums = vec![DVec3::ZERO; self.x.len()];
         for corners in self.live_faces() {
             let points = corners.map(|v| self.at(v));
-            for i in 0..3 {
+            for (i, v) in corners.into_iter().enumerate() {
                 let (a, b) = (
                     points[(i + 1) % 3] - points[i],
                     points[(i + 2) % 3] - points[i],
                 );
                 let weight = (a.length_squared() * b.length_squared()).max(f64::MIN_POSITIVE);
-                sums[corners[i] as usize] += a.cross(b) / weight;
+                sums[v as usize] += a.cross(b) / weight;
             }
         }
         sums.into_iter().map(DVec3::normalize_or_zero).collect()
@@ -215,9 +215,9 @@ impl Draft {
     pub(super) fn compact(&mut self) {
         let mut number = vec![GONE; self.x.len()];
         let mut kept = 0;
-        for v in 0..self.x.len() {
+        for (v, number) in number.iter_mut().enumerate() {
             if !self.star[v].is_empty() {
-                number[v] = kept as u32;
+                *number = kept as u32;
                 self.x[kept] = self.x[v];
                 self.size[kept] = self.size[v];
                 self.held[kept] = self.held[v];

@@ -83,9 +83,9 @@ fn correct(draft: &mut Draft, missing: f64) {
     for corners in draft.live_faces() {
         let points = corners.map(|v| draft.at(v));
         let normal = draft.normal_of(corners).normalize_or_zero();
-        for i in 0..3 {
+        for (i, v) in corners.into_iter().enumerate() {
             let opposite = points[(i + 2) % 3] - points[(i + 1) % 3];
-            gradient[corners[i] as usize] += 0.5 * normal.cross(opposite);
+            gradient[v as usize] += 0.5 * normal.cross(opposite);
         }
     }
     let slope: Vec<f64> = (0..n).map(|i| gradient[i].dot(normals[i])).collect();
@@ -105,7 +105,7 @@ fn correct(draft: &mut Draft, missing: f64) {
     let ([v1, v2], [a1, a2]) = (sums(&areas), sums(&slope));
     let det = v1 * a2 - v2 * a1;
     let (p, q) = (missing * a2 / det, -missing * a1 / det);
-    for i in 0..n {
-        draft.x[i] += (p + q * bend[i]) * normals[i];
+    for ((x, normal), bend) in draft.x.iter_mut().zip(normals).zip(bend) {
+        *x += (p + q * bend) * normal;
     }
 }
