@@ -45,11 +45,11 @@ fn enneper_at(a: DVec2, b: DVec2) -> DVec3 {
         square.x * z.x - square.y * z.y,
         square.x * z.y + square.y * z.x,
     );
-    // All by |b|⁶.
+    // All by |b|⁶, and mirrored in y, so that the faces look outward.
     let first = weight * weight * z;
     let y = DVec3::new(
         first.x - cube.x / 3.0,
-        -first.y - cube.y / 3.0,
+        first.y + cube.y / 3.0,
         weight * square.x - weight.powi(3),
     );
     weight.powi(3) * y / y.length_squared().max(f64::MIN_POSITIVE)
