@@ -5,7 +5,7 @@ use serde_json::{Value as Json, json};
 use std::path::Path;
 use umbilic::app::{
     Arrangement, BenchOptions, EnergyOptions, FillOptions, FlipOptions, RegulariseOptions,
-    RepairOptions, Session,
+    RemeshOptions, RepairOptions, Session,
 };
 use umbilic::energy::circle::Boundary;
 use umbilic::flow::option::{Kind, Options, Row, Value};
@@ -89,6 +89,7 @@ fn schema() -> String {
         list("readonly Row[]", "regularise", &rows::<RegulariseOptions>()),
         list("readonly Row[]", "repair", &rows::<RepairOptions>()),
         list("readonly Row[]", "fill", &rows::<FillOptions>()),
+        list("readonly Row[]", "remesh", &rows::<RemeshOptions>()),
         list("readonly Row[]", "flips", &rows::<FlipOptions>()),
         list("readonly Row[]", "bench", &rows::<BenchOptions>()),
         list("readonly MeshFormat[]", "meshFormats", &mesh_formats()),

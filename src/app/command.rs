@@ -9,7 +9,10 @@ use super::diagnosis::Diagnosis;
 use super::edit::fill::{FillOutcome, LoopInfo};
 use super::edit::flip::FlipOutcome;
 use super::edit::invert::{InversionReport, Inverted};
-use super::edit::options::{FillOptions, FlipOptions, RepairOptions, SubdivideOptions};
+use super::edit::options::{
+    FillOptions, FlipOptions, RemeshOptions, RepairOptions, SubdivideOptions,
+};
+use super::edit::remesh::RemeshOutcome;
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::history::Timeline;
@@ -140,6 +143,12 @@ pub enum Command {
         /// By which scheme.
         #[serde(default)]
         options: SubdivideOptions,
+    },
+    /// Gives the surface other triangles.
+    Remesh {
+        /// Which, and how many.
+        #[serde(default)]
+        options: RemeshOptions,
     },
     /// Makes the surface inverted in a sphere the start.
     Invert {
@@ -301,6 +310,8 @@ pub enum Answer {
     Fill(FillOutcome),
     Repair(Loaded),
     Subdivide(Loaded),
+    /// The mesh is loaded anew with `loaded`.
+    Remesh(RemeshOutcome),
     Invert(InversionReport),
     Adopt(Loaded),
     Undo(Loaded),
@@ -419,6 +430,7 @@ impl Session {
             C::Flip { options } => Answer::Flip(self.flip(&options)?),
             C::Fill { options } => Answer::Fill(self.fill_telling(&options)?),
             C::Repair { options } => Answer::Repair(self.repair(options)?),
+            C::Remesh { options } => Answer::Remesh(self.remesh(&options)?),
             C::Subdivide { options } => Answer::Subdivide(self.subdivide(options)?),
             C::Invert { centre } => Answer::Invert(self.invert(centre)?.1),
             C::Adopt {} => Answer::Adopt(self.adopt()?),

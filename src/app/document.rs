@@ -87,7 +87,10 @@ impl Document {
 
     /// From a sample shape.
     pub(super) fn from_sample(name: &str, sample: Sample) -> Result<Self, Fault> {
-        let built = mesh::build(&sample.soup)?;
+        let built = match sample.keeps_sides {
+            true => mesh::build_as_given(&sample.soup)?,
+            false => mesh::build(&sample.soup)?,
+        };
         let document = Self::of_built(name, built, Vec::new())?;
         Ok(Self {
             fixed: sample.fixed,
@@ -202,5 +205,5 @@ pub(super) fn triangulated(
         return Ok(Rc::clone(polygons));
     }
     let cut = polygons.to_soup(x).triangulated();
-    Ok(Rc::new(mesh::build(&cut)?.mesh))
+    Ok(Rc::new(mesh::build_as_given(&cut)?.mesh))
 }

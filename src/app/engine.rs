@@ -159,6 +159,13 @@ impl Engine {
         }
     }
 
+    /// Goes on on another mesh of the surface that a flow stood at.
+    pub(super) fn go_on_after_pass(&mut self, checkpoint: flow::Checkpoint) {
+        if let Self::Flow(driver) = self {
+            driver.go_on_after_pass(checkpoint);
+        }
+    }
+
     /// Sets the step count and time, after positions came from outside.
     pub(super) fn set_clock(&mut self, step: usize, time: f64) {
         match self {

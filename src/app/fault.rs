@@ -9,6 +9,7 @@ use crate::mesh::MeshError;
 use crate::mesh::shape::ShapeError;
 use crate::mesh::subdivide::SubdivisionError;
 use crate::message::{Message, Say};
+use crate::remesh::adaptive::RemeshError;
 use crate::remesh::fill::FillError;
 use crate::remesh::static_pass::RegulariseError;
 use serde::Serialize;
@@ -108,6 +109,12 @@ impl From<OptionError> for Fault {
 
 impl From<SubdivisionError> for Fault {
     fn from(error: SubdivisionError) -> Self {
+        Self::new(&error)
+    }
+}
+
+impl From<RemeshError> for Fault {
+    fn from(error: RemeshError) -> Self {
         Self::new(&error)
     }
 }

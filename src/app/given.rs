@@ -4,7 +4,7 @@
 use super::RegulariseOptions;
 use super::arrangement::{Arrangement, Compare};
 use super::bench::BenchOptions;
-use super::edit::options::{FillOptions, FlipOptions, RepairOptions};
+use super::edit::options::{FillOptions, FlipOptions, RemeshOptions, RepairOptions};
 use super::fault::Fault;
 use super::readings::EnergyOptions;
 use crate::flow::option::{
@@ -53,6 +53,7 @@ pub fn read_flags(command: &str, words: &Values) -> Result<Values, Fault> {
         "regularise" => option::read::<RegulariseOptions>(words)?,
         "fill" => option::read::<FillOptions>(words)?,
         "repair" => option::read::<RepairOptions>(words)?,
+        "remesh" => option::read::<RemeshOptions>(words)?,
         "bench" => {
             let values = option::read::<BenchOptions>(words)?;
             option::options_of::<BenchOptions>(&values)?.check()?;
@@ -72,6 +73,13 @@ fn flow_flags(mut words: Values) -> Result<Values, OptionError> {
     }
     if words.contains_key("reducedVolume") {
         words.entry("keep".into()).or_insert(text("area,volume"));
+    }
+    // Vertices slide where there are no passes of remeshing.
+    if words.contains_key("regularise")
+        && words.get("flow") == Some(&text(FlowName::PWillmore.id()))
+        && words.get("scheme") != Some(&text("paper"))
+    {
+        words.entry("remesh".into()).or_insert(text("off"));
     }
     option::read_strictly(&words)
 }

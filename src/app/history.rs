@@ -35,6 +35,8 @@ pub(super) enum Event {
     Regularise(RegulariseOptions),
     /// From here on a flow of these options.
     Flow(Rc<FlowOptions>),
+    /// From here on another mesh of the same surface; it follows from what was there.
+    Pass,
 }
 
 /// All of a run that changes from step to step.
@@ -74,7 +76,10 @@ impl Snapshot {
 
     fn bytes(&self) -> usize {
         let positions = self.x.as_deref().unwrap_or_default();
-        size_of::<Self>() + size_of_val(positions) + size_of_val(&*self.flipped)
+        // Others share its segment, and go before the first of it.
+        let is_first = self.state.step == self.segment.from;
+        let segment = if is_first { self.segment.bytes() } else { 0 };
+        size_of::<Self>() + size_of_val(positions) + size_of_val(&*self.flipped) + segment
     }
 }
 
@@ -214,6 +219,12 @@ impl History {
     pub(super) fn ends_with_new_flow(&self) -> bool {
         let last = self.transitions.last().map(|transition| &transition.event);
         matches!(last, Some(Event::Flow(_))) && self.future.is_empty() && self.can_go_back()
+    }
+
+    /// Whether the present snapshot is what a pass made, which a step follows.
+    pub(super) fn ends_with_pass(&self) -> bool {
+        let last = self.transitions.last().map(|transition| &transition.event);
+        last == Some(&Event::Pass) && self.can_go_back()
     }
 
     /// Forgets what is stored to come.
@@ -372,7 +383,7 @@ impl History {
             .pop()
             .map(|transition| match transition.event {
                 Event::Step => (transition, self.reports.pop()),
-                Event::Regularise(_) | Event::Flow(_) => (transition, None),
+                Event::Regularise(_) | Event::Flow(_) | Event::Pass => (transition, None),
             });
         self.bytes = self.bytes + live.bytes() - previous.bytes();
         self.future.push(live);

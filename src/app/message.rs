@@ -100,6 +100,13 @@ messages! {
             /// How many there may be.
             most: usize,
         },
+        /// A remeshing would make more vertices than there may be.
+        TooManyVertices {
+            /// How many it would make.
+            vertices: f64,
+            /// How many there may be.
+            most: usize,
+        },
         /// The centre of an inversion is far away.
         CentreTooFar {
             /// In sizes of the surface at most.

@@ -50,8 +50,10 @@ pub use edit::fill::{FillOutcome, LoopInfo};
 pub use edit::flip::{Costs, FlipOutcome};
 pub use edit::invert::{InversionReadings, InversionReport, Inverted};
 pub use edit::options::{
-    FillOptions, FlipOptions, Loops, RepairOptions, SubdivideOptions, SubdivisionScheme,
+    FillOptions, FlipOptions, Loops, RemeshOptions, RepairOptions, SubdivideOptions,
+    SubdivisionScheme,
 };
+pub use edit::remesh::{MeshReadings, RemeshOutcome};
 pub use fault::Fault;
 pub use field::{Field, FieldName};
 pub use frame::{ChosenFlow, Frame};
@@ -86,6 +88,7 @@ use crate::flow::{StepReport, boundary};
 use crate::io::Format;
 use crate::mesh::shape;
 use crate::message::Message;
+use crate::remesh::adaptive::Soundness;
 use crate::remesh::fill::FillProgress;
 use crate::remesh::flips::lab::Lab;
 use document::Document;
@@ -427,6 +430,15 @@ impl Session {
             return Ok(None);
         }
         runner.field(FieldName::parse(name)?).map(Some)
+    }
+
+    /// Whether readings of the surface as it is now can be believed; `None` of open and one-sided
+    /// ones.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn soundness(&self) -> Result<Option<Soundness>, Fault> {
+        Ok(self.runner()?.soundness())
     }
 
     /// Diagnosis of the surface as it is now.

@@ -2,13 +2,14 @@
 
 use super::RegulariseOptions;
 use super::bench::{BenchOptions, TableName};
-use super::edit::options::{FillOptions, FlipOptions, Loops, RepairOptions};
+use super::edit::options::{FillOptions, FlipOptions, Loops, RemeshOptions, RepairOptions};
 use super::library;
 use super::readings::EnergyOptions;
 use crate::energy::circle::Boundary;
 use crate::flow::option::kind::ids;
 use crate::flow::option::{Field, Kind, Named, Options, Range, ReadBy, Row, Value, row};
 use crate::remesh::Mode;
+use crate::remesh::adaptive::Kind as RemeshKind;
 use crate::remesh::flips::reduction::Criterion;
 use crate::remesh::repair::Weld;
 use std::sync::OnceLock;
@@ -120,6 +121,19 @@ impl Options for FlipOptions {
             Kind::Switch, "", Functional, ReadBy::COMMAND),
         row!(max, "max", "max",
             Kind::Number(Range::count(0.0)), "flips", Budget, ReadBy::COMMAND).or("all"),
+    ];
+}
+
+impl Named for RemeshKind {}
+
+impl Options for RemeshOptions {
+    #[rustfmt::skip]
+    const ROWS: &'static [Row<Self>] = &[
+        row!(kind, "kind", "kind", Kind::choice::<RemeshKind>(), "", Method, ReadBy::COMMAND),
+        row!(target, "target", "target",
+            Kind::Number(Range::positive(1e300)), "length", Budget, ReadBy::COMMAND).or("auto"),
+        row!(vertices, "vertices", "vertices",
+            Kind::Number(Range::count(4.0)), "vertices", Budget, ReadBy::COMMAND).or("auto"),
     ];
 }
 

@@ -124,7 +124,17 @@ pub(super) fn pictures(first: &Runner, panes: &Panes, field: Option<FieldName>) 
         return first.flip_panes(flips, field);
     }
     if panes.others().is_empty() {
-        return Vec::new();
+        // What a pass of remeshing made the page does not know.
+        let is_known = first.segment.mesh.is_none();
+        let pane = |first: &Runner| {
+            first.pane(
+                first.options().flow.id(),
+                first.triangles(),
+                Vec::new(),
+                field,
+            )
+        };
+        return Vec::from_iter((!is_known).then(|| pane(first)));
     }
     let others = panes.others().iter();
     let others = others.map(|other| (other.change.clone(), &other.runner));
@@ -142,9 +152,9 @@ pub(super) fn pictures(first: &Runner, panes: &Panes, field: Option<FieldName>) 
             jump: runner.curvature_jump(),
             reports: Vec::new(),
             positions: as_f32(&runner.x).into(),
-            triangles: runner.document.triangles.triangle_indices().into(),
-            wire_edges: runner.document.polygons.edge_indices(false).into(),
-            boundary_edges: runner.document.polygons.edge_indices(true).into(),
+            triangles: runner.triangles().triangle_indices().into(),
+            wire_edges: runner.polygons().edge_indices(false).into(),
+            boundary_edges: runner.polygons().edge_indices(true).into(),
             highlight: TypedArray::default(),
             field: field.and_then(|name| runner.field(name).ok()),
         })

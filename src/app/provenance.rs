@@ -1,6 +1,8 @@
 //! How a surface came about: what was done to it, in turn, so that it can be done again.
 
-use super::edit::options::{FillOptions, FlipOptions, RepairOptions, SubdivideOptions};
+use super::edit::options::{
+    FillOptions, FlipOptions, RemeshOptions, RepairOptions, SubdivideOptions,
+};
 use crate::flow::options::FlowOptions;
 use crate::remesh::static_pass::RegulariseOptions;
 use serde::{Deserialize, Serialize};
@@ -36,6 +38,8 @@ pub enum Edit {
     Repair(RepairOptions),
     /// Faces were divided into four.
     Subdivide(SubdivideOptions),
+    /// It got other triangles.
+    Remesh(RemeshOptions),
     /// The surface was inverted in a sphere: its centre, in the units of [`Session::invert`](crate::app::Session::invert).
     Invert([f64; 3]),
 }

@@ -103,6 +103,8 @@ impl Runner {
                 (Event::Step, Some(Action::Steps(count))) => *count += 1,
                 (Event::Step, _) => actions.push(Action::Steps(1)),
                 (Event::Regularise(settings), _) => actions.push(Action::Regularise(*settings)),
+                // It comes of itself where the steps are taken again.
+                (Event::Pass, _) => {}
                 (Event::Flow(options), _) => {
                     actions.push(Action::Flow(Box::new(FlowOptions::clone(options))))
                 }

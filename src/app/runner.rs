@@ -5,6 +5,7 @@
 //! there.
 
 mod continuation;
+mod remeshing;
 mod viewing;
 
 use super::arrangement::Arrangement;
@@ -119,16 +120,24 @@ impl Runner {
         }
     }
 
-    /// The faces as they are now: edge flips change them.
+    /// The faces as they are now: edge flips and passes of remeshing change them.
     pub(super) fn polygons(&self) -> &HalfedgeMesh {
         let flips = self.engine.as_ref().and_then(|flow| flow.flips());
-        flips.map_or(&*self.document.polygons, |flips| flips.runs()[0].mesh())
+        flips.map_or(self.meshes()[1], |flips| flips.runs()[0].mesh())
     }
 
     /// The same cut into triangles.
     pub(super) fn triangles(&self) -> &HalfedgeMesh {
         let flips = self.engine.as_ref().and_then(|flow| flow.flips());
-        flips.map_or(&*self.document.triangles, |flips| flips.runs()[0].mesh())
+        flips.map_or(self.meshes()[0], |flips| flips.runs()[0].mesh())
+    }
+
+    /// Triangles and faces that the present segment moves.
+    pub(super) fn meshes(&self) -> [&Rc<HalfedgeMesh>; 2] {
+        match &self.segment.mesh {
+            Some(mesh) => [mesh, mesh],
+            None => [&self.document.triangles, &self.document.polygons],
+        }
     }
 
     /// Lets go of the flow, whose factors are large, but not of what it takes to go on.
@@ -152,7 +161,8 @@ impl Runner {
         // Kept until the new one is sure; gone before its factor is allocated, in the first
         // step: wasm memory never shrinks.
         let old = self.engine.take();
-        let mut flow = match Engine::start(triangles, polygons, &mut x, options.clone()) {
+        let effective = self.effective(&options, false);
+        let mut flow = match Engine::start(triangles, polygons, &mut x, effective) {
             Ok(flow) => flow,
             Err(error) => {
                 self.engine = old;
@@ -193,7 +203,12 @@ impl Runner {
         let Some(flow) = &self.engine else {
             return Err(AppError::NotConfigured.into());
         };
-        let start = &self.document.start;
+        let start = match &self.segment.mesh {
+            // Vertices that a pass made have no place at the start.
+            Some(_) => self.segment.start.as_ref(),
+            None => None,
+        };
+        let start = start.unwrap_or(&self.document.start);
         let measured = |name| match name {
             FieldName::MeanCurvature => flow.mean_curvature(x),
             FieldName::Gradient => Some(flow.gradient(x).iter().map(|g| g.length()).collect()),
@@ -248,13 +263,13 @@ impl Runner {
         if flow.flips().is_some() {
             return Err(AppError::HeldPositions.into());
         }
-        let document = &self.document;
-        p_willmore::check_mesh(&document.polygons)?;
-        let (mesh, elements) = match Elements::of(&document.polygons) {
-            Some(elements) => (&document.polygons, elements),
+        let [triangles, polygons] = self.meshes();
+        p_willmore::check_mesh(polygons)?;
+        let (mesh, elements) = match Elements::of(polygons) {
+            Some(elements) => (polygons, elements),
             None => {
-                let elements = Elements::of(&document.triangles).ok_or(FlowError::MixedFaces)?;
-                (&document.triangles, elements)
+                let elements = Elements::of(triangles).ok_or(FlowError::MixedFaces)?;
+                (triangles, elements)
             }
         };
         let mut regulariser = Regulariser::new(elements, &self.x).map_err(FlowError::from)?;
@@ -305,14 +320,49 @@ impl Runner {
         Ok(self.state.clone())
     }
 
+    /// Takes a step, after a pass of remeshing where one is due, or where without one the flow
+    /// would be at an end.
     pub(super) fn step(&mut self) -> Result<Option<StepReport>, Fault> {
+        // Asked to go on after the end: the budget starts anew.
+        let extends = self.state.status.is_final();
         let before = self.copied();
         self.stand_here()?;
+        if let Some(kind) = self.is_pass_due()
+            && let Some(pass) = self.pass(kind, self.copied())?
+        {
+            return self.step_after(pass, extends);
+        }
+        let (report, decision) = self.flow_step(before, extends)?;
+        if let Some(kind) = self.can_pass_at(&decision) {
+            // With a step it goes on, and the next one will find out.
+            if report.is_some() {
+                return Ok(report);
+            }
+            if let Some(pass) = self.pass(kind, self.copied())? {
+                return self.step_after(pass, false);
+            }
+        }
+        self.end(decision);
+        Ok(report)
+    }
+
+    fn end(&mut self, decision: Decision) {
+        if let Decision::Stop(status, why) = decision {
+            self.state.status = status;
+            self.state.message = Some(why.into());
+        }
+    }
+
+    /// A step of the flow itself, from the snapshot `before`.
+    fn flow_step(
+        &mut self,
+        before: Option<Snapshot>,
+        extends: bool,
+    ) -> Result<(Option<StepReport>, Decision), Fault> {
         let Some(flow) = &mut self.engine else {
             return Err(Fault::no_mesh());
         };
-        if self.state.status.is_final() {
-            // Asked to go on after the end: the budget starts anew.
+        if extends {
             flow.extend_budget();
         }
         let (report, decision) = match flow.step(&mut self.x) {
@@ -347,11 +397,7 @@ impl Runner {
             };
             self.follow(before, Event::Step, Some(report));
         }
-        if let Decision::Stop(status, why) = decision {
-            self.state.status = status;
-            self.state.message = Some(why.into());
-        }
-        Ok(report)
+        Ok((report, decision))
     }
 
     /// The jump of H across the boundary of what moves.

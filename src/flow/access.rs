@@ -58,6 +58,16 @@ impl Driver {
         self.refusal = None;
     }
 
+    /// Goes on from a checkpoint of the same run on another mesh of the same surface: what is kept
+    /// and the budget stay, what was learnt of the old mesh does not.
+    pub fn go_on_after_pass(&mut self, checkpoint: Checkpoint) {
+        self.restore(checkpoint);
+        self.run.least = f64::INFINITY;
+        self.run.window = Window::default();
+        self.run.is_exhausted = false;
+        self.run.step_size.restart();
+    }
+
     /// Sets the step count and time, after positions came from outside.
     pub fn set_clock(&mut self, step: usize, time: f64) {
         self.restore(self.checkpoint());

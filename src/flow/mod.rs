@@ -43,7 +43,7 @@ pub use error::FlowError;
 pub use phase::{Memory, Occasion, Phase};
 pub use proposal::{Move, Proposal, Search};
 pub use refusal::{Cause, Refusal};
-pub use report::{Monitored, Multipliers, Reading, Status, StepReport};
+pub use report::{Monitored, Multipliers, Pass, Reading, Status, StepReport};
 pub use rules::Rules;
 pub use run::Checkpoint;
 pub use termination::{Decision, Reason};

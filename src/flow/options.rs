@@ -85,6 +85,20 @@ pub enum MassChoice {
     Area,
 }
 
+/// Passes of remeshing between the steps of a flow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "lowercase")]
+pub enum Remeshing {
+    /// Triangles as small as the surface bends.
+    #[default]
+    Adaptive,
+    /// Triangles of one size.
+    Isotropic,
+    /// None.
+    Off,
+}
+
 /// Options of a flow; what each may be, and which flows read it, is in [`option`](super::option).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -135,6 +149,9 @@ pub struct FlowOptions {
     pub p: f64,
     /// p-Willmore: what is kept.
     pub keep: Vec<Kept>,
+    /// p-Willmore, recommended scheme: passes of remeshing where a closed triangle mesh has become
+    /// bad, in place of its regularisation.
+    pub remesh: Remeshing,
     /// Closed surfaces: conformal regularisation after each step.
     pub regularise: Mode,
     /// Closed surfaces: ε of the regularisation, a pure number.
@@ -184,6 +201,7 @@ impl Default for FlowOptions {
             perturbation: 0.0,
             p: 2.0,
             keep: Vec::new(),
+            remesh: Remeshing::default(),
             regularise: Mode::default(),
             regularise_epsilon: 1e-2,
             tau_growth: 1.2,
@@ -210,6 +228,19 @@ impl FlowOptions {
     /// τ = (L/6.7)⁴/N: N steps of it halve the wavelength of L mean edge lengths.
     pub fn tau_for_detail(detail: f64, steps: usize) -> f64 {
         (detail / HALVED_WAVELENGTH).powi(4) / steps.max(1) as f64
+    }
+
+    /// The passes there are: none where terms of Helfrich have a length for their unit that no
+    /// kept area gives, as that would change with the mesh.
+    pub fn remeshing(&self) -> Remeshing {
+        let terms = [self.spontaneous_curvature, self.tension, self.pressure];
+        let has_unit = terms != [0.0; 3] && !self.keep.contains(&Kept::Area);
+        let is_read = self.flow == FlowName::PWillmore && self.scheme == Scheme::Auto;
+        if is_read && !has_unit {
+            self.remesh
+        } else {
+            Remeshing::Off
+        }
     }
 
     /// The first step's τ: given, or from the detail to remove, or the scheme's own.

@@ -167,8 +167,33 @@ pub struct StepReport {
     pub solve_milliseconds: f64,
     /// Time for sliding vertices along the surface.
     pub regularise_milliseconds: f64,
+    /// The pass of remeshing that came before the step, where there was one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub pass: Option<Pass>,
     /// Worth telling the user.
     pub warnings: Vec<Warning>,
+}
+
+/// A pass of remeshing between two steps.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub struct Pass {
+    /// The step before it.
+    pub after_step: usize,
+    /// Vertices after it.
+    pub vertices: usize,
+    /// Edges split.
+    pub splits: usize,
+    /// Edges collapsed.
+    pub collapses: usize,
+    /// Edges flipped.
+    pub flips: usize,
+    /// Smallest corner angle before and after, in degrees.
+    pub angles: [f64; 2],
+    /// The monitored functional before and after: what it jumps by is the error of the meshes.
+    pub objective: [f64; 2],
 }
 
 /// Lagrange multipliers of a step: ∇∫|H|^p + tension ∇A − pressure ∇V would vanish at rest.

@@ -75,6 +75,16 @@ impl StepSize {
         self.dt >= self.smallest
     }
 
+    /// On another mesh of the same surface: half of an adaptive size, a given one anew.
+    pub fn restart(&mut self) {
+        let dt = if self.is_given {
+            self.largest
+        } else {
+            0.5 * self.dt
+        };
+        self.dt = dt.max(self.smallest);
+    }
+
     /// Whether it is as large as it may become.
     pub fn is_full(&self) -> bool {
         self.dt >= self.largest

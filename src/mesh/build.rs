@@ -25,11 +25,24 @@ pub struct Built {
     pub repairs: Vec<Repair>,
 }
 
-/// Builds connectivity from a soup.
+/// Builds connectivity from a soup; closed surfaces are turned outward.
 ///
 /// # Errors
 /// See [`MeshError`]; the soup is only read.
 pub fn build(soup: &PolygonSoup) -> Result<Built, MeshError> {
+    connected(soup, true)
+}
+
+/// The same, but a closed surface keeps the side that its faces show. An immersed surface has
+/// no outside that its volume could tell, and one that was turned outward once is kept so.
+///
+/// # Errors
+/// See [`MeshError`].
+pub fn build_as_given(soup: &PolygonSoup) -> Result<Built, MeshError> {
+    connected(soup, false)
+}
+
+fn connected(soup: &PolygonSoup, turns_outward: bool) -> Result<Built, MeshError> {
     let mut repairs = Vec::new();
     check_indices(soup)?;
     let mut faces = clean_faces(soup, &mut repairs);
@@ -37,7 +50,7 @@ pub fn build(soup: &PolygonSoup) -> Result<Built, MeshError> {
         return Err(MeshError::NoFaces);
     }
     let sides = paired_sides(&faces)?;
-    orient(&mut faces, &sides, &mut repairs);
+    orient(&mut faces, &sides, turns_outward, &mut repairs);
     // Turning a face renumbers its corners.
     let sides = paired_sides(&faces)?;
     let origin = split_vertices(&mut faces, &sides, &mut repairs);

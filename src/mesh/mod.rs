@@ -22,7 +22,7 @@ pub mod topology;
 pub mod validate;
 pub mod walk;
 
-pub use build::{Built, build};
+pub use build::{Built, build, build_as_given};
 pub use element::{Edge, Face, Halfedge, Vertex};
 pub use error::{MeshError, Repair};
 pub(crate) use repair::clean_faces;
@@ -46,6 +46,13 @@ pub struct HalfedgeMesh {
 }
 
 impl HalfedgeMesh {
+    /// Memory of the connectivity.
+    pub fn bytes(&self) -> usize {
+        let halfedges = 3 * size_of::<Halfedge>() + size_of::<Face>();
+        self.n_halfedges() * halfedges
+            + (self.n_vertices() + self.n_faces() + self.n_boundary_loops()) * size_of::<Halfedge>()
+    }
+
     /// Number of vertices.
     pub fn n_vertices(&self) -> usize {
         self.halfedge_of_vertex.len()

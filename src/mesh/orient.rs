@@ -1,11 +1,17 @@
-//! Consistent orientation of a soup, outward where it is closed.
+//! Consistent orientation of a soup, and outward where it is closed.
 
 use super::error::Repair;
 use super::sides::{Side, face_adjacency, interior_edges};
 use crate::soup::PolygonSoup;
 
 /// Turns faces so that neighbours agree, keeping the majority of each component.
-pub(super) fn orient(soup: &mut PolygonSoup, sides: &[Side], repairs: &mut Vec<Repair>) {
+/// Closed surfaces are turned outward where that is asked for.
+pub(super) fn orient(
+    soup: &mut PolygonSoup,
+    sides: &[Side],
+    turns_outward: bool,
+    repairs: &mut Vec<Repair>,
+) {
     let n = soup.n_faces();
     let (start, list) = face_adjacency(soup, sides);
     let mut turned: Vec<Option<bool>> = vec![None; n];
@@ -61,8 +67,7 @@ pub(super) fn orient(soup: &mut PolygonSoup, sides: &[Side], repairs: &mut Vec<R
     } else if n_turned > 0 {
         repairs.push(Repair::TurnedFaces { count: n_turned });
     }
-    let volume = closed_volume(soup, sides);
-    if twisted_components == 0 && volume < 0.0 {
+    if turns_outward && twisted_components == 0 && closed_volume(soup, sides) < 0.0 {
         for f in 0..n {
             let range = soup.face_starts[f] as usize..soup.face_starts[f + 1] as usize;
             soup.corners[range].reverse();

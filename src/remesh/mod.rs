@@ -1,5 +1,6 @@
 //! Better meshes of the same surface, and surfaces where there were holes.
 
+pub mod adaptive;
 pub mod conformal;
 pub mod fill;
 pub mod flips;

@@ -37,6 +37,7 @@ mod robust_flows;
 mod self_intersection;
 mod session;
 mod session_fill;
+mod session_remesh;
 mod session_subdivide;
 mod shaders;
 mod shapes;

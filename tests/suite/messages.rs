@@ -15,6 +15,7 @@ use umbilic::mesh::shape::{Conflict, ShapeError};
 use umbilic::mesh::subdivide::SubdivisionError;
 use umbilic::mesh::{MeshError, Repair};
 use umbilic::message::{Message, Value};
+use umbilic::remesh::adaptive::RemeshError;
 use umbilic::remesh::fill::{FillError, FillNotice};
 use umbilic::remesh::repair::RepairChange;
 use umbilic::remesh::static_pass::RegulariseError;
@@ -61,6 +62,7 @@ fn errors() -> Vec<(&'static str, Messages)> {
         LinalgError,
         FillError,
         RegulariseError,
+        RemeshError,
         FlowError,
         OptionError,
         AppError,

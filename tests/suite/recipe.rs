@@ -5,8 +5,8 @@ use serde_json::{Value as Json, json};
 use std::ops::ControlFlow;
 use umbilic::app::{
     Arrangement, Check, Command, Compare, Comparison, Edit, FillOptions, FlipOptions, Lack,
-    LinkView, Lockstep, Loops, Origin, PageScene, PaneChange, RegulariseOptions, ScriptText,
-    Session, SubdivideOptions, WrittenLink,
+    LinkView, Lockstep, Loops, Origin, PageScene, PaneChange, RegulariseOptions, RemeshOptions,
+    ScriptText, Session, SubdivideOptions, WrittenLink,
 };
 use umbilic::flow::option::{Value, Values};
 use umbilic::flow::options::{FlowName, FlowOptions, Integrator, Scheme};
@@ -270,6 +270,12 @@ fn edited() -> Session {
             ..FlipOptions::default()
         })
         .expect("flipped");
+    session
+        .remesh(&RemeshOptions {
+            vertices: Some(300),
+            ..RemeshOptions::default()
+        })
+        .expect("remeshed");
     session
         .configure(flowing(FlowName::Circle))
         .expect("a flow");
@@ -672,6 +678,7 @@ fn an_edit_of_a_recipe_is_read_as_it_is_written() {
         }),
         Edit::Flip(FlipOptions::default()),
         Edit::Subdivide(SubdivideOptions::default()),
+        Edit::Remesh(RemeshOptions::default()),
         Edit::Invert([1.0, 0.5, -2.0]),
     ] {
         let written = serde_json::to_value(&edit).expect("JSON");

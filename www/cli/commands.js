@@ -85,6 +85,16 @@ const regularise = command({
   },
 });
 
+const remesh = command({
+  name: "remesh",
+  summary: "gives a surface other triangles, of one size or as small as it bends",
+  rows: schema.remesh,
+  options: out,
+  run({ session, asked }) {
+    return { result: orExit(3, () => perform(session, "remesh", { options: asked })) };
+  },
+});
+
 /** @typedef {import("./command.js").Command} Command */
 
 /** @type {Record<string, Command>} */
@@ -95,6 +105,7 @@ export const commands = {
   flow,
   flips,
   regularise,
+  remesh,
   fill,
   replay,
   shape,

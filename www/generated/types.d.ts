@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -270,7 +270,11 @@ options: RepairOptions, } } | { "subdivide": {
 /**
  * By which scheme.
  */
-options: SubdivideOptions, } } | { "invert": { 
+options: SubdivideOptions, } } | { "remesh": { 
+/**
+ * Which, and how many.
+ */
+options: RemeshOptions, } } | { "invert": { 
 /**
  * From the middle of the bounding box, in diagonals of it.
  */
@@ -468,6 +472,23 @@ area: number,
  * W = 2 Σ β − 2πV over interior edges: Σ W_i as printed on closed meshes.
  */
 circle: number, };
+
+/**
+ * Operations of a pass.
+ */
+export type Counts = { 
+/**
+ * Edges split.
+ */
+splits: number, 
+/**
+ * Edges collapsed.
+ */
+collapses: number, 
+/**
+ * Edges flipped.
+ */
+flips: number, };
 
 /**
  * What is to become small.
@@ -906,6 +927,11 @@ p: number,
  */
 keep: Array<Kept>, 
 /**
+ * p-Willmore, recommended scheme: passes of remeshing where a closed triangle mesh has become
+ * bad, in place of its regularisation.
+ */
+remesh: Remeshing, 
+/**
  * Closed surfaces: conformal regularisation after each step.
  */
 regularise: Mode, 
@@ -1172,6 +1198,11 @@ look: Look, };
  * What can be kept.
  */
 export type Kept = "area" | "volume";
+
+/**
+ * What decides how long edges are.
+ */
+export type Kind = "adaptive" | "isotropic";
 
 /**
  * What the random quadrilaterals say so far.
@@ -1476,6 +1507,35 @@ area: number,
 volume: number | null, };
 
 /**
+ * Readings of a mesh before or after.
+ */
+export type MeshReadings = { 
+/**
+ * Number of vertices.
+ */
+vertices: number, 
+/**
+ * Mean length of the edges.
+ */
+meanEdgeLength: number, 
+/**
+ * Smallest corner angle.
+ */
+minAngleDegrees: number, 
+/**
+ * Total area.
+ */
+area: number, 
+/**
+ * Enclosed volume, of a closed surface.
+ */
+volume: number | null, 
+/**
+ * Whether the readings of the mesh can be believed; null of open surfaces.
+ */
+soundness: Soundness | null, };
+
+/**
  * Something to be said. In JSON `{ id, values }`.
  */
 export type Message = { 
@@ -1683,6 +1743,39 @@ change: Partial<FlowOptions>,
  * The step it stands at; none where that is the step of the first.
  */
 step: number | null, };
+
+/**
+ * A pass of remeshing between two steps.
+ */
+export type Pass = { 
+/**
+ * The step before it.
+ */
+afterStep: number, 
+/**
+ * Vertices after it.
+ */
+vertices: number, 
+/**
+ * Edges split.
+ */
+splits: number, 
+/**
+ * Edges collapsed.
+ */
+collapses: number, 
+/**
+ * Edges flipped.
+ */
+flips: number, 
+/**
+ * Smallest corner angle before and after, in degrees.
+ */
+angles: [number, number], 
+/**
+ * The monitored functional before and after: what it jumps by is the error of the meshes.
+ */
+objective: [number, number], };
 
 /**
  * What a plot has of a step, and what the step warns of.
@@ -2021,6 +2114,45 @@ export type RepairOptions = {
 weld: Weld, };
 
 /**
+ * What a remeshing makes. Unknown names are refused.
+ */
+export type RemeshOptions = { 
+/**
+ * What decides how long edges are.
+ */
+kind: Kind, 
+/**
+ * Mean length of the edges; not together with `vertices`.
+ */
+target: number | null, 
+/**
+ * Number of vertices; as many as there are if both are absent.
+ */
+vertices: number | null, };
+
+/**
+ * What a remeshing did.
+ */
+export type RemeshOutcome = { 
+/**
+ * Operations.
+ */
+counts: Counts, 
+/**
+ * Before it.
+ */
+before: MeshReadings, 
+/**
+ * After it.
+ */
+after: MeshReadings, };
+
+/**
+ * Passes of remeshing between the steps of a flow.
+ */
+export type Remeshing = "adaptive" | "isotropic" | "off";
+
+/**
  * How far it is.
  */
 export type ReplayProgress = { 
@@ -2177,6 +2309,27 @@ triangles: Uint32Array, };
  * How faces are lit.
  */
 export type Shading = "smooth" | "flat";
+
+/**
+ * What tells a sound mesh of a closed triangulated surface from a spoilt one. No unit.
+ */
+export type Soundness = { 
+/**
+ * Largest κh: the larger principal curvature times the mean edge at a vertex.
+ */
+bend: number, 
+/**
+ * Least product of a unit face normal with a unit normal at its corners.
+ */
+alignment: number, 
+/**
+ * ∫K/4π of the fitted quadrics less χ/2, which it is on smooth surfaces.
+ */
+gaussBonnet: number, 
+/**
+ * ∫H² of the fitted quadrics over ∫H² of the mesh.
+ */
+fittedEnergy: number, };
 
 /**
  * Where a session stands.
@@ -2403,6 +2556,10 @@ solveMilliseconds: number,
  * Time for sliding vertices along the surface.
  */
 regulariseMilliseconds: number, 
+/**
+ * The pass of remeshing that came before the step, where there was one.
+ */
+pass?: Pass, 
 /**
  * Worth telling the user.
  */

@@ -73,7 +73,7 @@ impl Runner {
     fn sharpest(&self, least: f64) -> Option<Sharpest> {
         let mesh = self.triangles();
         let now = sharpest(mesh, &self.x)?;
-        let then = sharpest(mesh, &self.document.start)?;
+        let then = sharpest(&self.document.triangles, &self.document.start)?;
         (now.bend > least && now.bend > SHARPENED * then.bend).then_some(now)
     }
 

@@ -4,6 +4,7 @@ pub(super) mod fill;
 pub(super) mod flip;
 pub(super) mod invert;
 pub(super) mod options;
+pub(super) mod remesh;
 pub(super) mod repair;
 pub(super) mod subdivide;
 
@@ -48,6 +49,9 @@ impl Runner {
             let mesh = Rc::new(HalfedgeMesh::clone(self.triangles()));
             document.polygons = Rc::clone(&mesh);
             document.triangles = mesh;
+        } else if let Some(mesh) = &self.segment.mesh {
+            document.polygons = Rc::clone(mesh);
+            document.triangles = Rc::clone(mesh);
         }
         document
     }

@@ -1,5 +1,6 @@
 //! What the edits of a mesh can be asked for. Unknown names are refused.
 
+use crate::remesh::adaptive::Kind;
 use crate::remesh::flips::reduction::Criterion;
 use crate::remesh::repair::Weld;
 use serde::{Deserialize, Serialize};
@@ -87,4 +88,17 @@ pub enum SubdivisionScheme {
 pub struct SubdivideOptions {
     /// How.
     pub scheme: SubdivisionScheme,
+}
+
+/// What a remeshing makes. Unknown names are refused.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct RemeshOptions {
+    /// What decides how long edges are.
+    pub kind: Kind,
+    /// Mean length of the edges; not together with `vertices`.
+    pub target: Option<f64>,
+    /// Number of vertices; as many as there are if both are absent.
+    pub vertices: Option<usize>,
 }

@@ -52,7 +52,7 @@ impl Runner {
             SubdivisionScheme::Linear => subdivide::linear(&soup)?,
             SubdivisionScheme::Loop => subdivide::loop_scheme(&soup)?,
         };
-        let polygons: Rc<HalfedgeMesh> = Rc::new(mesh::build(&finer)?.mesh);
+        let polygons: Rc<HalfedgeMesh> = Rc::new(mesh::build_as_given(&finer)?.mesh);
         let n_old = document.start.len();
         let of = |list: &Option<Vec<u32>>, belongs: fn(bool, bool) -> bool| {
             list.as_deref()

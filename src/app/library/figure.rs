@@ -4,7 +4,7 @@ use super::measured::Run;
 use super::sample::{Sample, Shape};
 use crate::app::{Arrangement, FieldName, RegulariseOptions};
 use crate::flow::Status;
-use crate::flow::options::FlowOptions;
+use crate::flow::options::{FlowOptions, Remeshing};
 use crate::message::{Message, Value};
 use serde::Serialize;
 
@@ -132,10 +132,15 @@ impl Figure {
         super::sample(self.sample)
     }
 
-    /// Options in full: those of the sample under its own.
+    /// Options in full: those of the sample under its own. The papers keep the mesh they have.
     pub fn whole_options(&self) -> FlowOptions {
         let of_sample = self.sample().map(Sample::whole_options);
-        (self.options)(of_sample.unwrap_or_default())
+        let mut options = (self.options)(of_sample.unwrap_or_default());
+        // Where it would not be read, it is not said.
+        if options.remeshing() != Remeshing::Off {
+            options.remesh = Remeshing::Off;
+        }
+        options
     }
 
     /// Whether it takes more than one run of its flow to be judged.

@@ -224,6 +224,7 @@ fn edited(session: &mut Session, edit: Edit) -> Result<(), Fault> {
         Edit::Flip(options) => drop(session.flip(&options)?),
         Edit::Repair(options) => drop(session.repair(options)?),
         Edit::Subdivide(options) => drop(session.subdivide(options)?),
+        Edit::Remesh(options) => drop(session.remesh(&options)?),
         Edit::Invert(centre) => drop(session.invert(centre)?),
     }
     Ok(())

@@ -95,10 +95,11 @@ impl Runner {
 
     /// The flow of the present segment as it started.
     pub(in crate::app) fn started(&self) -> Result<Engine, FlowError> {
-        let (document, segment) = (&self.document, &self.segment);
-        let mut start = segment.start.as_ref().unwrap_or(&document.start).clone();
-        let options = segment.options.clone();
-        let mut flow = Engine::start(&document.triangles, &document.polygons, &mut start, options)?;
+        let segment = &self.segment;
+        let start = segment.start.as_ref().unwrap_or(&self.document.start);
+        let options = self.effective(&segment.options, segment.is_pass);
+        let [triangles, polygons] = self.meshes();
+        let mut flow = Engine::start(triangles, polygons, &mut start.clone(), options)?;
         flow.set_progress(self.progress.clone());
         Ok(flow)
     }
@@ -117,7 +118,7 @@ impl Runner {
         })
     }
 
-    fn next_number(&mut self) -> u32 {
+    pub(super) fn next_number(&mut self) -> u32 {
         self.segments += 1;
         self.segments
     }
@@ -161,8 +162,11 @@ impl Runner {
             number: self.next_number(),
             from: self.state.step,
             start: Some(x.clone()),
+            mesh: self.segment.mesh.clone(),
+            is_pass: false,
         };
-        let (triangles, polygons) = (&self.document.triangles, &self.document.polygons);
+        let [triangles, polygons] = self.meshes();
+        let options = self.effective(&options, false);
         let mut flow = match Engine::start(triangles, polygons, &mut x, options) {
             Ok(flow) => flow,
             Err(error) => {

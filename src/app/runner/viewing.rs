@@ -176,9 +176,17 @@ impl Runner {
     pub(in crate::app) fn back(&mut self) -> State {
         if self.history.can_go_back() {
             self.exchange(|history, live| history.back(live));
+            self.leave_pass();
             self.settle();
         }
         self.state.clone()
+    }
+
+    /// A pass belongs to the step after it: the step before it is shown on its own mesh.
+    fn leave_pass(&mut self) {
+        while self.history.ends_with_pass() {
+            self.exchange(|history, live| history.back(live));
+        }
     }
 
     /// One stored snapshot on, if there is one.
@@ -210,6 +218,7 @@ impl Runner {
         while self.history.next_step().is_some_and(|next| next <= step) {
             self.exchange(|history, live| history.forth(live));
         }
+        self.leave_pass();
         if self.history.here() != here {
             self.settle();
         }
@@ -229,6 +238,7 @@ impl Runner {
         while self.state.time < time && self.history.next_step().is_some() {
             self.exchange(|history, live| history.forth(live));
         }
+        self.leave_pass();
         if self.history.here() != here {
             self.settle();
         }

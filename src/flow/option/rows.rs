@@ -3,7 +3,9 @@
 use super::{Kind, Named, Options, Range, ReadBy, Row};
 use crate::energy::circle::Boundary;
 use crate::flow::constraint::Kept;
-use crate::flow::options::{FlowName, FlowOptions, Goal, Integrator, MassChoice, Scheme};
+use crate::flow::options::{
+    FlowName, FlowOptions, Goal, Integrator, MassChoice, Remeshing, Scheme,
+};
 use crate::flow::spec::{ALL, CIRCLE, CLOSED, FLIPS, MMCV, MOVING, OPEN, P_WILLMORE};
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
@@ -16,6 +18,7 @@ impl Named for MassChoice {}
 impl Named for Boundary {}
 impl Named for Kept {}
 impl Named for Mode {}
+impl Named for Remeshing {}
 impl Named for Criterion {}
 
 /// A row: field, name and flag; kind and unit; group and readers.
@@ -100,6 +103,8 @@ impl Options for FlowOptions {
             row!(integrator, "integrator", "integrator",
                 Kind::choice::<Integrator>(), "", Method, circle),
             row!(mass, "mass", "mass", Kind::choice::<MassChoice>(), "", Method, circle),
+            row!(remesh, "remesh", "remesh",
+                Kind::choice::<Remeshing>(), "", Method, p_willmore.scheme(Scheme::Auto)),
             row!(regularise, "regularise", "regularise",
                 Kind::choice::<Mode>(), "", Method, closed),
             row!(regularise_epsilon, "regulariseEpsilon", "regularise-epsilon",

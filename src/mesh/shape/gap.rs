@@ -89,6 +89,7 @@ pub fn dodecahedron(level: usize) -> Result<Sample, SubdivisionError> {
         soup,
         fixed: Some(fixed),
         free: None,
+        keeps_sides: false,
     })
 }
 
@@ -123,6 +124,7 @@ pub fn four_bumps(vertices: usize) -> Sample {
         soup: PolygonSoup::from_faces(positions, &faces),
         fixed: None,
         free: Some(free),
+        keeps_sides: false,
     }
 }
 
@@ -148,5 +150,6 @@ fn with_membranes(mut soup: PolygonSoup, free: Vec<u32>) -> Sample {
         soup,
         fixed: None,
         free: Some(free),
+        keeps_sides: false,
     }
 }

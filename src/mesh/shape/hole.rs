@@ -32,6 +32,7 @@ pub fn six_sided_hole(height: f64) -> Sample {
         soup: PolygonSoup::from_faces(positions, &faces),
         fixed: Some(fixed),
         free: None,
+        keeps_sides: false,
     }
 }
 

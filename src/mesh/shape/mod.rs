@@ -8,14 +8,19 @@
 //! [`PolygonSoup`], and `registry.rs` is the only place that knows names.
 
 pub mod blocks;
+mod conformal;
 mod curve;
+mod delaunay;
 mod face;
 pub mod gap;
+mod great;
 mod grid;
 mod hexagon;
 pub mod hole;
 pub mod holed;
+pub mod inverted;
 pub mod knot;
+pub mod kusner;
 pub mod one_sided;
 mod parameter;
 pub mod patch;
@@ -76,6 +81,8 @@ pub struct Sample {
     pub fixed: Option<Vec<u32>>,
     /// Vertices to move; the others are held.
     pub free: Option<Vec<u32>>,
+    /// Whether its faces show the side they are to show, also where that is not outward.
+    pub keeps_sides: bool,
 }
 
 impl From<PolygonSoup> for Sample {
@@ -84,6 +91,7 @@ impl From<PolygonSoup> for Sample {
             soup,
             fixed: None,
             free: None,
+            keeps_sides: false,
         }
     }
 }

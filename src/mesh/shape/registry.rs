@@ -5,8 +5,8 @@ use glam::DVec3;
 use super::parameter::{HEIGHT, LOOPS, RESOLUTION, RINGS, SEED, count, level, real};
 use super::{Conflict, Sample, Shape};
 use super::{
-    blocks, gap, hole, holed, knot, one_sided, patch, platonic, rough, scan, scar, sphere, torus,
-    tubes,
+    blocks, gap, great, hole, holed, knot, one_sided, patch, platonic, rough, scan, scar, sphere,
+    torus, tubes,
 };
 use crate::mesh::subdivide::{SubdivisionError, linear_levels};
 use crate::soup::PolygonSoup;
@@ -138,6 +138,11 @@ pub(super) static SHAPES: &[Shape] = &[
         parameters: &[],
         build: |_| Ok(rough::counterexample().into()),
     },
+    great::MORIN,
+    great::BOY,
+    great::INVERTED_CATENOID,
+    great::INVERTED_ENNEPER,
+    great::CYCLIDE,
     Shape {
         name: "clifford-torus",
         label: "Clifford torus",

@@ -47,6 +47,7 @@ pub fn scar(level: usize, depth: f64, seed: u64) -> Result<Sample, SubdivisionEr
         soup,
         fixed: None,
         free: Some(free.map(|v| v as u32).collect()),
+        keeps_sides: false,
     })
 }
 

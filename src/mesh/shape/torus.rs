@@ -27,6 +27,23 @@ pub fn clifford_torus(around: usize, tube: usize) -> PolygonSoup {
     torus(SQRT_2, 1.0, around, tube)
 }
 
+/// A cyclide of Dupin: the Clifford torus of the 3-sphere turned by `turn` towards the pole that
+/// it is projected from. A Möbius image of [`clifford_torus`], with the same ∫H² = 2π²; at π/4
+/// it would pass through infinity. `around` x `tube` cells with the angles of the square.
+pub fn cyclide(around: usize, tube: usize, turn: f64) -> PolygonSoup {
+    let positions = (0..around * tube).map(|k| {
+        let u = TAU * (k / tube) as f64 / around as f64;
+        let v = TAU * (k % tube) as f64 / tube as f64;
+        let (towards, pole) = (
+            turn.cos() * u.cos() - turn.sin() * v.cos(),
+            turn.sin() * u.cos() + turn.cos() * v.cos(),
+        );
+        DVec3::new(towards, u.sin(), v.sin()) / (SQRT_2 - pole)
+    });
+    let vertex = |i: usize, j: usize| i % around * tube + j % tube;
+    PolygonSoup::from_faces(positions.collect(), &grid::triangles(around, tube, vertex))
+}
+
 /// A lattice on the Clifford torus whose angles are those of a plane lattice.
 ///
 /// The torus is the stereographic image of the flat torus in the 3-sphere, so
@@ -99,4 +116,32 @@ pub fn pipe(levels: usize) -> Result<PolygonSoup, SubdivisionError> {
 pub(super) fn on_torus(major: f64, minor: f64, u: f64, v: f64) -> DVec3 {
     let rho = major + minor * v.cos();
     DVec3::new(rho * u.cos(), rho * u.sin(), minor * v.sin())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::curvature::area_gradient;
+    use crate::geometry::measure::{vertex_areas, volume};
+    use crate::mesh::build_as_given;
+
+    #[test]
+    fn cyclides_have_the_energy_of_the_clifford_torus_to_the_second_order() {
+        for turn in [0.0, 0.4] {
+            let errors = [32, 64, 128].map(|n| {
+                let built = build_as_given(&cyclide(n, n, turn)).expect("a surface");
+                let (mesh, x) = (&built.mesh, &built.positions);
+                assert!(volume(mesh, x).expect("closed") > 0.0);
+                let (g, a) = (area_gradient(mesh, x), vertex_areas(mesh, x));
+                let terms = g.iter().zip(&a);
+                let energy: f64 = terms.map(|(g, a)| g.length_squared() / (4.0 * a)).sum();
+                1.0 - energy / (2.0 * PI * PI)
+            });
+            assert!(errors[1] < 0.01, "{turn}: {errors:?}");
+            for pair in errors.windows(2) {
+                let order = (pair[0] / pair[1]).log2();
+                assert!((order - 2.0).abs() < 0.2, "{turn}: {errors:?}");
+            }
+        }
+    }
 }

@@ -197,3 +197,14 @@ regularise-box-bound = jeder Durchgang würde den Hüllquader um mehr als { $per
 regularise-angle-bound = jeder Durchgang würde den kleinsten Winkel verkleinern, und unter { $degrees }°
     .hint = Verfeinern Sie zuerst das Netz: Neue Ecken im Innern seiner Facetten können gleiten.
 regularise-linear = das lineare Gleichungssystem ließ sich nicht lösen: { $reason }
+
+## Neu vernetzen
+
+remesh-not-triangular = zum Neuvernetzen braucht es Dreiecke
+    .hint = Das Netz vorher in Dreiecken schreiben.
+remesh-not-oriented = eine einseitige Fläche wird nicht neu vernetzt
+    .hint = Stattdessen ihre zweiblättrige Überlagerung neu vernetzen.
+remesh-all-held = nichts darf sich ändern: alle Ecken sind fest oder liegen auf dem Rand
+    .hint = Einige Ecken freigeben oder das Netz erst unterteilen.
+remesh-spoilt = die Fläche wäre eine andere geworden: sie ist zu grob oder zu zerknittert, um neu vernetzt zu werden
+    .hint = Mehr Ecken verlangen oder die Fläche erst glätten.

@@ -108,6 +108,11 @@ option-mass = Masse
     .uniform = Gleichmäßig
     .area = Inhalt je Ecke
 option-mass-help = Gewicht einer Ecke
+option-remesh = Neu vernetzen
+    .adaptive = Nach Krümmung
+    .isotropic = Gleichmäßig
+    .off = Aus
+option-remesh-help = neue Dreiecke, wo ein geschlossenes Netz schlecht geworden ist, statt zu regularisieren
 option-regularise = Regularisieren
     .off = Nie
     .linear = Nach jedem Schritt, linear
@@ -150,6 +155,10 @@ fill-maxVertices-help = höchstens so viele neue Ecken; auto heißt 200000
 flips-criterion-help = { option-criterion-help }
 flips-guardFolds-help = { option-guardFolds-help }
 flips-max-help = höchstens so viele Flips
+
+remesh-kind-help = adaptive: kurze Kanten, wo sich die Fläche biegt; isotropic: lauter gleiche
+remesh-target-help = mittlere Länge der Kanten
+remesh-vertices-help = Zahl der Ecken; so viele wie vorher, wenn keines von beiden gegeben ist
 
 bench-table-help = welche Tabelle
 bench-maxVertices-help = lässt größere Netze weg

@@ -39,7 +39,7 @@ must-be-file = der Name einer Datei
 must-be-numbers = ein Objekt aus Zahlen
 must-be-options = ein Objekt aus Optionen
 must-be-action = {"{"} steps {"}"}, {"{"} regularise {"}"}, {"{"} flow {"}"} oder „anew“
-must-be-edit = „adopt“, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide {"}"} oder {"{"} invert: [x, y, z] {"}"}, mit Optionen, die es gibt
+must-be-edit = „adopt“, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide {"}"}, {"{"} remesh {"}"} oder {"{"} invert: [x, y, z] {"}"}, mit Optionen, die es gibt
 must-be-regularisation = Optionen einer Regularisierung
 must-be-steps = eine Liste, deren Schritte zusammen { $total } sind, wie „steps“ sagt
 

@@ -203,3 +203,14 @@ regularise-box-bound = any pass would change the bounding box by more than { $pe
 regularise-angle-bound = any pass would make the smallest angle smaller, and smaller than { $degrees }°
     .hint = Refine the mesh first: new vertices inside its faces are free to slide.
 regularise-linear = the linear system could not be solved: { $reason }
+
+## Remeshing
+
+remesh-not-triangular = remeshing needs triangles
+    .hint = Write the mesh as triangles first.
+remesh-not-oriented = a one-sided surface is not remeshed
+    .hint = Remesh its double cover instead.
+remesh-all-held = nothing may be changed: all vertices are held or lie on the boundary
+    .hint = Free some vertices, or subdivide the mesh first.
+remesh-spoilt = the surface would have become another: it is too coarse or too crumpled to be remeshed
+    .hint = Ask for more vertices, or smooth the surface first.

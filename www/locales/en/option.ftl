@@ -108,6 +108,11 @@ option-mass = Mass
     .uniform = Uniform
     .area = Vertex area
 option-mass-help = weight of a vertex
+option-remesh = Remesh
+    .adaptive = By curvature
+    .isotropic = Evenly
+    .off = Off
+option-remesh-help = new triangles where a closed mesh has become bad, in place of regularisation
 option-regularise = Regularise
     .off = Never
     .linear = After each step, linear
@@ -150,6 +155,10 @@ fill-maxVertices-help = at most so many new vertices; auto is 200000
 flips-criterion-help = { option-criterion-help }
 flips-guardFolds-help = { option-guardFolds-help }
 flips-max-help = at most so many flips
+
+remesh-kind-help = adaptive edges are short where the surface bends, isotropic ones are equal
+remesh-target-help = mean length of the edges
+remesh-vertices-help = number of vertices; as many as there are if neither is given
 
 bench-table-help = which table
 bench-maxVertices-help = leaves out larger meshes

@@ -39,7 +39,7 @@ must-be-file = the name of a file
 must-be-numbers = an object of numbers
 must-be-options = an object of options
 must-be-action = {"{"} steps {"}"}, {"{"} regularise {"}"}, {"{"} flow {"}"} or “anew”
-must-be-edit = “adopt”, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide {"}"} or {"{"} invert: [x, y, z] {"}"}, with options that there are
+must-be-edit = “adopt”, {"{"} fill {"}"}, {"{"} flip {"}"}, {"{"} subdivide {"}"}, {"{"} remesh {"}"} or {"{"} invert: [x, y, z] {"}"}, with options that there are
 must-be-regularisation = options of a regularisation
 must-be-steps = a list whose steps are { $total } in all, as “steps” says
 

@@ -1,0 +1,186 @@
+//! Passes of remeshing between the steps of a flow.
+//!
+//! A pass begins a segment of the run, with a mesh of its own, as a change of the flow does:
+//! going back, branches and what is stored need to know nothing else of it. When one is due
+//! follows from the surface and the number of steps since the last; so a run that is done again
+//! makes the same passes at the same steps, and no recipe has to list them.
+//!
+//! Energies are not compared across a pass. That of a worn mesh is too low as often as too high,
+//! so a pass may raise it; refusing those that do would keep exactly the meshes that need one.
+
+use super::Runner;
+use crate::app::engine::Checkpoint;
+use crate::app::fault::Fault;
+use crate::app::history::{Event, Snapshot};
+use crate::app::readings::State;
+use crate::app::segment::Segment;
+use crate::energy::p_willmore::integrated_power;
+use crate::flow::constraint::Kept;
+use crate::flow::options::{FlowOptions, Remeshing};
+use crate::flow::{Decision, Pass, Status, StepReport};
+use crate::geometry::measure;
+use crate::remesh::Mode;
+use crate::remesh::adaptive::{self, Kind, Soundness, Targets};
+use std::rc::Rc;
+
+/// Steps between two looks at the mesh.
+const EVERY: usize = 10;
+/// Steps after a pass before there can be another.
+const REST: usize = 3;
+
+impl Runner {
+    /// What kind of passes there are under the options in force, on this surface.
+    fn passes(&self) -> Option<Kind> {
+        self.passes_under(self.options())
+    }
+
+    fn passes_under(&self, options: &FlowOptions) -> Option<Kind> {
+        let mesh = &self.document.polygons;
+        let is_fit = mesh.is_triangular() && mesh.is_closed() && mesh.is_oriented();
+        let kind = match options.remeshing() {
+            Remeshing::Off => return None,
+            Remeshing::Adaptive => Kind::Adaptive,
+            Remeshing::Isotropic => Kind::Isotropic,
+        };
+        is_fit.then_some(kind)
+    }
+
+    /// The options that the flow itself is started with. Passes do what regularisation does, at a
+    /// quarter of the price; and a start is perturbed once.
+    pub(super) fn effective(&self, options: &FlowOptions, after_pass: bool) -> FlowOptions {
+        let mut options = options.clone();
+        if self.passes_under(&options).is_some() {
+            options.regularise = Mode::Off;
+        }
+        if after_pass {
+            options.perturbation = 0.0;
+        }
+        options
+    }
+
+    fn steps_since_pass(&self) -> usize {
+        self.state.step - self.segment.from
+    }
+
+    /// Vertices that a pass aims at: those of the start.
+    fn budget(&self) -> usize {
+        self.document.triangles.n_vertices()
+    }
+
+    /// Whether the next step is to begin with a pass.
+    pub(super) fn is_pass_due(&self) -> Option<Kind> {
+        let kind = self.passes()?;
+        let steps = self.steps_since_pass();
+        let mesh = self.triangles();
+        let is_due = steps >= REST && adaptive::is_urgent(mesh, &self.x)
+            || steps > 0
+                && steps.is_multiple_of(EVERY)
+                && adaptive::is_due(mesh, &self.x, kind, self.budget());
+        is_due.then_some(kind)
+    }
+
+    /// Whether a pass may help where the flow has come to an end of its own.
+    pub(super) fn can_pass_at(&self, decision: &Decision) -> Option<Kind> {
+        let kind = self.passes()?;
+        let Decision::Stop(status, _) = decision else {
+            return None;
+        };
+        let helps = match status {
+            Status::Stalled | Status::Collapsed | Status::Singular => true,
+            // At rest on a worn mesh is no rest.
+            Status::Converged => adaptive::is_due(self.triangles(), &self.x, kind, self.budget()),
+            Status::Ready | Status::StepLimit | Status::Failed => false,
+        };
+        (helps && self.steps_since_pass() >= REST).then_some(kind)
+    }
+
+    /// Makes a pass; `None` where the surface would not have stayed the same.
+    ///
+    /// # Errors
+    /// As [`Driver::start`](crate::flow::Driver::start), if memory is short; nothing has changed.
+    pub(super) fn pass(
+        &mut self,
+        kind: Kind,
+        snapshot: Option<Snapshot>,
+    ) -> Result<Option<Pass>, Fault> {
+        let keeps_volume = self.options().keep.contains(&Kept::Volume);
+        let targets = Targets {
+            area: self.state.area,
+            volume: self.state.volume.filter(|_| keeps_volume),
+        };
+        let mesh = self.triangles();
+        let before = measure::min_angle_degrees(mesh, &self.x);
+        let Ok(made) = adaptive::pass(mesh, &self.x, kind, self.budget(), targets) else {
+            return Ok(None);
+        };
+        let Some(Checkpoint::Flow(checkpoint)) = self.checkpoint() else {
+            return Ok(None);
+        };
+        let segment = Segment {
+            options: self.options().clone(),
+            number: self.next_number(),
+            from: self.state.step,
+            start: Some(made.positions.clone()),
+            mesh: Some(Rc::new(made.mesh)),
+            is_pass: true,
+        };
+        let old = std::mem::replace(&mut self.segment, Rc::new(segment));
+        let mut engine = match self.started() {
+            Ok(engine) => engine,
+            Err(error) => {
+                self.segment = old;
+                return Err(error.into());
+            }
+        };
+        engine.go_on_after_pass(checkpoint);
+        self.engine = Some(engine);
+        self.engine_segment = Rc::clone(&self.segment);
+        self.x = made.positions;
+        let energy = self.state.objective;
+        self.state = State {
+            step: self.state.step,
+            time: self.state.time,
+            ..State::default()
+        };
+        self.follow(snapshot, Event::Pass, None);
+        self.read_state();
+        Ok(Some(Pass {
+            after_step: self.state.step,
+            vertices: self.x.len(),
+            splits: made.counts.splits,
+            collapses: made.counts.collapses,
+            flips: made.counts.flips,
+            angles: [before, self.state.min_angle_degrees],
+            objective: [energy, self.state.objective],
+        }))
+    }
+
+    /// Whether readings of the surface as it is now can be believed; `None` of open and one-sided
+    /// ones.
+    pub(in crate::app) fn soundness(&self) -> Option<Soundness> {
+        let (mesh, x) = (self.triangles(), &self.x);
+        let is_closed = mesh.is_closed() && mesh.is_oriented();
+        is_closed.then(|| Soundness::of(mesh, x, integrated_power(mesh, x, 2.0)))
+    }
+
+    /// A step on the mesh that a pass has made, which is taken back where there is none to take.
+    pub(super) fn step_after(
+        &mut self,
+        pass: Pass,
+        extends: bool,
+    ) -> Result<Option<StepReport>, Fault> {
+        let (mut report, decision) = self.flow_step(self.copied(), extends)?;
+        match &mut report {
+            Some(report) => report.pass = Some(pass),
+            None => self.take_pass_back(),
+        }
+        self.end(decision);
+        Ok(report)
+    }
+
+    /// Takes back a pass that no step followed.
+    fn take_pass_back(&mut self) {
+        self.back();
+        self.history.drop_future();
+    }
+}

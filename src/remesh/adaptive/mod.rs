@@ -1,0 +1,206 @@
+//! Another mesh of the same surface: triangles near equilateral, as small as it bends.
+//!
+//! A pass is two rounds of splits, collapses, flips and relaxation, after which area and volume
+//! are brought back. Isotropic remeshing after Botsch & Kobbelt (SGP 2004) with the size field
+//! of Dunyach et al. (Eurographics 2013), but on a fitted surface instead of a stored one:
+//! new vertices lie on the cubic through the tangent planes at the ends of their edge, and
+//! vertices slide on fitted quadrics. Nothing is ever projected onto the old mesh, whose nearest
+//! point may lie on another sheet of an immersed surface. What is off the smooth surface
+//! is O(h³) for splits, O(h⁴) on regular meshes.
+//!
+//! Held vertices and boundaries stay as they are, bit for bit, with the edges between them. No
+//! order depends on anything but the input: a pass gives the same mesh again, to the last bit.
+
+mod collapse;
+mod draft;
+mod flip;
+mod need;
+mod origin;
+mod quadric;
+mod relax;
+mod restore;
+mod size;
+mod soundness;
+mod split;
+
+pub use need::{is_due, is_urgent};
+pub use origin::Origin;
+pub use restore::Targets;
+pub use soundness::Soundness;
+
+use crate::geometry::measure;
+use crate::mesh::HalfedgeMesh;
+use crate::message::messages;
+use draft::Draft;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// Rounds of a pass between steps of a flow, and at most of one from any mesh.
+const ROUNDS: usize = 2;
+const MOST_ROUNDS: usize = 12;
+/// A mesh is done where a round splits and collapses fewer edges than this share of its vertices.
+const SETTLED: f64 = 0.01;
+
+/// The area of a mesh that is folded over is not that of its surface, and changes by more.
+const SAME_AREA: f64 = 0.02;
+
+/// What decides how long edges are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// The curvature: the more the surface bends, the shorter.
+    #[default]
+    Adaptive,
+    /// One length everywhere.
+    Isotropic,
+}
+
+/// A new mesh.
+#[derive(Clone, Debug)]
+pub struct Remeshed {
+    /// Connectivity.
+    pub mesh: HalfedgeMesh,
+    /// One position a vertex.
+    pub positions: Vec<DVec3>,
+    /// Where each vertex comes from.
+    pub origins: Vec<Origin>,
+    /// Whether a vertex is one that was held.
+    pub held: Vec<bool>,
+    /// What was done.
+    pub counts: Counts,
+}
+
+/// Operations of a pass.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Counts {
+    /// Edges split.
+    pub splits: usize,
+    /// Edges collapsed.
+    pub collapses: usize,
+    /// Edges flipped.
+    pub flips: usize,
+}
+
+messages! {
+    /// Why a mesh is not remeshed; it is as it was.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub enum RemeshError as "remesh" {
+        /// A face with more than three corners.
+        NotTriangular,
+        /// A one-sided surface.
+        NotOriented,
+        /// Nothing may be changed.
+        AllHeld,
+        /// The surface would have become another: it is too coarse or too crumpled.
+        Spoilt,
+    }
+}
+
+/// One pass, as between two steps of a flow, towards so many vertices. Brought back are the
+/// `targets`, unless something is held.
+///
+/// # Errors
+/// See [`RemeshError`].
+pub fn pass(
+    mesh: &HalfedgeMesh,
+    x: &[DVec3],
+    kind: Kind,
+    vertices: usize,
+    targets: Targets,
+) -> Result<Remeshed, RemeshError> {
+    let start = checked(mesh, x, &vec![false; x.len()])?;
+    let mut draft = start.clone();
+    let mut counts = Counts::default();
+    for _ in 0..ROUNDS {
+        round(&mut draft, kind, vertices, &mut counts);
+    }
+    counts.flips += flip::to_delaunay(&mut draft);
+    finished(&start, draft, Some(targets), counts)
+}
+
+/// Rounds from any mesh until it is settled, towards so many vertices; those that `held` marks
+/// stay. The area of a closed surface is brought back where nothing is held, unless the mesh has
+/// lost as much of it as only folds have.
+///
+/// # Errors
+/// See [`RemeshError`].
+pub fn remesh(
+    mesh: &HalfedgeMesh,
+    x: &[DVec3],
+    kind: Kind,
+    vertices: usize,
+    held: &[bool],
+) -> Result<Remeshed, RemeshError> {
+    let start = checked(mesh, x, held)?;
+    let mut draft = start.clone();
+    let mut counts = Counts::default();
+    for done in 1..=MOST_ROUNDS {
+        let before = counts.splits + counts.collapses;
+        round(&mut draft, kind, vertices, &mut counts);
+        let changes = counts.splits + counts.collapses - before;
+        if done >= ROUNDS && (changes as f64) < SETTLED * draft.x.len() as f64 {
+            break;
+        }
+    }
+    counts.flips += flip::to_delaunay(&mut draft);
+    let area = measure::area(mesh, x);
+    let change = draft.areas().iter().sum::<f64>() / area - 1.0;
+    let is_same = change.abs() < SAME_AREA && !start.held.contains(&true);
+    let targets = is_same.then_some(Targets { area, volume: None });
+    finished(&start, draft, targets, counts)
+}
+
+/// The number of vertices of a mesh with edges of a mean length.
+pub fn vertices_for(mesh: &HalfedgeMesh, x: &[DVec3], length: f64) -> f64 {
+    size::even_count(measure::area(mesh, x), length)
+}
+
+fn checked(mesh: &HalfedgeMesh, x: &[DVec3], held: &[bool]) -> Result<Draft, RemeshError> {
+    if !mesh.is_triangular() {
+        return Err(RemeshError::NotTriangular);
+    }
+    if !mesh.is_oriented() {
+        return Err(RemeshError::NotOriented);
+    }
+    let draft = Draft::of(mesh, x, held);
+    if draft.held.contains(&false) {
+        Ok(draft)
+    } else {
+        Err(RemeshError::AllHeld)
+    }
+}
+
+fn round(draft: &mut Draft, kind: Kind, vertices: usize, counts: &mut Counts) {
+    draft.size = size::field(draft, kind, vertices);
+    counts.splits += split::run(draft);
+    counts.collapses += collapse::run(draft);
+    counts.flips += flip::for_valence(draft) + flip::to_delaunay(draft);
+    draft.compact();
+    relax::run(draft);
+    draft.normal = draft.normals();
+}
+
+fn finished(
+    start: &Draft,
+    mut draft: Draft,
+    targets: Option<Targets>,
+    counts: Counts,
+) -> Result<Remeshed, RemeshError> {
+    if targets.is_some_and(|targets| !restore::run(&mut draft, targets)) {
+        return Err(RemeshError::Spoilt);
+    }
+    let mesh = draft.mesh().ok_or(RemeshError::Spoilt)?;
+    debug_assert_eq!(mesh.validate(), Ok(()));
+    Ok(Remeshed {
+        mesh,
+        origins: origin::origins(start, &draft),
+        positions: draft.x,
+        held: draft.held,
+        counts,
+    })
+}
+
+#[cfg(test)]
+mod tests;

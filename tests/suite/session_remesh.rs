@@ -1,0 +1,277 @@
+//! Remeshing: as an edit, what it does to the surface and to selections; between the steps of a
+//! flow, what it gains, and that history and recipes know of it.
+
+use std::f64::consts::PI;
+use umbilic::app::{Edit, Origin, RemeshOptions, ScriptText, Session};
+use umbilic::flow::StepReport;
+use umbilic::flow::constraint::Kept;
+use umbilic::flow::options::{FlowName, FlowOptions, Remeshing};
+use umbilic::remesh::adaptive::Kind;
+
+fn opened(shape: &str, values: &[(&str, f64)]) -> Session {
+    let values: Vec<_> = values.iter().map(|(n, v)| ((*n).into(), *v)).collect();
+    let mut s = Session::new();
+    s.sample(shape, &values).expect("a shape");
+    s
+}
+
+#[test]
+fn a_remeshed_surface_is_the_same_with_as_many_vertices_as_asked_for() {
+    let mut s = opened("ellipsoid", &[("level", 3.0), ("jitter", 0.2)]);
+    let before = s.info().expect("a mesh");
+    let exact = s.frame().expect("a frame").exact;
+    for kind in [Kind::Adaptive, Kind::Isotropic] {
+        let options = RemeshOptions {
+            kind,
+            vertices: Some(1500),
+            target: None,
+        };
+        let outcome = s.remesh(&options).expect("remeshed");
+        let after = s.info().expect("a mesh");
+        assert_eq!(after.vertices, outcome.after.vertices);
+        assert!((after.vertices as f64 / 1500.0 - 1.0).abs() < 0.1);
+        assert!((after.area / before.area - 1.0).abs() < 1e-12);
+        let change = after.volume.expect("closed") / before.volume.expect("closed") - 1.0;
+        assert!(change.abs() < 5e-3, "{kind:?}: volume {change:e}");
+        assert!(outcome.before.min_angle_degrees < 15.0);
+        assert!(outcome.after.min_angle_degrees > 28.0, "{outcome:?}");
+        assert!(outcome.after.soundness.expect("closed").is_sound());
+        let records = s.provenance().expect("known").edits;
+        assert_eq!(
+            records.last().map(|r| &r.edit),
+            Some(&Edit::Remesh(options))
+        );
+        s.undo_edit().expect("undone");
+        assert!(s.frame().expect("a frame").exact == exact);
+    }
+}
+
+#[test]
+fn a_length_asks_for_edges_of_that_length() {
+    let mut s = opened("icosphere", &[("level", 3.0)]);
+    let options = RemeshOptions {
+        kind: Kind::Isotropic,
+        target: Some(0.1),
+        vertices: None,
+    };
+    let outcome = s.remesh(&options).expect("remeshed");
+    let ratio = outcome.after.mean_edge_length / 0.1;
+    assert!((ratio - 1.0).abs() < 0.05, "{ratio}");
+    let both = RemeshOptions {
+        vertices: Some(100),
+        ..options
+    };
+    let fault = s.remesh(&both).expect_err("two lengths");
+    assert_eq!(&*fault.message.id, "option-error-conflicting-options");
+    let many = RemeshOptions {
+        target: Some(1e-5),
+        ..options
+    };
+    let fault = s.remesh(&many).expect_err("a billion");
+    assert_eq!(&*fault.message.id, "app-too-many-vertices");
+}
+
+#[test]
+fn what_is_held_stays_and_is_held_again() {
+    let mut s = opened("icosphere", &[("level", 3.0)]);
+    let fixed: Vec<u32> = (0..60).collect();
+    let options = FlowOptions {
+        flow: FlowName::MeanCurvature,
+        fixed: Some(fixed.clone()),
+        ..FlowOptions::default()
+    };
+    s.configure(options).expect("a flow");
+    let of = |exact: &[f64], v: u32| exact[3 * v as usize..][..3].to_vec();
+    let before = s.frame().expect("a frame").exact.0;
+    s.remesh(&RemeshOptions::default()).expect("remeshed");
+    let loaded = s.loaded().expect("a mesh");
+    let held = loaded.fixed.expect("a selection").0;
+    assert_eq!(loaded.free, None);
+    s.configure(FlowOptions {
+        flow: FlowName::MeanCurvature,
+        ..FlowOptions::default()
+    })
+    .expect("a flow");
+    let after = s.frame().expect("a frame").exact.0;
+    let mut places: Vec<_> = held.iter().map(|&v| of(&after, v)).collect();
+    let mut expected: Vec<_> = fixed.iter().map(|&v| of(&before, v)).collect();
+    places.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+    expected.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+    assert!(places == expected);
+}
+
+fn flowing(remesh: Remeshing) -> FlowOptions {
+    FlowOptions {
+        flow: FlowName::PWillmore,
+        keep: vec![Kept::Area],
+        max_steps: Some(400),
+        remesh,
+        ..FlowOptions::default()
+    }
+}
+
+/// An elongated ellipsoid, whose mesh wears as it becomes round.
+fn worn(remesh: Remeshing) -> Session {
+    let values = [("a", 4.0), ("level", 3.0), ("jitter", 0.2)];
+    let mut s = opened("ellipsoid", &values);
+    s.configure(flowing(remesh)).expect("a flow");
+    s
+}
+
+fn exact(s: &mut Session) -> (usize, Vec<u64>) {
+    let frame = s.frame().expect("a frame");
+    let bits = frame.exact.iter().map(|x| x.to_bits()).collect();
+    (frame.state.step, bits)
+}
+
+fn steps(s: &mut Session, count: usize) -> Vec<StepReport> {
+    let step = |_| s.step().expect("a step");
+    (0..count).map_while(step).collect()
+}
+
+#[test]
+fn a_flow_remeshes_between_steps_and_comes_to_rest_at_the_sphere() {
+    let mut s = worn(Remeshing::Adaptive);
+    let reports = steps(&mut s, 400);
+    let passes = reports.iter().filter(|report| report.pass.is_some());
+    assert!(passes.count() > 0);
+    // The functional falls within each segment, and over them all.
+    for report in &reports {
+        assert!(report.objective <= report.objective_before * (1.0 + 1e-12));
+    }
+    let ends: Vec<f64> = reports
+        .windows(2)
+        .filter(|pair| pair[1].pass.is_some())
+        .map(|pair| pair[0].objective)
+        .chain(reports.last().map(|report| report.objective))
+        .collect();
+    for pair in ends.windows(2) {
+        assert!(pair[1] < pair[0] * 1.001, "{ends:?}");
+    }
+    let state = s.state().expect("a state");
+    let energy = state.energy / (4.0 * PI);
+    assert!((0.985..1.002).contains(&energy), "{energy}");
+    assert!(
+        state.min_angle_degrees > 25.0,
+        "{}",
+        state.min_angle_degrees
+    );
+    // Area is kept across passes as within a segment.
+    let [first, last] = [&reports[0], &reports[reports.len() - 1]];
+    assert!((last.area / first.area - 1.0).abs() < 1e-10);
+    // The page gets the triangles that it does not know.
+    let frame = s.frame().expect("a frame");
+    assert_eq!(frame.panes.len(), 1);
+    assert_eq!(frame.panes[0].positions.len(), frame.positions.len());
+    let most = frame.panes[0].triangles.iter().max().expect("triangles");
+    assert_eq!(3 * (*most as usize + 1), frame.positions.len());
+}
+
+#[test]
+fn going_back_over_a_pass_and_doing_it_again_is_exact() {
+    let mut s = worn(Remeshing::Adaptive);
+    let mut seen = vec![exact(&mut s)];
+    let mut first_pass = None;
+    while first_pass.is_none() || seen.len() < 40 {
+        let report = s.step().expect("a step").expect("not at rest");
+        first_pass = first_pass.or(report.pass.map(|_| report.step));
+        seen.push(exact(&mut s));
+    }
+    let step = first_pass.expect("a pass");
+    // What is stored: every step as it was, on its own mesh.
+    for back in [step + 1, step, step - 1, step, 0, seen.len() - 1] {
+        s.seek(back).expect("stored");
+        assert!(exact(&mut s) == seen[back], "step {back}");
+        let frame = s.frame().expect("a frame");
+        assert_eq!(frame.panes.len(), usize::from(back >= step));
+    }
+    // Done again from before the pass.
+    s.seek(step - 1).expect("stored");
+    let again = s.step().expect("a step").expect("a report");
+    assert_eq!(again.pass.map(|pass| pass.after_step), Some(step - 1));
+    s.step().expect("a step");
+    let end = exact(&mut s);
+    let origin = Origin::Shape {
+        shape: "ellipsoid".into(),
+        parameters: [("a", 4.0), ("level", 3.0), ("jitter", 0.2)]
+            .map(|(n, v)| (n.to_owned(), v))
+            .into(),
+    };
+    let text = s.write_recipe(Some(&origin)).expect("a recipe");
+    let card = s.read_recipe(&text).expect("a card");
+    let mut other = Session::new();
+    let script = ScriptText::Recipe(text);
+    other.prepare(&script, None).expect("begun");
+    while !other.advance().expect("a mesh").is_done {}
+    other.configure(card.flow).expect("a flow");
+    other.follow(&script).expect("begun");
+    while !other.advance().expect("a step").is_done {}
+    assert!(exact(&mut other) == end);
+}
+
+#[test]
+fn without_passes_the_mesh_stays_and_with_them_an_edit_takes_it_over() {
+    let mut s = worn(Remeshing::Off);
+    let n = s.info().expect("a mesh").vertices;
+    assert!(steps(&mut s, 60).iter().all(|report| report.pass.is_none()));
+    assert_eq!(s.info().expect("a mesh").vertices, n);
+    let mut s = worn(Remeshing::Isotropic);
+    let passes = steps(&mut s, 60);
+    assert!(passes.iter().any(|report| report.pass.is_some()));
+    let there = s.info().expect("a mesh");
+    let (_, before) = exact(&mut s);
+    s.adopt().expect("kept");
+    assert_eq!(s.info().expect("a mesh").edges, there.edges);
+    s.undo_edit().expect("undone");
+    assert!(exact(&mut s).1 == before);
+    s.step().expect("a step");
+    // And another flow goes on from there.
+    let options = FlowOptions {
+        flow: FlowName::MeanCurvature,
+        ..FlowOptions::default()
+    };
+    s.continue_with(options).expect("a flow");
+    let report = s.step().expect("a step").expect("a report");
+    assert!(report.area < there.area);
+}
+
+/// Kusner's Morin surface, pushed to either side, comes to the round sphere without ever
+/// ceasing to be immersed: the two halves of an eversion, which end with opposite sides out.
+#[test]
+fn morins_surface_goes_to_the_sphere_with_either_side_out() {
+    let ball = 4.0 * PI / 3.0;
+    let ends = [0.1, -0.1].map(|push| {
+        let values = [("vertices", 1500.0), ("push", push)];
+        let mut s = opened("morin", &values);
+        let mesh = RemeshOptions {
+            vertices: Some(1200),
+            ..RemeshOptions::default()
+        };
+        s.remesh(&mesh).expect("remeshed");
+        let options = FlowOptions {
+            max_steps: Some(600),
+            ..flowing(Remeshing::Adaptive)
+        };
+        s.configure(options).expect("a flow");
+        let (mut least, mut passes) = (1.0f64, 0);
+        while let Some(report) = s.step().expect("a step") {
+            passes += usize::from(report.pass.is_some());
+            let readings = s.soundness().expect("a mesh").expect("closed");
+            least = least.min(readings.alignment);
+            if s.state().expect("a state").status.is_final() {
+                break;
+            }
+        }
+        let state = s.state().expect("a state");
+        let radius = (state.area / (4.0 * PI)).sqrt();
+        let energy = state.energy / (4.0 * PI);
+        assert!(energy < 1.005, "{push}: {energy}");
+        assert!(least > 0.3, "{push}: {least}");
+        assert!((2..100).contains(&passes), "{passes}");
+        state.volume.expect("closed") / radius.powi(3)
+    });
+    for end in ends {
+        assert!((end.abs() / ball - 1.0).abs() < 0.01, "{ends:?}");
+    }
+    assert!(ends[0] * ends[1] < 0.0, "{ends:?}");
+}
