@@ -25,6 +25,7 @@ pub mod walk;
 pub use build::{Built, build, build_as_given};
 pub use element::{Edge, Face, Halfedge, Vertex};
 pub use error::{MeshError, Repair};
+#[cfg(feature = "solver")]
 pub(crate) use repair::clean_faces;
 
 use crate::soup::PolygonSoup;
