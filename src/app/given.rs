@@ -74,13 +74,6 @@ fn flow_flags(mut words: Values) -> Result<Values, OptionError> {
     if words.contains_key("reducedVolume") {
         words.entry("keep".into()).or_insert(text("area,volume"));
     }
-    // Vertices slide where there are no passes of remeshing.
-    if words.contains_key("regularise")
-        && words.get("flow") == Some(&text(FlowName::PWillmore.id()))
-        && words.get("scheme") != Some(&text("paper"))
-    {
-        words.entry("remesh".into()).or_insert(text("off"));
-    }
     option::read_strictly(&words)
 }
 

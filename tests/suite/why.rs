@@ -8,7 +8,7 @@ use umbilic::app::{
 };
 use umbilic::flow::Status;
 use umbilic::flow::constraint::Kept;
-use umbilic::flow::options::{FlowName, FlowOptions, Integrator, Remeshing, Scheme};
+use umbilic::flow::options::{FlowName, FlowOptions, Integrator, Scheme};
 use umbilic::remesh::Mode;
 
 struct Case {
@@ -143,11 +143,9 @@ impl Mesh {
     }
 }
 
-/// On the mesh as it is: with passes of remeshing there is nothing the matter.
 fn p_willmore() -> FlowOptions {
     FlowOptions {
         flow: FlowName::PWillmore,
-        remesh: Remeshing::Off,
         ..FlowOptions::default()
     }
 }

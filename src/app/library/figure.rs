@@ -4,7 +4,7 @@ use super::measured::Run;
 use super::sample::{Sample, Shape};
 use crate::app::{Arrangement, FieldName, RegulariseOptions};
 use crate::flow::Status;
-use crate::flow::options::{FlowOptions, Remeshing};
+use crate::flow::options::FlowOptions;
 use crate::message::{Message, Value};
 use serde::Serialize;
 
@@ -132,15 +132,10 @@ impl Figure {
         super::sample(self.sample)
     }
 
-    /// Options in full: those of the sample under its own. The papers keep the mesh they have.
+    /// Options in full: those of the sample under its own.
     pub fn whole_options(&self) -> FlowOptions {
         let of_sample = self.sample().map(Sample::whole_options);
-        let mut options = (self.options)(of_sample.unwrap_or_default());
-        // Where it would not be read, it is not said.
-        if options.remeshing() != Remeshing::Off {
-            options.remesh = Remeshing::Off;
-        }
-        options
+        (self.options)(of_sample.unwrap_or_default())
     }
 
     /// Whether it takes more than one run of its flow to be judged.
