@@ -66,6 +66,7 @@ export const commands = [
   { id: "paint", keys: [], act: (page) => page.tool("paint") },
   { id: "fill", keys: [], act: (page) => page.tool("fill") },
   { id: "subdivide", keys: [], act: (page) => page.tool("subdivide") },
+  { id: "remesh", keys: [], act: (page) => page.tool("remesh") },
   { id: "invert", keys: [], act: (page) => page.tool("invert") },
   { id: "repair", keys: [], act: (page) => page.edit.repair() },
   { id: "regularise", keys: [], act: (page) => page.edit.regularise() },

@@ -3,7 +3,7 @@
 // is given that scene before it is asked for anything else.
 
 /** @import { Arrangement, FlowOptions } from "./generated/schema.js" */
-/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Message, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, RepairOptions, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, Wanted, WrittenLink } from "./generated/types.js" */
+/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Message, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, RemeshOptions, RemeshOutcome, RepairOptions, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, Wanted, WrittenLink } from "./generated/types.js" */
 /** @import { Finding } from "./library.js" */
 /** @import { Field, FieldName } from "./store.js" */
 /** @import { Fault } from "./words.js" */
@@ -319,6 +319,17 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       const loaded = /** @type {Loaded} */ (await ask("repair", { options }, { ends: true }));
       if (loaded.repaired.length > 0) await keep(loaded);
       return loaded;
+    },
+    /**
+     * Other triangles of the same surface.
+     * @param {Partial<RemeshOptions>} wanted
+     * @returns {Promise<{ outcome: RemeshOutcome, loaded: Loaded }>}
+     */
+    async remesh(wanted) {
+      const outcome = await ask("remesh", { options: wanted }, { ends: true });
+      const loaded = await send("loaded");
+      await keep(loaded);
+      return { outcome, loaded };
     },
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
     subdivide: (scheme) => edit("subdivide", { options: { scheme } }),

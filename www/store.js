@@ -10,7 +10,7 @@ import { defaults, plainArrangement } from "./options.js";
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'failed'} Phase */
 /** @typedef {"surface" | "flow" | "measure" | "compare" | "share"} Tab */
-/** @typedef {"paint" | "fill" | "subdivide" | "invert" | "pick" | "edge"} Mode */
+/** @typedef {"paint" | "fill" | "subdivide" | "remesh" | "invert" | "pick" | "edge"} Mode */
 
 /** What a surface is coloured by.
  * @typedef {import("./generated/types.js").FieldName | "none"} FieldName

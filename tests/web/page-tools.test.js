@@ -136,6 +136,27 @@ test("subdivided, inverted, started from here, and back again", async () => {
   await close();
 });
 
+test("a worn mesh is given other triangles of the same surface, and gets its own back", async () => {
+  const { page, faults, close } = await site.open("sample=bad-mesh");
+  const before = await reading(page, "Vertices");
+  const area = /area (\S+)$/.exec(await surface(page))?.[1];
+  await openTab(page, "Surface");
+  await button(page, "Remesh").click();
+  await page.getByLabel("Vertices", { exact: true }).fill("400");
+  await page.getByLabel("Vertices", { exact: true }).press("Tab");
+  await button(page, "Smaller where it bends").click();
+  await page.getByText(/smallest angle .* before and .* now; Undo takes it back/).waitFor();
+  const after = Number(await reading(page, "Vertices"));
+  assert.ok(Math.abs(after - 400) < 60, `${after} vertices`);
+  assert.equal(/area (\S+)$/.exec(await surface(page))?.[1], area);
+  await openTab(page, "Surface");
+  await button(page, "Undo the remeshing").click();
+  await page.getByText(/^Ready$/).waitFor();
+  assert.equal(await reading(page, "Vertices"), before);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("Why? says what is the matter and offers what helps", async () => {
   const { page, faults, close } = await site.open("sample=coarse-torus&scheme=paper&tau=5");
   await button(page, "Step").click();

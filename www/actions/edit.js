@@ -5,7 +5,7 @@ import { flowOf, toFlow } from "../options.js";
 import { say } from "../words.js";
 import { stepsOf } from "./run.js";
 
-/** @import { FillOptions, Loaded, Wanted } from "../generated/types.js" */
+/** @import { FillOptions, Loaded, RemeshOptions, Wanted } from "../generated/types.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Marks, Mode } from "../store.js" */
 /** @import { Core } from "./core.js" */
@@ -97,6 +97,22 @@ export function createEdit(core) {
           await edited(loaded, say("edit-repair"), { ...get().options, free, fixed });
         }
         core.showRepairs(loaded);
+      }),
+    /** Other triangles of the same surface. @param {Partial<RemeshOptions>} wanted */
+    remesh: (wanted) =>
+      change(async () => {
+        const { outcome, loaded } = await long("remesh", () => solver.remesh(wanted));
+        const free = loaded.free ? [...loaded.free] : null;
+        const fixed = loaded.fixed ? [...loaded.fixed] : null;
+        await edited(loaded, say("edit-remesh"), { ...get().options, free, fixed });
+        const { before, after } = outcome;
+        notes.answer(
+          say("remeshed", {
+            vertices: after.vertices,
+            angle: before.minAngleDegrees,
+            angleNow: after.minAngleDegrees,
+          }),
+        );
       }),
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
     subdivide: (scheme) =>

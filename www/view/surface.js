@@ -92,7 +92,7 @@ export function surface(page) {
   const own =
     isSample || !source ? [] : [{ id: "", label: sceneTitle(source), group: say("yours") }];
   const undone = earlier.at(-1);
-  /** @param {"paint" | "fill" | "subdivide" | "invert"} tool */
+  /** @param {"paint" | "fill" | "subdivide" | "remesh" | "invert"} tool */
   const tool = (tool) =>
     button(say(`tool-${tool}`), () => page.edit.mode(mode === tool ? null : tool), {
       kind: "chip",
@@ -116,7 +116,7 @@ export function surface(page) {
     ${
       mesh && isAlone
         ? html`<hr /><h3>${say("change-it")}</h3>
-        <div class="row">${tool("paint")}${mesh.info.boundaryLoops > 0 ? tool("fill") : nothing}${tool("subdivide")}${tool("invert")}</div>
+        <div class="row">${tool("paint")}${mesh.info.boundaryLoops > 0 ? tool("fill") : nothing}${tool("subdivide")}${mesh.info.oriented ? tool("remesh") : nothing}${tool("invert")}</div>
         <div class="row">${button(say("even-out"), page.edit.regularise, { kind: "small" })}
           ${(page.shown()?.step ?? 0) > 0 ? button(say("start-from-here"), page.edit.adopt, { kind: "small" }) : nothing}
           ${undone ? button(say("undo", { what: undone.what }), page.edit.undo, { kind: "small", icon: "undo" }) : nothing}</div>`

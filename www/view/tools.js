@@ -289,6 +289,8 @@ export function createTools(page) {
       });
   });
 
+  /** Vertices that remeshing aims at; null: as many as there are. @type {import("@preact/signals-core").Signal<number | null>} */
+  const budget = signal(null);
   const small = { kind: "small" };
   const bars = {
     paint: () => html`
@@ -336,6 +338,16 @@ export function createTools(page) {
           @change=${(/** @type {any} */ { target }) => {
             most.value = target.value === "" ? null : target.valueAsNumber;
           }} /></label>`;
+    },
+    remesh: () => {
+      const wanted = { vertices: budget.value };
+      return html`
+      <label class="inline">${say("remesh-number")} <input class="short" type="number" min="4" step="1" placeholder=${String(page.state.value.mesh?.info.vertices ?? "")}
+        @change=${(/** @type {any} */ { target }) => {
+          budget.value = target.value === "" ? null : target.valueAsNumber;
+        }} /></label>
+      ${button(say("remesh-adaptive"), () => page.edit.remesh({ kind: "adaptive", ...wanted }), { kind: "small primary" })}
+      ${button(say("remesh-isotropic"), () => page.edit.remesh({ kind: "isotropic", ...wanted }), small)}`;
     },
     subdivide: () => html`
       ${button(say("subdivide-loop"), () => page.edit.subdivide("loop"), { kind: "small primary" })}
