@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -2080,40 +2080,6 @@ steps: number, };
 export type RemedyId = "regularise" | "regulariseEachStep" | "repair" | "subdivide" | "smallerStep" | "automaticStep" | "largerEpsilon" | "recommendedScheme" | "continue" | "back" | "keepAndFlips" | "keepVolume" | "otherFlow" | "prefill" | "lowerExponent" | "refine";
 
 /**
- * A kind of change that a repair makes, or has made.
- */
-export type RepairItem = { 
-/**
- * Noun of what is changed.
- */
-kind: string, 
-/**
- * How often.
- */
-count: number, 
-/**
- * The same to be said.
- */
-message: Message, 
-/**
- * Vertices of the surface at which it is, of many only some.
- */
-vertices: Uint32Array, 
-/**
- * Whether that was safe, and so done when the file was opened.
- */
-done: boolean, };
-
-/**
- * How a surface is repaired. Unknown names are refused.
- */
-export type RepairOptions = { 
-/**
- * How near boundary vertices are welded.
- */
-weld: Weld, };
-
-/**
  * What a remeshing makes. Unknown names are refused.
  */
 export type RemeshOptions = { 
@@ -2151,6 +2117,40 @@ after: MeshReadings, };
  * Passes of remeshing between the steps of a flow.
  */
 export type Remeshing = "adaptive" | "isotropic" | "off";
+
+/**
+ * A kind of change that a repair makes, or has made.
+ */
+export type RepairItem = { 
+/**
+ * Noun of what is changed.
+ */
+kind: string, 
+/**
+ * How often.
+ */
+count: number, 
+/**
+ * The same to be said.
+ */
+message: Message, 
+/**
+ * Vertices of the surface at which it is, of many only some.
+ */
+vertices: Uint32Array, 
+/**
+ * Whether that was safe, and so done when the file was opened.
+ */
+done: boolean, };
+
+/**
+ * How a surface is repaired. Unknown names are refused.
+ */
+export type RepairOptions = { 
+/**
+ * How near boundary vertices are welded.
+ */
+weld: Weld, };
 
 /**
  * How far it is.

@@ -3,7 +3,7 @@
 use crate::app::{Fault, FillOptions, Loaded, Loops, Session};
 use crate::energy::circle::Boundary;
 use crate::flow::constraint::Kept::{Area, Volume};
-use crate::flow::options::{FlowName, FlowOptions, Goal};
+use crate::flow::options::{FlowName, FlowOptions, Goal, Remeshing};
 use crate::mesh::shape::sphere;
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -371,6 +371,23 @@ pub static SAMPLES: &[Sample] = {
             shape("double-torus", &[("genus", 4.0), ("level", 3.0)]),
         )
         .with(p_willmore),
+        sample(
+            "morin",
+            Closed,
+            shape("morin", &[("vertices", 1200.0), ("push", 0.1)]),
+        )
+        .with(|o| FlowOptions {
+            keep: vec![Area],
+            remesh: Remeshing::Adaptive,
+            ..p_willmore(o)
+        }),
+        sample("boy", Closed, shape("boy", &[])),
+        // Its edges lie on lines of curvature, as those of the Clifford torus do.
+        sample("cyclide", Closed, shape("cyclide", &[])).with(|o| FlowOptions {
+            epsilon: 0.001,
+            ..o
+        }),
+        sample("inverted-catenoid", Closed, shape("inverted-catenoid", &[])),
         sample(
             "rough-mesh",
             Repair,

@@ -76,6 +76,14 @@ sample-saddle = Sattel, Rand frei
     .shows = Mit freiem Rand wird er zu einem konvexen Stück der Ebene; mit festem bleibt er ein Sattel (Abbildung 7).
 sample-genus-4 = Fläche mit vier Henkeln
     .shows = Ihre Henkel runden sich; ∫H² strebt unter 8π (p-Willmore, Abbildung 8).
+sample-morin = Morins Fläche, angestoßen
+    .shows = Die Hälfte einer umgestülpten Sphäre: von 16π durch sich selbst zur runden Sphäre (Kusner).
+sample-boy = Boys Fläche
+    .shows = Einseitig, und von allen solchen Flächen ohne Rand am wenigsten gebogen: ∫H² = 12π (Bryant, Kusner).
+sample-cyclide = Zyklide von Dupin
+    .shows = Ein Möbius-Bild des Clifford-Torus, mit derselben Energie: W/2 liegt nahe 2π².
+sample-inverted-catenoid = Invertiertes Katenoid
+    .shows = Zwei Blätter, die sich in einem Punkt berühren: ∫H² = 8π, wie bei jeder invertierten Minimalfläche mit zwei Enden.
 sample-rough-mesh = Ellipsoid, verzerrte Dreiecke
     .shows = Ein Durchgang von „Netz jetzt regularisieren“ genügt hier (p-Willmore, Abbildung 7).
 sample-range-scan = Verrauschter Scan, 38 000 Ecken

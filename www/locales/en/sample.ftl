@@ -76,6 +76,14 @@ sample-saddle = Saddle, boundary free
     .shows = Set free it becomes a flat, convex piece of the plane; with its boundary fixed it stays a saddle (figure 7).
 sample-genus-4 = Surface with four handles
     .shows = Its handles round off; ∫H² tends below 8π (p-Willmore, figure 8).
+sample-morin = Morin’s surface, pushed
+    .shows = Half of a sphere turned inside out: from 16π through itself to a round sphere (Kusner).
+sample-boy = Boy’s surface
+    .shows = One-sided, and of all such surfaces with no edge the least bent: ∫H² = 12π (Bryant, Kusner).
+sample-cyclide = Cyclide of Dupin
+    .shows = A Möbius image of the Clifford torus, with the same energy: W/2 is near 2π².
+sample-inverted-catenoid = Inverted catenoid
+    .shows = Two sheets that touch in a point: ∫H² = 8π, as of every inverted minimal surface with two ends.
 sample-rough-mesh = Ellipsoid, skewed triangles
     .shows = One pass of “Regularise the mesh now” is enough here (p-Willmore, figure 7).
 sample-range-scan = Noisy scan, 38,000 vertices
