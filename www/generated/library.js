@@ -5,8 +5,8 @@
 
 /** @type {readonly Sample[]} */
 export const samples = [
-  {"id":"bumpy-sphere","group":"closed","shape":"bumpy-sphere","parameters":{"level":4},"options":{}},
   {"id":"icosahedron","group":"closed","shape":"icosahedron","parameters":{"level":4},"options":{}},
+  {"id":"bumpy-sphere","group":"closed","shape":"bumpy-sphere","parameters":{"level":4},"options":{}},
   {"id":"coarse-torus","group":"closed","shape":"coarse-torus","parameters":{"level":2},"options":{}},
   {"id":"clifford-torus","group":"closed","shape":"clifford-torus","parameters":{},"options":{"epsilon":0.001}},
   {"id":"pipe","group":"tubes","shape":"pipe","parameters":{},"options":{"boundary":"clamped"}},

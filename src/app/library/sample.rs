@@ -205,19 +205,19 @@ fn flips(o: FlowOptions) -> FlowOptions {
     FlowOptions { flow, ..o }
 }
 
-/// All of them. The page opens with the first.
+/// All of them. A link that names none means the first; the page opens with the second.
 pub static SAMPLES: &[Sample] = {
     use Group::{Boundary, Closed, Flips, Repair, Tubes};
     &[
         sample(
-            "bumpy-sphere",
-            Closed,
-            shape("bumpy-sphere", &[("level", sphere::FIRST_LEVEL as f64)]),
-        ),
-        sample(
             "icosahedron",
             Closed,
             shape("icosahedron", &[("level", 4.0)]),
+        ),
+        sample(
+            "bumpy-sphere",
+            Closed,
+            shape("bumpy-sphere", &[("level", sphere::FIRST_LEVEL as f64)]),
         ),
         sample(
             "coarse-torus",
