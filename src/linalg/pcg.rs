@@ -220,9 +220,7 @@ mod tests {
         };
         let (mut x, mut workspace) = (vec![DVec3::NAN; n], Workspace::default());
         workspace.resize(n);
-        let mut run = |max| {
-            conjugate_gradients(system, &mut x, |_| (), 1e-9, max, &mut workspace)
-        };
+        let mut run = |max| conjugate_gradients(system, &mut x, |_| (), 1e-9, max, &mut workspace);
         let reached = run(500);
         assert_eq!(reached.iterations, 5);
         assert!(reached.relative_residual < 1e-9);

@@ -249,7 +249,11 @@ impl Solver {
             (None, Some(edges), Some(points)) => {
                 Box::new(Multigrid::new(&self.pattern, edges, points)?)
             }
-            _ => return Err(LinalgError::OutOfMemory { n: self.pattern.n() }),
+            _ => {
+                return Err(LinalgError::OutOfMemory {
+                    n: self.pattern.n(),
+                });
+            }
         };
         Ok(self.multigrid.insert(multigrid))
     }

@@ -130,7 +130,9 @@ impl Multigrid {
     /// If the field has not one vector a row, or no matrix was taken.
     pub fn apply(&mut self, field: &mut [DVec3]) {
         assert_eq!(field.len(), self.pattern.n(), "one vector a row");
-        let size = field.iter().fold(0.0, |m: f64, v| m.max(v.abs().max_element()));
+        let size = field
+            .iter()
+            .fold(0.0, |m: f64, v| m.max(v.abs().max_element()));
         if size == 0.0 {
             return;
         }

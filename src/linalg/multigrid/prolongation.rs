@@ -44,7 +44,10 @@ pub(super) fn prolongation(
         }
         search.nearest(graph, points, numbers, i);
         let near = &mut search.near;
-        let weights = weights(points[i as usize], near.iter().map(|n| points[n.1 as usize]));
+        let weights = weights(
+            points[i as usize],
+            near.iter().map(|n| points[n.1 as usize]),
+        );
         let mut row: Vec<(u32, f64)> = near
             .iter()
             .map(|&(_, j)| numbers[j as usize])
