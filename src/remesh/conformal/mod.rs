@@ -252,9 +252,8 @@ impl Regulariser {
         };
         let preconditioner = &mut self.preconditioner;
         let precondition = |r: &mut [f64]| preconditioner.apply(r, &normals.vertices, &stiffness);
-        let limit = MAX_ITERATIONS;
         let workspace = &mut self.workspace;
-        let tolerance = TOLERANCE;
+        let (tolerance, limit) = (TOLERANCE, MAX_ITERATIONS);
         let reached =
             conjugate_gradients(system, &mut v, precondition, tolerance, limit, workspace);
         self.iterations = reached.iterations;
