@@ -108,7 +108,8 @@ impl PWillmoreSystem {
         for (&slot, m) in self.solver.pattern().diagonal_slots().iter().zip(mass) {
             self.matrix[slot as usize] += m / tau;
         }
-        let method = Method::Multigrid;
+        // To so small a residual multigrid takes longer, as far as a factor fits into memory.
+        let method = Method::Direct;
         Ok(self
             .solver
             .solve(&self.matrix, rhs, solution, TOLERANCE, method)?)
