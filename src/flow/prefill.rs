@@ -2,7 +2,7 @@
 //! that also takes over tangent planes and curvature from its surroundings.
 
 use super::FlowError;
-use crate::linalg::{Pattern, Refactor, Solver};
+use crate::linalg::{Method, Pattern, Solver};
 use crate::mesh::{HalfedgeMesh, Vertex};
 use crate::operator::polyharmonic;
 use glam::DVec3;
@@ -41,13 +41,8 @@ pub fn harmonic(mesh: &HalfedgeMesh, free: &[bool], x: &mut [DVec3]) -> Result<(
     }
     let points: Vec<DVec3> = moving.iter().map(|v| x[v.index()]).collect();
     let mut solution = vec![DVec3::ZERO; moving.len()];
-    Solver::new(pattern, Some(&points))?.solve(
-        &values,
-        &rhs,
-        &mut solution,
-        1e-12,
-        Refactor::Always,
-    )?;
+    let mut solver = Solver::on_mesh(pattern.clone(), &points, pattern);
+    solver.solve(&values, &rhs, &mut solution, 1e-12, Method::Direct)?;
     for (v, p) in moving.iter().zip(solution) {
         x[v.index()] = p;
     }

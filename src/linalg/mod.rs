@@ -1,5 +1,5 @@
-//! Sparse symmetric linear systems `A X = B`, solved directly or with the factor
-//! of an earlier matrix, thin over `faer`.
+//! Sparse symmetric linear systems `A X = B`, solved directly, thin over `faer`, or on large
+//! meshes by conjugate gradients with a [multigrid](Multigrid) preconditioner.
 //!
 //! The flows meet the same connectivity step after step with new numbers, so the
 //! work is split by what it depends on:
@@ -10,7 +10,7 @@
 //! | the matrix | [`Ldlt::factor`] | 240 ms |
 //! | the right-hand side | [`Ldlt::solve_in_place`] | 25 ms for three columns |
 //!
-//! [`Solver`] puts them together and decides when a factor may be kept.
+//! [`Solver`] puts them together and decides which costs less.
 //!
 //! Matrices are scalar, `n × n`. Most act on each coordinate alike: a *field* is then one
 //! vector a vertex, `n` values of [`glam::DVec3`], and stands for three columns; where
@@ -18,8 +18,6 @@
 //! Several fields are stored end to end. Everything runs on one thread: triangular
 //! solves get slower with two.
 
-mod amortised_cost;
-mod backoff;
 mod convergence;
 pub mod eigen;
 mod entry;
@@ -27,6 +25,7 @@ mod error;
 mod gmres;
 mod ldlt;
 mod lu;
+mod multigrid;
 mod ordering;
 mod pattern;
 mod pcg;
@@ -40,9 +39,10 @@ pub use error::LinalgError;
 pub use gmres::gmres;
 pub use ldlt::{Inertia, Ldlt};
 pub use lu::{Lu, Unsymmetric};
+pub use multigrid::Multigrid;
 pub use pattern::Pattern;
-pub use pcg::{Limit, LinearSystem, Workspace, conjugate_gradients};
-pub use solver::{Preconditioner, Refactor, SolveInfo, Solver};
+pub use pcg::{LinearSystem, Workspace, conjugate_gradients};
+pub use solver::{Method, SolveInfo, Solver};
 pub use symbolic::{Ordering, Symbolic};
 
 /// Whether the dense products inside the factorisation run their SIMD kernel.

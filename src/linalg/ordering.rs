@@ -55,6 +55,10 @@ impl Graph {
         Self { starts, neighbours }
     }
 
+    pub(super) fn n(&self) -> usize {
+        self.starts.len() - 1
+    }
+
     pub(super) fn neighbours(&self, i: u32) -> &[u32] {
         &self.neighbours[self.starts[i as usize] as usize..self.starts[i as usize + 1] as usize]
     }

@@ -1,26 +1,42 @@
-//! Solves with the cheapest preconditioner that will do: the diagonal, the factor of an
-//! earlier matrix or a new one.
+//! Solves directly, or by conjugate gradients with a multigrid preconditioner where that costs
+//! less.
 
-use super::amortised_cost::{AmortisedCost, FLOPS_PER_ENTRY};
-use super::backoff::Backoff;
 use super::entry::Entry;
 use super::error::LinalgError;
 use super::ldlt::Ldlt;
+use super::multigrid::Multigrid;
 use super::pattern::Pattern;
-use super::pcg::{Limit, LinearSystem, Workspace, conjugate_gradients, refine};
+use super::pcg::{LinearSystem, Workspace, conjugate_gradients, refine};
 use super::symbolic::Symbolic;
 use glam::DVec3;
 use std::sync::Arc;
 use web_time::Instant;
 
-/// Number of rows from which iterations are tried before a factorisation. Below, a
-/// factorisation takes a fifth of a second at most, and a direct solve is more accurate
-/// and knows the inertia.
-const ITERATIVE_FROM: usize = 30_000;
+/// Number of rows from which multigrid is considered. Below, a factorisation takes a fifth of a
+/// second at most, and a direct solve is more accurate and knows the inertia.
+const MULTIGRID_FROM: usize = 30_000;
 
-/// Operations of a factorisation that take as long as an iteration with the diagonal
-/// spends on one row: 35 ns in wasm.
-const FLOPS_PER_ROW: f64 = 250.0;
+/// Number of rows from which it is taken without a look at the factor, whose analysis would
+/// take time and memory: on all triangle meshes it costs more.
+const MULTIGRID_SURE: usize = 100_000;
+
+/// Operations of a factorisation that take as long as one multiplication of a cycle or a Galerkin
+/// product: 1.2 ns natively and about 2 ns in wasm, where a factorisation does 17 and 7
+/// operations a nanosecond.
+const FLOPS_PER_OPERATION: f64 = 16.0;
+
+/// Operations of a factorisation that take as long as a solve spends on one entry of a factor.
+///
+/// From timings in wasm: a factorisation does 6 to 8 operations a nanosecond, a solve takes 4 to
+/// 5 ns an entry.
+const FLOPS_PER_ENTRY: f64 = 32.0;
+
+/// What an iteration with multigrid leaves of the residual, on meshes as they come.
+const CONTRACTION: f64 = 0.55;
+
+/// Iterations beyond those expected after which multigrid has failed: with slivers or very long
+/// time steps a factor is better.
+const PATIENCE: usize = 32;
 
 /// Bytes a factor may take: in a browser memory ends at 4 GiB, of which a flow needs some,
 /// and never shrinks again.
@@ -36,37 +52,22 @@ const MAX_ITERATIONS: usize = 1000;
 /// Steps of iterative refinement with a new factor, at most.
 const REFINEMENTS: usize = 3;
 
-/// When a new matrix is factored.
+/// How a system is solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Refactor {
-    /// In every solve.
-    Always,
-    /// When conjugate gradients with what is at hand would cost more; on meshes below
-    /// 30,000 vertices, unless [set otherwise](Solver::set_iterative_from), in every
-    /// solve.
+pub enum Method {
+    /// By a factorisation; asked for, it is exact.
     #[default]
-    WhenCheaper,
-}
-
-/// What conjugate gradients were preconditioned with.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Preconditioner {
-    /// The diagonal of the matrix: enough when it outweighs the rest, as with short steps.
-    Diagonal,
-    /// The factor of an earlier matrix.
-    KeptFactor,
-    /// The factor of this matrix: a direct solve.
-    #[default]
-    NewFactor,
+    Direct,
+    /// By conjugate gradients with multigrid; asked for, it is used where it costs less.
+    Multigrid,
 }
 
 /// What a solve did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SolveInfo {
-    /// How the matrix was met; it was factored if this is a new factor.
-    pub preconditioner: Preconditioner,
-    /// Iterations after the preconditioner was applied for the first time. With a new
-    /// factor: steps of iterative refinement.
+    /// How the system was solved in the end.
+    pub method: Method,
+    /// Iterations; of a direct solve, steps of iterative refinement.
     pub iterations: usize,
     /// Number of negative eigenvalues if the matrix was factored, else 0: conjugate
     /// gradients usually fail on an indefinite matrix, which is then factored, but they
@@ -82,54 +83,49 @@ pub struct SolveInfo {
 
 /// Solver for matrices of one pattern that change from call to call.
 ///
-/// The choice of preconditioner counts operations, not seconds, and is the same on every
-/// machine. Cheaper ones are tried first and given up as soon as their rate of
-/// convergence shows that they would cost more than the next. A factor is replaced once
-/// a solve costs more than the average one since it was made, its own cost included:
-/// that is when the average is least.
-///
-/// The diagonal is not only cheaper where it does: the factor of a matrix it dominates
-/// decays so fast that on large meshes its entries become subnormal numbers, which slow
-/// some processors down tenfold.
+/// The choice of the method counts operations, not seconds, and is the same on every machine.
+/// It depends on nothing but the mesh and the tolerance, so that a flow can be repeated from
+/// any of its steps. Analysis and hierarchy are made when they are first needed.
 pub struct Solver {
     pattern: Pattern,
-    symbolic: Arc<Symbolic>,
-    iterative_from: usize,
-    factor_limit: usize,
+    points: Option<Vec<DVec3>>,
+    /// Between the rows, where they are vertices of a mesh.
+    edges: Option<Pattern>,
+    multigrid: Option<Box<Multigrid>>,
+    symbolic: Option<Arc<Symbolic>>,
     factor: Option<Ldlt>,
-    cost: AmortisedCost,
-    diagonal: Backoff,
-    kept: Backoff,
+    prefers_multigrid: bool,
+    factor_limit: usize,
     workspace: Workspace<DVec3>,
 }
 
 impl Solver {
-    /// Analyses the pattern; `points`, one a row, help the order of elimination.
-    ///
-    /// # Errors
-    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
-    pub fn new(pattern: Pattern, points: Option<&[DVec3]>) -> Result<Self, LinalgError> {
-        let symbolic = Symbolic::analyse(&pattern, points)?;
-        Ok(Self::of(pattern, Arc::new(symbolic)))
-    }
-
-    fn of(pattern: Pattern, symbolic: Arc<Symbolic>) -> Self {
+    /// For direct solves only; `points`, one a row, help the order of elimination.
+    pub fn new(pattern: Pattern, points: Option<&[DVec3]>) -> Self {
         Self {
             pattern,
-            iterative_from: ITERATIVE_FROM,
-            factor_limit: FACTOR_LIMIT,
+            points: points.map(<[DVec3]>::to_vec),
+            edges: None,
+            multigrid: None,
+            symbolic: None,
             factor: None,
-            cost: AmortisedCost::new(&symbolic),
-            symbolic,
-            diagonal: Backoff::default(),
-            kept: Backoff::default(),
+            prefers_multigrid: false,
+            factor_limit: FACTOR_LIMIT,
             workspace: Workspace::default(),
         }
     }
 
-    /// Sets the number of rows from which [`Refactor::WhenCheaper`] tries iterations.
-    pub fn set_iterative_from(&mut self, n: usize) {
-        self.iterative_from = n;
+    /// For rows that are vertices of a mesh at `points`, some with `edges` between them.
+    pub fn on_mesh(pattern: Pattern, points: &[DVec3], edges: Pattern) -> Self {
+        Self {
+            edges: Some(edges),
+            ..Self::new(pattern, Some(points))
+        }
+    }
+
+    /// Takes multigrid where it is asked for, whatever it costs.
+    pub fn prefer_multigrid(&mut self) {
+        self.prefers_multigrid = true;
     }
 
     /// Sets the bytes a factor may take.
@@ -137,22 +133,12 @@ impl Solver {
         self.factor_limit = bytes;
     }
 
-    /// Whether a factor would take more memory than it may: every solve then iterates with
-    /// the diagonal, and the solution is the best of a thousand iterations.
+    /// Whether a factor, as far as it was looked at, would take more memory than it may: every
+    /// solve then iterates, and the solution is the best of a thousand iterations.
     pub fn is_too_large_to_factor(&self) -> bool {
-        self.symbolic.factor_len().saturating_mul(size_of::<f64>()) > self.factor_limit
-    }
-
-    /// Iterations with the diagonal that cost as much as a factorisation and a solve with it:
-    /// where there is no factor at hand, no attempt goes on for longer.
-    pub fn iteration_limit(&self) -> usize {
-        self.iterations_for(self.cost.factorisation + 1.0)
-    }
-
-    /// Iterations with the diagonal that cost as much as so many with a factor.
-    fn iterations_for(&self, iterations: f64) -> usize {
-        let entries_per_row = self.symbolic.factor_len() as f64 / self.pattern.n() as f64;
-        (iterations * entries_per_row * FLOPS_PER_ENTRY / FLOPS_PER_ROW) as usize
+        let symbolic = self.symbolic.as_ref();
+        let bytes = symbolic.map(|s| s.factor_len().saturating_mul(size_of::<f64>()));
+        bytes.is_some_and(|bytes| bytes > self.factor_limit)
     }
 
     /// Pattern of the matrices.
@@ -161,8 +147,15 @@ impl Solver {
     }
 
     /// Order of elimination and structure of the factor.
-    pub fn symbolic(&self) -> &Arc<Symbolic> {
-        &self.symbolic
+    ///
+    /// # Errors
+    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
+    pub fn symbolic(&mut self) -> Result<&Arc<Symbolic>, LinalgError> {
+        let symbolic = match self.symbolic.take() {
+            Some(symbolic) => symbolic,
+            None => Arc::new(Symbolic::analyse(&self.pattern, self.points.as_deref())?),
+        };
+        Ok(self.symbolic.insert(symbolic))
     }
 
     /// Solves `A X = B` for one or more fields stored end to end.
@@ -174,8 +167,8 @@ impl Solver {
     ///
     /// # Errors
     /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`],
-    /// [`LinalgError::NonFiniteRightHandSide`], [`LinalgError::OutOfMemory`]; `x` is then
-    /// of no use.
+    /// [`LinalgError::NonFiniteRightHandSide`], [`LinalgError::OutOfMemory`],
+    /// [`LinalgError::IndexOverflow`]; `x` is then of no use.
     ///
     /// # Panics
     /// If a slice has the wrong length.
@@ -185,7 +178,7 @@ impl Solver {
         rhs: &[DVec3],
         x: &mut [DVec3],
         tolerance: f64,
-        policy: Refactor,
+        method: Method,
     ) -> Result<SolveInfo, LinalgError> {
         let n = self.pattern.n();
         assert!(
@@ -197,35 +190,23 @@ impl Solver {
         }
         let start = Instant::now();
         self.workspace.resize(rhs.len());
-        if self.is_too_large_to_factor() {
-            let system = LinearSystem {
-                pattern: &self.pattern,
-                values,
-                rhs,
-            };
-            let workspace = &mut self.workspace;
-            let precondition = by_diagonal(&self.pattern, values);
-            let limit = Limit::Whatever(MAX_ITERATIONS);
-            let reached = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
-            return Ok(SolveInfo {
-                preconditioner: Preconditioner::Diagonal,
-                iterations: reached.iterations,
-                solve_seconds: start.elapsed().as_secs_f64(),
-                relative_residual: reached.relative_residual,
-                ..SolveInfo::default()
-            });
+        let mut info = SolveInfo::default();
+        let is_solved = method == Method::Multigrid && self.is_multigrid_cheaper(tolerance)? && {
+            let limit = PATIENCE + expected_iterations(tolerance) as usize;
+            self.iterate(values, rhs, x, tolerance, limit, &mut info)?
+        };
+        if !is_solved {
+            self.symbolic()?;
+            if self.is_too_large_to_factor() {
+                self.iterate(values, rhs, x, tolerance, MAX_ITERATIONS, &mut info)?;
+                if info.method != Method::Multigrid {
+                    return Err(LinalgError::OutOfMemory { n });
+                }
+            } else {
+                info = self.solve_directly(values, rhs, x, tolerance)?;
+            }
         }
-        let may_iterate = policy == Refactor::WhenCheaper && n >= self.iterative_from.max(1);
-        let iterated = if may_iterate {
-            self.iterate(values, rhs, x, tolerance)
-        } else {
-            None
-        };
-        let mut info = match iterated {
-            Some(info) => info,
-            None => self.solve_directly(values, rhs, x, tolerance)?,
-        };
-        // The residual the iteration keeps is only updated, and drifts.
+        // The residual an iteration keeps is only updated, and drifts.
         let system = LinearSystem {
             pattern: &self.pattern,
             values,
@@ -236,65 +217,85 @@ impl Solver {
         Ok(info)
     }
 
-    /// Conjugate gradients with the diagonal or the kept factor; `None` if neither
-    /// reaches the tolerance for less than a new factor costs.
+    /// Whether a solve with multigrid takes fewer operations than a direct one. Makes the
+    /// hierarchy, and drops it if not.
+    fn is_multigrid_cheaper(&mut self, tolerance: f64) -> Result<bool, LinalgError> {
+        let n = self.pattern.n();
+        let is_small = n < MULTIGRID_FROM && !self.prefers_multigrid;
+        if self.edges.is_none() || n == 0 || is_small {
+            return Ok(false);
+        }
+        let is_new = self.multigrid.is_none();
+        let is_preferred = n >= MULTIGRID_SURE || self.prefers_multigrid;
+        let multigrid = self.multigrid()?;
+        if !is_new || is_preferred {
+            return Ok(true);
+        }
+        let cycles = expected_iterations(tolerance) * multigrid.cycle_operations() as f64;
+        let by_multigrid = FLOPS_PER_OPERATION * (multigrid.update_operations() as f64 + cycles);
+        let symbolic = self.symbolic()?;
+        let directly = symbolic.flops() + FLOPS_PER_ENTRY * symbolic.factor_len() as f64;
+        let is_cheaper = by_multigrid < directly || self.is_too_large_to_factor();
+        if !is_cheaper {
+            (self.multigrid, self.edges) = (None, None);
+        }
+        Ok(is_cheaper)
+    }
+
+    /// The hierarchy, made if need be.
+    fn multigrid(&mut self) -> Result<&mut Multigrid, LinalgError> {
+        let multigrid = match (self.multigrid.take(), &self.edges, &self.points) {
+            (Some(multigrid), ..) => multigrid,
+            (None, Some(edges), Some(points)) => {
+                Box::new(Multigrid::new(&self.pattern, edges, points)?)
+            }
+            _ => {
+                return Err(LinalgError::OutOfMemory {
+                    n: self.pattern.n(),
+                });
+            }
+        };
+        Ok(self.multigrid.insert(multigrid))
+    }
+
+    /// Conjugate gradients with multigrid; answers whether they reach the tolerance.
     fn iterate(
         &mut self,
         values: &[f64],
         rhs: &[DVec3],
         x: &mut [DVec3],
         tolerance: f64,
-    ) -> Option<SolveInfo> {
-        let is_kept = self.factor.is_some() && self.cost.is_factor_worth_keeping();
-        let most = if is_kept {
-            self.iterations_for(self.cost.last)
-        } else {
-            self.iteration_limit()
-        };
+        limit: usize,
+        info: &mut SolveInfo,
+    ) -> Result<bool, LinalgError> {
+        let n = self.pattern.n();
+        // Of a matrix that is at fault the factorisation tells in the caller's numbering.
+        if !matches!(self.multigrid()?.update(values), Ok(true)) {
+            return Ok(false);
+        }
         let Self {
             pattern,
-            cost,
+            multigrid: Some(multigrid),
             workspace,
             ..
-        } = self;
+        } = self
+        else {
+            return Ok(false);
+        };
         let system = LinearSystem {
             pattern,
             values,
             rhs,
         };
-        if self.diagonal.is_due() {
-            let limit = Limit::WhileHopeful(most);
-            let precondition = by_diagonal(pattern, values);
-            let reached = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
-            if self.diagonal.record(reached.relative_residual <= tolerance) {
-                let iterations = reached.iterations;
-                let preconditioner = Preconditioner::Diagonal;
-                return Some(SolveInfo {
-                    preconditioner,
-                    iterations,
-                    ..SolveInfo::default()
-                });
-            }
-        }
-        if is_kept
-            && let Some(factor) = &mut self.factor
-            && self.kept.is_due()
-        {
-            let precondition = |fields: &mut [DVec3]| factor.solve_in_place(fields);
-            let limit = Limit::WhileHopeful(cost.factorisation as usize + cost.first_iterations);
-            let reached = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
-            if self.kept.record(reached.relative_residual <= tolerance) {
-                let iterations = reached.iterations;
-                cost.add(iterations);
-                let preconditioner = Preconditioner::KeptFactor;
-                return Some(SolveInfo {
-                    preconditioner,
-                    iterations,
-                    ..SolveInfo::default()
-                });
-            }
-        }
-        None
+        let precondition = |fields: &mut [DVec3]| {
+            fields
+                .chunks_exact_mut(n)
+                .for_each(|field| multigrid.apply(field));
+        };
+        let reached = conjugate_gradients(system, x, precondition, tolerance, limit, workspace);
+        info.method = Method::Multigrid;
+        info.iterations = reached.iterations;
+        Ok(reached.relative_residual <= tolerance)
     }
 
     /// Factors the matrix, solves and refines.
@@ -306,10 +307,9 @@ impl Solver {
         tolerance: f64,
     ) -> Result<SolveInfo, LinalgError> {
         let start = Instant::now();
-        self.cost.clear();
-        let factor = match &mut self.factor {
+        let mut factor = match self.factor.take() {
             Some(factor) => factor,
-            None => self.factor.insert(Ldlt::new(self.symbolic.clone())?),
+            None => Ldlt::new(Arc::clone(self.symbolic()?))?,
         };
         let n_fields = rhs.len() / self.pattern.n().max(1);
         factor.reserve_columns(DVec3::COLUMNS * n_fields.max(1))?;
@@ -321,35 +321,20 @@ impl Solver {
             rhs,
         };
         let precondition = |fields: &mut [DVec3]| factor.solve_in_place(fields);
-        let iterations = refine(
-            system,
-            x,
-            precondition,
-            tolerance,
-            REFINEMENTS,
-            &mut self.workspace,
-        );
-        self.cost.restart(inertia, iterations);
-        let negative_pivots = inertia.negative;
+        let workspace = &mut self.workspace;
+        let iterations = refine(system, x, precondition, tolerance, REFINEMENTS, workspace);
+        self.factor = Some(factor);
         Ok(SolveInfo {
+            method: Method::Direct,
             iterations,
-            negative_pivots,
+            negative_pivots: inertia.negative,
             factor_seconds,
             ..SolveInfo::default()
         })
     }
 }
 
-/// Division by the diagonal, field by field.
-fn by_diagonal<T: Entry>(pattern: &Pattern, values: &[f64]) -> impl FnMut(&mut [T]) + use<T> {
-    let slots = pattern.diagonal_slots();
-    let inverse: Vec<f64> = slots.iter().map(|&s| values[s as usize].recip()).collect();
-    move |fields| {
-        for field in fields.chunks_exact_mut(inverse.len()) {
-            field
-                .iter_mut()
-                .zip(&inverse)
-                .for_each(|(v, d)| *v = *v * *d);
-        }
-    }
+/// Iterations with multigrid to that residual.
+fn expected_iterations(tolerance: f64) -> f64 {
+    (tolerance.ln() / CONTRACTION.ln()).max(1.0)
 }

@@ -67,7 +67,7 @@ fn stiffness() -> f64 {
 fn benches(criterion: &mut Criterion) {
     let print = &mut |line: String| println!("{line}");
     stars::compare(print);
-    iteration::compare(&[61, 100], print);
+    iteration::compare(&[32, 64, 128], print);
     elimination::compare(6, print);
     table();
     let mut group = criterion.benchmark_group("ldlt");

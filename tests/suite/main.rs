@@ -23,6 +23,7 @@ mod mesh;
 mod messages;
 mod modelling;
 mod moebius;
+mod multigrid;
 mod organic_flows;
 mod p_willmore_energy;
 mod p_willmore_flow;

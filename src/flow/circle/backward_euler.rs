@@ -10,7 +10,7 @@ use crate::energy::circle::angle::Smoothing;
 use crate::flow::options::Scheme;
 use crate::flow::step_size::sufficient_decrease;
 use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search, Warning};
-use crate::linalg::{Pattern, Refactor, Solver};
+use crate::linalg::{Method, Pattern, Solver};
 use glam::DVec3;
 
 /// Newton iterations for one step.
@@ -42,7 +42,7 @@ impl NewtonSystem {
             .iter()
             .flat_map(|&v| [x[v as usize]; 3])
             .collect();
-        let solver = Solver::new(pattern.clone(), Some(&points))?;
+        let solver = Solver::new(pattern.clone(), Some(&points));
         Ok(Self {
             values: vec![0.0; pattern.nnz()],
             pattern,
@@ -88,7 +88,7 @@ impl NewtonSystem {
         let mut d = vec![DVec3::ZERO; field.len()];
         let info = self
             .solver
-            .solve(&self.values, &field, &mut d, 1e-10, Refactor::Always)?;
+            .solve(&self.values, &field, &mut d, 1e-10, Method::Direct)?;
         cost.add(&info);
         let vector = |c: &[DVec3]| DVec3::new(c[0].x, c[1].x, c[2].x);
         Ok((info.negative_pivots == 0).then(|| d.chunks_exact(3).map(vector).collect()))
@@ -180,7 +180,7 @@ impl CircleFlow {
                     for (&v, r) in problem.vertex_of_row.iter().zip(&residual) {
                         field[v as usize] = *r;
                     }
-                    problem.solve(&field, mass, dt, Refactor::Always, cost)?
+                    problem.solve(&field, mass, dt, Method::Direct, cost)?
                 }
             };
             let slope = residual.iter().zip(&d).map(|(r, d)| r.dot(*d)).sum::<f64>();

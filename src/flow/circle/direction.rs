@@ -4,7 +4,7 @@ use super::CircleFlow;
 use crate::flow::options::{Goal, Scheme};
 use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search, Warning};
 use crate::geometry::measure;
-use crate::linalg::Refactor;
+use crate::linalg::Method;
 use glam::DVec3;
 
 /// Halvings of the paper's step before the matrix is given up as indefinite.
@@ -52,7 +52,7 @@ impl CircleFlow {
         let gradient = &self.evaluation.gradient;
         let d = self
             .problem
-            .solve(gradient, &mass, dt, Refactor::WhenCheaper, cost)?;
+            .solve(gradient, &mass, dt, Method::Multigrid, cost)?;
         Ok(self.along(&d, x.len(), dt))
     }
 
@@ -80,7 +80,7 @@ impl CircleFlow {
             let gradient = &self.evaluation.gradient;
             let d = self
                 .problem
-                .solve(gradient, &mass, dt, Refactor::Always, cost)?;
+                .solve(gradient, &mass, dt, Method::Direct, cost)?;
             if cost.negative_pivots == 0 {
                 if halvings > 0 {
                     let times = halvings;

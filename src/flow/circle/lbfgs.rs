@@ -117,7 +117,7 @@ impl CircleFlow {
         let kept = self.quasi_newton.preconditioner.take();
         let mut factor = match kept {
             Some(factor) => factor,
-            None => Ldlt::new(Arc::clone(self.problem.solver.symbolic()))?,
+            None => Ldlt::new(Arc::clone(self.problem.solver.symbolic()?))?,
         };
         factor.factor(&values)?;
         cost.factor += watch.elapsed().as_secs_f64();

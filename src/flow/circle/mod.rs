@@ -111,7 +111,7 @@ impl CircleFlow {
         Ok(Self {
             mesh: Rc::clone(mesh),
             options: options.clone(),
-            problem: Problem::new(energy, &free, x, h)?,
+            problem: Problem::new(mesh, energy, &free, x, h)?,
             start_balance: warning::balance(mesh, x),
             start_area: measure::area(mesh, x),
             smooth_minimum: lower_bounds(mesh).map_or(0.0, |bounds| bounds.circle),

@@ -3,7 +3,8 @@
 use crate::energy::circle::star::StarMatrix;
 use crate::energy::circle::{CircleEnergy, Evaluation};
 use crate::flow::{Cost, FlowError};
-use crate::linalg::{Refactor, Solver};
+use crate::linalg::{Method, Pattern, Solver};
+use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
 use web_time::Instant;
 
@@ -11,8 +12,12 @@ use web_time::Instant;
 /// make the system singular.
 const LEAST_AREA: f64 = 1e-3;
 
-/// The smallest residual asked of an iterative solve.
+/// The residual of a direct solve that calls for refinement.
 const TOLERANCE: f64 = 1e-6;
+
+/// The residual of an iterative solve, whose step need not be more accurate than its linear
+/// model: down to 1e-6 a flow takes as many steps.
+const ITERATIVE_TOLERANCE: f64 = 1e-2;
 
 /// Energy, matrix and solver over the free vertices.
 pub(super) struct Problem {
@@ -31,6 +36,7 @@ pub(super) struct Problem {
 
 impl Problem {
     pub(super) fn new(
+        mesh: &HalfedgeMesh,
         energy: CircleEnergy,
         free: &[bool],
         x: &[DVec3],
@@ -41,7 +47,11 @@ impl Problem {
             .filter(|&v| free[v as usize])
             .collect();
         let points: Vec<DVec3> = vertex_of_row.iter().map(|&v| x[v as usize]).collect();
-        let solver = Solver::new(matrix.pattern().clone(), Some(&points))?;
+        let row = |v| matrix.row_of_vertex()[v];
+        let ends = mesh.edges().map(|e| mesh.ends(e).map(|v| row(v.index())));
+        let among_free = ends.filter(|[a, b]| *a != u32::MAX && *b != u32::MAX);
+        let edges = Pattern::from_cliques(points.len(), among_free);
+        let solver = Solver::on_mesh(matrix.pattern().clone(), &points, edges);
         Ok(Self {
             energy,
             matrix,
@@ -120,7 +130,7 @@ impl Problem {
         field: &[DVec3],
         mass: &[f64],
         dt: f64,
-        policy: Refactor,
+        method: Method,
         cost: &mut Cost,
     ) -> Result<Vec<DVec3>, FlowError> {
         self.system.clone_from(&self.stiffness);
@@ -131,9 +141,13 @@ impl Problem {
         self.rhs
             .extend(self.vertex_of_row.iter().map(|&v| -field[v as usize]));
         let mut d = vec![DVec3::ZERO; self.rhs.len()];
+        let tolerance = match method {
+            Method::Direct => TOLERANCE,
+            Method::Multigrid => ITERATIVE_TOLERANCE,
+        };
         let info = self
             .solver
-            .solve(&self.system, &self.rhs, &mut d, TOLERANCE, policy)?;
+            .solve(&self.system, &self.rhs, &mut d, tolerance, method)?;
         cost.add(&info);
         Ok(d)
     }

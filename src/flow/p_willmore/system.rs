@@ -2,7 +2,7 @@
 //! coordinates.
 
 use crate::flow::FlowError;
-use crate::linalg::{Ldlt, Pattern, Refactor, SolveInfo, Solver};
+use crate::linalg::{Ldlt, Method, Pattern, SolveInfo, Solver};
 use crate::operator::{Elements, Laplacian};
 use glam::DVec3;
 use std::sync::Arc;
@@ -30,8 +30,9 @@ impl PWillmoreSystem {
     ) -> Result<Self, FlowError> {
         let laplacian = Laplacian::new(elements);
         let n = laplacian.n();
+        let edges = Pattern::from_cliques(n, elements.corners());
         let pattern = if is_second_order {
-            Pattern::from_cliques(n, elements.corners())
+            edges.clone()
         } else {
             Pattern::from_cliques(n, (0..n).map(|i| laplacian.members(i)))
         };
@@ -48,7 +49,7 @@ impl PWillmoreSystem {
             slots,
             stiffness: vec![0.0; pattern.nnz()],
             matrix: Vec::new(),
-            solver: Solver::new(pattern, Some(x))?,
+            solver: Solver::on_mesh(pattern, x, edges),
             laplacian,
         })
     }
@@ -90,7 +91,7 @@ impl PWillmoreSystem {
         for (&slot, m) in self.solver.pattern().diagonal_slots().iter().zip(mass) {
             self.matrix[slot as usize] += m / tau;
         }
-        let mut factor = Ldlt::new(Arc::clone(self.solver.symbolic()))?;
+        let mut factor = Ldlt::new(Arc::clone(self.solver.symbolic()?))?;
         factor.factor(&self.matrix)?;
         Ok(factor)
     }
@@ -107,9 +108,10 @@ impl PWillmoreSystem {
         for (&slot, m) in self.solver.pattern().diagonal_slots().iter().zip(mass) {
             self.matrix[slot as usize] += m / tau;
         }
-        let policy = Refactor::WhenCheaper;
+        // To so small a residual multigrid takes longer, as far as a factor fits into memory.
+        let method = Method::Direct;
         Ok(self
             .solver
-            .solve(&self.matrix, rhs, solution, TOLERANCE, policy)?)
+            .solve(&self.matrix, rhs, solution, TOLERANCE, method)?)
     }
 }

@@ -17,7 +17,7 @@
 mod preconditioner;
 
 use crate::energy::conformal::reference_angles;
-use crate::linalg::{Limit, LinalgError, LinearSystem, Pattern, Workspace, conjugate_gradients};
+use crate::linalg::{LinalgError, LinearSystem, Pattern, Workspace, conjugate_gradients};
 use crate::operator::Elements;
 use glam::{DMat3, DVec3};
 use preconditioner::Preconditioner;
@@ -252,9 +252,8 @@ impl Regulariser {
         };
         let preconditioner = &mut self.preconditioner;
         let precondition = |r: &mut [f64]| preconditioner.apply(r, &normals.vertices, &stiffness);
-        let limit = Limit::Whatever(MAX_ITERATIONS);
         let workspace = &mut self.workspace;
-        let tolerance = TOLERANCE;
+        let (tolerance, limit) = (TOLERANCE, MAX_ITERATIONS);
         let reached =
             conjugate_gradients(system, &mut v, precondition, tolerance, limit, workspace);
         self.iterations = reached.iterations;

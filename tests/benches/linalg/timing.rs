@@ -44,8 +44,3 @@ pub(super) fn least_of_two(
     }
     least.map(|seconds| 1e3 * seconds)
 }
-
-/// Time of one long run.
-pub(super) fn milliseconds(mut run: impl FnMut()) -> f64 {
-    1e3 * batch(&mut run, 1)
-}

@@ -88,6 +88,11 @@ impl FlapMesh {
         Pattern::from_cliques(self.n(), self.flaps.iter())
     }
 
+    /// The edges, as a pattern.
+    pub(crate) fn edges(&self) -> Pattern {
+        Pattern::from_cliques(self.n(), self.flaps.iter().map(|flap| [flap[0], flap[1]]))
+    }
+
     /// Quadratic bending energy of the mesh with vertices at `points`, shifted by the
     /// identity times the mean diagonal over `stiffness`: positive definite, of
     /// condition about `stiffness`.
