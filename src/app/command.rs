@@ -7,12 +7,10 @@ use super::conjecture::{ConjectureReport, LabReport, QuadReport};
 use super::crossing::SelfIntersections;
 use super::diagnosis::Diagnosis;
 use super::edit::fill::{FillOutcome, LoopInfo};
-use super::edit::flip::FlipOutcome;
 use super::edit::invert::{InversionReport, Inverted};
 use super::edit::options::{
     FillOptions, FlipOptions, RemeshOptions, RepairOptions, SubdivideOptions,
 };
-use super::edit::remesh::RemeshOutcome;
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::history::Timeline;
@@ -23,7 +21,7 @@ use super::readings::{EnergyOptions, EnergyReadings, Info, State};
 use super::recipe::{Origin, RecipeCard, ReplayProgress, ReplayReport, ScriptText};
 use super::runner::Configured;
 use super::study::{StudyOptions, StudyReport};
-use super::{Loaded, RegulariseOptions, Regularised, Session};
+use super::{FlipOutcome, Loaded, RegulariseOptions, Regularised, RemeshOutcome, Session};
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::StepReport;
