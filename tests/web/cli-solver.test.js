@@ -99,7 +99,7 @@ test("info: the keys, and a torus told from a sphere", () => {
   assert.deepEqual(Object.keys(info), [
     ...["vertices", "edges", "faces", "components", "boundaryLoops", "eulerCharacteristic"],
     ...["genus", "closed", "oriented", "area", "volume", "meanEdgeLength", "minAngleDegrees"],
-    ...["selfIntersections", "warnings", "warningIds"],
+    ...["selfIntersections", "warnings", "repairs", "warningIds"],
   ]);
   assert.equal(info.selfIntersections, 0);
   const { vertices, edges, faces, genus, closed, boundaryLoops } = info;
