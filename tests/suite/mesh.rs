@@ -35,11 +35,13 @@ fn cube() -> PolygonSoup {
 fn every_sample_shape_is_a_valid_mesh() {
     for shape in shape::all() {
         let Surface { mesh, x, repairs } = surface(&sample(shape.name));
-        let one_sided = ["moebius", "klein-bottle"].contains(&shape.name);
+        let one_sided = ["moebius", "klein-bottle", "boy"].contains(&shape.name);
         assert_eq!(mesh.is_oriented(), !one_sided, "{}", shape.name);
+        // As a file it would be turned, since it has nearly no volume; as a sample it is not.
+        let is_turned = shape.name == "morin";
         assert_eq!(
             repairs.len(),
-            usize::from(one_sided),
+            usize::from(one_sided || is_turned),
             "{}: {repairs:?}",
             shape.name
         );

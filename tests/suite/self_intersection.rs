@@ -369,8 +369,12 @@ fn healthy_surfaces_have_none() {
         let s = surface(&sample(shape.name, &[]));
         let found = pairs(&s.mesh, &s.x).len();
         match shape.name {
-            // No Klein bottle can be embedded.
-            "klein-bottle" => assert!(found > 50, "{found}"),
+            // No Klein bottle and no projective plane can be embedded; what is halfway between the
+            // two sides of a sphere passes through itself, and so does a surface that winds three
+            // times about a branch point.
+            "klein-bottle" | "boy" | "morin" | "inverted-enneper" => {
+                assert!(found > 50, "{}: {found}", shape.name);
+            }
             _ => assert_eq!(found, 0, "{}", shape.name),
         }
     }
