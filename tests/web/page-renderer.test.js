@@ -169,13 +169,13 @@ test("both renderers can be read back, and give the same pixels", async () => {
   await page.goto(packages.url);
   const read = (/** @type {string} */ name) =>
     page.evaluate(async (name) => {
-      const { default: init, Viewer, icosahedron } = await import(`./${name}/${name}.js`);
+      const { default: init, Viewer, firstSurface } = await import(`./${name}/${name}.js`);
       await init();
       const canvas = document.createElement("canvas");
       const viewer = await Viewer.create(canvas, { samples: 1 });
       // No multiple of what rows of a copied texture are padded to.
       viewer.resize(90, 70);
-      const { positions, triangles } = icosahedron(3);
+      const { positions, triangles } = firstSurface();
       const none = new Uint32Array();
       viewer.setMesh(positions, triangles, none, none);
       const { width, height, data } = await viewer.readPixels();
