@@ -11,7 +11,9 @@
  * @property {Reading} state
  * @property {Float32Array | null} positions  null where memory was short
  * @property {Field | null} field
- * @property {readonly Pane[]} panes  what stands beside it, and in its place where triangles change
+ * @property {readonly Pane[]} panes  what stands beside it, and in its place where edges are flipped
+ * @property {import("./viewer.js").Drawable | null} drawable  its triangles, where remeshing made
+ *   them: one object as long as they stay; null where they are those of the start
  * @property {Marked} marked
  * @property {number} change   visible change from the step before
  * @property {number} sum      visible change from the start to here
@@ -148,13 +150,17 @@ export class Clip {
 
   /** @param {Point} a @param {Point} b */
   #change(a, b) {
-    b.isCut = b.panes.length > 0 || a.panes.length > 0;
+    const isOther = a.drawable !== b.drawable;
+    b.isCut = isOther || b.panes.length > 0 || a.panes.length > 0;
+    // Nothing can be measured from triangles to others: as much as the step before.
+    if (isOther) return a.change;
     if (!a.positions || !b.positions || a.positions.length !== b.positions.length) {
       b.isCut = true;
       return 0;
     }
     if (b.isCut) return 0;
-    const { change, isSharp } = changeOf(a.positions, b.positions, this.#triangles, this.#size);
+    const triangles = b.drawable?.triangles ?? this.#triangles;
+    const { change, isSharp } = changeOf(a.positions, b.positions, triangles, this.#size);
     b.isSharp = isSharp;
     return change;
   }

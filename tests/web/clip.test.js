@@ -39,6 +39,7 @@ const point = (step, positions, more = {}) => ({
   positions,
   field: null,
   panes: [],
+  drawable: null,
   marked: new Uint32Array(),
   ...more,
 });
@@ -126,6 +127,26 @@ test("where triangles change there is a cut, and equal places for steps without 
     [0, 1, 2, 3, 4],
   );
   assert.deepEqual(clip.around(0.9 * clip.points[1].sum), [clip.points[0]]);
+});
+
+test("after a pass of remeshing there is a cut, and motion on the new triangles", () => {
+  const clip = new Clip();
+  clip.clear(triangles);
+  const made = { ...ball(1), wireEdges: new Uint32Array(), boundaryEdges: new Uint32Array() };
+  const radii = [1, 0.9, 0.85, 0.75, 0.65];
+  for (const [step, radius] of radii.entries())
+    clip.add(point(step, ball(radius).positions, { drawable: step >= 2 ? made : null }), step);
+  assert.deepEqual(
+    clip.points.map(({ isCut }) => isCut),
+    [false, false, true, false, false],
+  );
+  const [, a, b, c, d] = clip.points.map(({ change }) => change);
+  // The pass counts as the step before it; then what is seen to change does.
+  assert.equal(b, a);
+  assert.ok(Math.abs(c / a - 1) < 0.1 && Math.abs(d / a - 1) < 0.1, `${a} ${c} ${d}`);
+  const at = (/** @type {number} */ n) => clip.points[n].sum + 1e-6;
+  assert.deepEqual(around(clip, at(1)), [1]);
+  assert.deepEqual(around(clip, at(2)), [2, 3, 4]);
 });
 
 test("a step on another path takes the place of those after it", () => {

@@ -183,3 +183,17 @@ test("keys rest while something is typed, and can be switched off", async () => 
   assert.equal(await stepOf(page), 0);
   await close();
 });
+
+test("a surface that is given other triangles on its way goes on in one clip", async () => {
+  const { page, faults, close } = await site.open("sample=morin&maxSteps=40");
+  assert.match(await surface(page), /step 0, energy 51\./);
+  await playToEnd(page, /^Stopped after 40 steps/);
+  // Half of Morin's surface: its energy is four times that of a sphere, and falls.
+  const last = Number(/step 40, energy (\S+?),/.exec(await surface(page))?.[1]);
+  assert.ok(last < 51 && last > 4 * Math.PI - 0.1, String(last));
+  await page.keyboard.press(",");
+  await until(page, "Paused at step 39");
+  assert.match(await surface(page), /step 39, energy /);
+  assert.deepEqual(faults, []);
+  await close();
+});

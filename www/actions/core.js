@@ -24,14 +24,31 @@ const LASTS = 2000;
 /** @typedef {import("../generated/types.js").Frame & { run: number, stored: boolean }} Frame */
 
 /**
+ * What a clip takes of a frame. Of a surface with triangles of its own, which remeshing made, these
+ * are one object as long as they stay, so that the surface moves from step to step.
+ * @param {Frame} frame @param {import("../clip.js").Point | undefined} before
+ */
+function surfaceOf({ state, positions, field, panes }, before) {
+  if (state.flips || panes.length !== 1) return { positions, field, panes, drawable: null };
+  const [made] = panes;
+  const known = before?.drawable ?? null;
+  const isSame =
+    known?.triangles.length === made.triangles.length &&
+    known.triangles.every((v, n) => v === made.triangles[n]);
+  const drawable = isSame ? known : made;
+  return { positions: made.positions, field: made.field, panes: [], drawable };
+}
+
+/**
  * Puts a frame into a clip.
  * @param {Track} track @param {Frame} frame @param {boolean} follows  whether the display goes there
  */
 export function take(track, frame, follows) {
-  const { state, positions, field, panes, flippedTriangles, timeline } = frame;
+  const { state, flippedTriangles, timeline } = frame;
   const at = track.clip.at(track.u);
   const shown = track.clip.points[at.index]?.state.step;
-  track.clip.add({ state, positions, field, panes, marked: flippedTriangles }, timeline.last);
+  const surface = surfaceOf(frame, track.clip.points[track.clip.indexOf(state.step - 1)]);
+  track.clip.add({ state, ...surface, marked: flippedTriangles }, timeline.last);
   if (follows) track.u = track.clip.points[track.clip.indexOf(state.step)].sum;
   else if (frame.stored && shown !== undefined) {
     // The display stays at its step while others are put in before it.

@@ -55,15 +55,14 @@ export function createWhy(core, { adopt, edit }, run) {
      */
     point({ vertices, faces, edges }, camera) {
       const { mesh } = get();
-      const positions = core.lead.clip.surface(core.lead.u)?.positions;
-      if (!mesh || !positions) return;
-      const triangles = Uint32Array.from(
-        new Set([...faces, ...trianglesAt(mesh.triangles, vertices)]),
-      );
+      const point = core.lead.clip.surface(core.lead.u);
+      if (!mesh || !point?.positions) return;
+      const { positions } = point;
+      const all = point.drawable?.triangles ?? mesh.triangles;
+      const triangles = Uint32Array.from(new Set([...faces, ...trianglesAt(all, vertices)]));
       patch({ marks: { edges, triangles } });
-      const near =
-        triangles.length > 0 ? triangles : trianglesAt(mesh.triangles, edges.subarray(0, 2));
-      const turned = camera && facing(camera, vectorArea(positions, mesh.triangles, near));
+      const near = triangles.length > 0 ? triangles : trianglesAt(all, edges.subarray(0, 2));
+      const turned = camera && facing(camera, vectorArea(positions, all, near));
       if (turned) patch({ camera: turned });
     },
 

@@ -88,6 +88,8 @@ export function createStage(page, root, { samples, effects }) {
     const panes = point?.panes ?? [];
     const ownPane = panes.find(({ name }) => name === chosen);
     const apart = preview ?? ownPane;
+    // Of other triangles it is not known which vertices are held.
+    const isOfStart = !ownPane && !point?.drawable && set?.length === mesh.positions.length / 3;
     const state = page.shown();
     const isSide =
       comparison.rivals.length > 0 || comparison.withStart || panes.length > (ownPane ? 1 : 0);
@@ -102,13 +104,13 @@ export function createStage(page, root, { samples, effects }) {
     const shown = [
       {
         key: "lead",
-        drawable: ownPane ?? mesh,
+        drawable: ownPane ?? point?.drawable ?? mesh,
         ...(apart
           ? still(apart.positions, apart.field)
           : (motionOf(s, lead) ?? still(mesh.positions, null))),
         marked: marks?.triangles ?? point?.marked ?? none,
-        highlight: marks?.edges ?? ownPane?.highlight ?? ringOf(s, set),
-        held: ownPane ? null : set,
+        highlight: marks?.edges ?? ownPane?.highlight ?? (isOfStart ? ringOf(s, set) : none),
+        held: isOfStart ? set : null,
         title: isSide
           ? comparison.rivals.length > 0 || comparison.withStart
             ? flowLabel(s.options.flow)
@@ -123,11 +125,11 @@ export function createStage(page, root, { samples, effects }) {
       const at = track?.clip.points[track.clip.nearest(track.u)]?.state;
       shown.push({
         key: `rival-${rival.id}`,
-        drawable: mesh,
+        drawable: other?.drawable ?? mesh,
         ...((track && motionOf(s, track)) ?? still(mesh.positions, null)),
         marked: other?.marked ?? none,
         highlight: none,
-        held: rival.held,
+        held: other?.drawable ? null : rival.held,
         title: sayChange(s.options, rival.change),
         note:
           rival.phase === "lost"
