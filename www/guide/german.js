@@ -71,8 +71,8 @@ export const german = {
   "A scan with noise: a set amount of smoothing takes the noise and leaves the features.":
     "Ein Scan mit Rauschen: Eine feste Menge Glättung nimmt das Rauschen und lässt die Merkmale.",
   "What was found": "Was gefunden wurde",
-  "Under Surface you read what the mesh is: its counts, its holes, its smallest angle, whether it passes through itself. Each finding has a button that does something about it, and every change can be undone.":
-    "Unter Fläche steht, was das Netz ist: seine Anzahlen, seine Löcher, sein kleinster Winkel, ob es sich selbst durchdringt. Zu jedem Befund gibt es einen Knopf, der etwas dagegen tut, und jede Änderung lässt sich zurücknehmen.",
+  "Under Surface you read what the mesh is: its counts, its holes, its smallest angle, whether it passes through itself, and what a repair would change. Where something can be done about it there is a button, and every change can be undone.":
+    "Unter Fläche steht, was das Netz ist: seine Anzahlen, seine Löcher, sein kleinster Winkel, ob es sich selbst durchdringt und was eine Reparatur ändern würde. Wo sich etwas tun lässt, gibt es einen Knopf, und jede Änderung lässt sich zurücknehmen.",
   "Which flow": "Welcher Fluss",
   "You want": "Gewünscht",
   Take: "Zu nehmen",
