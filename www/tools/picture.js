@@ -16,9 +16,9 @@ const browser = await launch();
 try {
   const { page } = await openPage(browser, {
     viewport: { width: 1280, height: 720 },
-    colorScheme: "dark",
+    colorScheme: "light",
   });
-  await page.goto(server.url + scene);
+  await page.goto(`${server.url}?effects=always${scene}`);
   await until(page, "Ready");
   for (let step = 1; step <= steps; step++) {
     await page.getByRole("button", { name: "Step", exact: true }).click();
