@@ -79,7 +79,7 @@ sample-genus-4 = Fläche mit vier Henkeln
 sample-morin = Morins Fläche, angestoßen
     .shows = Die Hälfte einer umgestülpten Sphäre: von 16π durch sich selbst zur runden Sphäre (Kusner).
 sample-boy = Boys Fläche
-    .shows = Einseitig, und von allen solchen Flächen ohne Rand am wenigsten gebogen: ∫H² = 12π (Bryant, Kusner).
+    .shows = Eine projektive Ebene, einseitig, und die am wenigsten gebogene im Raum: ∫H² = 12π (Bryant, Kusner).
 sample-cyclide = Zyklide von Dupin
     .shows = Ein Möbius-Bild des Clifford-Torus, mit derselben Energie: W/2 liegt nahe 2π².
 sample-inverted-catenoid = Invertiertes Katenoid

@@ -79,7 +79,7 @@ sample-genus-4 = Surface with four handles
 sample-morin = Morin’s surface, pushed
     .shows = Half of a sphere turned inside out: from 16π through itself to a round sphere (Kusner).
 sample-boy = Boy’s surface
-    .shows = One-sided, and of all such surfaces with no edge the least bent: ∫H² = 12π (Bryant, Kusner).
+    .shows = A projective plane, one-sided, and the least bent of all that there are in space: ∫H² = 12π (Bryant, Kusner).
 sample-cyclide = Cyclide of Dupin
     .shows = A Möbius image of the Clifford torus, with the same energy: W/2 is near 2π².
 sample-inverted-catenoid = Inverted catenoid
