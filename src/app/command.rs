@@ -2,7 +2,6 @@
 //! beside [`Frame`](super::Frame).
 
 use super::bench::{BenchOptions, BenchReport};
-use super::comparison::Comparison;
 use super::conjecture::{ConjectureReport, LabReport, QuadReport};
 use super::crossing::SelfIntersections;
 use super::diagnosis::Diagnosis;
@@ -98,11 +97,6 @@ pub enum Command {
     },
     /// The steps that can be shown.
     Timeline {},
-    /// The surface under other options beside it.
-    Compare {
-        /// Which; without panes none.
-        comparison: Comparison,
-    },
     /// Puts positions from outside in place, as after a crash.
     Restore {
         /// Three coordinates a vertex.
@@ -301,7 +295,6 @@ pub enum Answer {
     Seek(State),
     Branch(State),
     Timeline(Timeline),
-    Compare(State),
     Restore(State),
     Regularise(Regularised),
     Flip(FlipOutcome),
@@ -422,7 +415,6 @@ impl Session {
                 Answer::Branch(state)
             }
             C::Timeline {} => Answer::Timeline(self.timeline()?),
-            C::Compare { comparison } => Answer::Compare(self.compare(comparison)?),
             C::Restore { exact, step, time } => Answer::Restore(self.restore(&exact, step, time)?),
             C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),
             C::Flip { options } => Answer::Flip(self.flip(&options)?),

@@ -244,19 +244,6 @@ impl Session {
         }
     }
 
-    /// Shows the surface under other options beside it, each told by its differences; an empty
-    /// comparison ends that. The others are brought to where the first stands, and kept level.
-    ///
-    /// # Errors
-    /// `FixedStart` beside edge flips; options that a flow refuses. Nothing has changed then.
-    pub fn compare(&mut self, comparison: Comparison) -> Result<State, Fault> {
-        self.ensure_configured()?;
-        let runner = self.runner.as_ref().ok_or_else(Fault::no_mesh)?;
-        self.panes.choose(comparison, runner)?;
-        self.panes.settle(runner);
-        Ok(runner.state.clone())
-    }
-
     fn ensure_configured(&mut self) -> Result<&mut Runner, Fault> {
         if self.runner()?.engine.is_none() {
             self.configure(FlowOptions::default())?;

@@ -72,9 +72,7 @@ impl<'a> Run<'a> {
 
     /// The same of a flow side by side with others; NaN where there is none.
     pub(super) fn jump_of(&self, flow: FlowName) -> f64 {
-        let others = self.session.panes.others().iter();
-        let others = others.map(|other| &other.runner);
-        let mut runners = std::iter::once(self.runner).chain(others);
+        let mut runners = std::iter::once(self.runner).chain(self.session.panes.others());
         let runner = runners.find(|runner| runner.options().flow == flow);
         let jump = runner.and_then(Runner::curvature_jump);
         jump.map_or(f64::NAN, |jump| jump.relative)
