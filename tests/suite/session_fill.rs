@@ -321,7 +321,7 @@ fn an_outer_rim_is_filled_only_when_it_is_chosen() {
             ("NoSmallLoops", Some(1.0))
         );
         assert!(everything(&s) == before);
-        assert_eq!(fill(&mut s, &all()).expect("filled").loops.len(), loops);
+        assert_eq!(fill(&mut s, &all()).expect("filled").filled.len(), loops);
         assert!(s.info().expect("a mesh").closed);
     }
     let mut s = opened(&sheet(8, &[(3, 3)], 1.0, 0.0));
