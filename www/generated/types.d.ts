@@ -735,15 +735,15 @@ export type FillOutcome = {
 /**
  * The loops that are no more, by the numbers they had.
  */
-loops: Array<number>, 
+filled: Array<number>, 
+/**
+ * Those that are still open, by the numbers they had.
+ */
+left: Array<number>, 
 /**
  * Number of new vertices.
  */
-verticesAdded: number, 
-/**
- * Number of new faces.
- */
-facesAdded: number, 
+newVertices: number, 
 /**
  * The first new vertex.
  */
