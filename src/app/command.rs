@@ -96,6 +96,11 @@ pub enum Command {
         /// Its number.
         branch: u32,
     },
+    /// Goes over to the other half of a film.
+    Turn {
+        /// The figure that it is of, by its id.
+        figure: String,
+    },
     /// The steps that can be shown.
     Timeline {},
     /// The surface under other options beside it.
@@ -300,6 +305,7 @@ pub enum Answer {
     Reset(State),
     Seek(State),
     Branch(State),
+    Turn(State),
     Timeline(Timeline),
     Compare(State),
     Restore(State),
@@ -369,6 +375,7 @@ impl Session {
                 | C::Seek { .. }
                 | C::Branch { .. }
                 | C::Restore { .. }
+                | C::Turn { .. }
                 | C::Undo {}
         ) {
             self.view.forget_steps();
@@ -399,6 +406,7 @@ impl Session {
                 self.tell_flow();
                 Answer::ContinueWith(configured)
             }
+            C::Turn { figure } => Answer::Turn(self.turn(&figure)?),
             C::Step {} => {
                 let report = self.step()?;
                 if let Some(report) = &report {

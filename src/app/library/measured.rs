@@ -23,8 +23,10 @@ pub(in crate::app) struct Run<'a> {
     pub(super) start: &'a [DVec3],
     /// Positions at the end.
     pub(super) x: &'a [DVec3],
-    /// Ends on coarser meshes, coarsest first.
-    pub(super) refined: Vec<State>,
+    /// Ends of the runs before, such as those on coarser meshes.
+    pub(super) before: Vec<State>,
+    /// Least product of a face normal with a normal at its corners on all surfaces of a film.
+    pub(super) alignment: f64,
     pub(super) regularised: Option<Regularised>,
     /// Of the undamaged surface.
     reference: Option<Vec<DVec3>>,
@@ -34,7 +36,7 @@ impl<'a> Run<'a> {
     pub(super) fn of(
         reference: Option<&Shape>,
         session: &'a Session,
-        refined: Vec<State>,
+        before: Vec<State>,
         regularised: Option<Regularised>,
     ) -> Result<Self, Fault> {
         let reference = match reference {
@@ -54,7 +56,8 @@ impl<'a> Run<'a> {
             last: &runner.state,
             start,
             x: &runner.x,
-            refined,
+            before,
+            alignment: f64::NAN,
             regularised,
             reference,
         })

@@ -13,12 +13,14 @@ const REST: usize = 400;
 pub struct FigureRun {
     figure: &'static Figure,
     session: Session,
-    /// Ends on the coarser meshes so far.
-    refined: Vec<State>,
+    /// Ends of the runs before, so far.
+    before: Vec<State>,
     /// Steps on the present mesh; `None` before it is made.
     steps: Option<usize>,
     /// Whether the present mesh came to its end.
     is_over: bool,
+    /// Least product of a face normal with a normal at its corners on all surfaces of a film.
+    alignment: f64,
 }
 
 impl FigureRun {
@@ -27,9 +29,10 @@ impl FigureRun {
         Self {
             figure,
             session: Session::new(),
-            refined: Vec::new(),
+            before: Vec::new(),
             steps: None,
             is_over: false,
+            alignment: 1.0,
         }
     }
 
@@ -50,8 +53,8 @@ impl FigureRun {
     pub fn advance(&mut self) -> Result<Option<Finding>, Fault> {
         let figure = self.figure;
         let Some(steps) = self.steps else {
-            let refined = self.refined.len();
-            let over = figure.refine.get(refined).copied().unwrap_or_default();
+            let over = figure.runs_before().nth(self.before.len());
+            let over = over.unwrap_or_default();
             figure.begin_with(&mut self.session, over)?;
             self.steps = Some(0);
             self.is_over = figure.steps == Steps::Count(0);
@@ -64,10 +67,15 @@ impl FigureRun {
             self.is_over = !has_stepped
                 || figure.steps == Steps::Count(steps)
                 || self.session.state()?.status.is_final();
+            if figure.back.is_some() {
+                let readings = self.session.soundness()?;
+                let alignment = readings.map_or(f64::NAN, |readings| readings.alignment);
+                self.alignment = self.alignment.min(alignment);
+            }
             return Ok(None);
         }
-        if self.refined.len() < figure.refine.len() {
-            self.refined.push(self.session.state()?);
+        if self.before.len() < figure.runs_before().count() {
+            self.before.push(self.session.state()?);
             self.steps = None;
             return Ok(None);
         }
@@ -75,13 +83,14 @@ impl FigureRun {
             Some(settings) => Some(self.session.regularise(settings)?),
             None => None,
         };
-        let refined = std::mem::take(&mut self.refined);
-        let run = Run::of(
+        let before = std::mem::take(&mut self.before);
+        let mut run = Run::of(
             figure.reference.as_ref(),
             &self.session,
-            refined,
+            before,
             regularised,
         )?;
+        run.alignment = self.alignment;
         Ok(Some((figure.judge)(&run)))
     }
 }
