@@ -461,6 +461,10 @@ pub(super) struct Suspended {
 }
 
 impl Suspended {
+    pub(super) fn runner(&self) -> &Runner {
+        &self.runner
+    }
+
     /// Puts everything back as it was.
     pub(super) fn resume(self, progress: Option<Progress>) -> Runner {
         let Self {

@@ -54,6 +54,24 @@ fn the_figure_comes_out() {
     assert!(value("crossings") > 300.0);
     assert_eq!([value("firstCrossings"), value("lastCrossings")], [0.0; 2]);
     assert!(value("alignment") > 0.3);
+    // A session that shows both halves is judged as a run of the figure, whichever is at hand.
+    let mut session = begun();
+    let id = "measured-incomplete";
+    let judged = |session: &Session| {
+        eversion()
+            .judged(session)
+            .expect("a mesh")
+            .expect("a finding")
+    };
+    assert_eq!(&*judged(&session).message.id, id);
+    session.turn("eversion").expect("the half shown backwards");
+    run(&mut session);
+    assert!(!judged(&session).ok);
+    session.turn("eversion").expect("the other half");
+    run(&mut session);
+    assert_eq!(judged(&session), finding);
+    session.turn("eversion").expect("the half shown backwards");
+    assert_eq!(judged(&session), finding);
 }
 
 /// Energy falls from the halfway surface on both sides, and the volume goes each its own way.

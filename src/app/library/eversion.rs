@@ -31,13 +31,14 @@ fn share_of_ball(state: &State) -> f64 {
 }
 
 fn everted(run: &Run<'_>) -> Finding {
-    let [back] = &*run.before else {
+    let Some(back) = run.back() else {
         return Finding::new(false, "measured-incomplete", &[]);
     };
     let ends = [back, run.last];
     let energies = ends.map(|end| end.energy / SPHERE);
     let volumes = ends.map(share_of_ball);
     let crossings = ends.map(|end| end.crossings);
+    let alignment = run.least_alignment();
     let values = [
         ("halfway", (run.first.energy / SPHERE).into()),
         ("firstEnergy", energies[0].into()),
@@ -47,12 +48,12 @@ fn everted(run: &Run<'_>) -> Finding {
         ("crossings", run.first.crossings.map(|n| n as f64).into()),
         ("firstCrossings", crossings[0].map(|n| n as f64).into()),
         ("lastCrossings", crossings[1].map(|n| n as f64).into()),
-        ("alignment", run.alignment.into()),
+        ("alignment", alignment.into()),
     ];
     let is_round = energies.iter().all(|&energy| energy < ROUND);
     let is_turned = (volumes[0] - 1.0).abs() < BALL && (volumes[1] + 1.0).abs() < BALL;
     let is_embedded = crossings == [Some(0); 2] && run.first.crossings > Some(0);
-    let ok = is_round && is_turned && is_embedded && run.alignment > IMMERSED;
+    let ok = is_round && is_turned && is_embedded && alignment > IMMERSED;
     Finding::new(ok, "measured-eversion", &values)
 }
 

@@ -149,11 +149,6 @@ impl Figure {
 
     /// Whether it takes more than one run of its flow to be judged.
     pub fn is_compound(&self) -> bool {
-        self.runs_before().next().is_some() || self.regularise.is_some()
-    }
-
-    /// Parameters of the surfaces on which the same is run before, in their order.
-    pub(super) fn runs_before(&self) -> impl Iterator<Item = Parameters> {
-        self.refine.iter().copied().chain(self.back)
+        !self.refine.is_empty() || self.regularise.is_some()
     }
 }

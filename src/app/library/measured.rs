@@ -23,11 +23,11 @@ pub(in crate::app) struct Run<'a> {
     pub(super) start: &'a [DVec3],
     /// Positions at the end.
     pub(super) x: &'a [DVec3],
-    /// Ends of the runs before, such as those on coarser meshes.
-    pub(super) before: Vec<State>,
-    /// Least product of a face normal with a normal at its corners on all surfaces of a film.
-    pub(super) alignment: f64,
+    /// Ends on coarser meshes, coarsest first.
+    pub(super) refined: Vec<State>,
     pub(super) regularised: Option<Regularised>,
+    /// The first half of a film.
+    back: Option<&'a Runner>,
     /// Of the undamaged surface.
     reference: Option<Vec<DVec3>>,
 }
@@ -36,7 +36,7 @@ impl<'a> Run<'a> {
     pub(super) fn of(
         reference: Option<&Shape>,
         session: &'a Session,
-        before: Vec<State>,
+        refined: Vec<State>,
         regularised: Option<Regularised>,
     ) -> Result<Self, Fault> {
         let reference = match reference {
@@ -47,7 +47,8 @@ impl<'a> Run<'a> {
             }
             None => None,
         };
-        let runner = session.runner()?;
+        let [runner, back] = session.halves()?;
+        let runner = runner.ok_or_else(Fault::no_mesh)?;
         let (first, start) = runner.beginning();
         Ok(Self {
             session,
@@ -56,9 +57,9 @@ impl<'a> Run<'a> {
             last: &runner.state,
             start,
             x: &runner.x,
-            before,
-            alignment: f64::NAN,
+            refined,
             regularised,
+            back,
             reference,
         })
     }
@@ -66,6 +67,19 @@ impl<'a> Run<'a> {
     /// The surface at the end.
     pub(super) fn info(&self) -> Info {
         self.runner.info()
+    }
+
+    /// Readings at the end of the first half of a film.
+    pub(super) fn back(&self) -> Option<&State> {
+        self.back.map(|runner| &runner.state)
+    }
+
+    /// Least product of a unit face normal with a unit normal at its corners, on all surfaces of
+    /// both halves of a film that are stored.
+    pub(super) fn least_alignment(&self) -> f64 {
+        let halves = [Some(self.runner), self.back];
+        let least = halves.into_iter().flatten().map(Runner::least_alignment);
+        least.fold(f64::INFINITY, f64::min)
     }
 
     /// The jump of H across the boundary of what moves, relative.

@@ -94,7 +94,7 @@ fn vesicle(run: &Run<'_>) -> Finding {
 
 /// By how much the energies on three meshes, each twice as fine, come closer.
 fn refinement(run: &Run<'_>) -> Finding {
-    let [coarse, middle] = &*run.before else {
+    let [coarse, middle] = &*run.refined else {
         return Finding::new(false, "measured-incomplete", &[]);
     };
     let last = run.last;

@@ -13,14 +13,14 @@ const REST: usize = 400;
 pub struct FigureRun {
     figure: &'static Figure,
     session: Session,
-    /// Ends of the runs before, so far.
-    before: Vec<State>,
+    /// Ends on the coarser meshes so far.
+    refined: Vec<State>,
     /// Steps on the present mesh; `None` before it is made.
     steps: Option<usize>,
     /// Whether the present mesh came to its end.
     is_over: bool,
-    /// Least product of a face normal with a normal at its corners on all surfaces of a film.
-    alignment: f64,
+    /// Whether the first half of a film is done.
+    is_turned: bool,
 }
 
 impl FigureRun {
@@ -29,10 +29,10 @@ impl FigureRun {
         Self {
             figure,
             session: Session::new(),
-            before: Vec::new(),
+            refined: Vec::new(),
             steps: None,
             is_over: false,
-            alignment: 1.0,
+            is_turned: false,
         }
     }
 
@@ -53,9 +53,14 @@ impl FigureRun {
     pub fn advance(&mut self) -> Result<Option<Finding>, Fault> {
         let figure = self.figure;
         let Some(steps) = self.steps else {
-            let over = figure.runs_before().nth(self.before.len());
-            let over = over.unwrap_or_default();
-            figure.begin_with(&mut self.session, over)?;
+            let refined = self.refined.len();
+            let over = figure.refine.get(refined).copied().unwrap_or_default();
+            if !self.is_turned {
+                figure.begin_with(&mut self.session, over)?;
+            }
+            if figure.back.is_some() {
+                self.session.turn(figure.id)?;
+            }
             self.steps = Some(0);
             self.is_over = figure.steps == Steps::Count(0);
             return Ok(None);
@@ -67,15 +72,15 @@ impl FigureRun {
             self.is_over = !has_stepped
                 || figure.steps == Steps::Count(steps)
                 || self.session.state()?.status.is_final();
-            if figure.back.is_some() {
-                let readings = self.session.soundness()?;
-                let alignment = readings.map_or(f64::NAN, |readings| readings.alignment);
-                self.alignment = self.alignment.min(alignment);
-            }
             return Ok(None);
         }
-        if self.before.len() < figure.runs_before().count() {
-            self.before.push(self.session.state()?);
+        if figure.back.is_some() && !self.is_turned {
+            self.is_turned = true;
+            self.steps = None;
+            return Ok(None);
+        }
+        if self.refined.len() < figure.refine.len() {
+            self.refined.push(self.session.state()?);
             self.steps = None;
             return Ok(None);
         }
@@ -83,14 +88,13 @@ impl FigureRun {
             Some(settings) => Some(self.session.regularise(settings)?),
             None => None,
         };
-        let before = std::mem::take(&mut self.before);
-        let mut run = Run::of(
+        let refined = std::mem::take(&mut self.refined);
+        let run = Run::of(
             figure.reference.as_ref(),
             &self.session,
-            before,
+            refined,
             regularised,
         )?;
-        run.alignment = self.alignment;
         Ok(Some((figure.judge)(&run)))
     }
 }
