@@ -65,7 +65,8 @@ const HALVES: Figure = Figure {
         ..o
     },
     steps: Steps::Count(600),
-    back: Some(&[("push", 0.1)]),
+    // As little as the sample is pushed to the other side: between the two no seam is seen.
+    back: Some(&[("push", 0.03)]),
     quick: false,
     judge: everted,
     ..Figure::PLAIN
@@ -75,6 +76,7 @@ pub(super) static FIGURES: &[Figure] = &[
     Figure {
         id: "eversion",
         sample: "morin",
+        quick: true,
         ..HALVES
     },
     Figure {

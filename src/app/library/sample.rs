@@ -382,13 +382,13 @@ pub static SAMPLES: &[Sample] = {
         sample(
             "morin",
             Closed,
-            shape("morin", &[("vertices", 1200.0), ("push", -0.1)]),
+            shape("morin", &[("vertices", 1200.0), ("push", -0.03)]),
         )
         .with(area_kept),
         sample(
             "morin-fine",
             Closed,
-            shape("morin", &[("vertices", 5000.0), ("push", -0.1)]),
+            shape("morin", &[("vertices", 5000.0), ("push", -0.03)]),
         )
         .with(area_kept),
         sample("boy", Closed, shape("boy", &[])),
