@@ -31,7 +31,6 @@ use crate::message::Message;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use std::rc::Rc;
 
 /// A request by name, with its fields.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -493,21 +492,6 @@ impl Session {
             C::Losses { format } => Answer::Losses(self.losses(format_named(&format)?)?),
             C::History {} => Answer::History(self.history_csv()?),
         })
-    }
-
-    /// Whoever chose the flow knows it: no frame need tell.
-    fn tell_flow(&mut self) {
-        self.view.flow = self
-            .runner
-            .as_ref()
-            .map(|runner| Rc::clone(&runner.segment));
-    }
-
-    /// Whoever watches frames may not know the steps after this one any more.
-    fn tell_steps_after(&mut self, step: usize) {
-        if let Some(runner) = &self.runner {
-            self.view.repeat_after(step, runner);
-        }
     }
 
     /// A fill that tells its progress to whom steps tell theirs.

@@ -15,7 +15,7 @@ const BRIEF: usize = 8_000_000;
 /// The same where it is asked for.
 const PATIENT: usize = 8 * BRIEF;
 
-/// The same after every step.
+/// The same after every step: about a twentieth of a second.
 const SWIFT: usize = BRIEF / 16;
 
 /// The triangles that pass through each other.
@@ -34,9 +34,11 @@ pub(super) fn count(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<usize> {
     self_intersection::pairs_within(mesh, x, BRIEF).map(|pairs| pairs.len())
 }
 
-/// The same, `None` where that would take more than about a twentieth of a second.
-pub(super) fn count_swiftly(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<usize> {
-    self_intersection::pairs_within(mesh, x, SWIFT).map(|pairs| pairs.len())
+/// Number of pairs after a step, of a surface that passed through itself at the start, as `crosses`
+/// says; `None` where it did not, or looking for them would take long.
+pub(super) fn count_after_step(crosses: bool, mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<usize> {
+    let pairs = || self_intersection::pairs_within(mesh, x, SWIFT);
+    crosses.then(pairs).flatten().map(|pairs| pairs.len())
 }
 
 impl Session {

@@ -61,7 +61,7 @@ impl Session {
     /// [`Fault::no_mesh`].
     pub(super) fn halves(&self) -> Result<[Option<&Runner>; 2], Fault> {
         let here = Some(self.runner()?);
-        let other = self.other_half.waiting.as_ref().map(Suspended::runner);
+        let other = self.other_half.waiting.as_ref().map(|half| &half.runner);
         Ok(if self.other_half.is_second {
             [other, here]
         } else {

@@ -9,7 +9,7 @@ mod remeshing;
 mod viewing;
 
 use super::arrangement::Arrangement;
-use super::crossing;
+use super::crossing::count_after_step;
 use super::document::Document;
 use super::engine::{Checkpoint, Engine};
 use super::fault::Fault;
@@ -426,10 +426,8 @@ impl Runner {
         }
     }
 
-    /// Pairs of triangles that pass through each other, where it is worth looking for them.
     fn crossings(&self) -> Option<usize> {
-        let count = || crossing::count_swiftly(self.triangles(), &self.x);
-        self.crosses.then(count).flatten()
+        count_after_step(self.crosses, self.triangles(), &self.x)
     }
 
     /// Readings of the current positions, where no step has just told them.
@@ -456,15 +454,11 @@ impl Runner {
 
 /// A document whose flow can be started where it stood.
 pub(super) struct Suspended {
-    runner: Runner,
+    pub(super) runner: Runner,
     checkpoint: Option<Checkpoint>,
 }
 
 impl Suspended {
-    pub(super) fn runner(&self) -> &Runner {
-        &self.runner
-    }
-
     /// Puts everything back as it was.
     pub(super) fn resume(self, progress: Option<Progress>) -> Runner {
         let Self {
