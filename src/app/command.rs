@@ -30,7 +30,6 @@ use crate::message::Message;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use std::rc::Rc;
 
 /// A request by name, with its fields.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -94,6 +93,11 @@ pub enum Command {
     Branch {
         /// Its number.
         branch: u32,
+    },
+    /// Goes over to the other half of a film.
+    Turn {
+        /// The figure that it is of, by its id.
+        figure: String,
     },
     /// The steps that can be shown.
     Timeline {},
@@ -294,6 +298,7 @@ pub enum Answer {
     Reset(State),
     Seek(State),
     Branch(State),
+    Turn(State),
     Timeline(Timeline),
     Restore(State),
     Regularise(Regularised),
@@ -362,6 +367,7 @@ impl Session {
                 | C::Seek { .. }
                 | C::Branch { .. }
                 | C::Restore { .. }
+                | C::Turn { .. }
                 | C::Undo {}
         ) {
             self.view.forget_steps();
@@ -392,6 +398,7 @@ impl Session {
                 self.tell_flow();
                 Answer::ContinueWith(configured)
             }
+            C::Turn { figure } => Answer::Turn(self.turn(&figure)?),
             C::Step {} => {
                 let report = self.step()?;
                 if let Some(report) = &report {
@@ -477,21 +484,6 @@ impl Session {
             C::Losses { format } => Answer::Losses(self.losses(format_named(&format)?)?),
             C::History {} => Answer::History(self.history_csv()?),
         })
-    }
-
-    /// Whoever chose the flow knows it: no frame need tell.
-    fn tell_flow(&mut self) {
-        self.view.flow = self
-            .runner
-            .as_ref()
-            .map(|runner| Rc::clone(&runner.segment));
-    }
-
-    /// Whoever watches frames may not know the steps after this one any more.
-    fn tell_steps_after(&mut self, step: usize) {
-        if let Some(runner) = &self.runner {
-            self.view.repeat_after(step, runner);
-        }
     }
 
     /// A fill that tells its progress to whom steps tell theirs.

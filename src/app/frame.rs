@@ -95,6 +95,21 @@ impl View {
 }
 
 impl Session {
+    /// Whoever chose the flow knows it: no frame need tell.
+    pub(super) fn tell_flow(&mut self) {
+        self.view.flow = self
+            .runner
+            .as_ref()
+            .map(|runner| Rc::clone(&runner.segment));
+    }
+
+    /// Whoever watches frames may not know the steps after this one any more.
+    pub(super) fn tell_steps_after(&mut self, step: usize) {
+        if let Some(runner) = &self.runner {
+            self.view.repeat_after(step, runner);
+        }
+    }
+
     /// Everything to be shown now.
     ///
     /// # Errors

@@ -5,6 +5,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::path::Path;
+use umbilic::app::library;
 use umbilic::app::library::{
     Figure, FigureRun, Finding, Group, Paper, SAMPLES, Sample, Steps, figure, figures, sample,
 };
@@ -300,12 +301,14 @@ struct FigureRow {
     arrangement: Arrangement,
     colour: Value,
     steps: Value,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    back: Option<Parameters>,
     quick: bool,
     falls_short: bool,
 }
 
 /// In the order they are written in: recipes tell parameters in that order.
-struct Parameters(&'static [(&'static str, f64)]);
+struct Parameters(library::Parameters);
 
 impl Serialize for Parameters {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -350,6 +353,7 @@ fn figure_row(figure: &Figure) -> FigureRow {
             Steps::Rest => json!("rest"),
             Steps::Count(count) => json!(count),
         },
+        back: figure.back.map(Parameters),
         quick: figure.quick,
         falls_short: figure.falls_short,
     }

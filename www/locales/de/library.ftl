@@ -12,6 +12,8 @@ paper-curvature = { paper-curvature.authors }: Variation der mittleren Krümmung
     .authors = Xu und Zhang
 paper-volume-preserving = { paper-volume-preserving.authors }: mittlere Krümmung bei festem Volumen
     .authors = Huisken
+paper-eversion = { paper-eversion.authors }: Umstülpung der Sphäre
+    .authors = Francis, Sullivan, Kusner, Brakke, Hartman und Chappell
 
 ## Figures: their number; the paper’s report and what to expect here
 
@@ -204,6 +206,14 @@ figure-volume-preserving-round = Satz, { $number }
     .title = Eine konvexe Fläche wird rund
     .reports = Der Fluss nach der mittleren Krümmung bei festem Volumen macht jede konvexe Fläche zur runden Sphäre gleichen Volumens.
     .expected = Eine Sphäre auf 2e-3, Volumen auf 1e-10, 36πV²/A³ gestiegen auf 0.99 und mehr
+figure-eversion = Die Minimax-Umstülpung, { $number }
+    .title = Die Sphäre, umgestülpt
+    .reports = Eine Sphäre lässt sich ohne Knick durch sich selbst umstülpen (Smale, 1958). Sie muss dabei durch einen vierfachen Punkt und ∫H² = 16π (Max und Banchoff, 1981; Li und Yau, 1982); Morins Fläche nach Kusner hat genau so viel und fließt nach beiden Seiten zur Sphäre, indem sie sich weniger biegt.
+    .expected = Beide Wege enden an einer runden Sphäre, ∫H² unter 1.005·4π; Volumen mit entgegengesetzten Vorzeichen, auf 1 % das der Kugel; an den Enden keine Durchdringungen; in jedem Schritt immersiert, kleinstes Produkt von Flächen- und Eckennormalen über 0.3
+figure-eversion-fine = Die Minimax-Umstülpung, { $number }, feiner
+    .title = Die Sphäre, umgestülpt, 5000 Ecken
+    .reports = Eine Sphäre lässt sich ohne Knick durch sich selbst umstülpen (Smale, 1958); derselbe Film auf einem feineren Netz, das etwa zehnmal so lange braucht.
+    .expected = Beide Wege enden an einer runden Sphäre, ∫H² unter 1.005·4π; Volumen mit entgegengesetzten Vorzeichen, auf 1 % das der Kugel; an den Enden keine Durchdringungen; in jedem Schritt immersiert, kleinstes Produkt von Flächen- und Eckennormalen über 0.3
 
 ## Measured on a figure
 
@@ -231,6 +241,7 @@ measured-refinement = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 
 measured-refinement-apart = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 5) }, { NUMBER($fine, digits: 5) }: Verhältnis { $ratio }, nicht zur selben Zeit
 measured-ball = Abweichung { NUMBER($off, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $steps } Schritte, { $status }
 measured-isoperimetric = 36πV²/A³ { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, Abweichung { NUMBER($off, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $steps } Schritte, { $status }
+measured-eversion = ∫H²/4π { NUMBER($firstEnergy, digits: 5) } ← { NUMBER($halfway, digits: 4) } → { NUMBER($lastEnergy, digits: 5) }, V durch das der Kugel { NUMBER($firstVolume, digits: 4) } und { NUMBER($lastVolume, digits: 4) }, Durchdringungen { $firstCrossings } ← { $crossings } → { $lastCrossings }, kleinstes Produkt von Normalen { NUMBER($alignment, digits: 2) }
 measured-flips = Inhalt/Willmore/lokalisiert: { $areaFlips }/{ $willmoreFlips }/{ $localisedFlips } Flips, Inhalt { NUMBER($area, digits: 5) }/{ NUMBER($willmoreArea, digits: 5) }/{ NUMBER($localisedArea, digits: 5) }, W { NUMBER($areaCircle, digits: 4) }/{ NUMBER($willmoreCircle, digits: 4) }/{ NUMBER($localisedCircle, digits: 4) }
 measured-variation = Σ|ΔK| { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 4) }
 measured-lost = { $lost } % verloren

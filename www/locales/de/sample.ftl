@@ -78,6 +78,8 @@ sample-genus-4 = Fläche mit vier Henkeln
     .shows = Ihre Henkel runden sich; ∫H² strebt unter 8π (p-Willmore, Abbildung 8).
 sample-morin = Morins Fläche, angestoßen
     .shows = Die Hälfte einer umgestülpten Sphäre: von 16π durch sich selbst zur runden Sphäre (Kusner).
+sample-morin-fine = Morins Fläche, angestoßen, 5000 Ecken
+    .shows = Dieselbe Hälfte der Umstülpung auf einem feineren Netz.
 sample-boy = Boys Fläche
     .shows = Eine projektive Ebene, einseitig, und die am wenigsten gebogene im Raum: ∫H² = 12π (Bryant, Kusner).
 sample-cyclide = Zyklide von Dupin

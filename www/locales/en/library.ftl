@@ -12,6 +12,8 @@ paper-curvature = { paper-curvature.authors }: mean-curvature variation
     .authors = Xu and Zhang
 paper-volume-preserving = { paper-volume-preserving.authors }: volume-preserving mean-curvature flow
     .authors = Huisken
+paper-eversion = { paper-eversion.authors }: a sphere eversion
+    .authors = Francis, Sullivan, Kusner, Brakke, Hartman and Chappell
 
 ## Figures: their number; the paper’s report and what to expect here
 
@@ -204,6 +206,14 @@ figure-volume-preserving-round = Theorem, { $number }
     .title = A convex surface becomes round
     .reports = Volume-preserving mean-curvature flow makes every convex surface a round sphere of the same volume.
     .expected = A sphere to 2e-3, volume to 1e-10, 36πV²/A³ risen to 0.99 and more
+figure-eversion = The minimax eversion, { $number }
+    .title = The sphere turned inside out
+    .reports = A sphere can be turned inside out through itself without a crease (Smale, 1958). It has to pass through a quadruple point and ∫H² = 16π (Max and Banchoff, 1981; Li and Yau, 1982); Morin’s surface after Kusner has just that much, and bending less it flows to the sphere on either side.
+    .expected = Both ways end at a round sphere, ∫H² below 1.005·4π; volumes of opposite signs, within 1 % of the ball’s; no crossings at the ends; immersed at every step, least product of face and vertex normals above 0.3
+figure-eversion-fine = The minimax eversion, { $number }, finer
+    .title = The sphere turned inside out, 5,000 vertices
+    .reports = A sphere can be turned inside out through itself without a crease (Smale, 1958); the same film on a finer mesh, which takes about ten times as long.
+    .expected = Both ways end at a round sphere, ∫H² below 1.005·4π; volumes of opposite signs, within 1 % of the ball’s; no crossings at the ends; immersed at every step, least product of face and vertex normals above 0.3
 
 ## Measured on a figure
 
@@ -231,6 +241,7 @@ measured-refinement = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 
 measured-refinement-apart = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 5) }, { NUMBER($fine, digits: 5) }: ratio { $ratio }, not at one time
 measured-ball = off { NUMBER($off, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $steps } steps, { $status }
 measured-isoperimetric = 36πV²/A³ { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, off { NUMBER($off, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $steps } steps, { $status }
+measured-eversion = ∫H²/4π { NUMBER($firstEnergy, digits: 5) } ← { NUMBER($halfway, digits: 4) } → { NUMBER($lastEnergy, digits: 5) }, V over the ball’s { NUMBER($firstVolume, digits: 4) } and { NUMBER($lastVolume, digits: 4) }, crossings { $firstCrossings } ← { $crossings } → { $lastCrossings }, least product of normals { NUMBER($alignment, digits: 2) }
 measured-flips = area/Willmore/localised: { $areaFlips }/{ $willmoreFlips }/{ $localisedFlips } flips, area { NUMBER($area, digits: 5) }/{ NUMBER($willmoreArea, digits: 5) }/{ NUMBER($localisedArea, digits: 5) }, W { NUMBER($areaCircle, digits: 4) }/{ NUMBER($willmoreCircle, digits: 4) }/{ NUMBER($localisedCircle, digits: 4) }
 measured-variation = Σ|ΔK| { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 4) }
 measured-lost = { $lost } % lost

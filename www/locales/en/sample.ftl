@@ -78,6 +78,8 @@ sample-genus-4 = Surface with four handles
     .shows = Its handles round off; ∫H² tends below 8π (p-Willmore, figure 8).
 sample-morin = Morin’s surface, pushed
     .shows = Half of a sphere turned inside out: from 16π through itself to a round sphere (Kusner).
+sample-morin-fine = Morin’s surface, pushed, 5,000 vertices
+    .shows = The same half of an eversion on a finer mesh.
 sample-boy = Boy’s surface
     .shows = A projective plane, one-sided, and the least bent of all that there are in space: ∫H² = 12π (Bryant, Kusner).
 sample-cyclide = Cyclide of Dupin
