@@ -201,8 +201,9 @@ impl CurvatureFlow {
         }
     }
 
-    /// What a step may leave, above the least reading so far by this share of it where the
-    /// reading is of fitted curvatures. An area is exact, and none is added.
+    /// What a step may leave, above the least reading so far by this share of it. The area of
+    /// a closed surface is exact, and none is added; that of a patch comes to its rest from above
+    /// only as far as fitted curvatures are those of the mesh.
     fn ceiling(&self, share: f64) -> Ceiling {
         Ceiling::AboveLeast {
             share: if self.watches_area() { 0.0 } else { share },
@@ -210,9 +211,10 @@ impl CurvatureFlow {
         }
     }
 
-    /// Whether the functional is the area.
+    /// Whether the functional is the area of a closed surface.
     fn watches_area(&self) -> bool {
-        matches!(self.watched(), Law::MeanCurvature | Law::SurfaceDiffusion)
+        let is_area = matches!(self.watched(), Law::MeanCurvature | Law::SurfaceDiffusion);
+        is_area && self.is_whole()
     }
 
     /// A difference of the functional that is none.
