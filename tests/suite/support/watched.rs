@@ -96,10 +96,13 @@ pub fn watch(s: &Surface, options: FlowOptions, what: &str) -> Run {
                 report.objective,
                 reports.last()
             );
+            // Between an area and the one before there is rounding.
+            let by_fits = report.monitored == Monitored::Area && flow != FlowName::PWillmore;
+            let allowed = if by_fits { slack } else { 0.0 };
             assert!(
                 tolerance == FITTED
-                    || is_exempt
-                    || report.objective <= report.objective_before + slack,
+                    || by_fits && is_exempt
+                    || report.objective <= report.objective_before + allowed,
                 "{what} {flow:?}, step {}: a rise by {}",
                 report.step,
                 report.objective - report.objective_before
