@@ -47,7 +47,7 @@
 //!
 //! Dependencies point one way: `mesh ← geometry ← operator ← energy ← remesh ← flow ←
 //! app ← web`; `io` and `viewer` stand beside and know no flow; `soup` is what `io` and
-//! `mesh` share; `linalg` knows vectors only.
+//! `mesh` share; `order` sorts; `linalg` knows vectors only.
 //!
 //! # References
 //!
@@ -81,6 +81,7 @@ pub mod mesh;
 pub mod message;
 #[cfg(feature = "solver")]
 pub mod operator;
+pub mod order;
 #[cfg(feature = "solver")]
 pub mod remesh;
 pub mod soup;

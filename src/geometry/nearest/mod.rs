@@ -5,6 +5,7 @@ mod tree;
 pub use tree::SurfaceTree;
 
 use crate::mesh::{HalfedgeMesh, Vertex};
+use crate::order;
 use glam::DVec3;
 use std::borrow::Cow;
 
@@ -103,7 +104,7 @@ fn farthest<'t>(
     if open.is_empty() {
         return floor;
     }
-    open.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+    order::sort_by(&mut open, |a, b| b.0.total_cmp(&a.0));
     let tree = tree();
     let mut farthest = floor;
     for (bound, v) in open {

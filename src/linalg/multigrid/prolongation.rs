@@ -8,6 +8,7 @@
 use super::coarsening::NONE;
 use super::rows::Rows;
 use crate::linalg::ordering::Graph;
+use crate::order;
 use glam::{DMat4, DVec3, DVec4};
 
 /// Coarse points a value is taken from: more fill the coarser matrices and spare no iterations.
@@ -53,7 +54,7 @@ pub(super) fn prolongation(
             .map(|&(_, j)| numbers[j as usize])
             .zip(weights)
             .collect();
-        row.sort_unstable_by_key(|entry| entry.0);
+        order::sort_by_key(&mut row, |entry| entry.0);
         for (c, weight) in row {
             rows.push(c, weight as f32);
         }

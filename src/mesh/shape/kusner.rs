@@ -15,6 +15,7 @@
 //! surface twice.
 
 use super::conformal::{image, place, points};
+use crate::order;
 use crate::soup::PolygonSoup;
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
@@ -83,7 +84,7 @@ pub fn boy(vertices: usize, s: f64) -> PolygonSoup {
         face.sort_unstable();
         face
     };
-    faces.sort_by_key(|face| key(*face));
+    order::sort_by_key(&mut faces, |face| key(*face));
     faces.dedup_by_key(|face| key(*face));
     PolygonSoup::from_faces(cover.positions[..vertices].to_vec(), &faces)
 }
