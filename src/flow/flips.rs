@@ -1,8 +1,8 @@
 //! Edge flips step by step: a step is a number of flips, and the positions stay.
 //!
 //! An optimiser of connectivity beside the flows, which change positions. Brink & Alboul
-//! compare three criteria from the same start; the others can run beside the chosen one, flip
-//! by flip.
+//! [BA](crate::bibliography#ba) compare three criteria from the same start; the others can run
+//! beside the chosen one, flip by flip.
 
 use super::options::FlowOptions;
 use super::{Decision, FlowError, Progress, Reading, Reason, Status, StepReport};

@@ -36,8 +36,8 @@ fn squared_distance(p: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
 
 /// Two-sided distances between a surface and others of the same connectivity,
 ///
-/// ```text
-/// max ( max_i d(y_i, S_x), max_i d(x_i, S_y) ),
+/// ```math
+/// \max \bigl( \max_i d(y_i, S_x), \; \max_i d(x_i, S_y) \bigr),
 /// ```
 ///
 /// the vertices of each against all of the other: what slides along a surface is at no

@@ -1,9 +1,9 @@
 //! How a field on a coarse level is carried to the next finer one.
 //!
 //! The value at a point is that of the plane fitted to the values at the nearest coarse points by
-//! moving least squares (Lancaster and Šalkauskas 1981), so that linear functions are carried
-//! over, and with them what a bending matrix nearly annihilates. The positions need only tell
-//! who is near whom: those at the start of a flow do for all of it.
+//! moving least squares (Lancaster and Šalkauskas [LS81](crate::bibliography#ls81)), so that
+//! linear functions are carried over, and with them what a bending matrix nearly annihilates. The
+//! positions need only tell who is near whom: those at the start of a flow do for all of it.
 
 use super::coarsening::NONE;
 use super::rows::Rows;

@@ -1,4 +1,5 @@
-//! Surfaces with patches to be restored: the figures of Xu & Zhang.
+//! Surfaces with patches to be restored: the figures of Xu & Zhang
+//! [XZ06](crate::bibliography#xz06).
 
 use crate::order;
 use std::f64::consts::TAU;

@@ -92,7 +92,7 @@ impl Draft {
         (b - a).cross(c - a)
     }
 
-    /// Unit normals: those of the faces with the weights of Max (J. Graphics Tools 4, 1999),
+    /// Unit normals: those of the faces with the weights of Max [M99](crate::bibliography#m99),
     /// sin α/|e₁||e₂|, exact on spheres.
     pub(super) fn normals(&self) -> Vec<DVec3> {
         let mut sums = vec![DVec3::ZERO; self.x.len()];

@@ -1,5 +1,5 @@
-//! Incremental remeshing of a patch to a target edge length (Botsch & Kobbelt 2004): split,
-//! collapse, flip, smooth.
+//! Incremental remeshing of a patch to a target edge length (Botsch & Kobbelt
+//! [BK04](crate::bibliography#bk04)): split, collapse, flip, smooth.
 
 use super::patch::Patch;
 use crate::order;
