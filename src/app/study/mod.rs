@@ -18,7 +18,7 @@ mod exact;
 mod subject;
 mod trend;
 
-pub use subject::Manner;
+pub use subject::RefinedBy;
 pub use trend::{Tendency, Trend};
 
 use super::Session;
@@ -128,7 +128,7 @@ impl Resolution {
 #[serde(rename_all = "camelCase")]
 pub struct StudyReport {
     /// How the surface is refined.
-    pub manner: Manner,
+    pub refined_by: RefinedBy,
     /// Exponent of [`Resolution::power`].
     pub p: f64,
     /// Coarsest first.
@@ -200,7 +200,7 @@ impl Study {
     /// What is known so far.
     pub fn report(&self) -> StudyReport {
         StudyReport {
-            manner: self.subject.manner(),
+            refined_by: self.subject.refined_by(),
             p: self.p,
             rows: self.rows.clone(),
             trends: trend::trends(&self.rows, self.exact, self.p),
