@@ -108,6 +108,8 @@ pub struct Row<S: 'static> {
     pub kind: Kind,
     /// The word for `null`, where the option may be left to the program or be no limit.
     pub absent: Option<&'static str>,
+    /// Its default before, where that is another by now: what a record means that does not say it.
+    pub was: Option<&'static str>,
     /// Words that stand for themselves beside the kind.
     pub words: &'static [&'static str],
     /// Of a number, as text; empty where it has none.
@@ -129,6 +131,14 @@ impl<S> Row<S> {
     pub const fn or(self, word: &'static str) -> Self {
         Self {
             absent: Some(word),
+            ..self
+        }
+    }
+
+    /// The same, whose default was another before.
+    pub const fn was(self, word: &'static str) -> Self {
+        Self {
+            was: Some(word),
             ..self
         }
     }
@@ -236,6 +246,37 @@ pub fn options_of<S: Options>(values: &Values) -> Result<S, OptionError> {
         }
     }
     Ok(options)
+}
+
+impl Row<FlowOptions> {
+    /// Whether a record of options must say this one though it has its default.
+    pub fn must_be_said(&self, options: &FlowOptions) -> bool {
+        self.was.is_some() && self.read_by.flows.contains(&options.flow)
+    }
+}
+
+/// The defaults as they were, where they are others by now.
+pub fn before() -> FlowOptions {
+    let mut options = FlowOptions::default();
+    for row in FlowOptions::ROWS {
+        if let Some(was) = row.was {
+            (row.set)(&mut options, &row.read(&Value::Text(was.into())));
+        }
+    }
+    options
+}
+
+/// Adds to a record of options what it leaves out and meant by that: what options of its time
+/// were, where defaults are others by now. What says no flow was not written by this program, and
+/// means the defaults of now.
+pub fn as_meant(record: &mut Values, of_its_time: &FlowOptions) {
+    let flow = record.get("flow").and_then(FlowName::of);
+    for row in FlowOptions::ROWS.iter().filter(|row| row.was.is_some()) {
+        if flow.is_some_and(|flow| row.read_by.flows.contains(&flow)) {
+            let value = || (row.get)(of_its_time);
+            record.entry(row.name.into()).or_insert_with(value);
+        }
+    }
 }
 
 /// Reads the texts among `words` and checks all values: what a link or a command line gave.

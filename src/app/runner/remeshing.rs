@@ -30,7 +30,7 @@ const REST: usize = 3;
 
 impl Runner {
     /// What kind of passes there are under the options in force, on this surface.
-    fn passes(&self) -> Option<Kind> {
+    pub(in crate::app) fn passes(&self) -> Option<Kind> {
         self.passes_under(self.options())
     }
 
