@@ -60,6 +60,8 @@
 //!   sign.
 //! - G. Huisken: *The volume preserving mean curvature flow*. Journal für die reine und
 //!   angewandte Mathematik 382 (1987).
+//! - G. Francis, J. M. Sullivan, R. B. Kusner, K. A. Brakke, C. Hartman, G. Chappell: *The
+//!   Minimax Sphere Eversion*. Visualization and Mathematics, Springer 1997.
 //! - W. Brink, L. Alboul: *Willmore energy vs area as criteria for mesh optimisation*.
 
 #[cfg(feature = "solver")]

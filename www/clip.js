@@ -112,6 +112,13 @@ export class Clip {
     return this.points.at(-1)?.sum ?? 0;
   }
 
+  /** How long it lasts; where it has two halves, each as if it were alone. */
+  get seconds() {
+    const steps = Math.max(this.points.length - 1, 0);
+    const back = Math.max(-(this.points[0]?.state.step ?? 0), 0);
+    return back > 0 ? secondsOf(back) + secondsOf(steps - back) : secondsOf(steps);
+  }
+
   get last() {
     return this.points.at(-1) ?? null;
   }
@@ -133,7 +140,7 @@ export class Clip {
     const point = { ...made, change: 0, sum: 0, isCut: false, isSharp: false };
     this.points.splice(index, isThere ? 1 : 0, point);
     this.#bytes += bytesOf(point);
-    if (index === 0 && point.positions) this.#size = sizeOf(point.positions);
+    if (this.points.length === 1 && point.positions) this.#size = sizeOf(point.positions);
     this.#measure(index);
     if (this.#bytes > MOST_BYTES) this.#thin();
   }
@@ -152,8 +159,8 @@ export class Clip {
   #change(a, b) {
     const isOther = a.drawable !== b.drawable;
     b.isCut = isOther || b.panes.length > 0 || a.panes.length > 0;
-    // Nothing can be measured from triangles to others: as much as the step before.
-    if (isOther) return a.change;
+    // Nothing can be measured from triangles to others: as much as a step next to it.
+    if (isOther) return a.change || (this.points[this.points.indexOf(b) + 1]?.change ?? 0);
     if (!a.positions || !b.positions || a.positions.length !== b.positions.length) {
       b.isCut = true;
       return 0;

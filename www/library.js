@@ -30,6 +30,8 @@ import { say } from "./words.js";
  * @property {Arrangement} arrangement
  * @property {FieldName} colour
  * @property {number | 'rest'} steps  how far it runs; 0 for a figure without a flow
+ * @property {Record<string, number>} [back]  parameters of the surface from which the same is run
+ *   first, to be shown backwards ahead of it
  * @property {boolean} quick       a few seconds at most
  * @property {boolean} fallsShort  known not to come out as the paper has it
  */

@@ -83,12 +83,16 @@ export function sceneOf({ text, edited, hasPath, colour, comparison, estimate, .
  * @param {boolean} shared  whether it is sent to somebody
  * @returns {PageScene}
  */
-export function pageScene({ source, origin, figure, comparison, view, camera, goal }, shared) {
+export function pageScene(
+  { source, origin, figure, film, comparison, view, camera, goal },
+  shared,
+) {
   const { rivals, lockstep, shown, difference } = comparison;
   const panes = rivals.map(({ change, reading }) => ({ change, step: reading?.step ?? 0 }));
   const { shading, wireframe, boundary, scale } = view;
   return /** @type {any} */ ({
-    ...{ source, origin, camera, goal, shared },
+    // A film is made anew, of both its halves.
+    ...{ source, origin, camera, goal: film ? 0 : goal, shared },
     figure: figure?.id ?? null,
     comparison: {
       panes,

@@ -13,7 +13,7 @@ import { createFilm, createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
 import { createStore } from "./store.js";
 import { cards } from "./view/cards.js";
-import { dialog, fetchDialogs, question } from "./view/dialog.js";
+import { dialog, fetchDialogs, isDialogOpen, question } from "./view/dialog.js";
 import { dock } from "./view/dock.js";
 import { drawer, rail, turn } from "./view/drawer.js";
 import { legend } from "./view/legend.js";
@@ -85,7 +85,7 @@ mount(
   (p) => html`${p.tools.bar()}${p.tools.handle()}${cards(p)}${legend(p)}${present(p)}`,
 );
 for (const [id, view, isOpen] of /** @type {const} */ ([
-  ["dialog", dialog, (/** @type {S} */ s) => s.dialog !== null],
+  ["dialog", dialog, isDialogOpen],
   ["ask", question, (/** @type {S} */ s) => s.question !== null],
 ])) {
   const element = /** @type {HTMLDialogElement} */ (byId(id));

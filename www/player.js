@@ -69,7 +69,7 @@ export function createPlayer({
   const rest = ({ clip, u }) => Math.max(clip.total - u, 0);
 
   /** How long the clip lasts. */
-  const seconds = () => secondsOf((tracks()[0]?.clip.points.length ?? 1) - 1);
+  const seconds = () => tracks()[0]?.clip.seconds ?? secondsOf(0);
 
   /** When the clip is to end: as long as usual, and what came late not in a rush. */
   function plan() {

@@ -81,8 +81,34 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   let origins = [];
   /** Whether the worker has the scene: a new one has not. */
   let isWhole = true;
+  /**
+   * Of a film of two halves: the figure, whether the half at hand is the one that is shown backwards,
+   * and how far each has come. Steps of that half are negative: they count from where both begin.
+   * @type {{ figure: string, isBack: boolean, back: number, forth: number } | null}
+   */
+  let film = null;
   /** The scene on its way to a new worker. @type {Promise<State | null> | null} */
   let revival = null;
+
+  /** @template {State} T @param {T} state @returns {T} */
+  const signed = (state) => (film?.isBack ? { ...state, step: -state.step } : state);
+
+  /** A frame of a film, with the steps that the whole of it has. @param {Frame} frame */
+  function inFilm(frame) {
+    if (!film) return frame;
+    film[film.isBack ? "back" : "forth"] = frame.timeline.last;
+    const state = signed(frame.state);
+    const { back, forth: last } = film;
+    const timeline = { ...frame.timeline, start: -back, first: -back, last, at: state.step };
+    return { ...frame, state, timeline };
+  }
+
+  /** Goes over to a half. @param {boolean} isBack */
+  async function turn(isBack) {
+    if (!film || film.isBack === isBack) return;
+    await ask("turn", { figure: film.figure }, { ends: true });
+    film.isBack = isBack;
+  }
 
   /** @param {any} message */
   function onEvent(message) {
@@ -92,16 +118,23 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     else if (message.type === "frame") {
       scene.options = message.flow?.options ?? scene.options;
       if (!message.stored) scene.last = message;
-      listener.onFrame(message);
+      // Both halves begin at one place, which is that of the second.
+      if (!film?.isBack || message.state.step > 0) {
+        const { run: _, stored } = message;
+        listener.onFrame({ ...inFilm(message), run, stored });
+      }
       channel.acknowledge(message.run);
     } else if (message.type === "stopped") {
-      listener.onStopped(message.state, message.fault && sayFault(message.fault));
+      listener.onStopped(signed(message.state), message.fault && sayFault(message.fault));
     }
   }
 
   function drop() {
     run += 1;
     isWhole = scene.origin === null;
+    // A new worker begins with the second half.
+    if (film?.isBack) scene.last = null;
+    film = null;
     channel.dismiss();
   }
 
@@ -218,6 +251,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
 
   /** A mesh without a flow. @param {Loaded} loaded @param {Origin} origin */
   function begin(loaded, origin) {
+    film = null;
     scene = { ...scene, origin, loaded, isConfigured: false, last: null };
   }
 
@@ -275,6 +309,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     /** @param {FlowOptions} wanted @returns {Promise<Configured>} */
     async configure(wanted) {
       const configured = await move("configure", { options: wanted });
+      film = null;
       scene.isConfigured = true;
       scene.options = wanted;
       return configured;
@@ -293,9 +328,22 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       return answer;
     },
     /** @param {number | null} until  the step to pause at */
-    run: (until) => /** @type {Promise<true>} */ (ask("run", { until }, { ends: true })),
+    async run(until) {
+      if (until !== null) await turn(false);
+      return /** @type {Promise<true>} */ (ask("run", { until }, { ends: true }));
+    },
     /** @returns {Promise<State>} */
-    pause: () => ask("pause"),
+    pause: async () => signed(await ask("pause")),
+    /**
+     * Goes over to a half of a figure that has two.
+     * @param {string} figure  its id @param {boolean} isBack  to the one that is shown backwards
+     * @returns {Promise<State>}
+     */
+    async turn(figure, isBack) {
+      film ??= { figure, isBack: false, back: 0, forth: (await ask("state")).step };
+      await turn(isBack);
+      return signed(await ask("state"));
+    },
     /** @returns {Promise<StepReport | null>} */
     step: () => move("step"),
     /** @param {Partial<RegulariseOptions>} wanted @returns {Promise<Regularised>} */
@@ -311,6 +359,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     /** Takes the last edit back. @returns {Promise<Loaded>} */
     async undo() {
       const loaded = await move("undo");
+      film = null;
       scene = { ...scene, ...origins.pop(), isConfigured: true };
       return loaded;
     },
@@ -376,15 +425,29 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     /** @param {number} pairs @returns {Promise<Lab>} */
     lab: (pairs) => ask("lab", { pairs }),
     /** @returns {Promise<State>} */
-    back: () => move("back"),
+    back: async () => signed(await move("back")),
     /** @returns {Promise<State>} */
-    reset: () => move("reset"),
+    reset: async () => signed(await move("reset")),
     /** Shows a stored step. @param {number} step @returns {Promise<State>} */
-    seek: (step) => move("seek", { step }),
-    /** Every stored step of the path as a frame. @returns {Promise<boolean>} whether all came */
-    stored: () => ask("stored"),
+    async seek(step) {
+      await turn(step < 0);
+      return signed(await move("seek", { step: Math.abs(step) }));
+    },
+    /**
+     * Every stored step of the path as a frame, of a film those of both halves.
+     * @returns {Promise<boolean>} whether all came
+     */
+    async stored() {
+      const isBack = film?.isBack ?? false;
+      const all = await ask("stored");
+      if (!film || !all) return all;
+      await turn(!isBack);
+      const both = await ask("stored");
+      await turn(isBack);
+      return both;
+    },
     /** @param {number} branch @returns {Promise<State>} */
-    branch: (branch) => move("branch", { branch }),
+    branch: async (branch) => signed(await move("branch", { branch })),
     /** @param {string} text @returns {Promise<RecipeCard>} */
     readRecipe: (text) => ask("readRecipe", { text }),
     /** @param {MeshOrigin | null} origin @returns {Promise<string>} */

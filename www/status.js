@@ -26,7 +26,7 @@ export function statusText(s, shown, isPlaying) {
   if (goal !== null && running) return say("status-running-to", { goal });
   if (running || isPlaying) return say("status-running");
   const { status, step } = shown;
-  if (isOver(status)) return say("ended", { status, steps: step });
+  if (isOver(status)) return say("ended", { status, steps: Math.abs(step) });
   return step === 0 ? say("status-ready") : say("status-paused", { step });
 }
 
@@ -40,6 +40,7 @@ export function clause(s, shown, isPlaying, last) {
   if (s.phase !== "ready" || !shown) return "";
   if (s.running || isPlaying) {
     const { step } = shown;
+    if (s.film === "back" && s.running) return say("clause-film", { step: -step });
     return s.running ? say("clause-step", { step }) : say("clause-step-of", { step, last });
   }
   if (shown.status === "ready") return shown.step === 0 ? say("clause-ready") : "";

@@ -96,6 +96,8 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {Readonly<Wanted>} wanted    what is looked at more closely
  * @property {Inverted | null} preview
  * @property {import("./library.js").Figure | null} figure
+ * @property {"back" | "whole" | null} film  of a figure of two halves: the one that is shown
+ *   backwards is computed; the film is shown
  * @property {Readonly<Comparison>} comparison
  * @property {FieldName} colour
  * @property {readonly [number, number] | null} range  of colours, held for the run
@@ -151,6 +153,7 @@ export const initial = Object.freeze({
   wanted: Object.freeze({ probe: null, circles: false, directions: false }),
   preview: null,
   figure: null,
+  film: null,
   comparison: alone,
   colour: "none",
   range: null,

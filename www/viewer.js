@@ -20,6 +20,8 @@ import { say } from "./words.js";
  * @property {"smooth" | "flat"} [shading]
  * @property {boolean} [wireframe]  the mesh's own edges
  * @property {boolean} [boundary]   the boundary loops
+ * @property {boolean} [inside]     back and front are told apart of a closed surface too, as one
+ *   that passes through itself shows both
  * @property {"light" | "dark"} [theme]
  * @property {boolean} [contrast]   colour maps of high contrast
  * @property {number} [lineWidth]   of an edge, in CSS pixels

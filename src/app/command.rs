@@ -2,7 +2,6 @@
 //! beside [`Frame`](super::Frame).
 
 use super::bench::{BenchOptions, BenchReport};
-use super::comparison::Comparison;
 use super::conjecture::{ConjectureReport, LabReport, QuadReport};
 use super::crossing::SelfIntersections;
 use super::diagnosis::Diagnosis;
@@ -31,7 +30,6 @@ use crate::message::Message;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use std::rc::Rc;
 
 /// A request by name, with its fields.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -96,13 +94,13 @@ pub enum Command {
         /// Its number.
         branch: u32,
     },
+    /// Goes over to the other half of a film.
+    Turn {
+        /// The figure that it is of, by its id.
+        figure: String,
+    },
     /// The steps that can be shown.
     Timeline {},
-    /// The surface under other options beside it.
-    Compare {
-        /// Which; without panes none.
-        comparison: Comparison,
-    },
     /// Puts positions from outside in place, as after a crash.
     Restore {
         /// Three coordinates a vertex.
@@ -300,8 +298,8 @@ pub enum Answer {
     Reset(State),
     Seek(State),
     Branch(State),
+    Turn(State),
     Timeline(Timeline),
-    Compare(State),
     Restore(State),
     Regularise(Regularised),
     Flip(FlipOutcome),
@@ -369,6 +367,7 @@ impl Session {
                 | C::Seek { .. }
                 | C::Branch { .. }
                 | C::Restore { .. }
+                | C::Turn { .. }
                 | C::Undo {}
         ) {
             self.view.forget_steps();
@@ -399,6 +398,7 @@ impl Session {
                 self.tell_flow();
                 Answer::ContinueWith(configured)
             }
+            C::Turn { figure } => Answer::Turn(self.turn(&figure)?),
             C::Step {} => {
                 let report = self.step()?;
                 if let Some(report) = &report {
@@ -422,7 +422,6 @@ impl Session {
                 Answer::Branch(state)
             }
             C::Timeline {} => Answer::Timeline(self.timeline()?),
-            C::Compare { comparison } => Answer::Compare(self.compare(comparison)?),
             C::Restore { exact, step, time } => Answer::Restore(self.restore(&exact, step, time)?),
             C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),
             C::Flip { options } => Answer::Flip(self.flip(&options)?),
@@ -485,21 +484,6 @@ impl Session {
             C::Losses { format } => Answer::Losses(self.losses(format_named(&format)?)?),
             C::History {} => Answer::History(self.history_csv()?),
         })
-    }
-
-    /// Whoever chose the flow knows it: no frame need tell.
-    fn tell_flow(&mut self) {
-        self.view.flow = self
-            .runner
-            .as_ref()
-            .map(|runner| Rc::clone(&runner.segment));
-    }
-
-    /// Whoever watches frames may not know the steps after this one any more.
-    fn tell_steps_after(&mut self, step: usize) {
-        if let Some(runner) = &self.runner {
-            self.view.repeat_after(step, runner);
-        }
     }
 
     /// A fill that tells its progress to whom steps tell theirs.

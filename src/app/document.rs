@@ -48,11 +48,11 @@ impl Document {
     /// From a file.
     pub(super) fn from_file(bytes: &[u8], file_name: &str) -> Result<Self, Fault> {
         let read = crate::io::read(bytes, file_name)?;
-        let built = match mesh::build(&read.soup) {
+        // OBJ counts from 1.
+        let first = u32::from(read.format == Format::Obj);
+        let mut built = match mesh::build(&read.soup) {
             Ok(built) => built,
             Err(error) => {
-                // OBJ counts from 1.
-                let first = u32::from(read.format == Format::Obj);
                 let mut fault = Fault::from(error.counted_from(first));
                 if let Ok(mended) = mend(&read.soup, Weld::Auto) {
                     fault.repairs = mended.items.into();
@@ -60,6 +60,8 @@ impl Document {
                 return Err(fault);
             }
         };
+        let repairs = built.repairs.into_iter();
+        built.repairs = repairs.map(|r| r.counted_from(first)).collect();
         let warnings = read.warnings.into_iter().map(Message::from).collect();
         Self::of_built(stem(file_name), built, warnings)
     }
@@ -206,4 +208,31 @@ pub(super) fn triangulated(
     }
     let cut = polygons.to_soup(x).triangulated();
     Ok(Rc::new(mesh::build_as_given(&cut)?.mesh))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::message::Value;
+
+    /// Two triangles that share their third vertex alone.
+    #[test]
+    fn vertices_of_a_file_are_numbered_as_its_format_numbers_them() {
+        let points = ["0 0 0", "1 0 0", "2 1 0", "3 2 0", "2 2 1"];
+        let obj = format!("v {}\nf 1 2 3\nf 3 4 5\n", points.join("\nv "));
+        let off = format!("OFF\n5 2 0\n{}\n3 0 1 2\n3 2 3 4\n", points.join("\n"));
+        for (text, name, number, first) in [(obj, "a.obj", 3_u32, 1.0), (off, "a.off", 2, 0.0)] {
+            let Ok(document) = Document::from_file(text.as_bytes(), name) else {
+                panic!("{name} is refused");
+            };
+            let split = &document.warnings[0];
+            assert_eq!(&*split.id, "repair-split-vertices");
+            let numbers = Value::from(vec![number]);
+            assert_eq!(split.value("vertices"), Some(&numbers), "{name}");
+            assert_eq!(split.number("first"), Some(first), "{name}");
+            // What points at the surface counts from 0 whatever the file does.
+            assert_eq!(document.opened[0].message, *split);
+            assert_eq!(document.opened[0].vertices.0, [2]);
+        }
+    }
 }

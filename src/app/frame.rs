@@ -95,6 +95,21 @@ impl View {
 }
 
 impl Session {
+    /// Whoever chose the flow knows it: no frame need tell.
+    pub(super) fn tell_flow(&mut self) {
+        self.view.flow = self
+            .runner
+            .as_ref()
+            .map(|runner| Rc::clone(&runner.segment));
+    }
+
+    /// Whoever watches frames may not know the steps after this one any more.
+    pub(super) fn tell_steps_after(&mut self, step: usize) {
+        if let Some(runner) = &self.runner {
+            self.view.repeat_after(step, runner);
+        }
+    }
+
     /// Everything to be shown now.
     ///
     /// # Errors
@@ -102,14 +117,7 @@ impl Session {
     pub fn frame(&mut self) -> Result<Frame, Fault> {
         let view = &mut self.view;
         let runner = self.runner.as_ref().ok_or_else(Fault::no_mesh)?;
-        let mut panes = pictures(runner, &self.panes, view.field);
-        let reports = self.panes.take_reports();
-        for (number, reports) in (1..).zip(reports) {
-            // The steps of the first are in the frame itself.
-            if let Some(pane) = panes.iter_mut().find(|pane| pane.number == number) {
-                pane.reports = reports;
-            }
-        }
+        let panes = pictures(runner, &self.panes, view.field);
         let field = view.field.filter(|_| panes.is_empty());
         let is_flips = runner.state.flips.is_some();
         let is_told = view

@@ -191,6 +191,11 @@ impl History {
         &self.transitions
     }
 
+    /// The snapshots of the path before and after the present one.
+    pub(super) fn path(&self) -> impl Iterator<Item = &Snapshot> {
+        self.past.iter().chain(&self.future)
+    }
+
     /// The first snapshot of the path to the present one; `None` where that is the first.
     pub(super) fn first(&self) -> Option<&Snapshot> {
         self.past.front()

@@ -17,6 +17,7 @@ mod fault;
 mod field;
 mod frame;
 mod given;
+mod halves;
 mod history;
 mod json;
 pub mod library;
@@ -95,6 +96,7 @@ use document::Document;
 use edit::Edits;
 use frame::View;
 use glam::DVec3;
+use halves::OtherHalf;
 use panes::Panes;
 use recipe::Replay;
 use runner::Runner;
@@ -160,6 +162,7 @@ pub struct Session {
     view: View,
     progress: Option<Progress>,
     replay: Option<Replay>,
+    other_half: OtherHalf,
 }
 
 impl Session {
@@ -213,7 +216,11 @@ impl Session {
         self.runner = Some(runner);
         self.edits.clear();
         self.panes.clear();
-        self.loaded()
+        self.other_half = OtherHalf::default();
+        let loaded = self.loaded()?;
+        let crossings = loaded.info.self_intersections;
+        self.runner_mut()?.crosses = crossings.is_some_and(|count| count > 0);
+        Ok(loaded)
     }
 
     /// The mesh as it is now, as after loading it.
@@ -233,6 +240,7 @@ impl Session {
     pub fn configure(&mut self, options: FlowOptions) -> Result<Configured, Fault> {
         let progress = self.progress.clone();
         let configured = self.runner_mut()?.configure(options, progress)?;
+        self.other_half = OtherHalf::default();
         self.settle_panes();
         Ok(configured)
     }
@@ -242,19 +250,6 @@ impl Session {
         if let Some(runner) = &self.runner {
             self.panes.settle(runner);
         }
-    }
-
-    /// Shows the surface under other options beside it, each told by its differences; an empty
-    /// comparison ends that. The others are brought to where the first stands, and kept level.
-    ///
-    /// # Errors
-    /// `FixedStart` beside edge flips; options that a flow refuses. Nothing has changed then.
-    pub fn compare(&mut self, comparison: Comparison) -> Result<State, Fault> {
-        self.ensure_configured()?;
-        let runner = self.runner.as_ref().ok_or_else(Fault::no_mesh)?;
-        self.panes.choose(comparison, runner)?;
-        self.panes.settle(runner);
-        Ok(runner.state.clone())
     }
 
     fn ensure_configured(&mut self) -> Result<&mut Runner, Fault> {

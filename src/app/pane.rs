@@ -1,19 +1,18 @@
-//! Pictures side by side: documents under other options, or the start and all three criteria of
+//! Pictures side by side: the flows by mean curvature, or the start and all three criteria of
 //! edge flips, each as it is or subdivided by Loop's scheme.
 
 use super::arrangement::{Arrangement, Compare};
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::panes::Panes;
-use super::plot_point::PlotPoint;
 use super::readings::State;
 use super::runner::Runner;
 use super::{Session, as_f32};
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::flips::EdgeFlips;
+use crate::flow::option;
 use crate::flow::option::kind::id_of;
-use crate::flow::option::{self, Values};
 use crate::flow::options::FlowName;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
 use crate::remesh::flips::FlipOptimiser;
@@ -43,9 +42,6 @@ pub struct Curve {
     pub circle: TypedArray<f64>,
 }
 
-/// Names of documents side by side.
-const LETTERS: [&str; 4] = ["A", "B", "C", "D"];
-
 /// Points of a curve at most.
 const MAX_POINTS: usize = 400;
 
@@ -54,19 +50,12 @@ const MAX_POINTS: usize = 400;
 #[serde(rename_all = "camelCase")]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Pane {
-    /// `start`, the criterion, the flow, or a letter where panes were chosen by their differences.
+    /// `start`, the criterion or the flow.
     pub name: &'static str,
-    /// Its place among documents side by side, the first being 0.
-    pub number: usize,
-    /// What it does otherwise than the first.
-    #[cfg_attr(test, ts(type = "Partial<FlowOptions>"))]
-    pub change: Values,
-    /// Of documents side by side: where this one stands.
+    /// Of flows side by side: where this one stands.
     pub state: Option<State>,
     /// Of these: the jump of H across the boundary of what moves.
     pub jump: Option<CurvatureJump>,
-    /// Of those beside the first: the steps that no frame has told of yet.
-    pub reports: Vec<PlotPoint>,
     /// Three coordinates a vertex.
     pub positions: TypedArray<f32>,
     /// Three corners a triangle.
@@ -96,7 +85,7 @@ impl Session {
         Ok(())
     }
 
-    /// The pictures of edge flips, or of documents side by side, coloured by a field or `none` over
+    /// The pictures of edge flips, or of flows side by side, coloured by a field or `none` over
     /// one range for all; none of a single flow.
     ///
     /// # Errors
@@ -118,7 +107,7 @@ impl Session {
     }
 }
 
-/// The pictures of edge flips, or of documents side by side; none of a single flow.
+/// The pictures of edge flips, or of flows side by side; none of a single flow.
 pub(super) fn pictures(first: &Runner, panes: &Panes, field: Option<FieldName>) -> Vec<Pane> {
     if let Some(flips) = first.engine.as_ref().and_then(|flow| flow.flips()) {
         return first.flip_panes(flips, field);
@@ -136,21 +125,12 @@ pub(super) fn pictures(first: &Runner, panes: &Panes, field: Option<FieldName>) 
         };
         return Vec::from_iter((!is_known).then(|| pane(first)));
     }
-    let others = panes.others().iter();
-    let others = others.map(|other| (other.change.clone(), &other.runner));
-    let all = std::iter::once((Values::new(), first)).chain(others);
+    let all = std::iter::once(first).chain(panes.others());
     let mut pictures: Vec<Pane> = all
-        .enumerate()
-        .map(|(number, (change, runner))| Pane {
-            name: match panes.are_chosen() {
-                true => LETTERS[number],
-                false => runner.options().flow.id(),
-            },
-            number,
-            change,
+        .map(|runner| Pane {
+            name: runner.options().flow.id(),
             state: Some(runner.state.clone()),
             jump: runner.curvature_jump(),
-            reports: Vec::new(),
             positions: as_f32(&runner.x).into(),
             triangles: runner.triangles().triangle_indices().into(),
             wire_edges: runner.polygons().edge_indices(false).into(),
@@ -164,11 +144,9 @@ pub(super) fn pictures(first: &Runner, panes: &Panes, field: Option<FieldName>) 
     for field in pictures.iter_mut().filter_map(|pane| pane.field.as_mut()) {
         (field.low, field.high) = range.unwrap_or((field.low, field.high));
     }
-    if !panes.are_chosen() {
-        // In the order of the paper, whichever was chosen.
-        let place = |pane: &Pane| FlowName::all().position(|flow| flow.id() == pane.name);
-        pictures.sort_by_key(place);
-    }
+    // In the order of the paper, whichever was chosen.
+    let place = |pane: &Pane| FlowName::all().position(|flow| flow.id() == pane.name);
+    pictures.sort_by_key(place);
     pictures
 }
 
@@ -226,11 +204,8 @@ impl Runner {
         let boundary = self.options().boundary.unwrap_or_default();
         Pane {
             name,
-            number: 0,
-            change: Values::new(),
             state: None,
             jump: None,
-            reports: Vec::new(),
             positions: as_f32(x).into(),
             triangles: drawn.triangle_indices().into(),
             wire_edges: drawn.edge_indices(false).into(),

@@ -224,6 +224,11 @@ pub struct State {
     pub area: f64,
     /// Signed volume, of a closed oriented surface.
     pub volume: Option<f64>,
+    /// Pairs of triangles that pass through each other, of a surface that did so when it was opened
+    /// and has not too many triangles to be looked at after every step.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub crossings: Option<usize>,
     /// Smallest corner angle.
     pub min_angle_degrees: f64,
     /// Which functional a step must not raise.

@@ -9,6 +9,7 @@ mod remeshing;
 mod viewing;
 
 use super::arrangement::Arrangement;
+use super::crossing::count_after_step;
 use super::document::Document;
 use super::engine::{Checkpoint, Engine};
 use super::fault::Fault;
@@ -96,6 +97,8 @@ pub(super) struct Runner {
     /// How the document was made of what was loaded; `None` where that cannot be told.
     pub(super) origin: Option<Vec<EditRecord>>,
     pub(super) arrangement: Arrangement,
+    /// Whether the surface passed through itself when it was opened.
+    pub(super) crosses: bool,
 }
 
 impl Runner {
@@ -117,6 +120,7 @@ impl Runner {
             is_restored: false,
             origin: Some(Vec::new()),
             arrangement: Arrangement::default(),
+            crosses: false,
         }
     }
 
@@ -395,6 +399,7 @@ impl Runner {
                 can_step_back: true,
                 ..State::default()
             };
+            self.state.crossings = self.crossings();
             self.follow(before, Event::Step, Some(report));
         }
         Ok((report, decision))
@@ -421,6 +426,10 @@ impl Runner {
         }
     }
 
+    fn crossings(&self) -> Option<usize> {
+        count_after_step(self.crosses, self.triangles(), &self.x)
+    }
+
     /// Readings of the current positions, where no step has just told them.
     pub(super) fn read_state(&mut self) {
         let Some(flow) = &mut self.engine else { return };
@@ -435,6 +444,7 @@ impl Runner {
         self.state.reduced_volume = reading.reduced_volume;
         self.state.flips = flow.flips().map(EdgeFlips::readings);
         self.state.min_angle_degrees = measure::min_angle_degrees(self.polygons(), &self.x);
+        self.state.crossings = self.crossings();
         let Some(flow) = &self.engine else { return };
         self.state.dt = flow.dt();
         self.state.tau = flow.tau();
@@ -444,7 +454,7 @@ impl Runner {
 
 /// A document whose flow can be started where it stood.
 pub(super) struct Suspended {
-    runner: Runner,
+    pub(super) runner: Runner,
     checkpoint: Option<Checkpoint>,
 }
 

@@ -100,6 +100,8 @@ messages! {
             count: usize,
             /// Which.
             vertices: Vec<u32>,
+            /// The number of the first vertex: 0, or 1 as a file counts.
+            first: u32,
         },
         /// Faces in pieces without any area were dropped.
         FlatPieces {
@@ -123,5 +125,22 @@ messages! {
         },
         /// All faces were turned, as the volume was negative.
         InsideOut,
+    }
+}
+
+impl Repair {
+    /// The same with vertices counted from `to`, as a file does that it is of.
+    #[must_use]
+    pub fn counted_from(mut self, to: u32) -> Self {
+        if let Self::SplitVertices {
+            vertices, first, ..
+        } = &mut self
+        {
+            let from = std::mem::replace(first, to);
+            for v in vertices {
+                *v = *v - from + to;
+            }
+        }
+        self
     }
 }

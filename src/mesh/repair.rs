@@ -156,6 +156,7 @@ pub(super) fn split_vertices(
         repairs.push(Repair::SplitVertices {
             count: split.len(),
             vertices: split,
+            first: 0,
         });
     }
     origin

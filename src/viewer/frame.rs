@@ -74,8 +74,8 @@ pub struct Frame {
     pub padding: [u32; 3],
 }
 
-/// Cosines up to which a back counts as front. The inside of a closed surface is seen only
-/// through self-intersections; an open one shows its back up to the silhouette.
+/// Cosines up to which a back counts as front. The inside of a closed surface is not seen where
+/// it does not pass through itself; else the back is shown up to the silhouette.
 const GRAZING_CLOSED: f32 = 0.3;
 const GRAZING_OPEN: f32 = 0.02;
 
@@ -132,7 +132,7 @@ impl Frame {
             field_scale: if high > low { 1.0 / (high - low) } else { 1.0 },
             field_strength: on(field.is_some()),
             flatness: on(style.is_flat),
-            grazing: if drawing.is_closed() {
+            grazing: if drawing.is_closed() && !style.inside {
                 GRAZING_CLOSED
             } else {
                 GRAZING_OPEN

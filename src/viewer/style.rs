@@ -12,6 +12,9 @@ pub struct Style {
     pub wireframe: bool,
     /// Draws the boundary loops.
     pub boundary: bool,
+    /// Whether the inside of a closed surface is seen, which passes through itself: then its back
+    /// is told from its front up to the silhouette.
+    pub inside: bool,
     /// Light or dark surroundings.
     pub theme: Theme,
     /// Colours a field by the maps of high contrast.
@@ -29,6 +32,7 @@ impl Default for Style {
             is_flat: false,
             wireframe: false,
             boundary: true,
+            inside: false,
             theme: Theme::Dark,
             contrast: false,
             line_width: 1.0,

@@ -5,6 +5,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::path::Path;
+use umbilic::app::library;
 use umbilic::app::library::{
     Figure, FigureRun, Finding, Group, Paper, SAMPLES, Sample, Steps, figure, figures, sample,
 };
@@ -113,11 +114,8 @@ fn samples_and_figures_have_words_and_words_their_samples_and_figures() {
     let words = Words::read();
     let group = |group: Group| json!(group).as_str().expect("a name").to_owned();
     for sample in SAMPLES {
-        assert!(
-            words
-                .of(&format!("sample-{}", sample.id))
-                .contains("\n    .shows = ")
-        );
+        words.of(&format!("sample-{}", sample.id));
+        words.of(&format!("sample-{}-shows", sample.id));
         words.of(&format!("group-{}", group(sample.group)));
     }
     for figure in figures() {
@@ -134,7 +132,8 @@ fn samples_and_figures_have_words_and_words_their_samples_and_figures() {
         assert_eq!(has_reason, figure.falls_short, "{}", figure.id);
     }
     let begin = |what: &str| words.0.matches(&format!("\n{what}-")).count();
-    assert_eq!(begin("sample"), SAMPLES.len());
+    // Its name, and what to look for.
+    assert_eq!(begin("sample"), 2 * SAMPLES.len());
     // Two more tell how far a figure on the page has come.
     assert_eq!(begin("figure"), figures().count() + 2);
 }
@@ -300,12 +299,14 @@ struct FigureRow {
     arrangement: Arrangement,
     colour: Value,
     steps: Value,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    back: Option<Parameters>,
     quick: bool,
     falls_short: bool,
 }
 
 /// In the order they are written in: recipes tell parameters in that order.
-struct Parameters(&'static [(&'static str, f64)]);
+struct Parameters(library::Parameters);
 
 impl Serialize for Parameters {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -350,6 +351,7 @@ fn figure_row(figure: &Figure) -> FigureRow {
             Steps::Rest => json!("rest"),
             Steps::Count(count) => json!(count),
         },
+        back: figure.back.map(Parameters),
         quick: figure.quick,
         falls_short: figure.falls_short,
     }

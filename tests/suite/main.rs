@@ -11,6 +11,7 @@ mod circle_reference;
 mod comparison;
 mod course;
 mod curvature_flows;
+mod eversion;
 mod fill;
 mod fitted_operators;
 mod flip_session;

@@ -176,7 +176,14 @@ fn sheets_that_touch_in_a_vertex_are_parted() {
         "the copy knows where it comes from"
     );
     let (count, vertices) = (1, vec![0]);
-    assert_eq!(built.repairs[0], Repair::SplitVertices { count, vertices });
+    assert_eq!(
+        built.repairs[0],
+        Repair::SplitVertices {
+            count,
+            vertices,
+            first: 0
+        }
+    );
 }
 
 #[test]

@@ -13,6 +13,7 @@ use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::geometry::measure;
 use umbilic::mesh::shape::blocks::handles;
+use umbilic::soup::PolygonSoup;
 
 const FLOWS: [FlowName; 6] = [
     FlowName::Circle,
@@ -221,6 +222,50 @@ fn random_surfaces_under_every_flow() {
             );
         }
     }
+}
+
+/// A rod as a CAD program writes it: needles from end to end, and its ends as fans. What is
+/// fitted to such triangles says nothing, and no flow may make flat scraps of the rod.
+#[test]
+fn a_rod_of_needles_keeps_its_volume() {
+    for (across, length) in [(16, 10.0), (31, 10.0), (40, 4.0), (64, 25.0)] {
+        let rod = surface(&needles(across, length));
+        let volume = |x: &[DVec3]| measure::volume(&rod.mesh, x).expect("closed");
+        for flow in FLOWS {
+            let found = watch(&rod, limited(flow, 20), &format!("rod of {across}"));
+            let share = volume(&found.x) / volume(&rod.x);
+            println!(
+                "{across}, {length}, {flow:?}, {:?}, {}, {share:.3}",
+                found.status,
+                found.reports.len()
+            );
+            // That by mean curvature is to shrink it, and that of least variation may.
+            let shrinks = matches!(flow, FlowName::MeanCurvature | FlowName::Mmcv);
+            assert!(share > if shrinks { 0.0 } else { 0.9 }, "{flow:?}: {share}");
+        }
+    }
+}
+
+/// A round rod of so many corners around, radius ½, without a vertex between its ends.
+fn needles(across: usize, length: f64) -> PolygonSoup {
+    let end = |z: f64| {
+        (0..across).map(move |k| {
+            let angle = 2.0 * PI * k as f64 / across as f64;
+            DVec3::new(0.5 * angle.cos(), 0.5 * angle.sin(), z)
+        })
+    };
+    let n = across as u32;
+    let mut faces = Vec::new();
+    for k in 0..n {
+        let next = (k + 1) % n;
+        faces.push(vec![k, next, n + next]);
+        faces.push(vec![k, n + next, n + k]);
+    }
+    for k in 1..n - 1 {
+        faces.push(vec![0, k + 1, k]);
+        faces.push(vec![n, n + k, n + k + 1]);
+    }
+    PolygonSoup::from_faces(end(0.0).chain(end(length)).collect(), &faces)
 }
 
 /// Every real mesh, every flow that takes it: a table of endings.

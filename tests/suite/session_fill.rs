@@ -47,12 +47,12 @@ fn the_next_flow_moves_the_new_vertices_only() {
     let n = before.len() / 3;
     let outcome = fill(&mut s, &all()).expect("filled");
     assert_eq!(
-        (outcome.loops.as_slice(), outcome.first_vertex),
+        (outcome.filled.as_slice(), outcome.first_vertex),
         (&[0][..], n)
     );
     let info = s.info().expect("a mesh");
     assert!(info.closed && info.genus == Some(0));
-    assert_eq!(info.vertices, n + outcome.vertices_added);
+    assert_eq!(info.vertices, n + outcome.new_vertices);
     assert!(
         info.warnings
             .iter()
@@ -60,7 +60,7 @@ fn the_next_flow_moves_the_new_vertices_only() {
     );
     // Whatever was asked of the flow before.
     let configured = s.configure(FlowOptions::default()).expect("configured");
-    assert_eq!(configured.free_vertices, outcome.vertices_added);
+    assert_eq!(configured.free_vertices, outcome.new_vertices);
     let held = s.held_vertices().expect("a selection");
     assert!(held[..n].iter().all(|&h| h == 1) && held[n..].iter().all(|&h| h == 0));
     let start = s.positions().expect("positions");
@@ -76,7 +76,7 @@ fn a_fill_is_faired_by_the_flow_that_is_chosen_next() {
     let mut s = session("holed-sphere", &[("level", 4.0), ("holes", 4.0)]);
     let n = s.positions().expect("positions").len() / 3;
     let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
-    assert_eq!((outcome.loops.len(), outcome.first_vertex), (4, n));
+    assert_eq!((outcome.filled.len(), outcome.first_vertex), (4, n));
     assert!(outcome.warnings.is_empty(), "{:?}", outcome.warnings);
     assert!(s.info().expect("a mesh").closed);
     let off = |s: &Session| {
@@ -91,7 +91,7 @@ fn a_fill_is_faired_by_the_flow_that_is_chosen_next() {
         ..FlowOptions::default()
     };
     let configured = s.configure(options).expect("configured");
-    assert_eq!(configured.free_vertices, outcome.vertices_added);
+    assert_eq!(configured.free_vertices, outcome.new_vertices);
     s.run(100).expect("steps");
     assert_eq!(s.state().expect("a state").status, Status::Converged);
     // A surface of constant H is kept, and no surface else.
@@ -119,7 +119,7 @@ fn a_selection_from_before_does_not_outlive_the_fill() {
         .iter()
         .filter(|h| **h == 0)
         .count();
-    assert_eq!(free, outcome.vertices_added);
+    assert_eq!(free, outcome.new_vertices);
 }
 
 #[test]
@@ -281,16 +281,13 @@ fn holes_that_share_a_corner_are_two_and_the_outer_rim_stays_open() {
         assert_eq!((loops.len(), small.len()), (holes + 1, holes), "{loops:?}");
         let vertices = info.vertices;
         let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
-        assert_eq!((&outcome.loops, &outcome.warnings[..]), (&small, &[][..]));
+        assert_eq!((&outcome.filled, &outcome.warnings[..]), (&small, &[][..]));
         let after = s.info().expect("a mesh");
         assert_eq!((after.boundary_loops, after.components), (1, 1));
         assert_eq!((after.euler_characteristic, after.genus), (1, Some(0)));
         // The copies of a corner are one vertex again.
         assert!(outcome.first_vertex < vertices && after.oriented);
-        assert_eq!(
-            after.vertices,
-            outcome.first_vertex + outcome.vertices_added
-        );
+        assert_eq!(after.vertices, outcome.first_vertex + outcome.new_vertices);
         assert!(s.boundary_loops().expect("a mesh").iter().all(|l| !l.small));
         s.undo_edit().expect("undone");
         // One of them alone, and then the next by the number that it has then.
@@ -324,14 +321,14 @@ fn an_outer_rim_is_filled_only_when_it_is_chosen() {
             ("NoSmallLoops", Some(1.0))
         );
         assert!(everything(&s) == before);
-        assert_eq!(fill(&mut s, &all()).expect("filled").loops.len(), loops);
+        assert_eq!(fill(&mut s, &all()).expect("filled").filled.len(), loops);
         assert!(s.info().expect("a mesh").closed);
     }
     let mut s = opened(&sheet(8, &[(3, 3)], 1.0, 0.0));
     let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
     assert_eq!(
         (
-            outcome.loops.len(),
+            outcome.filled.len(),
             s.info().expect("a mesh").boundary_loops
         ),
         (1, 1)
@@ -344,7 +341,7 @@ fn an_outer_rim_is_filled_only_when_it_is_chosen() {
         let outcome = fill(&mut s, &FillOptions::default()).expect("filled");
         let info = s.info().expect("a mesh");
         assert_eq!(
-            (outcome.loops.len(), info.boundary_loops),
+            (outcome.filled.len(), info.boundary_loops),
             (holes, 1),
             "{name}"
         );

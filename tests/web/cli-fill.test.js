@@ -63,9 +63,9 @@ test("fill closes a hemisphere and leaves what was there as it was", () => {
   const [mesh, out] = [shape("hemisphere"), file("closed.off")];
   const report = json(["fill", mesh, "--loops", "all", "--out", out]);
   assert.deepEqual(Object.keys(report), [
-    ...["loops", "verticesAdded", "facesAdded", "warnings", "warningIds", "info"],
+    ...["filled", "left", "newVertices", "warnings", "warningIds", "info"],
   ]);
-  assert.deepEqual(report.loops, [0]);
+  assert.deepEqual([report.filled, report.left], [[0], []]);
   assert.deepEqual(report.warnings, []);
   const { info } = report;
   assert.deepEqual([info.closed, info.genus, info.boundaryLoops], [true, 0, 0]);
@@ -73,21 +73,21 @@ test("fill closes a hemisphere and leaves what was there as it was", () => {
   const [before, after] = [lines(mesh), lines(out)];
   assert.deepEqual(after.vertices.slice(0, before.vertices.length), before.vertices);
   assert.deepEqual(after.faces.slice(0, before.faces.length), before.faces);
-  assert.equal(after.vertices.length, before.vertices.length + report.verticesAdded);
-  assert.equal(after.faces.length, before.faces.length + report.facesAdded);
+  assert.equal(after.vertices.length, before.vertices.length + report.newVertices);
+  assert.equal(after.faces.length, info.faces);
 });
 
 test("fill --loops closes the loops named, --max-vertices bounds the patches", () => {
   const mesh = shape("cylinder");
   const one = json(["fill", mesh, "--loops", "1"]);
-  assert.deepEqual([one.loops, one.info.boundaryLoops], [[1], 1]);
+  assert.deepEqual([one.filled, one.left, one.info.boundaryLoops], [[1], [0], 1]);
   const both = json(["fill", mesh, "--loops", "0,1"]);
-  assert.deepEqual([both.loops, both.info.closed], [[0, 1], true]);
+  assert.deepEqual([both.filled, both.info.closed], [[0, 1], true]);
   const few = json(["fill", mesh, "--loops", "all", "--max-vertices", "30"]);
-  assert.ok(few.verticesAdded <= 30 && both.verticesAdded > 30);
+  assert.ok(few.newVertices <= 30 && both.newVertices > 30);
   assert.match(few.warnings[0], /limit of 30/);
   const words = umbilic(["fill", mesh, "--loops", "all", "--max-vertices", "30"]);
-  assert.match(words.out, /^verticesAdded +\d+$[\s\S]*^warning: /m);
+  assert.match(words.out, /^newVertices +\d+$[\s\S]*^warning: /m);
 });
 
 test("fill --connect blends tubes into one surface", () => {
@@ -165,7 +165,7 @@ test("fill warns of what no flow can make good", () => {
     "--fair",
     "mmcv",
   ]);
-  assert.equal(none.verticesAdded, 0);
+  assert.equal(none.newVertices, 0);
   assert.equal(none.fair, undefined);
   assert.match(none.warnings.join(), /no new vertex, and nothing for mmcv to move/);
 });

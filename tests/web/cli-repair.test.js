@@ -130,8 +130,8 @@ test("files that people brought come out right", { skip: !existsSync(shared) }, 
   /** @param {string} name */
   const filled = (name) => json(["fill", path.join(shared, name)]);
   const flat = filled("flat_hole.obj");
-  assert.deepEqual([flat.loops.length, flat.info.boundaryLoops], [1, 1]);
+  assert.deepEqual([flat.filled.length, flat.info.boundaryLoops], [1, 1]);
   assert.ok(Math.abs(flat.info.area - 1) < 1e-9);
   const bowtie = filled("bowtie_hole.obj");
-  assert.deepEqual([bowtie.loops.length, bowtie.info.boundaryLoops], [2, 1]);
+  assert.deepEqual([bowtie.filled.length, bowtie.info.boundaryLoops], [2, 1]);
 });

@@ -52,6 +52,31 @@ function shrinking(radii) {
   return clip;
 }
 
+test("a half that is shown backwards grows at the front, as smooth as the rest", () => {
+  const clip = shrinking([1, 0.95, 0.9]);
+  for (const [n, radius] of [1.05, 1.1, 1.15].entries()) {
+    clip.add(point(-1 - n, ball(radius).positions), 2);
+  }
+  assert.deepEqual(
+    clip.points.map(({ state }) => state.step),
+    [-3, -2, -1, 0, 1, 2],
+  );
+  const sums = clip.points.map(({ sum }) => sum);
+  assert.equal(sums[0], 0);
+  for (let n = 1; n < sums.length; n += 1) {
+    const share = (sums[n] - sums[n - 1]) / clip.total;
+    assert.ok(Math.abs(share - 0.2) < 0.01, `step ${n}: ${share}`);
+    assert.equal(clip.points[n].isCut, false);
+  }
+  // Over the seam the surface is made of steps of both halves.
+  const around = clip.around((sums[2] + sums[3]) / 2);
+  assert.deepEqual(
+    around.map(({ state }) => state.step),
+    [-2, -1, 0, 1],
+  );
+  assert.equal(clip.seconds, secondsOf(3) + secondsOf(2));
+});
+
 test("the visible change is the displacement along the normal over the size", () => {
   const { change, isSharp } = changeOf(ball(1).positions, ball(1.1).positions, triangles, 2);
   // A uniform growth by 0.1 turns no normal; facets see it a little smaller.

@@ -27,7 +27,7 @@ test("every label that is made of data has words in every language", async () =>
     ...flows.filter(({ family }) => family !== "p-willmore").map(({ id }) => `symbol-${id}`),
     ...[...options, ...arrangement].map(({ name }) => `option-${name}`),
     ...options.filter(({ kind }) => kind !== "vertices").map(({ name }) => `option-${name}-help`),
-    ...samples.flatMap(({ id, group }) => [`sample-${id}`, `sample-${id}.shows`, `group-${group}`]),
+    ...samples.flatMap(({ id, group }) => [`sample-${id}`, `sample-${id}-shows`, `group-${group}`]),
     ...figures.map(({ paper }) => `paper-${paper}.authors`),
     ...["all", ...shelves].map((id) => `shelf-${id}`),
     ...shelves.map((id) => `shelf-${id}.about`),

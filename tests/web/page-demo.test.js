@@ -171,7 +171,7 @@ test("the slides speak German to whoever asks for it, and so do their surfaces",
   const { page, faults, close } = await openDeck("?lang=de#/3");
   await page.getByRole("heading", { name: "Kreise statt Krümmungen" }).waitFor();
   assert.equal(await page.locator("html").getAttribute("lang"), "de");
-  assert.equal(await page.title(), "Willmore-Fluss auf acht Folien");
+  assert.equal(await page.title(), "Willmore-Fluss auf neun Folien");
   // The readings in a sentence stay in their places.
   const caption = page.locator("figcaption:visible");
   await caption.filter({ hasText: /Hier ist W = 188\.5 nach 0 Schritten\.$/ }).waitFor();

@@ -47,7 +47,9 @@ export function take(track, frame, follows) {
   const { state, flippedTriangles, timeline } = frame;
   const at = track.clip.at(track.u);
   const shown = track.clip.points[at.index]?.state.step;
-  const surface = surfaceOf(frame, track.clip.points[track.clip.indexOf(state.step - 1)]);
+  // The steps of a half that is shown backwards come one before the other.
+  const near = state.step < 0 ? state.step + 1 : state.step - 1;
+  const surface = surfaceOf(frame, track.clip.points[track.clip.indexOf(near)]);
   track.clip.add({ state, ...surface, marked: flippedTriangles }, timeline.last);
   if (follows) track.u = track.clip.points[track.clip.indexOf(state.step)].sum;
   else if (frame.stored && shown !== undefined) {
@@ -75,7 +77,9 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
       onReady: (version) => patch({ version }),
       onFrame,
       onStopped(reading, fault) {
-        patch({ reading, running: false, goal: null, progress: null });
+        const isHalf = get().film === "back" && isOver(reading.status) && !fault;
+        patch({ reading, running: isHalf, goal: null, progress: null });
+        if (isHalf) return void enqueue(forth);
         if (fault) notes.error(fault, core.offers(fault));
         // The last step's own report does not know that it was the last.
         const { last } = lead.clip;
@@ -205,7 +209,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     lead.clip.clear(get().mesh?.triangles);
     lead.u = 0;
     unsaid = [];
-    patch({ extras: null, marks: null, ...(isSame ? {} : { range: null }) });
+    patch({ extras: null, marks: null, film: null, ...(isSame ? {} : { range: null }) });
     player.redraw();
   }
 
@@ -269,6 +273,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
         const reading = await solver.revive();
         if (reading) {
           lead.clip.forgetBefore(reading.step);
+          patch({ film: null });
           show(reading.step);
         }
         patch({ phase: mesh ? "ready" : "empty", reading });
@@ -286,10 +291,24 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
 
   /** Steps until told to pause, while the display follows at its own pace. */
   async function run() {
-    const { last } = lead.clip;
-    if (last && get().reading?.step !== last.state.step) await solver.seek(last.state.step);
+    const { film, figure, reading } = get();
+    const isBack = film === "back";
+    const end = isBack ? lead.clip.points[0] : lead.clip.last;
+    const isNew = end !== null && end.state.step >= 0;
+    if (isBack && figure && isNew) await solver.turn(figure.id, true);
+    else if (end && reading?.step !== end.state.step) await solver.seek(end.state.step);
     patch({ running: true });
     await solver.run(null);
+  }
+
+  /** The half that is shown backwards is there: the film begins, and goes on into the other one. */
+  async function forth() {
+    const { film, figure } = get();
+    if (film !== "back" || !figure) return;
+    patch({ film: "whole" });
+    patch({ reading: await solver.turn(figure.id, false) });
+    if (!core.isOver()) await run();
+    player.begin(true);
   }
 
   const core = {

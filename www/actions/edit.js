@@ -144,13 +144,13 @@ export function createEdit(core) {
       change(async () => {
         const { options } = get();
         const { filled, loaded } = await long("fill", () => solver.fill(wanted));
-        const count = filled.loops.length;
+        const count = filled.filled.length;
         const flow = fairs(options.flow) ? options.flow : "mmcv";
         const free = loaded.free ? [...loaded.free] : null;
         const fair = { ...options, ...toFlow(flow), fixed: null, prefill: false, free };
         await edited(loaded, say("count-fills", { count }), fair);
         for (const warning of filled.warnings) notes.note(say(warning), warning.id);
-        notes.answer(say("filled", { count, vertices: filled.verticesAdded }));
+        notes.answer(say("filled", { count, vertices: filled.newVertices }));
       }),
     /** Frees these vertices and holds the others; the surface as it is becomes the start. @param {number[] | null} free */
     select: (free) =>

@@ -383,7 +383,15 @@ export function createOpen(core, run, compare) {
     /** @param {boolean} [shared]  sent to somebody, so that there is always an energy to compare */
     writeLink: (shared = false) => solver.writeLink(pageScene(get(), shared)),
     /** How the present surface came about, as a file. @returns {Promise<string>} */
-    recipe: () => solver.writeRecipe(/** @type {any} */ (get().origin)),
+    recipe() {
+      const { origin, figure, reading } = get();
+      const sample = samples.find(({ id }) => id === figure?.sample);
+      // The half of a film that is shown backwards begins with a surface of its own.
+      const isBack = sample && figure?.back && (reading?.step ?? 0) < 0;
+      const parameters = { ...sample?.parameters, ...figure?.back };
+      const own = isBack ? { kind: "shape", shape: sample.shape, parameters } : origin;
+      return solver.writeRecipe(/** @type {any} */ (own));
+    },
     /** Gives up what is being done again. @returns {Promise<boolean>} whether there was something */
     async giveUp() {
       if (!isReplaying) return false;

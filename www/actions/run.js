@@ -35,7 +35,11 @@ export function createRun(core, adopt) {
   async function play() {
     if (!isUsable() || isMoving()) return;
     patch({ welcome: false, isNew: false, mode: null, preview: null });
-    if (core.isOver() && !maySolve() && isAtEnd()) player.begin(true);
+    const { figure, film, comparison } = get();
+    const isNewFilm = figure?.back && film === null && comparison.rivals.length === 0;
+    if (isNewFilm) patch({ film: "back" });
+    if (isNewFilm || film === "back") await core.run();
+    else if (core.isOver() && !maySolve() && isAtEnd()) player.begin(true);
     else {
       if (maySolve()) await core.run();
       await core.runRivals();
@@ -67,12 +71,13 @@ export function createRun(core, adopt) {
         if (!isUsable()) return;
         const before = lead.clip.points[core.shownIndex() - 1];
         if (before) await solver.seek(before.state.step);
-        else if (get().reading?.canStepBack) await solver.back();
+        else if (get().film === null && get().reading?.canStepBack) await solver.back();
       }),
     reset: () =>
       enqueue(async () => {
         await rest();
         if (!isUsable()) return;
+        if (get().film) return void (await solver.seek(lead.clip.points[0].state.step));
         core.anew(true);
         await Promise.all([
           solver.reset(),

@@ -174,7 +174,7 @@ export const fill = command({
     });
     if (!fair) return { result: report({}, []) };
     const { flow } = fair;
-    if (filled.verticesAdded === 0) {
+    if (filled.newVertices === 0) {
       return { result: report({}, [{ id: "fair-nothing", values: { flow } }]) };
     }
     // The new vertices are those that move: the solver knows them.

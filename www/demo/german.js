@@ -3,10 +3,10 @@
 
 /** @type {Record<string, string>} */
 export const german = {
-  "Willmore flow in eight slides": "Willmore-Fluss auf acht Folien",
+  "Willmore flow in nine slides": "Willmore-Fluss auf neun Folien",
   "Willmore flow, live": "Willmore-Fluss, live",
-  "How a surface loses what it need not have: four papers in eight slides, and every picture is a computation.":
-    "Wie eine Fläche verliert, was sie nicht haben muss: vier Arbeiten auf acht Folien, und jedes Bild ist eine Rechnung.",
+  "How a surface loses what it need not have: four papers and an eversion of the sphere in nine slides, and every picture is a computation.":
+    "Wie eine Fläche verliert, was sie nicht haben muss: vier Arbeiten und eine umgestülpte Sphäre auf neun Folien, und jedes Bild ist eine Rechnung.",
   "<kbd>→</kbd> or a clicker goes on, <kbd>Space</kbd> plays and pauses, a drag turns the surface.":
     "<kbd>→</kbd> oder ein Klicker blättert weiter, <kbd>Leertaste</kbd> startet und hält an, Ziehen dreht die Fläche.",
   "A bumpy sphere that becomes round": "Eine beulige Sphäre, die rund wird",
@@ -70,6 +70,16 @@ export const german = {
     "Ein Gesicht mit Knicken, geglättet durch Kantenflips",
   "Ten flips a step:": "Zehn Flips je Schritt:",
   "flips so far, W =": "Flips bisher, W =",
+  "A sphere, turned inside out": "Eine Sphäre, umgestülpt",
+  "Francis, Sullivan, Kusner, Brakke, Hartman and Chappell, 1997":
+    "Francis, Sullivan, Kusner, Brakke, Hartman und Chappell, 1997",
+  "A surface may pass through itself, but not crease. Even so a sphere can be turned inside out: Smale’s theorem of 1958. Every way leads through a point where four sheets meet, and there the bending energy is at least":
+    "Eine Fläche darf sich selbst durchdringen, aber nicht knicken. Auch so lässt sich eine Sphäre umstülpen: Smales Satz von 1958. Jeder Weg führt durch einen Punkt, in dem vier Blätter zusammenkommen, und dort ist die Biegeenergie mindestens",
+  "Morin’s surface has just that much, and is a saddle. Pushed to either side it flows down to the round sphere, to 4π. One way backwards and the other forwards: a film, computed here and now.":
+    "Morins Fläche hat genau so viel und ist ein Sattel. Nach beiden Seiten angestoßen, fließt sie hinab zur runden Sphäre, zu 4π. Der eine Weg rückwärts und der andere vorwärts: ein Film, hier und jetzt gerechnet.",
+  "A sphere that is turned inside out": "Eine Sphäre, die umgestülpt wird",
+  ", from 4π = 12.57 up to 16π = 50.27 and down again; volume":
+    ", von 4π = 12.57 hinauf zu 16π = 50.27 und wieder hinab; Volumen",
   "Now yours": "Nun Ihre",
   "Open the page": "Öffnen Sie die Seite",
   "and drop a mesh on it: OBJ, OFF, PLY or STL. Nothing leaves the computer.":

@@ -42,7 +42,8 @@ export const samples = [
   {"id":"klein-bottle","group":"closed","shape":"klein-bottle","parameters":{},"options":{}},
   {"id":"saddle","group":"boundary","shape":"hyperbolic-paraboloid","parameters":{"cells":16},"options":{"boundary":"free"}},
   {"id":"genus-4","group":"closed","shape":"double-torus","parameters":{"genus":4,"level":3},"options":{"flow":"p-willmore"}},
-  {"id":"morin","group":"closed","shape":"morin","parameters":{"vertices":1200,"push":0.1},"options":{"flow":"p-willmore","keep":["area"]}},
+  {"id":"morin","group":"closed","shape":"morin","parameters":{"vertices":1200,"push":-0.03},"options":{"flow":"p-willmore","keep":["area"]}},
+  {"id":"morin-fine","group":"closed","shape":"morin","parameters":{"vertices":5000,"push":-0.03},"options":{"flow":"p-willmore","keep":["area"]}},
   {"id":"boy","group":"closed","shape":"boy","parameters":{},"options":{}},
   {"id":"cyclide","group":"closed","shape":"cyclide","parameters":{},"options":{"epsilon":0.001}},
   {"id":"inverted-catenoid","group":"closed","shape":"inverted-catenoid","parameters":{},"options":{}},
@@ -99,4 +100,6 @@ export const figures = [
   {"id":"curvature-5.5","paper":"curvature","number":"5.5","sample":"three-tubes","options":{},"arrangement":{"compare":"flows","subdivide":0,"flipsPerStep":1},"colour":"mean-curvature","steps":60,"quick":true,"fallsShort":false},
   {"id":"curvature-5.6","paper":"curvature","number":"5.6","sample":"four-bumps","options":{},"arrangement":{"compare":"flows","subdivide":0,"flipsPerStep":1},"colour":"mean-curvature","steps":60,"quick":true,"fallsShort":false},
   {"id":"volume-preserving-round","paper":"volume-preserving","number":"1987","sample":"spheroid","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":true,"fallsShort":false},
+  {"id":"eversion","paper":"eversion","number":"1997","sample":"morin","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":600,"back":{"push":0.03},"quick":true,"fallsShort":false},
+  {"id":"eversion-fine","paper":"eversion","number":"1997","sample":"morin-fine","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":600,"back":{"push":0.03},"quick":false,"fallsShort":false},
 ];

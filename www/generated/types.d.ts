@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "compare": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "turn": State } | { "timeline": Timeline } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -234,11 +234,11 @@ step: number, } } | { "branch": {
 /**
  * Its number.
  */
-branch: number, } } | { "timeline": Record<symbol, never> } | { "compare": { 
+branch: number, } } | { "turn": { 
 /**
- * Which; without panes none.
+ * The figure that it is of, by its id.
  */
-comparison: Comparison, } } | { "restore": { 
+figure: string, } } | { "timeline": Record<symbol, never> } | { "restore": { 
 /**
  * Three coordinates a vertex.
  */
@@ -739,15 +739,15 @@ export type FillOutcome = {
 /**
  * The loops that are no more, by the numbers they had.
  */
-loops: Array<number>, 
+filled: Array<number>, 
+/**
+ * Those that are still open, by the numbers they had.
+ */
+left: Array<number>, 
 /**
  * Number of new vertices.
  */
-verticesAdded: number, 
-/**
- * Number of new faces.
- */
-facesAdded: number, 
+newVertices: number, 
 /**
  * The first new vertex.
  */
@@ -1683,29 +1683,17 @@ shared: boolean, };
  */
 export type Pane = { 
 /**
- * `start`, the criterion, the flow, or a letter where panes were chosen by their differences.
+ * `start`, the criterion or the flow.
  */
 name: string, 
 /**
- * Its place among documents side by side, the first being 0.
- */
-number: number, 
-/**
- * What it does otherwise than the first.
- */
-change: Partial<FlowOptions>, 
-/**
- * Of documents side by side: where this one stands.
+ * Of flows side by side: where this one stands.
  */
 state: State | null, 
 /**
  * Of these: the jump of H across the boundary of what moves.
  */
 jump: CurvatureJump | null, 
-/**
- * Of those beside the first: the steps that no frame has told of yet.
- */
-reports: Array<PlotPoint>, 
 /**
  * Three coordinates a vertex.
  */
@@ -2387,6 +2375,11 @@ area: number,
  * Signed volume, of a closed oriented surface.
  */
 volume: number | null, 
+/**
+ * Pairs of triangles that pass through each other, of a surface that did so when it was opened
+ * and has not too many triangles to be looked at after every step.
+ */
+crossings?: number, 
 /**
  * Smallest corner angle.
  */

@@ -58,12 +58,14 @@ export const german = {
     "Alles Eingerichtete steht in der Adresse: die Fläche, der Fluss, die Farben, die Kamera und der Schritt. Ein Lesezeichen genügt, oder der Link unter Teilen. Wer ihn öffnet, erfährt, ob sein Rechner dieselbe Energie gefunden hat.",
   "Two flows side by side say more than one. Under Compare, <b>Flow</b> sets the mean-curvature flow beside it: one rounds, the other shrinks. <kbd>B</kbd> shows one in the place of the other.":
     "Zwei Flüsse nebeneinander sagen mehr als einer. Unter Vergleichen stellt <b>Fluss</b> den mittleren Krümmungsfluss daneben: Der eine rundet, der andere schrumpft. <kbd>B</kbd> zeigt einen an der Stelle des anderen.",
+  "Library, <b>The sphere turned inside out</b>: one press computes an eversion and plays it as a film, from the sphere over Morin’s surface to the sphere with its other side out.":
+    "Bibliothek, <b>Die Sphäre, umgestülpt</b>: Ein Druck rechnet eine Umstülpung und spielt sie als Film, von der Sphäre über Morins Fläche zur Sphäre, die ihre andere Seite nach außen kehrt.",
   "In your own slides": "In eigenen Folien",
   "Slides made of HTML hold live surfaces: one script, one element, no account.":
     "Folien aus HTML können lebende Flächen enthalten: ein Skript, ein Element, kein Konto.",
   "For other programs there is the film: Share, <b>Record</b>, play, stop.":
     "Für andere Programme gibt es den Film: Teilen, <b>Aufnehmen</b>, abspielen, beenden.",
-  "Eight slides made that way": "Acht Folien, die so gemacht sind",
+  "Nine slides made that way": "Neun Folien, die so gemacht sind",
 
   "Drop a file on the page. It is read, counted and checked on your machine; what is odd about it is said before anything is changed.":
     "Eine Datei auf die Seite ziehen. Sie wird auf diesem Rechner gelesen, gezählt und geprüft; was an ihr auffällt, wird gesagt, bevor sich etwas ändert.",

@@ -134,7 +134,8 @@ export function curve(page) {
 
 /** @param {Point} point @param {number} total @param {string} place */
 function label({ state, sum }, total, place) {
-  const text = place === "first" && state.step === 0 ? say("start") : String(state.step);
+  const text =
+    place === "first" && state.step === 0 ? say("start") : String(state.step).replace("-", "−");
   return html`<span class="step ${place}" aria-hidden="true" .style=${`--x:${(100 * sum) / total}%`}
     >${place === "last" ? say("clause-step", { step: state.step }) : text}</span>`;
 }

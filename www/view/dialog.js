@@ -17,7 +17,14 @@ const contents = {
   plot: lazy(() => import("./dialogs.js").then(({ largePlot }) => largePlot)),
 };
 
-/** Fetches what dialogs hold, so that the first key typed in one is not lost. */
+/**
+ * Whether a dialog is open and its contents are fetched: shown before, it would leave the
+ * focus on nothing, and what is typed into it would be lost.
+ * @param {import("../store.js").S} s
+ */
+export const isDialogOpen = (s) => s.dialog !== null && contents[s.dialog].isThere();
+
+/** Fetches what dialogs hold, so that they open at once. */
 export const fetchDialogs = () => Promise.all(Object.values(contents).map(({ fetch }) => fetch()));
 
 /** @param {Page} page */

@@ -24,7 +24,7 @@ const asItem = ({ id, group }) => ({
   id,
   shelf: firsts.includes(id) ? "first" : group,
   title: sampleName(id),
-  text: say(`sample-${id}.shows`),
+  text: say(`sample-${id}-shows`),
   note: "",
   open: (page) => page.open.sample(id),
   isOpen: ({ source, figure }) => source?.kind === "sample" && source.id === id && !figure,

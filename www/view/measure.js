@@ -76,7 +76,7 @@ function readings(page) {
       ],
       [
         say("reading-volume"),
-        changed(volume(shown), since(shown.volume, first?.volume ?? null)),
+        s.film ? volume(shown) : changed(volume(shown), since(shown.volume, first?.volume ?? null)),
         "volume",
       ],
     );
@@ -95,6 +95,8 @@ function readings(page) {
         "milliseconds",
       ],
     );
+    if (shown.crossings !== undefined)
+      rows.push([say("reading-crossings"), String(shown.crossings), "crossings"]);
     if (shown.multipliers?.tension != null)
       rows.push([say("reading-tension"), formatNumber(shown.multipliers.tension, 4)]);
     if (shown.multipliers?.pressure != null)

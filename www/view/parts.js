@@ -192,5 +192,5 @@ export function lazy(load) {
     if (!view.value) fetch().catch(page.report);
     return view.value?.(page) ?? nothing;
   };
-  return Object.assign(show, { fetch });
+  return Object.assign(show, { fetch, isThere: () => view.value !== null });
 }

@@ -19,11 +19,11 @@ use std::rc::Rc;
 #[serde(rename_all = "camelCase")]
 pub struct FillOutcome {
     /// The loops that are no more, by the numbers they had.
-    pub loops: Vec<usize>,
+    pub filled: Vec<usize>,
+    /// Those that are still open, by the numbers they had.
+    pub left: Vec<usize>,
     /// Number of new vertices.
-    pub vertices_added: usize,
-    /// Number of new faces.
-    pub faces_added: usize,
+    pub new_vertices: usize,
     /// The first new vertex.
     pub first_vertex: usize,
     /// What is worth knowing.
@@ -115,20 +115,22 @@ impl Runner {
         warnings.extend(repairs.into_iter().map(Message::from));
         let n_new: usize = patches.iter().map(|p| p.vertices.len()).sum();
         let n_old = positions.len() - n_new;
+        let filled: Vec<usize> = patches
+            .iter()
+            .flat_map(|p| p.loops.iter().copied())
+            .collect();
+        let n_loops = boundary_loops(&document.polygons, &self.x).len();
         let outcome = FillOutcome {
-            loops: patches
-                .iter()
-                .flat_map(|p| p.loops.iter().copied())
-                .collect(),
-            vertices_added: n_new,
-            faces_added: mesh.n_faces() - document.polygons.n_faces(),
+            left: (0..n_loops).filter(|n| !filled.contains(n)).collect(),
+            filled,
+            new_vertices: n_new,
             first_vertex: n_old,
             warnings,
         };
         let polygons = Rc::new(mesh);
         let mut said = document.warnings.clone();
         let filled = Notice::Filled {
-            count: outcome.loops.len(),
+            count: outcome.filled.len(),
             vertices: n_new,
         };
         said.push(filled.into());

@@ -10,6 +10,7 @@ pub(super) mod subdivide;
 
 use super::document::Document;
 use super::fault::Fault;
+use super::halves::OtherHalf;
 use super::message::AppError;
 use super::provenance::Edit;
 use super::runner::{Runner, Suspended};
@@ -84,9 +85,11 @@ impl Session {
         let mut runner = Runner::new(document, x);
         runner.begin_segment(options);
         runner.arrangement = before.arrangement;
+        runner.crosses = before.crosses;
         runner.origin = before.origin_of(name);
         self.runner = Some(runner);
         self.edits.push(before.suspend());
+        self.other_half = OtherHalf::default();
         self.panes.clear();
         Ok(outcome)
     }
@@ -116,6 +119,7 @@ impl Session {
             return Err(AppError::NothingToUndo.into());
         };
         self.runner = Some(before.resume(self.progress.clone()));
+        self.other_half = OtherHalf::default();
         self.settle_panes();
         self.loaded()
     }

@@ -8,6 +8,9 @@ use crate::flow::options::FlowOptions;
 use crate::message::{Message, Value};
 use serde::Serialize;
 
+/// Parameters of a shape in the place of those of a sample, by name.
+pub type Parameters = &'static [(&'static str, f64)];
+
 /// A figure that shows a result.
 #[derive(Clone, Copy, Debug)]
 pub struct Figure {
@@ -28,7 +31,10 @@ pub struct Figure {
     /// How far it runs.
     pub steps: Steps,
     /// Parameters of coarser meshes, coarsest first, on which the same is run before.
-    pub refine: &'static [&'static [(&'static str, f64)]],
+    pub refine: &'static [Parameters],
+    /// Parameters of the surface on which the same is run first, where the two runs make one film:
+    /// this one backwards, then that of the sample.
+    pub back: Option<Parameters>,
     /// Regularisation after the steps.
     pub regularise: Option<RegulariseOptions>,
     /// The undamaged surface, its vertices numbered as those of the sample.
@@ -55,6 +61,8 @@ pub enum Paper {
     Curvature,
     /// Huisken.
     VolumePreserving,
+    /// Francis, Sullivan, Kusner, Brakke, Hartman & Chappell.
+    Eversion,
 }
 
 /// How far a figure runs.
@@ -120,6 +128,7 @@ impl Figure {
         colour: None,
         steps: Steps::Rest,
         refine: &[],
+        back: None,
         regularise: None,
         reference: None,
         quick: true,

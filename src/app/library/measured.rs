@@ -26,6 +26,8 @@ pub(in crate::app) struct Run<'a> {
     /// Ends on coarser meshes, coarsest first.
     pub(super) refined: Vec<State>,
     pub(super) regularised: Option<Regularised>,
+    /// The first half of a film.
+    back: Option<&'a Runner>,
     /// Of the undamaged surface.
     reference: Option<Vec<DVec3>>,
 }
@@ -45,7 +47,8 @@ impl<'a> Run<'a> {
             }
             None => None,
         };
-        let runner = session.runner()?;
+        let [runner, back] = session.halves()?;
+        let runner = runner.ok_or_else(Fault::no_mesh)?;
         let (first, start) = runner.beginning();
         Ok(Self {
             session,
@@ -56,6 +59,7 @@ impl<'a> Run<'a> {
             x: &runner.x,
             refined,
             regularised,
+            back,
             reference,
         })
     }
@@ -65,6 +69,19 @@ impl<'a> Run<'a> {
         self.runner.info()
     }
 
+    /// Readings at the end of the first half of a film.
+    pub(super) fn back(&self) -> Option<&State> {
+        self.back.map(|runner| &runner.state)
+    }
+
+    /// Least product of a unit face normal with a unit normal at its corners, on all surfaces of
+    /// both halves of a film that are stored.
+    pub(super) fn least_alignment(&self) -> f64 {
+        let halves = [Some(self.runner), self.back];
+        let least = halves.into_iter().flatten().map(Runner::least_alignment);
+        least.fold(f64::INFINITY, f64::min)
+    }
+
     /// The jump of H across the boundary of what moves, relative.
     pub(super) fn jump(&self) -> Option<f64> {
         self.runner.curvature_jump().map(|jump| jump.relative)
@@ -72,9 +89,7 @@ impl<'a> Run<'a> {
 
     /// The same of a flow side by side with others; NaN where there is none.
     pub(super) fn jump_of(&self, flow: FlowName) -> f64 {
-        let others = self.session.panes.others().iter();
-        let others = others.map(|other| &other.runner);
-        let mut runners = std::iter::once(self.runner).chain(others);
+        let mut runners = std::iter::once(self.runner).chain(self.session.panes.others());
         let runner = runners.find(|runner| runner.options().flow == flow);
         let jump = runner.and_then(Runner::curvature_jump);
         jump.map_or(f64::NAN, |jump| jump.relative)

@@ -6,6 +6,7 @@
 
 mod circle;
 mod curvature;
+mod eversion;
 mod figure;
 mod flips;
 pub mod measure;
@@ -15,18 +16,19 @@ mod run;
 mod sample;
 mod volume_preserving;
 
-pub use figure::{Figure, Finding, Paper, Steps};
+pub use figure::{Figure, Finding, Paper, Parameters, Steps};
 pub use run::FigureRun;
 pub use sample::{Group, Holes, SAMPLES, Sample, Shape};
 
 /// Every figure of the papers that shows a result, in the order of the gallery.
 pub fn figures() -> impl Iterator<Item = &'static Figure> {
-    let papers: [&'static [Figure]; 5] = [
+    let papers: [&'static [Figure]; 6] = [
         circle::FIGURES,
         p_willmore::FIGURES,
         flips::FIGURES,
         curvature::FIGURES,
         volume_preserving::FIGURES,
+        eversion::FIGURES,
     ];
     papers.into_iter().flatten()
 }

@@ -19,6 +19,8 @@ pub struct FigureRun {
     steps: Option<usize>,
     /// Whether the present mesh came to its end.
     is_over: bool,
+    /// Whether the first half of a film is done.
+    is_turned: bool,
 }
 
 impl FigureRun {
@@ -30,6 +32,7 @@ impl FigureRun {
             refined: Vec::new(),
             steps: None,
             is_over: false,
+            is_turned: false,
         }
     }
 
@@ -52,7 +55,12 @@ impl FigureRun {
         let Some(steps) = self.steps else {
             let refined = self.refined.len();
             let over = figure.refine.get(refined).copied().unwrap_or_default();
-            figure.begin_with(&mut self.session, over)?;
+            if !self.is_turned {
+                figure.begin_with(&mut self.session, over)?;
+            }
+            if figure.back.is_some() {
+                self.session.turn(figure.id)?;
+            }
             self.steps = Some(0);
             self.is_over = figure.steps == Steps::Count(0);
             return Ok(None);
@@ -64,6 +72,11 @@ impl FigureRun {
             self.is_over = !has_stepped
                 || figure.steps == Steps::Count(steps)
                 || self.session.state()?.status.is_final();
+            return Ok(None);
+        }
+        if figure.back.is_some() && !self.is_turned {
+            self.is_turned = true;
+            self.steps = None;
             return Ok(None);
         }
         if self.refined.len() < figure.refine.len() {

@@ -181,6 +181,15 @@ fn volume_kept(o: FlowOptions) -> FlowOptions {
     p_willmore(FlowOptions { keep, ..o })
 }
 
+fn area_kept(o: FlowOptions) -> FlowOptions {
+    FlowOptions {
+        keep: vec![Area],
+        // Said though it is the default: links to these samples are older than that.
+        remesh: Remeshing::Adaptive,
+        ..p_willmore(o)
+    }
+}
+
 /// Towards the volume of a red blood cell, as a share of the ball's.
 fn deflated(o: FlowOptions) -> FlowOptions {
     let reduced_volume = Some(0.6);
@@ -374,13 +383,15 @@ pub static SAMPLES: &[Sample] = {
         sample(
             "morin",
             Closed,
-            shape("morin", &[("vertices", 1200.0), ("push", 0.1)]),
+            shape("morin", &[("vertices", 1200.0), ("push", -0.03)]),
         )
-        .with(|o| FlowOptions {
-            keep: vec![Area],
-            remesh: Remeshing::Adaptive,
-            ..p_willmore(o)
-        }),
+        .with(area_kept),
+        sample(
+            "morin-fine",
+            Closed,
+            shape("morin", &[("vertices", 5000.0), ("push", -0.03)]),
+        )
+        .with(area_kept),
         sample("boy", Closed, shape("boy", &[])),
         // Its edges lie on lines of curvature, as those of the Clifford torus do.
         sample("cyclide", Closed, shape("cyclide", &[])).with(|o| FlowOptions {

@@ -225,25 +225,6 @@ impl Runner {
         self.state.clone()
     }
 
-    /// To the first stored snapshot at or after a time, or as near before it as there is.
-    pub(in crate::app) fn seek_time(&mut self, time: f64) {
-        let here = self.history.here();
-        while self
-            .history
-            .last()
-            .is_some_and(|before| before.state.time >= time)
-        {
-            self.exchange(|history, live| history.back(live));
-        }
-        while self.state.time < time && self.history.next_step().is_some() {
-            self.exchange(|history, live| history.forth(live));
-        }
-        self.leave_pass();
-        if self.history.here() != here {
-            self.settle();
-        }
-    }
-
     fn seek_snapshot(&mut self, id: SnapshotId) {
         let ahead = self.history.is_ahead(id);
         while self.history.here() != id {

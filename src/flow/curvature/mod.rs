@@ -62,6 +62,9 @@ use web_time::Instant;
 /// large as is good, and one that leads less far than this may grow.
 const CAP: f64 = 0.5;
 const SHORT: f64 = 0.35;
+/// On a closed surface no face turns by more than the angle of this cosine in a step: curvatures
+/// fitted to needles say nothing, and lead to flat bits of what was there.
+const TURN: f64 = 0.5;
 /// Passes of the smooth pre-fill.
 const PREFILL_PASSES: usize = 3;
 /// Refusals in a row, each to a quarter, that end a run.
@@ -198,17 +201,31 @@ impl CurvatureFlow {
         }
     }
 
-    /// What a step may leave, above the least reading so far.
+    /// What a step may leave, above the least reading so far by this share of it. The area of
+    /// a closed surface is exact, and none is added; that of a patch comes to its rest from above
+    /// only as far as fitted curvatures are those of the mesh.
     fn ceiling(&self, share: f64) -> Ceiling {
         Ceiling::AboveLeast {
-            share,
+            share: if self.watches_area() { 0.0 } else { share },
             slack: self.slack(),
         }
     }
 
+    /// Whether the functional is the area of a closed surface.
+    fn watches_area(&self) -> bool {
+        let is_area = matches!(self.watched(), Law::MeanCurvature | Law::SurfaceDiffusion);
+        is_area && self.is_whole()
+    }
+
     /// A difference of the functional that is none.
     fn slack(&self) -> f64 {
-        SLACK * self.first_energy + LEAST_SLACK / self.law.normalised(1.0, self.region.length)
+        // No area comes to zero but by vanishing, which ends the run.
+        let least = if self.watches_area() {
+            0.0
+        } else {
+            LEAST_SLACK
+        };
+        SLACK * self.first_energy + least / self.law.normalised(1.0, self.region.length)
     }
 
     /// Whether the present law lowers its functional.
@@ -290,7 +307,7 @@ impl Flow for CurvatureFlow {
                 Ceiling::None
             },
             reach: can_vanish.then_some(CAP),
-            turn: None,
+            turn: self.is_whole().then_some(TURN),
             folds: Folds::None,
             least_angle: None,
             bound: self.smooth_minimum,

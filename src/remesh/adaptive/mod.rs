@@ -26,7 +26,7 @@ mod split;
 pub use need::{is_due, is_urgent};
 pub use origin::Origin;
 pub use restore::Targets;
-pub use soundness::Soundness;
+pub use soundness::{Soundness, alignment};
 
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;

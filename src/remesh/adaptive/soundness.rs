@@ -51,7 +51,7 @@ impl Soundness {
         }
         Self {
             bend,
-            alignment: alignment(&draft),
+            alignment: alignment_of(&draft),
             gauss_bonnet: gauss / (4.0 * PI) - 0.5 * mesh.euler_characteristic() as f64,
             fitted_energy: squares / willmore,
         }
@@ -66,7 +66,13 @@ impl Soundness {
     }
 }
 
-fn alignment(draft: &Draft) -> f64 {
+/// Least product of a unit face normal with a unit normal at its corners; 1 of a plane, positive of
+/// what is immersed without a crease.
+pub fn alignment(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
+    alignment_of(&Draft::of(mesh, x, &vec![false; x.len()]))
+}
+
+fn alignment_of(draft: &Draft) -> f64 {
     let of_face = |corners: [u32; 3]| {
         let n = draft.normal_of(corners).normalize_or_zero();
         let products = corners.map(|v| n.dot(draft.normal[v as usize]));

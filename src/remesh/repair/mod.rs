@@ -121,7 +121,9 @@ impl Change {
     pub fn built(repair: &Repair, faces: usize) -> Option<Self> {
         let vertices = match repair {
             Repair::OneSided { .. } => return None,
-            Repair::SplitVertices { vertices, .. } => vertices.clone(),
+            Repair::SplitVertices {
+                vertices, first, ..
+            } => vertices.iter().map(|v| v - first).collect(),
             _ => Vec::new(),
         };
         Some(Self::of(repair, faces, vertices))

@@ -121,7 +121,7 @@ export class FakeSession {
 
   /** One new vertex. */
   fill() {
-    return { loops: [0], verticesAdded: 1, facesAdded: 3, firstVertex: 3, warnings: [] };
+    return { filled: [0], left: [], newVertices: 1, firstVertex: 3, warnings: [] };
   }
 
   info() {

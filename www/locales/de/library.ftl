@@ -12,6 +12,8 @@ paper-curvature = { paper-curvature.authors }: Variation der mittleren Krümmung
     .authors = Xu und Zhang
 paper-volume-preserving = { paper-volume-preserving.authors }: mittlere Krümmung bei festem Volumen
     .authors = Huisken
+paper-eversion = { paper-eversion.authors }: Umstülpung der Sphäre
+    .authors = Francis, Sullivan, Kusner, Brakke, Hartman und Chappell
 
 ## Figures: their number; the paper’s report and what to expect here
 
@@ -204,6 +206,14 @@ figure-volume-preserving-round = Satz, { $number }
     .title = Eine konvexe Fläche wird rund
     .reports = Der Fluss nach der mittleren Krümmung bei festem Volumen macht jede konvexe Fläche zur runden Sphäre gleichen Volumens.
     .expected = Eine Sphäre auf 2e-3, Volumen auf 1e-10, 36πV²/A³ gestiegen auf 0.99 und mehr
+figure-eversion = Die Minimax-Umstülpung, { $number }
+    .title = Die Sphäre, umgestülpt
+    .reports = Eine Sphäre lässt sich ohne Knick durch sich selbst umstülpen (Smale, 1958). Sie muss dabei durch einen vierfachen Punkt und ∫H² = 16π (Max und Banchoff, 1981; Li und Yau, 1982); Morins Fläche nach Kusner hat genau so viel und fließt nach beiden Seiten zur Sphäre, indem sie sich weniger biegt.
+    .expected = Beide Wege enden an einer runden Sphäre, ∫H² unter 1.005·4π; Volumen mit entgegengesetzten Vorzeichen, auf 1 % das der Kugel; an den Enden keine Durchdringungen; in jedem Schritt immersiert, kleinstes Produkt von Flächen- und Eckennormalen über 0.3
+figure-eversion-fine = Die Minimax-Umstülpung, { $number }, feiner
+    .title = Die Sphäre, umgestülpt, 5000 Ecken
+    .reports = Eine Sphäre lässt sich ohne Knick durch sich selbst umstülpen (Smale, 1958); derselbe Film auf einem feineren Netz, das etwa zehnmal so lange braucht.
+    .expected = Beide Wege enden an einer runden Sphäre, ∫H² unter 1.005·4π; Volumen mit entgegengesetzten Vorzeichen, auf 1 % das der Kugel; an den Enden keine Durchdringungen; in jedem Schritt immersiert, kleinstes Produkt von Flächen- und Eckennormalen über 0.3
 
 ## Measured on a figure
 
@@ -231,6 +241,7 @@ measured-refinement = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 
 measured-refinement-apart = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 5) }, { NUMBER($fine, digits: 5) }: Verhältnis { $ratio }, nicht zur selben Zeit
 measured-ball = Abweichung { NUMBER($off, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $steps } Schritte, { $status }
 measured-isoperimetric = 36πV²/A³ { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, Abweichung { NUMBER($off, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $steps } Schritte, { $status }
+measured-eversion = ∫H²/4π { NUMBER($firstEnergy, digits: 5) } ← { NUMBER($halfway, digits: 4) } → { NUMBER($lastEnergy, digits: 5) }, V durch das der Kugel { NUMBER($firstVolume, digits: 4) } und { NUMBER($lastVolume, digits: 4) }, Durchdringungen { $firstCrossings } ← { $crossings } → { $lastCrossings }, kleinstes Produkt von Normalen { NUMBER($alignment, digits: 2) }
 measured-flips = Inhalt/Willmore/lokalisiert: { $areaFlips }/{ $willmoreFlips }/{ $localisedFlips } Flips, Inhalt { NUMBER($area, digits: 5) }/{ NUMBER($willmoreArea, digits: 5) }/{ NUMBER($localisedArea, digits: 5) }, W { NUMBER($areaCircle, digits: 4) }/{ NUMBER($willmoreCircle, digits: 4) }/{ NUMBER($localisedCircle, digits: 4) }
 measured-variation = Σ|ΔK| { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 4) }
 measured-lost = { $lost } % verloren
@@ -267,3 +278,50 @@ bench-robustness = Wie Flüsse enden, sich selbst überlassen: auf Formen mit Ra
     Netzen eines Ordners in 100 Schritten. Die Energie am Anfang und am Ende, der größte relative Anstieg
     des überwachten Funktionals in einem Schritt, der kleinste Winkel, den es gab
 bench-figures = Die Abbildungen der vier Arbeiten: was erwartet wird und was hier gerade gemessen wurde
+
+## Beispiele, und worauf zu achten ist
+
+sample-icosahedron-shows = Wird zur runden Sphäre; W beginnt bei genau 60π und fällt auf null (Abbildung 6).
+sample-bumpy-sphere-shows = Beulen schmelzen, kurze zuerst, bis die Sphäre rund und W null ist.
+sample-coarse-torus-shows = Rundet sich, dann nähert sich sein Verhältnis langsam R/r = √2 (Abbildung 8).
+sample-clifford-torus-shows = Das Minimum unter den Tori: W/2 liegt bei 2π², und der Fluss bewegt ihn kaum.
+sample-pipe-shows = Beide Enden behalten Lage und Tangente; der Bogen dazwischen entspannt sich (Abbildung 9).
+sample-six-sided-hole-shows = Füllt ein sechseckiges Loch glatt, von einem harmonischen ersten Ansatz aus (Abbildung 10).
+sample-scar-shows = Nur der beschädigte Flicken bewegt sich und schließt sich ohne Naht (Abbildung 11).
+sample-noisy-scan-shows = Zehn Schritte nehmen das Rauschen weg und lassen die Form (Abbildung 12).
+sample-trefoil-shows = Ein verknoteter Schlauch wird dicker; lösen kann er sich nicht.
+sample-vesicle-shows = Bei festem Flächeninhalt wird das Volumen auf 0.6 der Kugel gesenkt: eine bikonkave Scheibe, wie ein rotes Blutkörperchen (p-Willmore, Abbildung 6).
+sample-blob-shows = Ohne jede Symmetrie am Anfang endet auch er als bikonkave Scheibe, als elliptische (p-Willmore, Abbildung 6).
+sample-spheroid-shows = Wird rund, während das Volumen bleibt: Der Flächeninhalt fällt, und 36πV²/A³ steigt auf 1.
+sample-letter-c-shows = Rundet sich mit p = 2 zur Sphäre; schrumpft mit p = 0, wächst mit p = 4 (p-Willmore, Abbildung 2).
+sample-thin-torus-shows = Verdickt sich zum Clifford-Torus: ∫H² fällt auf 2π² (p-Willmore, Abbildung 4).
+sample-torus-knot-shows = Bei festem Inhalt und Volumen; ohne Regularisierung entartet das Netz (p-Willmore, Abbildung 5).
+sample-bad-mesh-shows = Dreiecke sind umgeklappt; „Netz jetzt regularisieren“ heilt sie, ohne die Form zu ändern (p-Willmore, Abbildungen 3, 7 und 11).
+sample-trefoil-kept-shows = Ein dicker verknoteter Schlauch kommt auf einem Plateau von ∫H² zur Ruhe (p-Willmore, Abbildung 9).
+sample-bumps-kept-shows = Rundet sich, ohne zu wachsen oder zu schrumpfen (p-Willmore, Abbildung 1).
+sample-ellipsoid-p-shows = Am Ende eine Sphäre, für jeden Exponenten p auf anderem Weg (p-Willmore, Abbildung 12).
+sample-cylinder-gaps-shows = Eingesunkene Flicken heben sich zurück zum Zylinder: Seine mittlere Krümmung ist konstant (Variation der Krümmung, Abbildung 5.1).
+sample-sphere-openings-shows = Acht ebene Deckel werden zur Sphäre, aus der sie geschnitten sind (Variation der Krümmung, Abbildung 5.1).
+sample-two-tubes-shows = Ein Flicken, der beide verbindet, wird zum Zylinder dazwischen (Variation der Krümmung, Abbildung 5.2).
+sample-three-tubes-shows = Der Übergang schließt mit stetiger Krümmung an die Rohre an; vergleichen Sie alle vier Flüsse (Variation der Krümmung, Abbildung 5.2).
+sample-six-tubes-shows = Entlang aller drei Achsen (Variation der Krümmung, Abbildung 5.2).
+sample-holed-scan-shows = Was der Scanner nicht sah, wird gefüllt und geglättet (Variation der Krümmung, Abbildung 5.3).
+sample-holed-sphere-shows = Löcher werden trianguliert, neu vernetzt, vorgefüllt und geglättet: wieder die Sphäre (Variation der Krümmung, Abbildung 5.3).
+sample-dodecahedron-shows = Zwanzig Punkte werden interpoliert: die Sphäre durch sie (Variation der Krümmung, Abbildung 5.4).
+sample-four-bumps-shows = Nur der Fluss sechster Ordnung schließt mit stetiger mittlerer Krümmung an: Achten Sie auf den Sprung (Variation der Krümmung, Abbildungen 5.5 und 5.6; die Funktion berichtigt, exp(−27/16 …)).
+sample-sampled-torus-shows = Jede Zelle ist längs einer der Diagonalen zerschnitten; Flips räumen das auf. Hier enden die drei Kriterien beim selben Netz (Kantenflips, Abbildung 6).
+sample-uneven-torus-shows = Hier führen Flächeninhalt und lokalisierte Energie zum selben Netz, die Willmore-Energie zu einem anderen.
+sample-creased-face-shows = Lange senkrechte Kanten machen Falten; Flips glätten die meisten (Kantenflips, Abbildung 7).
+sample-eared-head-shows = Nach Flächeninhalt oder lokalisierter Energie endet W tiefer als nach sich selbst, und die Ohren verlieren Volumen (Kantenflips, Abbildung 8).
+sample-counterexample-shows = Der Flip dieser Kante hebt den Flächeninhalt und senkt die lokalisierte Energie: f_a = 15/2 − 2√2 − √89/2 = −0.0454, f_l = +0.0068.
+sample-moebius-shows = Eine Seite und ein Rand; die Energie braucht keine Orientierung.
+sample-klein-bottle-shows = Geschlossen und einseitig: Sie hat kein Volumen, aber eine Energie.
+sample-saddle-shows = Mit freiem Rand wird er zu einem konvexen Stück der Ebene; mit festem bleibt er ein Sattel (Abbildung 7).
+sample-genus-4-shows = Ihre Henkel runden sich; ∫H² strebt unter 8π (p-Willmore, Abbildung 8).
+sample-morin-shows = Die Hälfte einer umgestülpten Sphäre: von 16π durch sich selbst zur runden Sphäre (Kusner).
+sample-morin-fine-shows = Dieselbe Hälfte der Umstülpung auf einem feineren Netz.
+sample-boy-shows = Eine projektive Ebene, einseitig, und die am wenigsten gebogene im Raum: ∫H² = 12π (Bryant, Kusner).
+sample-cyclide-shows = Ein Möbius-Bild des Clifford-Torus, mit derselben Energie: W/2 liegt nahe 2π².
+sample-inverted-catenoid-shows = Zwei Blätter, die sich in einem Punkt berühren: ∫H² = 8π, wie bei jeder invertierten Minimalfläche mit zwei Enden.
+sample-rough-mesh-shows = Ein Durchgang von „Netz jetzt regularisieren“ genügt hier (p-Willmore, Abbildung 7).
+sample-range-scan-shows = So groß wie der der Arbeit, mit ebenso vielen Löchern; hundert Schritte beginnen auch Merkmale wegzunehmen (Abbildung 12).

@@ -33,7 +33,10 @@ repair-duplicate-faces = Weggelassen: { $count ->
 repair-split-vertices = Aufgeteilt: { $count ->
     [one] { $count } nicht-mannigfaltige Ecke
    *[other] { $count } nicht-mannigfaltige Ecken
-}, wo sich mehrere Blätter in einem Punkt berühren, in eine Ecke je Blatt ({ LIST($vertices, most: 5) }).
+}, wo sich mehrere Blätter in einem Punkt berühren, in eine Ecke je Blatt ({ LIST($vertices, most: 5) }{ $first ->
+    [1] {"; "}gezählt ab 1, wie in der Datei
+   *[other] {""}
+}).
 repair-flat-pieces = Weggelassen: { $count ->
     [one] { $count } Facette
    *[other] { $count } Facetten

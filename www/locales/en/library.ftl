@@ -12,6 +12,8 @@ paper-curvature = { paper-curvature.authors }: mean-curvature variation
     .authors = Xu and Zhang
 paper-volume-preserving = { paper-volume-preserving.authors }: volume-preserving mean-curvature flow
     .authors = Huisken
+paper-eversion = { paper-eversion.authors }: a sphere eversion
+    .authors = Francis, Sullivan, Kusner, Brakke, Hartman and Chappell
 
 ## Figures: their number; the paper’s report and what to expect here
 
@@ -204,6 +206,14 @@ figure-volume-preserving-round = Theorem, { $number }
     .title = A convex surface becomes round
     .reports = Volume-preserving mean-curvature flow makes every convex surface a round sphere of the same volume.
     .expected = A sphere to 2e-3, volume to 1e-10, 36πV²/A³ risen to 0.99 and more
+figure-eversion = The minimax eversion, { $number }
+    .title = The sphere turned inside out
+    .reports = A sphere can be turned inside out through itself without a crease (Smale, 1958). It has to pass through a quadruple point and ∫H² = 16π (Max and Banchoff, 1981; Li and Yau, 1982); Morin’s surface after Kusner has just that much, and bending less it flows to the sphere on either side.
+    .expected = Both ways end at a round sphere, ∫H² below 1.005·4π; volumes of opposite signs, within 1 % of the ball’s; no crossings at the ends; immersed at every step, least product of face and vertex normals above 0.3
+figure-eversion-fine = The minimax eversion, { $number }, finer
+    .title = The sphere turned inside out, 5,000 vertices
+    .reports = A sphere can be turned inside out through itself without a crease (Smale, 1958); the same film on a finer mesh, which takes about ten times as long.
+    .expected = Both ways end at a round sphere, ∫H² below 1.005·4π; volumes of opposite signs, within 1 % of the ball’s; no crossings at the ends; immersed at every step, least product of face and vertex normals above 0.3
 
 ## Measured on a figure
 
@@ -231,6 +241,7 @@ measured-refinement = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 
 measured-refinement-apart = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, digits: 5) }, { NUMBER($fine, digits: 5) }: ratio { $ratio }, not at one time
 measured-ball = off { NUMBER($off, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $steps } steps, { $status }
 measured-isoperimetric = 36πV²/A³ { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, off { NUMBER($off, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $steps } steps, { $status }
+measured-eversion = ∫H²/4π { NUMBER($firstEnergy, digits: 5) } ← { NUMBER($halfway, digits: 4) } → { NUMBER($lastEnergy, digits: 5) }, V over the ball’s { NUMBER($firstVolume, digits: 4) } and { NUMBER($lastVolume, digits: 4) }, crossings { $firstCrossings } ← { $crossings } → { $lastCrossings }, least product of normals { NUMBER($alignment, digits: 2) }
 measured-flips = area/Willmore/localised: { $areaFlips }/{ $willmoreFlips }/{ $localisedFlips } flips, area { NUMBER($area, digits: 5) }/{ NUMBER($willmoreArea, digits: 5) }/{ NUMBER($localisedArea, digits: 5) }, W { NUMBER($areaCircle, digits: 4) }/{ NUMBER($willmoreCircle, digits: 4) }/{ NUMBER($localisedCircle, digits: 4) }
 measured-variation = Σ|ΔK| { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 4) }
 measured-lost = { $lost } % lost
@@ -267,3 +278,50 @@ bench-robustness = How flows end, left to themselves: on shapes with noise (h th
     meshes of a folder in 100 steps. The energy at first and last, the largest relative rise of
     the monitored functional in a step, the smallest angle there was
 bench-figures = The figures of the four papers: what is expected, and what was measured here just now
+
+## Samples, and what to look for
+
+sample-icosahedron-shows = Becomes a round sphere; W starts at exactly 60π and falls to zero (figure 6).
+sample-bumpy-sphere-shows = Bumps melt, short ones first, until the sphere is round and W is zero.
+sample-coarse-torus-shows = Rounds off, then its proportions creep towards R/r = √2 (figure 8).
+sample-clifford-torus-shows = The minimum among tori: W/2 is near 2π², and the flow hardly moves it.
+sample-pipe-shows = Both ends keep their position and tangent; the bend between them relaxes (figure 9).
+sample-six-sided-hole-shows = Fills a hexagonal hole smoothly, from a harmonic first guess (figure 10).
+sample-scar-shows = Only the damaged patch moves, and closes without a seam (figure 11).
+sample-noisy-scan-shows = Ten steps take away the noise and leave the shape (figure 12).
+sample-trefoil-shows = A knotted tube fattens; it cannot untie itself.
+sample-vesicle-shows = Area kept, the volume is led down to 0.6 of the ball’s: a biconcave disc, as a red blood cell (p-Willmore, figure 6).
+sample-blob-shows = Without any symmetry at the start it ends as a biconcave disc too, an elliptical one (p-Willmore, figure 6).
+sample-spheroid-shows = Becomes round while its volume stays: the area falls, and 36πV²/A³ rises to 1.
+sample-letter-c-shows = Rounds off to a sphere with p = 2; shrinks with p = 0, grows with p = 4 (p-Willmore, figure 2).
+sample-thin-torus-shows = Thickens into the Clifford torus: ∫H² falls to 2π² (p-Willmore, figure 4).
+sample-torus-knot-shows = Area and volume kept; without regularisation the mesh degenerates (p-Willmore, figure 5).
+sample-bad-mesh-shows = Triangles have turned over; “Regularise the mesh now” mends them without changing the shape (p-Willmore, figures 3, 7 and 11).
+sample-trefoil-kept-shows = A thick knotted tube comes to rest on a plateau of ∫H² (p-Willmore, figure 9).
+sample-bumps-kept-shows = Rounds off without growing or shrinking (p-Willmore, figure 1).
+sample-ellipsoid-p-shows = A sphere in the end, on another way for every exponent p (p-Willmore, figure 12).
+sample-cylinder-gaps-shows = Sunken patches rise back to the cylinder: its mean curvature is constant (variation of curvature, figure 5.1).
+sample-sphere-openings-shows = Eight flat lids become the sphere they were cut from (variation of curvature, figure 5.1).
+sample-two-tubes-shows = A patch that connects both becomes the cylinder between them (variation of curvature, figure 5.2).
+sample-three-tubes-shows = The blend joins its tubes with continuous curvature; compare all four flows (variation of curvature, figure 5.2).
+sample-six-tubes-shows = Along all three axes (variation of curvature, figure 5.2).
+sample-holed-scan-shows = What the scanner did not see is filled and faired (variation of curvature, figure 5.3).
+sample-holed-sphere-shows = Holes are triangulated, remeshed, pre-filled and faired: the sphere again (variation of curvature, figure 5.3).
+sample-dodecahedron-shows = Twenty points are interpolated: the sphere through them (variation of curvature, figure 5.4).
+sample-four-bumps-shows = Only the sixth-order flow joins with continuous mean curvature: look at the jump (variation of curvature, figures 5.5 and 5.6; its function as repaired, exp(−27/16 …)).
+sample-sampled-torus-shows = Each cell is cut along either diagonal; flips tidy that up. Here the three criteria end at the same mesh (edge flips, figure 6).
+sample-uneven-torus-shows = Here area and localised energy lead to one mesh, the Willmore energy to another.
+sample-creased-face-shows = Long vertical edges make creases; flips smooth most of them out (edge flips, figure 7).
+sample-eared-head-shows = By area or localised energy W ends lower than by itself, and the ears lose volume (edge flips, figure 8).
+sample-counterexample-shows = Flipping this edge raises the area and lowers the localised energy: f_a = 15/2 − 2√2 − √89/2 = −0.0454, f_l = +0.0068.
+sample-moebius-shows = One side and one edge; the energy needs no orientation.
+sample-klein-bottle-shows = Closed and one-sided: it has no volume, but it has an energy.
+sample-saddle-shows = Set free it becomes a flat, convex piece of the plane; with its boundary fixed it stays a saddle (figure 7).
+sample-genus-4-shows = Its handles round off; ∫H² tends below 8π (p-Willmore, figure 8).
+sample-morin-shows = Half of a sphere turned inside out: from 16π through itself to a round sphere (Kusner).
+sample-morin-fine-shows = The same half of an eversion on a finer mesh.
+sample-boy-shows = A projective plane, one-sided, and the least bent of all that there are in space: ∫H² = 12π (Bryant, Kusner).
+sample-cyclide-shows = A Möbius image of the Clifford torus, with the same energy: W/2 is near 2π².
+sample-inverted-catenoid-shows = Two sheets that touch in a point: ∫H² = 8π, as of every inverted minimal surface with two ends.
+sample-rough-mesh-shows = One pass of “Regularise the mesh now” is enough here (p-Willmore, figure 7).
+sample-range-scan-shows = As large as the paper’s, with as many holes; a hundred steps begin to take the features too (figure 12).

@@ -33,7 +33,10 @@ repair-duplicate-faces = Dropped { $count ->
 repair-split-vertices = Split { $count ->
     [one] { $count } non-manifold vertex
    *[other] { $count } non-manifold vertices
-}, where several sheets touch in a point, into one vertex a sheet ({ LIST($vertices, most: 5) }).
+}, where several sheets touch in a point, into one vertex a sheet ({ LIST($vertices, most: 5) }{ $first ->
+    [1] {"; "}counted from 1, as in the file
+   *[other] {""}
+}).
 repair-flat-pieces = Dropped { $count ->
     [one] { $count } face
    *[other] { $count } faces
