@@ -358,16 +358,6 @@ impl Session {
         Ok(self.configure(options)?.state)
     }
 
-    /// Puts positions from outside in place, as after a crash; the history starts anew.
-    ///
-    /// # Errors
-    /// If there are not three finite coordinates a vertex.
-    pub fn restore(&mut self, exact: &[f64], step: usize, time: f64) -> Result<State, Fault> {
-        let state = self.ensure_configured()?.restore(exact, step, time)?;
-        self.settle_panes();
-        Ok(state)
-    }
-
     /// Where the session stands.
     ///
     /// # Errors

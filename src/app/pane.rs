@@ -115,16 +115,9 @@ pub(super) fn pictures(first: &Runner, panes: &Panes, field: Option<FieldName>) 
     }
     if panes.others().is_empty() {
         // What a pass of remeshing made the page does not know.
-        let is_known = first.segment.mesh.is_none();
-        let pane = |first: &Runner| {
-            first.pane(
-                first.options().flow.id(),
-                first.triangles(),
-                Vec::new(),
-                field,
-            )
-        };
-        return Vec::from_iter((!is_known).then(|| pane(first)));
+        let made = first.own_triangles();
+        let name = first.options().flow.id();
+        return Vec::from_iter(made.map(|mesh| first.pane(name, mesh, Vec::new(), field)));
     }
     let all = std::iter::once(first).chain(panes.others());
     let mut pictures: Vec<Pane> = all

@@ -91,11 +91,11 @@ pub enum MassChoice {
 #[serde(rename_all = "lowercase")]
 pub enum Remeshing {
     /// Triangles as small as the surface bends.
+    #[default]
     Adaptive,
     /// Triangles of one size.
     Isotropic,
     /// None.
-    #[default]
     Off,
 }
 

@@ -244,6 +244,10 @@ figure: string, } } | { "timeline": Record<symbol, never> } | { "restore": {
  */
 exact: Float64Array, 
 /**
+ * Three corners each, where those of the frame were its own; null or none else.
+ */
+triangles: Uint32Array | null, 
+/**
  * The step they belong to.
  */
 step: number, 
@@ -998,6 +1002,10 @@ positions: Float32Array,
  * The same in full precision, to go on from after a crash.
  */
 exact: Float64Array, 
+/**
+ * Three corners each, where remeshing or edge flips made others than were loaded.
+ */
+triangles: Uint32Array | null, 
 /**
  * Colours; null where there are none, or panes have their own.
  */
@@ -2400,6 +2408,10 @@ gradientNorm: number,
  * Duration of the last step.
  */
 milliseconds: number, 
+/**
+ * The pass of remeshing that the last step began with.
+ */
+pass?: Pass, 
 /**
  * Whether an earlier state is stored.
  */

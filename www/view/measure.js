@@ -59,7 +59,12 @@ function readings(page) {
   const shown = page.shown();
   const first = page.lead.clip.points[0]?.state;
   if (!mesh) return nothing;
-  const { genus, vertices, faces } = mesh.info;
+  const { genus } = mesh.info;
+  const { clip, u } = page.lead;
+  const made = clip.points[clip.at(u).index]?.drawable;
+  const { vertices, faces } = made
+    ? { vertices: made.positions.length / 3, faces: made.triangles.length / 3 }
+    : mesh.info;
   /** @type {(readonly [string, unknown, string?])[]} */
   const rows = [];
   if (shown) {

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::app::RegulariseOptions;
 use crate::flow::constraint::Kept;
-use crate::flow::options::{FlowName, FlowOptions};
+use crate::flow::options::{FlowName, FlowOptions, Remeshing};
 use crate::message::Value;
 use crate::remesh::Mode;
 use web_time::Instant;
@@ -85,6 +85,7 @@ fn stepped((size, paper): ([usize; 2], f64), count: usize) -> Measurement {
             flow: FlowName::PWillmore,
             keep: vec![Kept::Area, Kept::Volume],
             max_steps: Some(count + 1),
+            remesh: Remeshing::Off,
             ..FlowOptions::default()
         })?;
         let first = step(&mut session)?.milliseconds;

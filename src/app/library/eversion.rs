@@ -11,7 +11,6 @@
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measured::Run;
 use crate::app::State;
-use crate::flow::options::{FlowOptions, Remeshing};
 use std::f64::consts::PI;
 
 /// ∫H² of any sphere.
@@ -60,10 +59,6 @@ fn everted(run: &Run<'_>) -> Finding {
 const HALVES: Figure = Figure {
     paper: Paper::Eversion,
     number: "1997",
-    options: |o| FlowOptions {
-        remesh: Remeshing::Adaptive,
-        ..o
-    },
     steps: Steps::Count(600),
     // As little as the sample is pushed to the other side: between the two no seam is seen.
     back: Some(&[("push", 0.03)]),

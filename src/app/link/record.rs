@@ -62,7 +62,7 @@ fn compact(flow: &FlowOptions, room: &mut Reader) -> Option<Entries> {
             continue;
         }
         let value = (row.get)(flow);
-        if value != (row.get)(&usual) {
+        if value != (row.get)(&usual) || row.must_be_said(flow) {
             entries.push((row.name, value));
         }
     }
