@@ -62,6 +62,7 @@
 //!   angewandte Mathematik 382 (1987).
 //! - G. Francis, J. M. Sullivan, R. B. Kusner, K. A. Brakke, C. Hartman, G. Chappell: *The
 //!   Minimax Sphere Eversion*. Visualization and Mathematics, Springer 1997.
+//! - H. B. Lawson: *Complete minimal surfaces in S³*. Annals of Mathematics 92 (1970).
 //! - W. Brink, L. Alboul: *Willmore energy vs area as criteria for mesh optimisation*.
 
 #[cfg(feature = "solver")]

@@ -47,6 +47,8 @@ export const samples = [
   {"id":"boy","group":"closed","shape":"boy","parameters":{},"options":{}},
   {"id":"cyclide","group":"closed","shape":"cyclide","parameters":{},"options":{"epsilon":0.001}},
   {"id":"inverted-catenoid","group":"closed","shape":"inverted-catenoid","parameters":{},"options":{}},
+  {"id":"lawson-2","group":"closed","shape":"lawson","parameters":{"genus":2},"options":{"flow":"p-willmore","keep":["area"],"remesh":"adaptive"}},
+  {"id":"lawson-3","group":"closed","shape":"lawson","parameters":{"genus":3,"cells":12},"options":{"flow":"p-willmore","keep":["area"],"remesh":"adaptive"}},
   {"id":"rough-mesh","group":"repair","shape":"ellipsoid","parameters":{"level":4,"jitter":0.2},"options":{"flow":"p-willmore","keep":["volume"]}},
   {"id":"range-scan","group":"repair","shape":"scan","parameters":{"resolution":285,"loops":88},"options":{"goal":"smooth"}},
 ];
@@ -102,4 +104,6 @@ export const figures = [
   {"id":"volume-preserving-round","paper":"volume-preserving","number":"1987","sample":"spheroid","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":true,"fallsShort":false},
   {"id":"eversion","paper":"eversion","number":"1997","sample":"morin","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":600,"back":{"push":0.03},"quick":true,"fallsShort":false},
   {"id":"eversion-fine","paper":"eversion","number":"1997","sample":"morin-fine","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":600,"back":{"push":0.03},"quick":false,"fallsShort":false},
+  {"id":"lawson-2","paper":"lawson","number":"1970","sample":"lawson-2","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":true,"fallsShort":false},
+  {"id":"lawson-3","paper":"lawson","number":"1970","sample":"lawson-3","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":true,"fallsShort":false},
 ];

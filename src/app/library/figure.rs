@@ -63,6 +63,8 @@ pub enum Paper {
     VolumePreserving,
     /// Francis, Sullivan, Kusner, Brakke, Hartman & Chappell.
     Eversion,
+    /// Lawson.
+    Lawson,
 }
 
 /// How far a figure runs.

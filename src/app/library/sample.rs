@@ -398,6 +398,13 @@ pub static SAMPLES: &[Sample] = {
             ..o
         }),
         sample("inverted-catenoid", Closed, shape("inverted-catenoid", &[])),
+        sample("lawson-2", Closed, shape("lawson", &[("genus", 2.0)])).with(area_kept),
+        sample(
+            "lawson-3",
+            Closed,
+            shape("lawson", &[("genus", 3.0), ("cells", 12.0)]),
+        )
+        .with(area_kept),
         sample(
             "rough-mesh",
             Repair,

@@ -21,6 +21,7 @@ pub mod holed;
 pub mod inverted;
 pub mod knot;
 pub mod kusner;
+pub mod lawson;
 pub mod one_sided;
 mod parameter;
 pub mod patch;

@@ -143,6 +143,7 @@ pub(super) static SHAPES: &[Shape] = &[
     great::INVERTED_CATENOID,
     great::INVERTED_ENNEPER,
     great::CYCLIDE,
+    great::LAWSON,
     Shape {
         name: "clifford-torus",
         label: "Clifford torus",

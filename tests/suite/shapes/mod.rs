@@ -65,6 +65,7 @@ fn every_shape_is_the_manifold_it_should_be() {
         ("inverted-catenoid",      2000,  3996,   2,  0, true),
         ("inverted-enneper",       4000,  7996,   2,  0, true),
         ("cyclide",                4096,  8192,   0,  0, true),
+        ("lawson",                 2350,  4704,  -2,  0, true),
         ("clifford-torus",         1024,  2048,   0,  0, true),
         ("lattice-torus",           780,  1560,   0,  0, true),
         ("coarse-torus",            768,  1536,   0,  0, true),

@@ -14,6 +14,8 @@ paper-volume-preserving = { paper-volume-preserving.authors }: mittlere Krümmun
     .authors = Huisken
 paper-eversion = { paper-eversion.authors }: Umstülpung der Sphäre
     .authors = Francis, Sullivan, Kusner, Brakke, Hartman und Chappell
+paper-lawson = { paper-lawson.authors }: Minimalflächen der 3-Sphäre
+    .authors = Lawson
 
 ## Figures: their number; the paper’s report and what to expect here
 
@@ -214,6 +216,14 @@ figure-eversion-fine = Die Minimax-Umstülpung, { $number }, feiner
     .title = Die Sphäre, umgestülpt, 5000 Ecken
     .reports = Eine Sphäre lässt sich ohne Knick durch sich selbst umstülpen (Smale, 1958); derselbe Film auf einem feineren Netz, das etwa zehnmal so lange braucht.
     .expected = Beide Wege enden an einer runden Sphäre, ∫H² unter 1.005·4π; Volumen mit entgegengesetzten Vorzeichen, auf 1 % das der Kugel; an den Enden keine Durchdringungen; in jedem Schritt immersiert, kleinstes Produkt von Flächen- und Eckennormalen über 0.3
+figure-lawson-2 = ξ₂,₁, { $number }
+    .title = Die am wenigsten gebogene Fläche mit zwei Henkeln
+    .reports = Lawsons Minimalfläche ξ₂,₁ der 3-Sphäre hat den Inhalt 21,89, und so hat ihr Bild im Raum die Willmore-Energie 21,89. Nach Kusners Vermutung (1989) ist keine Fläche mit zwei Henkeln weniger gebogen; für einen Henkel haben es Marques und Neves bewiesen (2014).
+    .expected = Am Ende zwei Henkel, ∫H² = 21,89 auf 0,7 %, der Flächeninhalt auf 1e-8 erhalten
+figure-lawson-3 = ξ₃,₁, { $number }
+    .title = Die am wenigsten gebogene Fläche mit drei Henkeln
+    .reports = Lawsons ξ₃,₁ hat die Willmore-Energie 22,82. Die Reihe geht weiter gegen 8π: 8π(1 − ln 2/(2g + 2) − …) bei g Henkeln (Heller, Heller und Traizet, 2023).
+    .expected = Am Ende drei Henkel, ∫H² = 22,82 auf 0,7 %, der Flächeninhalt auf 1e-8 erhalten
 
 ## Measured on a figure
 
@@ -242,6 +252,7 @@ measured-refinement-apart = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, di
 measured-ball = Abweichung { NUMBER($off, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $steps } Schritte, { $status }
 measured-isoperimetric = 36πV²/A³ { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, Abweichung { NUMBER($off, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $steps } Schritte, { $status }
 measured-eversion = ∫H²/4π { NUMBER($firstEnergy, digits: 5) } ← { NUMBER($halfway, digits: 4) } → { NUMBER($lastEnergy, digits: 5) }, V durch das der Kugel { NUMBER($firstVolume, digits: 4) } und { NUMBER($lastVolume, digits: 4) }, Durchdringungen { $firstCrossings } ← { $crossings } → { $lastCrossings }, kleinstes Produkt von Normalen { NUMBER($alignment, digits: 2) }
+measured-lawson = Geschlecht { $genus }, ∫H² { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, erwartet { NUMBER($least, digits: 4) }: { NUMBER($off, digits: 2) } %; Drift { NUMBER($drift, digits: 1) }, Winkel { NUMBER($angle, digits: 2) }°, { $status }
 measured-flips = Inhalt/Willmore/lokalisiert: { $areaFlips }/{ $willmoreFlips }/{ $localisedFlips } Flips, Inhalt { NUMBER($area, digits: 5) }/{ NUMBER($willmoreArea, digits: 5) }/{ NUMBER($localisedArea, digits: 5) }, W { NUMBER($areaCircle, digits: 4) }/{ NUMBER($willmoreCircle, digits: 4) }/{ NUMBER($localisedCircle, digits: 4) }
 measured-variation = Σ|ΔK| { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 4) }
 measured-lost = { $lost } % verloren
@@ -323,5 +334,7 @@ sample-morin-fine-shows = Dieselbe Hälfte der Umstülpung auf einem feineren Ne
 sample-boy-shows = Eine projektive Ebene, einseitig, und die am wenigsten gebogene im Raum: ∫H² = 12π (Bryant, Kusner).
 sample-cyclide-shows = Ein Möbius-Bild des Clifford-Torus, mit derselben Energie: W/2 liegt nahe 2π².
 sample-inverted-catenoid-shows = Zwei Blätter, die sich in einem Punkt berühren: ∫H² = 8π, wie bei jeder invertierten Minimalfläche mit zwei Enden.
+sample-lawson-2-shows = Fließt zu Lawsons ξ₂,₁, deren Symmetrien und Großkreise sie hat: ∫H² = 21,89, so wenig wie keine andere bekannte mit zwei Henkeln.
+sample-lawson-3-shows = Fließt zu Lawsons ξ₃,₁: ∫H² = 22,82, so wenig wie keine andere bekannte mit drei Henkeln.
 sample-rough-mesh-shows = Ein Durchgang von „Netz jetzt regularisieren“ genügt hier (p-Willmore, Abbildung 7).
 sample-range-scan-shows = So groß wie der der Arbeit, mit ebenso vielen Löchern; hundert Schritte beginnen auch Merkmale wegzunehmen (Abbildung 12).

@@ -44,6 +44,8 @@ sample-morin-fine = Morins Fläche, angestoßen, 5000 Ecken
 sample-boy = Boys Fläche
 sample-cyclide = Zyklide von Dupin
 sample-inverted-catenoid = Invertiertes Katenoid
+sample-lawson-2 = Auf dem Weg zu Lawsons Fläche, zwei Henkel
+sample-lawson-3 = Auf dem Weg zu Lawsons Fläche, drei Henkel
 sample-rough-mesh = Ellipsoid, verzerrte Dreiecke
 sample-range-scan = Verrauschter Scan, 38 000 Ecken
 

@@ -44,6 +44,8 @@ sample-morin-fine = Morin’s surface, pushed, 5,000 vertices
 sample-boy = Boy’s surface
 sample-cyclide = Cyclide of Dupin
 sample-inverted-catenoid = Inverted catenoid
+sample-lawson-2 = Towards Lawson’s surface, two handles
+sample-lawson-3 = Towards Lawson’s surface, three handles
 sample-rough-mesh = Ellipsoid, skewed triangles
 sample-range-scan = Noisy scan, 38,000 vertices
 
