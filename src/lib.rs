@@ -63,6 +63,9 @@
 //! - G. Francis, J. M. Sullivan, R. B. Kusner, K. A. Brakke, C. Hartman, G. Chappell: *The
 //!   Minimax Sphere Eversion*. Visualization and Mathematics, Springer 1997.
 //! - H. B. Lawson: *Complete minimal surfaces in S³*. Annals of Mathematics 92 (1970).
+//! - U. Seifert, K. Berndl, R. Lipowsky: *Shape transformations of vesicles*. Physical Review A 44
+//!   (1991).
+//! - U. Pinkall: *Regular homotopy classes of immersed surfaces*. Topology 24 (1985).
 //! - W. Brink, L. Alboul: *Willmore energy vs area as criteria for mesh optimisation*.
 
 #[cfg(feature = "solver")]

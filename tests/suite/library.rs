@@ -190,6 +190,11 @@ fn lawsons_surfaces_come_out() {
 }
 
 #[test]
+fn links_come_undone() {
+    quick_figures_come_out(Paper::Knots);
+}
+
+#[test]
 fn a_start_is_no_result() {
     let words = Words::read();
     for figure in figures() {

@@ -65,6 +65,8 @@ pub enum Paper {
     Eversion,
     /// Lawson.
     Lawson,
+    /// Pinkall.
+    Knots,
 }
 
 /// How far a figure runs.

@@ -9,6 +9,7 @@ mod curvature;
 mod eversion;
 mod figure;
 mod flips;
+mod knots;
 mod lawson;
 pub mod measure;
 mod measured;
@@ -23,7 +24,7 @@ pub use sample::{Group, Holes, SAMPLES, Sample, Shape};
 
 /// Every figure of the papers that shows a result, in the order of the gallery.
 pub fn figures() -> impl Iterator<Item = &'static Figure> {
-    let papers: [&'static [Figure]; 7] = [
+    let papers: [&'static [Figure]; 8] = [
         circle::FIGURES,
         p_willmore::FIGURES,
         flips::FIGURES,
@@ -31,6 +32,7 @@ pub fn figures() -> impl Iterator<Item = &'static Figure> {
         volume_preserving::FIGURES,
         eversion::FIGURES,
         lawson::FIGURES,
+        knots::FIGURES,
     ];
     papers.into_iter().flatten()
 }

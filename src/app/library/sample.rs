@@ -320,6 +320,27 @@ pub static SAMPLES: &[Sample] = {
         )
         .with(both_kept),
         sample(
+            "trefoil-undone",
+            Tubes,
+            shape("trefoil", &[("along", 180.0), ("around", 18.0)]),
+        )
+        .with(area_kept),
+        sample(
+            "link-undone",
+            Tubes,
+            shape(
+                "torus-knot",
+                &[
+                    ("p", 2.0),
+                    ("q", 4.0),
+                    ("tube", 0.4),
+                    ("along", 100.0),
+                    ("around", 14.0),
+                ],
+            ),
+        )
+        .with(area_kept),
+        sample(
             "bumps-kept",
             Closed,
             shape("bumpy-sphere", &[("level", 4.0)]),

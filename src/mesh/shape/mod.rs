@@ -27,6 +27,7 @@ mod parameter;
 pub mod patch;
 pub mod platonic;
 mod registry;
+pub mod revolved;
 pub mod rough;
 pub mod scan;
 pub mod scar;
@@ -166,13 +167,6 @@ messages! {
         Shear {
             /// Shear × rows, no whole number.
             turn: f64,
-        },
-        /// The numbers of a torus knot are not coprime.
-        CommonDivisor {
-            /// The first.
-            p: f64,
-            /// The second.
-            q: f64,
         },
         /// An odd number that has to be even.
         Odd {

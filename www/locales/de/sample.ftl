@@ -19,6 +19,8 @@ sample-thin-torus = Dünner Torus
 sample-torus-knot = Torusknoten
 sample-bad-mesh = Ellipsoid, schlecht vernetzt
 sample-trefoil-kept = Kleeblattknoten, Inhalt und Volumen fest
+sample-trefoil-undone = Kleeblattknoten, Fläche fest
+sample-link-undone = Zwei verschlungene Schläuche, Fläche fest
 sample-bumps-kept = Beulige Sphäre, Inhalt fest
 sample-ellipsoid-p = Ellipsoid, Volumen fest, p = 4
 sample-cylinder-gaps = Zylinder mit vier Lücken

@@ -16,6 +16,8 @@ paper-eversion = { paper-eversion.authors }: a sphere eversion
     .authors = Francis, Sullivan, Kusner, Brakke, Hartman and Chappell
 paper-lawson = { paper-lawson.authors }: minimal surfaces of the 3-sphere
     .authors = Lawson
+paper-knots = { paper-knots.authors }: regular homotopy of surfaces
+    .authors = Pinkall
 
 ## Figures: their number; the paper’s report and what to expect here
 
@@ -224,6 +226,14 @@ figure-lawson-3 = ξ₃,₁, { $number }
     .title = The surface with three handles that bends least
     .reports = Lawson’s ξ₃,₁ has the Willmore energy 22.82. The series goes on towards 8π: 8π(1 − ln 2/(2g + 2) − …) for g handles (Heller, Heller and Traizet, 2023).
     .expected = Three handles at the end, ∫H² = 22.82 to 0.7 %, the area kept to 1e-8
+figure-knot-undone = A knot, { $number }
+    .title = A knot that comes undone
+    .reports = An immersion may pass through itself, and so a knotted torus can be carried into one without a knot. Of all tori the Clifford torus bends least, ∫H² = 2π² (Marques and Neves, 2014).
+    .expected = One torus at the end, ∫H² = 2π² to 1 %, having passed through itself on the way; the area kept to 1e-8
+figure-link-undone = A link, { $number }
+    .title = A link that comes undone
+    .reports = An immersion may pass through itself, and so two linked tori can each take the shape that bends least, as if the other were not there: ∫H² = 2·2π².
+    .expected = Two tori at the end, ∫H² = 4π² to 1 %, which pass through each other; the area kept to 1e-8
 
 ## Measured on a figure
 
@@ -253,6 +263,7 @@ measured-ball = off { NUMBER($off, digits: 2) }, drift { NUMBER($drift, digits: 
 measured-isoperimetric = 36πV²/A³ { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, off { NUMBER($off, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $steps } steps, { $status }
 measured-eversion = ∫H²/4π { NUMBER($firstEnergy, digits: 5) } ← { NUMBER($halfway, digits: 4) } → { NUMBER($lastEnergy, digits: 5) }, V over the ball’s { NUMBER($firstVolume, digits: 4) } and { NUMBER($lastVolume, digits: 4) }, crossings { $firstCrossings } ← { $crossings } → { $lastCrossings }, least product of normals { NUMBER($alignment, digits: 2) }
 measured-lawson = genus { $genus }, ∫H² { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, expected { NUMBER($least, digits: 4) }: { NUMBER($off, digits: 2) } %; drift { NUMBER($drift, digits: 1) }, angle { NUMBER($angle, digits: 2) }°, { $status }
+measured-undone = ∫H² { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) } times { $tubes }·2π²; crossings at most { $crossings }, at the end { $left }; least product of normals { NUMBER($alignment, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $status }
 measured-flips = area/Willmore/localised: { $areaFlips }/{ $willmoreFlips }/{ $localisedFlips } flips, area { NUMBER($area, digits: 5) }/{ NUMBER($willmoreArea, digits: 5) }/{ NUMBER($localisedArea, digits: 5) }, W { NUMBER($areaCircle, digits: 4) }/{ NUMBER($willmoreCircle, digits: 4) }/{ NUMBER($localisedCircle, digits: 4) }
 measured-variation = Σ|ΔK| { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 4) }
 measured-lost = { $lost } % lost
@@ -288,7 +299,24 @@ bench-refinement = Area, W/2 and ∫H² by cotangents and by fits under refineme
 bench-robustness = How flows end, left to themselves: on shapes with noise (h the mean edge length), or on the
     meshes of a folder in 100 steps. The energy at first and last, the largest relative rise of
     the monitored functional in a step, the smallest angle there was
+bench-vesicles = Vesicles at rest, area and volume kept: ∫H²/4π over the reduced volume on three branches, and where
+    they cross; what is expected is of shapes of revolution
 bench-figures = The figures of the four papers: what is expected, and what was measured here just now
+
+## The phase diagram of vesicles
+
+phases = Vesicles: phase diagram
+phases-hint = The least ∫H² over the reduced volume v = 6√π V/A^(3/2), of three branches of shapes with area and volume kept (Seifert, Berndl and Lipowsky, 1991). Prolate shapes bend least above 0.651, oblate ones down to 0.592, stomatocytes below. Every point is computed here; a click shows its surface.
+phases-run = Compute the shapes
+phases-count = { $count } of { $of } shapes
+phase-of = Branch
+phase-expected = Expected
+phase-branch = { $branch ->
+    [prolate] prolate
+    [oblate] oblate
+   *[stomatocyte] stomatocyte
+}
+phase-point = Show the { phase-branch } shape of volume { $volume }, ∫H²/4π = { $energy }
 
 ## Samples, and what to look for
 
@@ -309,6 +337,8 @@ sample-thin-torus-shows = Thickens into the Clifford torus: ∫H² falls to 2π�
 sample-torus-knot-shows = Area and volume kept; without regularisation the mesh degenerates (p-Willmore, figure 5).
 sample-bad-mesh-shows = Triangles have turned over; “Regularise the mesh now” mends them without changing the shape (p-Willmore, figures 3, 7 and 11).
 sample-trefoil-kept-shows = A thick knotted tube comes to rest on a plateau of ∫H² (p-Willmore, figure 9).
+sample-trefoil-undone-shows = A knotted tube passes through itself and ends as the Clifford torus: ∫H² = 2π² (Pinkall; Marques and Neves).
+sample-link-undone-shows = Two linked tubes pass through each other and end as two Clifford tori: ∫H² = 4π².
 sample-bumps-kept-shows = Rounds off without growing or shrinking (p-Willmore, figure 1).
 sample-ellipsoid-p-shows = A sphere in the end, on another way for every exponent p (p-Willmore, figure 12).
 sample-cylinder-gaps-shows = Sunken patches rise back to the cylinder: its mean curvature is constant (variation of curvature, figure 5.1).

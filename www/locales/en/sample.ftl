@@ -19,6 +19,8 @@ sample-thin-torus = Thin torus
 sample-torus-knot = Torus knot
 sample-bad-mesh = Ellipsoid, badly meshed
 sample-trefoil-kept = Trefoil, area and volume kept
+sample-trefoil-undone = Trefoil knot, area kept
+sample-link-undone = Two linked tubes, area kept
 sample-bumps-kept = Bumpy sphere, area kept
 sample-ellipsoid-p = Ellipsoid, volume kept, p = 4
 sample-cylinder-gaps = Cylinder with four gaps
