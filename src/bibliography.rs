@@ -57,8 +57,19 @@
 //! G. Huisken: *The volume preserving mean curvature flow*. Journal für die reine und angewandte
 //! Mathematik 382 (1987).
 //!
+//! ## HHT23
+//! L. Heller, S. Heller, M. Traizet: *Area estimates for high genus Lawson surfaces via DPW*.
+//! Journal of Differential Geometry 124 (2023).
+//!
 //! ## K87
 //! R. Kusner: *Conformal geometry and complete minimal surfaces*. Bulletin of the AMS 17 (1987).
+//!
+//! ## K89
+//! R. Kusner: *Comparison surfaces for the Willmore problem*. Pacific Journal of Mathematics 138
+//! (1989).
+//!
+//! ## L70
+//! H. B. Lawson: *Complete minimal surfaces in S³*. Annals of Mathematics 92 (1970).
 //!
 //! ## L87
 //! C. Loop: *Smooth subdivision surfaces based on triangles*. Master's thesis, University of Utah
@@ -99,6 +110,9 @@
 //! ## MT97
 //! T. Möller, B. Trumbore: *Fast, minimum storage ray-triangle intersection*. Journal of Graphics
 //! Tools 2 (1997).
+//!
+//! ## P85
+//! U. Pinkall: *Regular homotopy classes of immersed surfaces*. Topology 24 (1985).
 //!
 //! ## S58
 //! S. Smale: *A classification of immersions of the two-sphere*. Transactions of the AMS 90

@@ -89,7 +89,7 @@ export function pageScene(
 ) {
   const { rivals, lockstep, shown, difference } = comparison;
   const panes = rivals.map(({ change, reading }) => ({ change, step: reading?.step ?? 0 }));
-  const { shading, wireframe, boundary, scale } = view;
+  const { shading, wireframe, boundary, cut, scale } = view;
   return /** @type {any} */ ({
     // A film is made anew, of both its halves.
     ...{ source, origin, camera, goal: film ? 0 : goal, shared },
@@ -100,7 +100,7 @@ export function pageScene(
       shown: shown === "side" ? null : shown,
       difference,
     },
-    view: { shading, wireframe, boundary, scale },
+    view: { shading, wireframe, boundary, cut, scale },
   });
 }
 

@@ -5,7 +5,7 @@
 
 /**
  * By the kinds of `Look`: spoke, circle at the vertex, any circle, larger and smaller principal
- * curvature. Chosen against the plain surface and against both colour maps.
+ * curvature, double curve. Chosen against the plain surface and against both colour maps.
  * @type {Record<"light" | "dark", [number, number, number][]>}
  */
 const palettes = {
@@ -15,6 +15,7 @@ const palettes = {
     [104, 92, 176],
     [190, 30, 30],
     [10, 70, 190],
+    [196, 104, 0],
   ],
   dark: [
     [255, 255, 255],
@@ -22,6 +23,7 @@ const palettes = {
     [150, 138, 200],
     [255, 120, 96],
     [120, 200, 255],
+    [255, 208, 64],
   ],
 };
 

@@ -391,6 +391,8 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     judge: (figure) => ask("judge", { figure }),
     /** @param {Partial<StudyOptions> | null} options  null for the next resolution @returns {Promise<Study>} */
     study: (options) => ask("study", { options }),
+    /** @param {number} number @returns {Promise<import("./generated/types.js").Phase | null>} */
+    phase: (number) => ask("phase", { number }),
     /** @returns {Promise<BoundaryLoop[]>} */
     loops: () => ask("loops"),
     /**

@@ -38,6 +38,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {'smooth' | 'flat'} shading
  * @property {boolean} wireframe
  * @property {boolean} boundary
+ * @property {number} cut           percent of its depth that are cut away in front
  * @property {'auto' | 'light' | 'dark'} theme
  * @property {boolean} systemDark   what `auto` means now
  * @property {'auto' | 'log' | 'linear'} scale  of the energy axis
@@ -150,7 +151,7 @@ export const initial = Object.freeze({
   arrangement: plainArrangement,
   earlier: [],
   marks: null,
-  wanted: Object.freeze({ probe: null, circles: false, directions: false }),
+  wanted: Object.freeze({ probe: null, circles: false, directions: false, crossings: false }),
   preview: null,
   figure: null,
   film: null,
@@ -165,6 +166,7 @@ export const initial = Object.freeze({
     shading: "smooth",
     wireframe: false,
     boundary: true,
+    cut: 0,
     theme: "auto",
     systemDark: false,
     scale: "auto",

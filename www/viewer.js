@@ -22,6 +22,7 @@ import { say } from "./words.js";
  * @property {boolean} [boundary]   the boundary loops
  * @property {boolean} [inside]     back and front are told apart of a closed surface too, as one
  *   that passes through itself shows both
+ * @property {number} [cut]         share of its depth that is cut away in front
  * @property {"light" | "dark"} [theme]
  * @property {boolean} [contrast]   colour maps of high contrast
  * @property {number} [lineWidth]   of an edge, in CSS pixels

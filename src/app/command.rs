@@ -16,6 +16,7 @@ use super::history::Timeline;
 use super::link::{LinkCheck, LinkScene, PageScene, WrittenLink};
 use super::look::{Look, Wanted};
 use super::outcome::Outcome;
+use super::phases::Phase;
 use super::readings::{EnergyOptions, EnergyReadings, Info, State};
 use super::recipe::{Origin, RecipeCard, ReplayProgress, ReplayReport, ScriptText};
 use super::runner::Configured;
@@ -203,6 +204,11 @@ pub enum Command {
         #[serde(default)]
         options: Option<StudyOptions>,
     },
+    /// A shape of the phase diagram of vesicles, in the place of the surface.
+    Phase {
+        /// From 0.
+        number: usize,
+    },
     /// The next row of a table of measurements; with options it begins anew.
     Bench {
         /// Of what.
@@ -326,6 +332,8 @@ pub enum Answer {
     /// None where there are too many triangles near each other.
     SelfIntersections(Option<SelfIntersections>),
     Study(StudyReport),
+    /// None after the last.
+    Phase(Option<Phase>),
     Bench(BenchReport),
     Outcome(Box<Outcome>),
     CurvatureJump(Option<CurvatureJump>),
@@ -471,6 +479,7 @@ impl Session {
             C::Why {} => Answer::Why(self.why()?),
             C::SelfIntersections {} => Answer::SelfIntersections(self.self_intersections()?),
             C::Study { options } => Answer::Study(self.study(options.as_ref())?),
+            C::Phase { number } => Answer::Phase(self.phase(number)?),
             C::Bench { options } => Answer::Bench(self.bench(options.as_ref())?),
             C::Outcome {} => Answer::Outcome(Box::new(self.outcome()?)),
             C::CurvatureJump {} => Answer::CurvatureJump(self.curvature_jump()?),

@@ -18,6 +18,12 @@ const PATIENT: usize = 8 * BRIEF;
 /// The same after every step: about a twentieth of a second.
 const SWIFT: usize = BRIEF / 16;
 
+/// The curves along which the surface passes through itself, as segments; none where looking for them
+/// would take more than about a second.
+pub(super) fn curves(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<[DVec3; 2]> {
+    self_intersection::curves_within(mesh, x, BRIEF).unwrap_or_default()
+}
+
 /// The triangles that pass through each other.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]

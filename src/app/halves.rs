@@ -1,13 +1,16 @@
 //! The two halves of a film: runs from the two surfaces of a figure, of which the first is shown
 //! backwards. One is at hand, the other waits with all its steps; turning exchanges them.
 
+use super::crossing;
 use super::fault::Fault;
 use super::library::{Figure, Parameters};
 use super::message::AppError;
 use super::readings::State;
 use super::runner::{Runner, Suspended};
 use super::{Session, library};
+use crate::mesh::HalfedgeMesh;
 use crate::remesh::adaptive::alignment;
+use glam::DVec3;
 
 /// The half that waits.
 #[derive(Default)]
@@ -74,11 +77,26 @@ impl Runner {
     /// Least product of a unit face normal with a unit normal at its corners, on every stored
     /// surface of the path.
     pub(super) fn least_alignment(&self) -> f64 {
-        let stored = self.history.path().filter_map(|snapshot| {
+        self.stored(alignment).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Largest number of pairs of triangles that cross, likewise.
+    pub(super) fn most_crossings(&self) -> usize {
+        let counts = self.stored(|mesh, x| crossing::count(mesh, x).unwrap_or(0));
+        counts.max().unwrap_or(0)
+    }
+
+    /// What is measured on every stored surface of the path, and on the present one.
+    fn stored<'a, T: 'a>(
+        &'a self,
+        measure: impl Fn(&HalfedgeMesh, &[DVec3]) -> T + 'a,
+    ) -> impl Iterator<Item = T> + 'a {
+        let before = self.history.path().filter_map(|snapshot| {
             let mesh = snapshot.segment.mesh.as_ref();
             let mesh = mesh.unwrap_or(&self.document.triangles);
-            Some(alignment(mesh, snapshot.x.as_deref()?))
+            Some((&**mesh, snapshot.x.as_deref()?))
         });
-        stored.fold(alignment(self.triangles(), &self.x), f64::min)
+        let present = std::iter::once((self.triangles(), &*self.x));
+        before.chain(present).map(move |(mesh, x)| measure(mesh, x))
     }
 }

@@ -39,7 +39,7 @@ const MOST_NUMBERS: usize = 32;
 const DIGEST: usize = 16;
 
 /// Words that are no options.
-const OTHER_WORDS: [&str; 18] = [
+const OTHER_WORDS: [&str; 19] = [
     "sample",
     "mesh",
     "hash",
@@ -54,6 +54,7 @@ const OTHER_WORDS: [&str; 18] = [
     "shading",
     "wireframe",
     "border",
+    "cut",
     "scale",
     "panes",
     "lockstep",
@@ -111,6 +112,10 @@ pub struct LinkView {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
     pub boundary: Option<bool>,
+    /// What share of the surface's depth is cut away in front, so that one sees inside; in percent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub cut: Option<u32>,
     /// Of the energy's axis.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
@@ -371,6 +376,9 @@ impl Link {
                 .map(|n| [Shading::Smooth, Shading::Flat][n]),
             wireframe: yes("wireframe")?,
             boundary: yes("border")?,
+            cut: words.read_as("cut", LinkValue::Percent, |text| {
+                text.parse().ok().filter(|cut| *cut <= 100)
+            })?,
             scale: (words.choice("scale", SCALES)?)
                 .map(|n| [Scale::Auto, Scale::Linear, Scale::Log][n]),
         };

@@ -1,5 +1,6 @@
 //! Looking closer: what is drawn over the surface as segments, and told beside it.
 
+use super::crossing;
 use super::fault::Fault;
 use super::probe::Probe;
 use super::runner::Runner;
@@ -23,6 +24,8 @@ pub struct Wanted {
     pub circles: bool,
     /// Principal directions.
     pub directions: bool,
+    /// The curves along which the surface passes through itself.
+    pub crossings: bool,
 }
 
 /// What a segment belongs to.
@@ -38,6 +41,8 @@ pub enum SegmentKind {
     Largest,
     /// That of the smaller one.
     Smallest,
+    /// A double curve.
+    Crossing,
 }
 
 /// Circles or crosses drawn of those there are.
@@ -118,6 +123,11 @@ impl Runner {
         }
         if wanted.directions {
             self.crosses(x, size, &mut look);
+        }
+        if wanted.crossings {
+            for [from, to] in crossing::curves(self.triangles(), x) {
+                look.segment(from, to, SegmentKind::Crossing);
+            }
         }
         // Last, and so over the others.
         look.probe = wanted.probe.and_then(|v| self.probe(v, x));

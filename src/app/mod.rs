@@ -28,6 +28,7 @@ mod options;
 mod outcome;
 mod pane;
 mod panes;
+mod phases;
 mod plot_point;
 mod probe;
 mod provenance;
@@ -70,6 +71,7 @@ pub use look::{
 pub use message::{AppError, Notice};
 pub use outcome::{Outcome, RunNotice};
 pub use pane::{Curve, Curves, Pane};
+pub use phases::{Branch, Phase, crossing};
 pub use plot_point::PlotPoint;
 pub use probe::{Probe, ProbedEdge, edge_angle};
 pub use provenance::{Action, Edit, EditRecord, Provenance};

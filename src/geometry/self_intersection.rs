@@ -51,6 +51,39 @@ pub fn pairs(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<[Face; 2]> {
 /// The same; `None` if there are more than `most` boxes to compare, as in a heap of triangles that
 /// are all in one place. See [`FaceTree::overlapping_pairs`] for how many it takes.
 pub fn pairs_within(mesh: &HalfedgeMesh, x: &[DVec3], most: usize) -> Option<Vec<[Face; 2]>> {
+    let mut found = Vec::new();
+    let is_done = meetings(mesh, x, most, |f, g, _| found.push([f.min(g), f.max(g)]));
+    found.sort_unstable();
+    is_done.then_some(found)
+}
+
+/// The double curves: a segment for each pair that meets along one, in no order. Triangles folded
+/// onto each other have none. `None` as of [`pairs_within`].
+pub fn curves_within(mesh: &HalfedgeMesh, x: &[DVec3], most: usize) -> Option<Vec<[DVec3; 2]>> {
+    let mut found = Vec::new();
+    let is_done = meetings(mesh, x, most, |_, _, meeting| {
+        if let Meeting::Along(segment) = meeting {
+            found.push(segment);
+        }
+    });
+    is_done.then_some(found)
+}
+
+/// How two triangles meet.
+enum Meeting {
+    /// One on the other.
+    Folded,
+    /// From the first to the second point.
+    Along([DVec3; 2]),
+}
+
+/// Tells of every pair; whether that was all.
+fn meetings(
+    mesh: &HalfedgeMesh,
+    x: &[DVec3],
+    most: usize,
+    mut tell: impl FnMut(Face, Face, Meeting),
+) -> bool {
     let contact = CONTACT * bounding_diagonal(x);
     let surface = Surface {
         mesh,
@@ -58,15 +91,12 @@ pub fn pairs_within(mesh: &HalfedgeMesh, x: &[DVec3], most: usize) -> Option<Vec
         normals: mesh.faces().map(|f| unit_normal(mesh, x, f)).collect(),
         contact,
     };
-    let mut found = Vec::new();
     let tree = FaceTree::new(mesh, x, contact);
-    let is_done = tree.overlapping_pairs(most, |f, g| {
-        if surface.crosses(f, g) {
-            found.push([f.min(g), f.max(g)]);
+    tree.overlapping_pairs(most, |f, g| {
+        if let Some(meeting) = surface.meeting(f, g) {
+            tell(f, g, meeting);
         }
-    });
-    found.sort_unstable();
-    is_done.then_some(found)
+    })
 }
 
 /// The triangles of pairs, each once, sorted.
@@ -127,35 +157,28 @@ impl Surface<'_> {
         self.x[v.index()]
     }
 
-    fn crosses(&self, f: Face, g: Face) -> bool {
+    fn meeting(&self, f: Face, g: Face) -> Option<Meeting> {
         let (normal_f, normal_g) = (self.normals[f.index()], self.normals[g.index()]);
         if normal_f == DVec3::ZERO || normal_g == DVec3::ZERO {
-            return false;
+            return None;
         }
         let (own, other) = (self.mesh.triangle(f), self.mesh.triangle(g));
         match own.iter().filter(|v| other.contains(v)).count() {
             0 | 1 => {}
-            2 => return self.is_folded_onto(own, other),
-            _ => return true,
+            2 => return self.is_folded_onto(own, other).then_some(Meeting::Folded),
+            _ => return Some(Meeting::Folded),
         }
-        let Some(a) = self.placed(f, own, (self.at(other[0]), normal_g)) else {
-            return false;
-        };
-        let Some(b) = self.placed(g, other, (self.at(own[0]), normal_f)) else {
-            return false;
-        };
+        let a = self.placed(f, own, (self.at(other[0]), normal_g))?;
+        let b = self.placed(g, other, (self.at(own[0]), normal_f))?;
         // As long as the sine of the angle between the planes.
         let along = normal_f.cross(normal_g);
-        let (sine, Some(line)) = (along.length(), along.try_normalize()) else {
-            return false;
-        };
-        let origin = a.points[0];
-        let (from_a, to_a) = a.extent(origin, line);
-        let (from_b, to_b) = b.extent(origin, line);
-        if to_a.min(to_b) - from_a.max(from_b) <= self.contact {
-            return false;
+        let (sine, line) = (along.length(), along.try_normalize()?);
+        let place = |p: &DVec3| (*p - a.points[0]).dot(line);
+        let [from, to] = common(a.extent(place)?, b.extent(place)?, place);
+        if place(&to) - place(&from) <= self.contact {
+            return None;
         }
-        match (a.pose, b.pose) {
+        let is_through = match (a.pose, b.pose) {
             (Pose::Through, Pose::Through) => true,
             (Pose::Along(k), Pose::Through) => self.passes(&a, k, sine, normal_g, &b),
             (Pose::Through, Pose::Along(k)) => self.passes(&b, k, sine, normal_f, &a),
@@ -165,7 +188,8 @@ impl Surface<'_> {
                     && self.alternate((&a, k), (&b, l), line)
             }
             _ => false,
-        }
+        };
+        is_through.then_some(Meeting::Along([from, to]))
     }
 
     /// A triangle beside the plane of another one, through a point with a unit normal; `None` where
@@ -268,26 +292,33 @@ impl Surface<'_> {
     }
 }
 
+/// Of two segments on a line the later beginning and the earlier end.
+fn common(a: [DVec3; 2], b: [DVec3; 2], place: impl Fn(&DVec3) -> f64) -> [DVec3; 2] {
+    let from = if place(&a[0]) > place(&b[0]) { a } else { b };
+    let to = if place(&a[1]) < place(&b[1]) { a } else { b };
+    [from[0], to[1]]
+}
+
 impl Placed {
-    /// From where to where it reaches along the line, in the plane of the other triangle.
-    fn extent(&self, origin: DVec3, line: DVec3) -> (f64, f64) {
-        let place = |p: DVec3| (p - origin).dot(line);
-        let mut reach = (f64::INFINITY, f64::NEG_INFINITY);
-        let mut include = |s: f64| reach = (reach.0.min(s), reach.1.max(s));
+    /// From where to where it reaches in the plane of the other triangle, along a line.
+    fn extent(&self, place: impl Fn(&DVec3) -> f64) -> Option<[DVec3; 2]> {
+        let mut met = Vec::with_capacity(3);
         if let Pose::Along(k) = self.pose {
-            include(place(self.points[k]));
-            include(place(self.points[(k + 1) % 3]));
-            return reach;
-        }
-        for i in 0..3 {
-            let j = (i + 1) % 3;
-            let (h, k) = (self.heights[i], self.heights[j]);
-            if h == 0.0 {
-                include(place(self.points[i]));
-            } else if h * k < 0.0 {
-                include(place(self.points[i].lerp(self.points[j], h / (h - k))));
+            met.extend([self.points[k], self.points[(k + 1) % 3]]);
+        } else {
+            for i in 0..3 {
+                let j = (i + 1) % 3;
+                let (h, k) = (self.heights[i], self.heights[j]);
+                if h == 0.0 {
+                    met.push(self.points[i]);
+                } else if h * k < 0.0 {
+                    met.push(self.points[i].lerp(self.points[j], h / (h - k)));
+                }
             }
         }
-        reach
+        let by_place = |p: &DVec3, q: &DVec3| place(p).total_cmp(&place(q));
+        let first = met.iter().copied().min_by(by_place)?;
+        let last = met.iter().copied().max_by(by_place)?;
+        Some([first, last])
     }
 }

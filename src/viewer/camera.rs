@@ -80,6 +80,8 @@ pub struct Camera {
     viewport: Vec2,
     /// What the clip planes must enclose.
     bounds: Sphere,
+    /// What share of the surface's depth is cut away in front.
+    cut: f32,
     /// Whether nobody has chosen what part is seen: a surface that grows is then followed.
     follows: bool,
 }
@@ -96,6 +98,7 @@ impl Default for Camera {
                 center: Vec3::ZERO,
                 radius: 1.0,
             },
+            cut: 0.0,
             follows: true,
         };
         camera.home();
@@ -121,6 +124,12 @@ impl Camera {
         if self.follows && FIT_MARGIN * reach > self.distance * sine_half_field() * TOLERATED {
             self.fit();
         }
+    }
+
+    /// Cuts away what is nearer than a plane across the line of sight, which stands at this share of
+    /// the way through the surface.
+    pub fn set_cut(&mut self, share: f32) {
+        self.cut = share.clamp(0.0, 1.0);
     }
 
     /// Centres the bounding sphere and makes it fill the picture, from where the camera
@@ -200,14 +209,16 @@ impl Camera {
         self.clip_from_view() * self.view_from_world()
     }
 
-    /// Distances of the near and far clip plane, `0 < near < far`.
+    /// Distances of the near and far clip plane, `0 < near < far`. The near one is what cuts the
+    /// surface open.
     pub fn clip_planes(&self) -> (f32, f32) {
         let depth = (self.eye() - self.bounds.center).dot(self.backward());
         let reach = 1.01 * self.bounds.radius;
         // Inside the sphere something must still keep the near plane off the eye, and a
         // depth buffer of 24 bits tells points apart up to a ratio of about 10⁴.
         let far = (depth + reach).max(1e-3 * self.distance);
-        let near = (depth - reach).max(0.02 * self.distance).max(1e-4 * far);
+        let front = depth - reach + 2.0 * self.cut * reach;
+        let near = front.max(0.02 * self.distance).max(1e-4 * far);
         (near, far.max(2.0 * near))
     }
 
@@ -258,11 +269,17 @@ impl Camera {
         proper
     }
 
-    /// Where the line of sight through a pixel begins, and its direction.
+    /// Where what is seen at a pixel begins, on the near clip plane, and its direction.
     pub fn ray(&self, x: f32, y: f32) -> (Vec3, Vec3) {
+        let direction = self.sight(x, y);
+        let near = self.clip_planes().0;
+        (self.unproject(x, y, near), direction)
+    }
+
+    /// The direction of the line of sight through a pixel.
+    fn sight(&self, x: f32, y: f32) -> Vec3 {
         let offset = self.view_offset(Vec2::new(x, y) - 0.5 * self.viewport);
-        let seen = self.world_from_view * (offset - self.distance * Vec3::Z);
-        (self.eye(), seen.normalize())
+        (self.world_from_view * (offset - self.distance * Vec3::Z)).normalize()
     }
 
     /// The pixel a point is seen at, and its distance from the plane of the eye; `None` from
@@ -276,8 +293,8 @@ impl Camera {
 
     /// The point seen at a pixel at such a distance from the plane of the eye.
     pub fn unproject(&self, x: f32, y: f32, depth: f32) -> Vec3 {
-        let (origin, direction) = self.ray(x, y);
-        origin - direction * (depth / direction.dot(self.backward()))
+        let direction = self.sight(x, y);
+        self.eye() - direction * (depth / direction.dot(self.backward()))
     }
 
     fn eye(&self) -> Vec3 {
@@ -504,6 +521,31 @@ mod tests {
             assert!(0.0 < near && near < far && far.is_finite());
             assert!(camera.clip_from_world().is_finite());
         }
+    }
+
+    #[test]
+    fn a_cut_takes_away_what_is_in_front_and_nothing_else() {
+        let (center, radius) = (Vec3::new(3.0, 1.0, -2.0), 2.0);
+        let mut camera = looking_at(center, radius, SIZES[0]);
+        let is_seen = |camera: &Camera, point: Vec3| {
+            (0.0..=1.0).contains(&camera.clip_from_world().project_point3(point).z)
+        };
+        let at = |share: f32| center + (1.0 - 2.0 * share) * radius * camera.backward();
+        let places = [0.02, 0.2, 0.45, 0.55, 0.8, 0.98].map(at);
+        for (cut, first) in [(0.0, 0), (0.3, 2), (0.5, 3), (0.9, 5)] {
+            camera.set_cut(cut);
+            let seen = places.map(|place| is_seen(&camera, place));
+            let expected = [0, 1, 2, 3, 4, 5].map(|k| k >= first);
+            assert_eq!(seen, expected, "{cut}");
+            let (origin, direction) = camera.ray(640.0, 400.0);
+            let begin = (origin - center).dot(camera.backward()) / radius;
+            assert!((begin - 1.01 * (1.0 - 2.0 * cut)).abs() < 1e-3, "{begin}");
+            assert!((direction + camera.backward()).length() < 1e-5);
+        }
+        // Wherever the camera goes, the planes stay in order.
+        camera.set_cut(1.0);
+        let (near, far) = camera.clip_planes();
+        assert!(0.0 < near && near < far);
     }
 
     #[test]

@@ -132,7 +132,7 @@ impl Frame {
             field_scale: if high > low { 1.0 / (high - low) } else { 1.0 },
             field_strength: on(field.is_some()),
             flatness: on(style.is_flat),
-            grazing: if drawing.is_closed() && !style.inside {
+            grazing: if drawing.is_closed() && !style.inside && style.cut == 0.0 {
                 GRAZING_CLOSED
             } else {
                 GRAZING_OPEN

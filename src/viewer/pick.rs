@@ -58,7 +58,10 @@ pub fn nearest_edge(
         let (Some((from, near)), Some((to, far))) = (camera.project(a), camera.project(b)) else {
             continue;
         };
-        let is_hidden = surface.is_some_and(|(_, depth)| near.min(far) > depth + a.distance(b));
+        // Cut away, or behind the surface.
+        let is_cut = near.max(far) < camera.clip_planes().0;
+        let is_hidden =
+            is_cut || surface.is_some_and(|(_, depth)| near.min(far) > depth + a.distance(b));
         let span = to - from;
         let along = (at - from).dot(span) / span.length_squared().max(f32::MIN_POSITIVE);
         let distance = at.distance(from + along.clamp(0.0, 1.0) * span);
@@ -145,5 +148,11 @@ mod tests {
         assert_eq!(at(0.0, 0.44), None, "behind the square");
         assert_eq!(at(0.0, -0.48), Some(2));
         assert_eq!(at(0.5, 0.0), None, "nothing within reach");
+        camera.set_cut(0.6);
+        let (pixel, _) = camera
+            .project(Vec3::new(0.0, -0.48, 0.0))
+            .expect("in front");
+        let found = nearest_edge(&drawing, &camera, &ends, pixel, 12.0);
+        assert_eq!(found, None, "cut away");
     }
 }

@@ -15,6 +15,8 @@ pub struct Style {
     /// Whether the inside of a closed surface is seen, which passes through itself: then its back
     /// is told from its front up to the silhouette.
     pub inside: bool,
+    /// What share of its depth is cut away in front, so that one sees inside.
+    pub cut: f32,
     /// Light or dark surroundings.
     pub theme: Theme,
     /// Colours a field by the maps of high contrast.
@@ -33,6 +35,7 @@ impl Default for Style {
             wireframe: false,
             boundary: true,
             inside: false,
+            cut: 0.0,
             theme: Theme::Dark,
             contrast: false,
             line_width: 1.0,

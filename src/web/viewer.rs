@@ -20,7 +20,7 @@ extern "C" {
     #[wasm_bindgen(method, getter)]
     fn samples(this: &ViewerOptions) -> Option<u32>;
 
-    /// `{ shading?, wireframe?, boundary?, inside?, theme?, contrast?, lineWidth?, effects? }`
+    /// `{ shading?, wireframe?, boundary?, inside?, cut?, theme?, contrast?, lineWidth?, effects? }`
     pub type StyleOptions;
     #[wasm_bindgen(method, getter)]
     fn shading(this: &StyleOptions) -> Option<String>;
@@ -30,6 +30,8 @@ extern "C" {
     fn boundary(this: &StyleOptions) -> Option<bool>;
     #[wasm_bindgen(method, getter)]
     fn inside(this: &StyleOptions) -> Option<bool>;
+    #[wasm_bindgen(method, getter)]
+    fn cut(this: &StyleOptions) -> Option<f32>;
     #[wasm_bindgen(method, getter)]
     fn theme(this: &StyleOptions) -> Option<String>;
     #[wasm_bindgen(method, getter)]
@@ -254,6 +256,7 @@ impl Viewer {
         style.wireframe = options.wireframe().unwrap_or(style.wireframe);
         style.boundary = options.boundary().unwrap_or(style.boundary);
         style.inside = options.inside().unwrap_or(style.inside);
+        style.cut = options.cut().unwrap_or(style.cut);
         style.contrast = options.contrast().unwrap_or(style.contrast);
         style.line_width = options.line_width().unwrap_or(style.line_width);
         self.0.set_style(style);

@@ -185,6 +185,16 @@ fn quick_figures_of_the_volume_preserving_flow_come_out() {
 }
 
 #[test]
+fn lawsons_surfaces_come_out() {
+    quick_figures_come_out(Paper::Lawson);
+}
+
+#[test]
+fn links_come_undone() {
+    quick_figures_come_out(Paper::Knots);
+}
+
+#[test]
 fn a_start_is_no_result() {
     let words = Words::read();
     for figure in figures() {

@@ -29,6 +29,7 @@ mod organic_flows;
 mod p_willmore_energy;
 mod p_willmore_flow;
 mod p_willmore_mass;
+mod phases;
 mod probe;
 mod property_io;
 mod real_meshes;

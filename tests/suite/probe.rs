@@ -123,7 +123,7 @@ fn circles_pass_through_their_corners() {
     let wanted = Wanted {
         probe: Some(40),
         circles: true,
-        directions: false,
+        ..Wanted::default()
     };
     let look = session.look(wanted).expect("a mesh");
     let loaded = session.loaded().expect("a mesh");
@@ -366,4 +366,24 @@ fn edges_along_lines_of_curvature_are_aligned() {
     let aligned = share("clifford-torus");
     assert!((aligned - 2.0 / 3.0).abs() < 0.02, "{aligned}");
     assert!(share("lattice-torus") < 0.5);
+}
+
+#[test]
+fn double_curves_are_drawn_where_they_are_asked_for() {
+    let session = session("klein-bottle", &[], Boundary::Clamped);
+    let look = |crossings| {
+        let wanted = Wanted {
+            crossings,
+            ..Wanted::default()
+        };
+        session.look(wanted).expect("a mesh")
+    };
+    assert!(look(false).kinds.is_empty());
+    let found = session.self_intersections().expect("a mesh").expect("few");
+    let seen = look(true);
+    // A segment for each pair of triangles that pass through each other.
+    assert_eq!(seen.kinds.len(), found.pairs.len() / 2);
+    assert_eq!(seen.ends.len(), 6 * seen.kinds.len());
+    let drawn = SegmentKind::Crossing as u8;
+    assert!(seen.kinds.len() > 50 && seen.kinds.iter().all(|kind| *kind == drawn));
 }

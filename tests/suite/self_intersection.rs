@@ -9,7 +9,9 @@ use std::f64::consts::TAU;
 use umbilic::app::{Notice, Session};
 use umbilic::flow::options::FlowOptions;
 use umbilic::geometry::measure::{bounding_diagonal, triangle_points};
-use umbilic::geometry::self_intersection::{CONTACT, pairs, pairs_within, triangles};
+use umbilic::geometry::self_intersection::{
+    CONTACT, curves_within, pairs, pairs_within, triangles,
+};
 use umbilic::io::{self, Format};
 use umbilic::mesh::{Face, Vertex, shape};
 use umbilic::soup::PolygonSoup;
@@ -417,6 +419,22 @@ fn immersions_cross_along_their_double_curves() {
     let bottle = surface(&sample("klein-bottle", &[]));
     let (found, _) = check(&bottle, 1e-12).expect("as by brute force");
     assert!(found > 50, "{found}");
+}
+
+/// That of the torus with a figure eight for a section is a circle of radius 2, and as many pieces of
+/// it as there are pairs make it up once.
+#[test]
+fn double_curves_are_those_of_the_smooth_surface() {
+    let s = surface(&figure_eight_torus(80, 61, 0.1));
+    let curves = curves_within(&s.mesh, &s.x, usize::MAX).expect("all");
+    assert_eq!(curves.len(), pairs(&s.mesh, &s.x).len());
+    let length: f64 = curves.iter().map(|[a, b]| a.distance(*b)).sum();
+    assert!((length - 2.0 * TAU).abs() < 0.01, "{length}");
+    for p in curves.iter().flatten() {
+        let off = (p.truncate().length() - 2.0).hypot(p.z);
+        assert!(off < 0.01, "{off}");
+    }
+    assert_eq!(curves_within(&s.mesh, &s.x, 10), None);
 }
 
 /// Around one vertex: the opposite edge of one triangle goes through another.

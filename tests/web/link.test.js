@@ -28,7 +28,7 @@ test("a scene comes back from its link as it was", async () => {
   const { step, energy } = perform(session, "state");
   const source = { kind: "sample", id: sample.id };
   const rivals = [{ change: { flow: "circle" }, reading: { step: 1 } }];
-  const view = { ...initial.view, shading: "flat", wireframe: true, scale: "log" };
+  const view = { ...initial.view, shading: "flat", wireframe: true, cut: 40, scale: "log" };
   const camera = Float32Array.from([1, 0.5, -0.25]);
   const comparison = { ...initial.comparison, rivals, shown: 1 };
   const state = { ...initial, ...{ source, origin: source, view, camera, comparison } };
@@ -38,7 +38,7 @@ test("a scene comes back from its link as it was", async () => {
   assert.deepEqual({ ...defaults, ...sample.options, ...scene.options }, options);
   assert.deepEqual([scene.sample, scene.step, Number(scene.check)], [sample.id, step, energy]);
   assert.deepEqual([scene.colour, scene.camera], ["mean-curvature", camera]);
-  assert.deepEqual(scene.view, { shading: "flat", wireframe: true, scale: "log" });
+  assert.deepEqual(scene.view, { shading: "flat", wireframe: true, cut: 40, scale: "log" });
   assert.deepEqual(scene.comparison, {
     ...{ panes: [{ change: { flow: "circle" }, step: null }], lockstep: "step" },
     ...{ shown: 1, difference: null },

@@ -13,6 +13,7 @@ import {
   openTab,
   playToEnd,
   reading,
+  stillPicture,
   until,
   useSite,
 } from "./support/app.js";
@@ -78,6 +79,47 @@ test("a refinement study tells orders, and is a solver of its own", async () => 
     .getByText(/observed order [12]\.\d/)
     .first()
     .waitFor();
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a point of the phase diagram of vesicles opens the surface of that energy", async () => {
+  const { page, faults, close } = await site.open("sample=vesicle");
+  await openPart(page, "Measure", "Vesicles: phase diagram");
+  await button(page, "Compute the shapes").click();
+  // The second point: the branch that is not the least there.
+  const point = page.getByRole("button", { name: /^Show the oblate shape of volume 0.950/ });
+  await point.waitFor();
+  const told = Number(/= ([\d.]+)$/.exec((await point.getAttribute("aria-label")) ?? "")?.[1]);
+  assert.ok(Math.abs(told / 1.1061 - 1) < 0.01, `${told}`);
+  await button(page, "Cancel").click();
+  await point.click();
+  await page.waitForFunction(() =>
+    document.querySelector("#surface")?.getAttribute("aria-label")?.includes("oblate-0.950"),
+  );
+  const shown = Number(await reading(page, "Energy")) / (4 * Math.PI);
+  assert.ok(Math.abs(shown / told - 1) < 1e-4, `${shown}, ${told}`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a surface is cut open, and its double curves are drawn, on request", async () => {
+  const { page, faults, close } = await site.open("sample=klein-bottle");
+  const title = page.getByRole("group", { name: "Legend" }).getByRole("button").last();
+  const curves = page.getByRole("checkbox", { name: "Curves where it crosses itself" });
+  const cut = page.getByRole("slider", { name: "Cut open" });
+  /** @param {() => Promise<unknown>} change @returns {Promise<Buffer>} the picture after it */
+  const after = async (change) => {
+    await title.click();
+    await change();
+    await title.click();
+    return stillPicture(page);
+  };
+  const whole = await after(async () => assert.ok(!(await curves.isChecked())));
+  assert.notDeepEqual(await after(() => curves.check()), whole);
+  assert.deepEqual(await after(() => curves.uncheck()), whole);
+  assert.notDeepEqual(await after(() => cut.fill("40")), whole);
+  await page.waitForFunction(() => location.hash.includes("cut=40"));
   assert.deepEqual(faults, []);
   await close();
 });

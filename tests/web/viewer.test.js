@@ -177,6 +177,39 @@ for (const name of /** @type {const} */ (["viewer", "viewer-webgl"])) {
       await close();
     });
 
+    test("a cut opens the surface from the front, and is undone to the last bit", async () => {
+      const { page, faults, close } = await open({ theme: "light", effects: "never" }, 1);
+      const found = await page.evaluate(async () => {
+        const { viewer, pixels } = /** @type {any} */ (globalThis);
+        viewer.fit();
+        const pictures = [];
+        for (const cut of [0, 0.5, 1, 0]) pictures.push(await pixels({ cut }));
+        /** Depth of what is picked in the middle of the ring’s near side. */
+        const seen = [];
+        for (const cut of [0, 0.5]) {
+          viewer.setStyle({ cut });
+          for (let y = 10; y < 180; y += 10) {
+            const hit = viewer.pick(120, y);
+            if (hit) seen.push([cut, viewer.project(...hit.slice(0, 3))[2]]);
+          }
+        }
+        return { pictures, seen };
+      });
+      const [whole, half, none, again] = found.pictures;
+      assert.deepEqual(again, whole);
+      /** @param {number[]} a @param {number[]} b */
+      const apart = (a, b) =>
+        a.filter((x, n) => n % 4 === 0 && Math.abs(x - b[n]) > 8).length / (a.length / 4);
+      assert.ok(apart(whole, half) > 0.05, `${apart(whole, half)}`);
+      assert.ok(apart(half, none) > 0.05, `${apart(half, none)}`);
+      /** @param {number} wanted */
+      const depths = (wanted) => found.seen.filter(([cut]) => cut === wanted).map(([, z]) => z);
+      const nearest = Math.min(...depths(0));
+      assert.ok(Math.min(...depths(0.5)) > nearest * 1.02, "what is cut away is not picked");
+      assert.deepEqual(faults, []);
+      await close();
+    });
+
     test("light changes the colour of a value within narrow bounds only", async () => {
       const { page, faults, close } = await open({ theme: "dark", effects: "always" }, 1);
       const data = await page.evaluate(async () => {

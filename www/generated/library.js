@@ -22,6 +22,8 @@ export const samples = [
   {"id":"torus-knot","group":"tubes","shape":"torus-knot","parameters":{"p":3,"q":4,"along":240,"around":16},"options":{"flow":"p-willmore","keep":["area","volume"]}},
   {"id":"bad-mesh","group":"repair","shape":"ellipsoid","parameters":{"level":4,"jitter":0.35},"options":{"flow":"p-willmore","keep":["volume"]}},
   {"id":"trefoil-kept","group":"tubes","shape":"trefoil","parameters":{"along":180,"around":18},"options":{"flow":"p-willmore","keep":["area","volume"]}},
+  {"id":"trefoil-undone","group":"tubes","shape":"trefoil","parameters":{"along":180,"around":18},"options":{"flow":"p-willmore","keep":["area"]}},
+  {"id":"link-undone","group":"tubes","shape":"torus-knot","parameters":{"p":2,"q":4,"tube":0.4,"along":100,"around":14},"options":{"flow":"p-willmore","keep":["area"]}},
   {"id":"bumps-kept","group":"closed","shape":"bumpy-sphere","parameters":{"level":4},"options":{"flow":"p-willmore","keep":["area"]}},
   {"id":"ellipsoid-p","group":"closed","shape":"ellipsoid","parameters":{"level":4},"options":{"flow":"p-willmore","keep":["volume"],"p":4}},
   {"id":"cylinder-gaps","group":"repair","shape":"cylinder-gaps","parameters":{},"options":{"flow":"mmcv"}},
@@ -47,6 +49,8 @@ export const samples = [
   {"id":"boy","group":"closed","shape":"boy","parameters":{},"options":{}},
   {"id":"cyclide","group":"closed","shape":"cyclide","parameters":{},"options":{"epsilon":0.001}},
   {"id":"inverted-catenoid","group":"closed","shape":"inverted-catenoid","parameters":{},"options":{}},
+  {"id":"lawson-2","group":"closed","shape":"lawson","parameters":{"genus":2},"options":{"flow":"p-willmore","keep":["area"]}},
+  {"id":"lawson-3","group":"closed","shape":"lawson","parameters":{"genus":3,"cells":12},"options":{"flow":"p-willmore","keep":["area"]}},
   {"id":"rough-mesh","group":"repair","shape":"ellipsoid","parameters":{"level":4,"jitter":0.2},"options":{"flow":"p-willmore","keep":["volume"]}},
   {"id":"range-scan","group":"repair","shape":"scan","parameters":{"resolution":285,"loops":88},"options":{"goal":"smooth"}},
 ];
@@ -102,4 +106,8 @@ export const figures = [
   {"id":"volume-preserving-round","paper":"volume-preserving","number":"1987","sample":"spheroid","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":true,"fallsShort":false},
   {"id":"eversion","paper":"eversion","number":"1997","sample":"morin","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":600,"back":{"push":0.03},"quick":true,"fallsShort":false},
   {"id":"eversion-fine","paper":"eversion","number":"1997","sample":"morin-fine","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":600,"back":{"push":0.03},"quick":false,"fallsShort":false},
+  {"id":"lawson-2","paper":"lawson","number":"1970","sample":"lawson-2","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":true,"fallsShort":false},
+  {"id":"lawson-3","paper":"lawson","number":"1970","sample":"lawson-3","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":true,"fallsShort":false},
+  {"id":"knot-undone","paper":"knots","number":"1985","sample":"trefoil-undone","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":false,"fallsShort":false},
+  {"id":"link-undone","paper":"knots","number":"1985","sample":"link-undone","options":{},"arrangement":{"compare":"none","subdivide":0,"flipsPerStep":1},"colour":"none","steps":"rest","quick":true,"fallsShort":false},
 ];

@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "turn": State } | { "timeline": Timeline } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "turn": State } | { "timeline": Timeline } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "phase": Phase | null } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -89,6 +89,11 @@ row: unknown[] | null, };
  * What the energy of an open surface is (Section 3.3 of the paper).
  */
 export type Boundary = "clamped" | "fixed" | "free";
+
+/**
+ * Shapes that go over into each other as the volume changes.
+ */
+export type Branch = "prolate" | "oblate" | "stomatocyte";
 
 /**
  * A branch, for people to choose from.
@@ -310,7 +315,11 @@ pairs: number, } } | { "why": Record<symbol, never> } | { "selfIntersections": R
 /**
  * Of what.
  */
-options: StudyOptions | null, } } | { "bench": { 
+options: StudyOptions | null, } } | { "phase": { 
+/**
+ * From 0.
+ */
+number: number, } } | { "bench": { 
 /**
  * Of what.
  */
@@ -1349,6 +1358,10 @@ wireframe?: boolean,
  */
 boundary?: boolean, 
 /**
+ * What share of the surface's depth is cut away in front, so that one sees inside; in percent.
+ */
+cut?: number, 
+/**
  * Of the energy's axis.
  */
 scale?: Scale, };
@@ -1767,6 +1780,35 @@ angles: [number, number],
  * The monitored functional before and after: what it jumps by is the error of the meshes.
  */
 objective: [number, number], };
+
+/**
+ * One shape of the diagram.
+ */
+export type Phase = { 
+/**
+ * Which shapes it belongs to.
+ */
+branch: Branch, 
+/**
+ * 6√π V/A^(3/2), 1 of a ball.
+ */
+reducedVolume: number, 
+/**
+ * ∫H²/4π, 1 of a sphere.
+ */
+energy: number, 
+/**
+ * The same of the smooth shape of revolution at rest, where it is known.
+ */
+expected: number | null, 
+/**
+ * How the flow ended.
+ */
+status: Status, 
+/**
+ * How many shapes the diagram has.
+ */
+of: number, };
 
 /**
  * What a plot has of a step, and what the step warns of.
@@ -2633,7 +2675,7 @@ export type SubdivisionScheme = "linear" | "loop";
 /**
  * Which table.
  */
-export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "robustness" | "figures";
+export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "robustness" | "vesicles" | "figures";
 
 /**
  * Where the values of a quantity lead.
@@ -2727,7 +2769,11 @@ circles: boolean,
 /**
  * Principal directions.
  */
-directions: boolean, };
+directions: boolean, 
+/**
+ * The curves along which the surface passes through itself.
+ */
+crossings: boolean, };
 
 /**
  * How near boundary vertices are welded: a word, or a length.

@@ -10,6 +10,7 @@ import { symbol } from "../status.js";
 import { say } from "../words.js";
 import { conjecture, lab } from "./conjecture.js";
 import { grid, lazy, section, table } from "./parts.js";
+import { phases } from "./phases.js";
 import { study } from "./study.js";
 import { vertex } from "./vertex.js";
 
@@ -197,5 +198,6 @@ export function measure(page) {
     ${section(page, "vertex", say("look-at-vertex"), () => vertex(page))}
     ${section(page, "equation", say("equation"), () => equation(page))}
     ${section(page, "study", say("study"), () => study(page))}
+    ${section(page, "phases", say("phases"), () => phases(page))}
     ${section(page, "steps", say("all-steps"), () => allSteps(page))}`;
 }

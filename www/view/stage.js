@@ -239,6 +239,7 @@ export function createStage(page, root, { samples, effects }) {
       shading: s.view.shading,
       wireframe: s.view.wireframe,
       boundary: s.view.boundary,
+      cut: s.view.cut / 100,
       inside: (s.mesh?.info.selfIntersections ?? 0) > 0,
       theme: /** @type {"light" | "dark"} */ (isDark(s) ? "dark" : "light"),
       contrast: s.view.contrast || s.presenting,

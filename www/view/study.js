@@ -67,12 +67,10 @@ function end() {
   solver.value = null;
 }
 
-/** @param {Page} page */
-async function run(page) {
-  const { options, source, mesh } = page.get();
-  if (solver.peek() || !mesh) return;
+/** A solver that the flow on screen knows nothing of. @param {(reason: string) => void} onCrashed */
+export function solverAside(onCrashed) {
   const nothingTold = () => {};
-  const own = createSolver({
+  return createSolver({
     ...{
       onReady: nothingTold,
       onFrame: nothingTold,
@@ -80,10 +78,17 @@ async function run(page) {
       onProgress: nothingTold,
       onSilent: nothingTold,
     },
-    onCrashed(reason) {
-      said.value = say("study-crashed", { reason });
-      end();
-    },
+    onCrashed,
+  });
+}
+
+/** @param {Page} page */
+async function run(page) {
+  const { options, source, mesh } = page.get();
+  if (solver.peek() || !mesh) return;
+  const own = solverAside((reason) => {
+    said.value = say("study-crashed", { reason });
+    end();
   });
   solver.value = own;
   result.value = null;

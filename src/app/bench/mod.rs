@@ -12,6 +12,7 @@ mod mmcv;
 mod p_willmore;
 mod refinement;
 mod robustness;
+mod vesicles;
 
 use super::fault::Fault;
 use super::message::AppError;
@@ -42,6 +43,8 @@ pub enum TableName {
     Refinement,
     /// How flows end, left to themselves.
     Robustness,
+    /// The phase diagram of vesicles.
+    Vesicles,
     /// The figures of the papers.
     Figures,
 }
@@ -149,6 +152,7 @@ impl TableName {
             Self::Mmcv => &mmcv::TABLE,
             Self::Refinement => &refinement::TABLE,
             Self::Robustness => &robustness::TABLE,
+            Self::Vesicles => &vesicles::TABLE,
             Self::Figures => &figures::TABLE,
         }
     }

@@ -63,6 +63,10 @@ pub enum Paper {
     VolumePreserving,
     /// Francis, Sullivan, Kusner, Brakke, Hartman & Chappell.
     Eversion,
+    /// Lawson.
+    Lawson,
+    /// Pinkall.
+    Knots,
 }
 
 /// How far a figure runs.

@@ -2,6 +2,7 @@
 
 use super::measure::off_surface;
 use super::sample::Shape;
+use crate::app::crossing;
 use crate::app::pane::pictures;
 use crate::app::runner::Runner;
 use crate::app::{Fault, FieldName, Info, Session, State};
@@ -80,6 +81,12 @@ impl<'a> Run<'a> {
         let halves = [Some(self.runner), self.back];
         let least = halves.into_iter().flatten().map(Runner::least_alignment);
         least.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Pairs of triangles that cross: the most on a stored surface, and at the end.
+    pub(super) fn crossings(&self) -> [usize; 2] {
+        let last = crossing::count(self.runner.triangles(), self.x);
+        [self.runner.most_crossings(), last.unwrap_or(0)]
     }
 
     /// The jump of H across the boundary of what moves, relative.

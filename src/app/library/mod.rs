@@ -9,6 +9,8 @@ mod curvature;
 mod eversion;
 mod figure;
 mod flips;
+mod knots;
+mod lawson;
 pub mod measure;
 mod measured;
 mod p_willmore;
@@ -22,13 +24,15 @@ pub use sample::{Group, Holes, SAMPLES, Sample, Shape};
 
 /// Every figure of the papers that shows a result, in the order of the gallery.
 pub fn figures() -> impl Iterator<Item = &'static Figure> {
-    let papers: [&'static [Figure]; 6] = [
+    let papers: [&'static [Figure]; 8] = [
         circle::FIGURES,
         p_willmore::FIGURES,
         flips::FIGURES,
         curvature::FIGURES,
         volume_preserving::FIGURES,
         eversion::FIGURES,
+        lawson::FIGURES,
+        knots::FIGURES,
     ];
     papers.into_iter().flatten()
 }

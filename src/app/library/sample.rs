@@ -321,6 +321,27 @@ pub static SAMPLES: &[Sample] = {
         )
         .with(both_kept),
         sample(
+            "trefoil-undone",
+            Tubes,
+            shape("trefoil", &[("along", 180.0), ("around", 18.0)]),
+        )
+        .with(area_kept),
+        sample(
+            "link-undone",
+            Tubes,
+            shape(
+                "torus-knot",
+                &[
+                    ("p", 2.0),
+                    ("q", 4.0),
+                    ("tube", 0.4),
+                    ("along", 100.0),
+                    ("around", 14.0),
+                ],
+            ),
+        )
+        .with(area_kept),
+        sample(
             "bumps-kept",
             Closed,
             shape("bumpy-sphere", &[("level", 4.0)]),
@@ -399,6 +420,13 @@ pub static SAMPLES: &[Sample] = {
             ..o
         }),
         sample("inverted-catenoid", Closed, shape("inverted-catenoid", &[])),
+        sample("lawson-2", Closed, shape("lawson", &[("genus", 2.0)])).with(area_kept),
+        sample(
+            "lawson-3",
+            Closed,
+            shape("lawson", &[("genus", 3.0), ("cells", 12.0)]),
+        )
+        .with(area_kept),
         sample(
             "rough-mesh",
             Repair,

@@ -53,6 +53,8 @@ messages! {
         Digest,
         /// A step.
         Step,
+        /// A share.
+        Percent,
         /// What the viewer gives as its camera.
         Camera,
         /// One of some names.

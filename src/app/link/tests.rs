@@ -51,6 +51,8 @@ fn a_word_that_cannot_be_is_refused() {
             "link-bad-word word=colour value=pink ",
         ),
         ("shading=matt", "BadValue", "link-bad-word word=shading "),
+        ("cut=101", "BadValue", "link-bad-word word=cut "),
+        ("cut=half", "BadValue", "link-bad-word word=cut "),
         ("scale=cubic", "BadValue", "link-bad-word word=scale "),
         ("wireframe=yes", "BadValue", "link-bad-word word=wireframe "),
         ("border=", "BadValue", "link-bad-word word=border "),

@@ -183,6 +183,7 @@ impl Link {
             shading,
             wireframe,
             boundary,
+            cut,
             scale,
         } = self.view;
         if shading == Some(Shading::Flat) {
@@ -193,6 +194,9 @@ impl Link {
         }
         if boundary == Some(false) {
             words.set("border", "false");
+        }
+        if let Some(cut) = cut.filter(|cut| *cut > 0) {
+            words.set("cut", &cut.to_string());
         }
         match scale {
             Some(Scale::Log) => words.set("scale", "log"),

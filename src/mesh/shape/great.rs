@@ -3,7 +3,7 @@
 
 use super::parameter::{count, real};
 use super::{Sample, Shape};
-use super::{inverted, kusner, torus};
+use super::{inverted, kusner, lawson, torus};
 
 /// Halfway in the eversion of the sphere.
 pub(super) const MORIN: Shape = Shape {
@@ -71,4 +71,15 @@ pub(super) const CYCLIDE: Shape = Shape {
         real("turn", "Turn in the 3-sphere", 0.4, 0.0, 0.7),
     ],
     build: |v| Ok(torus::cyclide(v[0] as usize, v[1] as usize, v[2]).into()),
+};
+
+/// Towards Lawson's minimal surfaces of the 3-sphere.
+pub(super) const LAWSON: Shape = Shape {
+    name: "lawson",
+    label: "Towards Lawson’s surfaces",
+    parameters: &[
+        count("genus", "Handles", 2, 1, 8),
+        count("cells", "Cells a side", 14, 4, 160),
+    ],
+    build: |v| Ok(lawson::lawson(v[0] as usize, v[1] as usize).into()),
 };

@@ -24,14 +24,36 @@ pub fn trefoil(tube: f64, along: usize, around: usize) -> PolygonSoup {
 }
 
 /// A tube of radius `tube` around the curve that winds `p` times around the axis of a torus
-/// with R = 2 and r = 1 and `q` times through its hole; a knot if p and q are coprime.
+/// with R = 2 and r = 1 and `q` times through its hole: a knot if p and q are coprime, else a link of
+/// as many tubes as their greatest common divisor says, each of `along` x `around` points.
 pub fn torus_knot(p: usize, q: usize, tube: f64, along: usize, around: usize) -> PolygonSoup {
-    let curve = |s: f64| {
-        let (u, v) = (TAU * p as f64 * s, TAU * q as f64 * s);
-        let rho = 2.0 + v.cos();
-        DVec3::new(rho * u.cos(), rho * u.sin(), v.sin())
-    };
-    closed_tube(curve, tube, along, around)
+    let tubes = greatest_common_divisor(p, q);
+    let mut link = PolygonSoup::default();
+    for k in 0..tubes {
+        // In a section the strands of all tubes are evenly spaced.
+        let begin = k as f64 / p as f64;
+        let curve = |s: f64| {
+            let (u, v) = ((p / tubes) as f64 * s, (q / tubes) as f64 * s + begin);
+            let (u, v) = (TAU * u, TAU * v);
+            let rho = 2.0 + v.cos();
+            DVec3::new(rho * u.cos(), rho * u.sin(), v.sin())
+        };
+        let one = closed_tube(curve, tube, along, around);
+        let first = link.positions.len() as u32;
+        link.positions.extend(&one.positions);
+        for face in one.faces() {
+            link.push_face(&[face[0] + first, face[1] + first, face[2] + first]);
+        }
+    }
+    link
+}
+
+fn greatest_common_divisor(a: usize, b: usize) -> usize {
+    if b == 0 {
+        a
+    } else {
+        greatest_common_divisor(b, a % b)
+    }
 }
 
 /// Circles of `around` points in `along` planes across a closed curve over `[0, 1]`.

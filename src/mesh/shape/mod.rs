@@ -21,11 +21,13 @@ pub mod holed;
 pub mod inverted;
 pub mod knot;
 pub mod kusner;
+pub mod lawson;
 pub mod one_sided;
 mod parameter;
 pub mod patch;
 pub mod platonic;
 mod registry;
+pub mod revolved;
 pub mod rough;
 pub mod scan;
 pub mod scar;
@@ -165,13 +167,6 @@ messages! {
         Shear {
             /// Shear × rows, no whole number.
             turn: f64,
-        },
-        /// The numbers of a torus knot are not coprime.
-        CommonDivisor {
-            /// The first.
-            p: f64,
-            /// The second.
-            q: f64,
         },
         /// An odd number that has to be even.
         Odd {

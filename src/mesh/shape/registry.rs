@@ -5,8 +5,8 @@ use glam::DVec3;
 use super::parameter::{HEIGHT, LOOPS, RESOLUTION, RINGS, SEED, count, level, real};
 use super::{Conflict, Sample, Shape};
 use super::{
-    blocks, gap, great, hole, holed, knot, one_sided, patch, platonic, rough, scan, scar, sphere,
-    torus, tubes,
+    blocks, gap, great, hole, holed, knot, one_sided, patch, platonic, revolved, rough, scan, scar,
+    sphere, torus, tubes,
 };
 use crate::mesh::subdivide::{SubdivisionError, linear_levels};
 use crate::soup::PolygonSoup;
@@ -60,6 +60,24 @@ pub(super) static SHAPES: &[Shape] = &[
             let axes = DVec3::new(v[0], v[1], v[2]);
             sample(sphere::ellipsoid(axes, n(v[3]), v[4], v[5] as u64))
         },
+    },
+    Shape {
+        name: "spheroid",
+        label: "Spheroid",
+        parameters: &[
+            real("ratio", "Height over width", 2.0, 0.05, 20.0),
+            level(4, 8),
+        ],
+        build: |v| sample(revolved::spheroid(v[0], n(v[1]))),
+    },
+    Shape {
+        name: "stomatocyte",
+        label: "Stomatocyte",
+        parameters: &[
+            real("inner", "Radius of the dent", 0.55, 0.4, 0.75),
+            level(4, 8),
+        ],
+        build: |v| sample(revolved::stomatocyte(v[0], n(v[1]))),
     },
     Shape {
         name: "bumpy-sphere",
@@ -143,6 +161,7 @@ pub(super) static SHAPES: &[Shape] = &[
     great::INVERTED_CATENOID,
     great::INVERTED_ENNEPER,
     great::CYCLIDE,
+    great::LAWSON,
     Shape {
         name: "clifford-torus",
         label: "Clifford torus",
@@ -206,12 +225,7 @@ pub(super) static SHAPES: &[Shape] = &[
             count("along", "Steps along", 240, 12, 4000),
             count("around", "Steps around", 16, 3, 200),
         ],
-        build: |v| {
-            if greatest_common_divisor(n(v[0]), n(v[1])) != 1 {
-                return Err(Conflict::CommonDivisor { p: v[0], q: v[1] });
-            }
-            Ok(knot::torus_knot(n(v[0]), n(v[1]), v[2], n(v[3]), n(v[4])).into())
-        },
+        build: |v| Ok(knot::torus_knot(n(v[0]), n(v[1]), v[2], n(v[3]), n(v[4])).into()),
     },
     Shape {
         name: "klein-bottle",
@@ -367,12 +381,4 @@ fn n(value: f64) -> usize {
 
 fn sample(soup: Result<PolygonSoup, SubdivisionError>) -> Result<Sample, Conflict> {
     Ok(soup?.into())
-}
-
-fn greatest_common_divisor(a: usize, b: usize) -> usize {
-    if b == 0 {
-        a
-    } else {
-        greatest_common_divisor(b, a % b)
-    }
 }

@@ -303,6 +303,7 @@ impl Viewer {
     pub fn set_style(&mut self, style: Style) {
         self.stale.picture |= self.style != style;
         self.style = style;
+        self.camera.set_cut(style.cut);
         self.send_map();
     }
 

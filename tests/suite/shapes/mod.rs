@@ -7,6 +7,7 @@ mod topology;
 use std::f64::consts::PI;
 
 use energy::{Angles, free_boundary};
+use glam::DVec3;
 use measure::{edge_lengths, mean_edge_length, smallest_angle, volume};
 use topology::Topology;
 use umbilic::mesh::shape::{Parameter, Sample, Shape, all, make};
@@ -52,6 +53,8 @@ fn every_shape_is_the_manifold_it_should_be() {
         ("tetrahedron",             514,  1024,   2,  0, true),
         ("uv-sphere",              1106,  2208,   2,  0, true),
         ("ellipsoid",              2562,  5120,   2,  0, true),
+        ("spheroid",               2562,  5120,   2,  0, true),
+        ("stomatocyte",            2562,  5120,   2,  0, true),
         ("bumpy-sphere",          10242, 20480,   2,  0, true),
         ("dumbbell",               2562,  5120,   2,  0, true),
         ("hemisphere",              817,  1536,   1,  1, true),
@@ -65,6 +68,7 @@ fn every_shape_is_the_manifold_it_should_be() {
         ("inverted-catenoid",      2000,  3996,   2,  0, true),
         ("inverted-enneper",       4000,  7996,   2,  0, true),
         ("cyclide",                4096,  8192,   0,  0, true),
+        ("lawson",                 2350,  4704,  -2,  0, true),
         ("clifford-torus",         1024,  2048,   0,  0, true),
         ("lattice-torus",           780,  1560,   0,  0, true),
         ("coarse-torus",            768,  1536,   0,  0, true),
@@ -255,16 +259,33 @@ fn what_does_not_close_up_is_refused() {
         refusal("lattice-torus", &[("rows", 5.0), ("shear", 0.5)]),
         incompatible
     );
-    assert_eq!(
-        refusal("torus-knot", &[("p", 4.0), ("q", 6.0)]),
-        incompatible
-    );
     assert_eq!(refusal("klein-bottle", &[("around", 31.0)]), incompatible);
     // Too small for the mesh, too large for each other and for the sphere.
     assert_eq!(refusal("holed-sphere", &[("level", 2.0)]), incompatible);
     assert_eq!(refusal("holed-sphere", &[("radius", 0.7)]), incompatible);
     let most = [("holes", 1.0), ("radius", 2.0), ("level", 3.0)];
     assert_eq!(refusal("holed-sphere", &most), None);
+}
+
+#[test]
+fn torus_knots_without_coprime_numbers_are_links() {
+    for (p, q, tubes) in [(2.0, 4.0, 2), (3.0, 6.0, 3), (2.0, 2.0, 2), (2.0, 5.0, 1)] {
+        let values = [("p", p), ("q", q), ("tube", 0.3)];
+        let link = soup("torus-knot", &values);
+        let found = Topology::of(&link).expect("a manifold");
+        assert_eq!((found.euler, found.components), (0, tubes), "{p}, {q}");
+        // As far apart as the strands of one tube are.
+        let one = link.positions.len() / tubes;
+        let [a, b] = [&link.positions[..one], &link.positions[one..]];
+        let apart = |p: &DVec3| {
+            b.iter()
+                .map(|q| p.distance(*q))
+                .fold(f64::INFINITY, f64::min)
+        };
+        let least = a.iter().map(apart).fold(f64::INFINITY, f64::min);
+        assert!(least > 0.2, "{p}, {q}: {least}");
+        assert!(volume(&link) > 0.0);
+    }
 }
 
 #[test]

@@ -14,6 +14,10 @@ paper-volume-preserving = { paper-volume-preserving.authors }: mittlere Krümmun
     .authors = Huisken
 paper-eversion = { paper-eversion.authors }: Umstülpung der Sphäre
     .authors = Francis, Sullivan, Kusner, Brakke, Hartman und Chappell
+paper-lawson = { paper-lawson.authors }: Minimalflächen der 3-Sphäre
+    .authors = Lawson
+paper-knots = { paper-knots.authors }: reguläre Homotopie von Flächen
+    .authors = Pinkall
 
 ## Figures: their number; the paper’s report and what to expect here
 
@@ -214,6 +218,22 @@ figure-eversion-fine = Die Minimax-Umstülpung, { $number }, feiner
     .title = Die Sphäre, umgestülpt, 5000 Ecken
     .reports = Eine Sphäre lässt sich ohne Knick durch sich selbst umstülpen (Smale, 1958); derselbe Film auf einem feineren Netz, das etwa zehnmal so lange braucht.
     .expected = Beide Wege enden an einer runden Sphäre, ∫H² unter 1.005·4π; Volumen mit entgegengesetzten Vorzeichen, auf 1 % das der Kugel; an den Enden keine Durchdringungen; in jedem Schritt immersiert, kleinstes Produkt von Flächen- und Eckennormalen über 0.3
+figure-lawson-2 = ξ₂,₁, { $number }
+    .title = Die am wenigsten gebogene Fläche mit zwei Henkeln
+    .reports = Lawsons Minimalfläche ξ₂,₁ der 3-Sphäre hat den Inhalt 21,89, und so hat ihr Bild im Raum die Willmore-Energie 21,89. Nach Kusners Vermutung (1989) ist keine Fläche mit zwei Henkeln weniger gebogen; für einen Henkel haben es Marques und Neves bewiesen (2014).
+    .expected = Am Ende zwei Henkel, ∫H² = 21,89 auf 0,7 %, der Flächeninhalt auf 1e-8 erhalten
+figure-lawson-3 = ξ₃,₁, { $number }
+    .title = Die am wenigsten gebogene Fläche mit drei Henkeln
+    .reports = Lawsons ξ₃,₁ hat die Willmore-Energie 22,82. Die Reihe geht weiter gegen 8π: 8π(1 − ln 2/(2g + 2) − …) bei g Henkeln (Heller, Heller und Traizet, 2023).
+    .expected = Am Ende drei Henkel, ∫H² = 22,82 auf 0,7 %, der Flächeninhalt auf 1e-8 erhalten
+figure-knot-undone = Ein Knoten, { $number }
+    .title = Ein Knoten löst sich
+    .reports = Eine Immersion darf sich selbst durchdringen, und so lässt sich ein verknoteter Torus in einen ohne Knoten überführen. Von allen Tori ist der Clifford-Torus am wenigsten gebogen, ∫H² = 2π² (Marques und Neves, 2014).
+    .expected = Am Ende ein Torus, ∫H² = 2π² auf 1 %, der sich unterwegs durchdrungen hat; der Flächeninhalt auf 1e-8 erhalten
+figure-link-undone = Eine Verschlingung, { $number }
+    .title = Eine Verschlingung löst sich
+    .reports = Eine Immersion darf sich selbst durchdringen, und so nimmt von zwei verschlungenen Tori jeder die am wenigsten gebogene Form an, als wäre der andere nicht da: ∫H² = 2·2π².
+    .expected = Am Ende zwei Tori, ∫H² = 4π² auf 1 %, die einander durchdringen; der Flächeninhalt auf 1e-8 erhalten
 
 ## Measured on a figure
 
@@ -242,6 +262,8 @@ measured-refinement-apart = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, di
 measured-ball = Abweichung { NUMBER($off, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $steps } Schritte, { $status }
 measured-isoperimetric = 36πV²/A³ { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, Abweichung { NUMBER($off, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $steps } Schritte, { $status }
 measured-eversion = ∫H²/4π { NUMBER($firstEnergy, digits: 5) } ← { NUMBER($halfway, digits: 4) } → { NUMBER($lastEnergy, digits: 5) }, V durch das der Kugel { NUMBER($firstVolume, digits: 4) } und { NUMBER($lastVolume, digits: 4) }, Durchdringungen { $firstCrossings } ← { $crossings } → { $lastCrossings }, kleinstes Produkt von Normalen { NUMBER($alignment, digits: 2) }
+measured-lawson = Geschlecht { $genus }, ∫H² { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, erwartet { NUMBER($least, digits: 4) }: { NUMBER($off, digits: 2) } %; Drift { NUMBER($drift, digits: 1) }, Winkel { NUMBER($angle, digits: 2) }°, { $status }
+measured-undone = ∫H² { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) } mal { $tubes }·2π²; höchstens { $crossings } Durchdringungen, am Ende { $left }; kleinstes Produkt von Normalen { NUMBER($alignment, digits: 2) }, Drift { NUMBER($drift, digits: 1) }, { $status }
 measured-flips = Inhalt/Willmore/lokalisiert: { $areaFlips }/{ $willmoreFlips }/{ $localisedFlips } Flips, Inhalt { NUMBER($area, digits: 5) }/{ NUMBER($willmoreArea, digits: 5) }/{ NUMBER($localisedArea, digits: 5) }, W { NUMBER($areaCircle, digits: 4) }/{ NUMBER($willmoreCircle, digits: 4) }/{ NUMBER($localisedCircle, digits: 4) }
 measured-variation = Σ|ΔK| { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 4) }
 measured-lost = { $lost } % verloren
@@ -277,7 +299,24 @@ bench-refinement = Flächeninhalt, W/2 und ∫H² nach Kotangens und nach Anpass
 bench-robustness = Wie Flüsse enden, sich selbst überlassen: auf Formen mit Rauschen (h die mittlere Kantenlänge) oder auf den
     Netzen eines Ordners in 100 Schritten. Die Energie am Anfang und am Ende, der größte relative Anstieg
     des überwachten Funktionals in einem Schritt, der kleinste Winkel, den es gab
+bench-vesicles = Vesikel in Ruhe, Flächeninhalt und Volumen fest: ∫H²/4π über dem reduzierten Volumen auf drei Zweigen,
+    und wo sie sich kreuzen; erwartet ist der Wert von Rotationsformen
 bench-figures = Die Abbildungen der vier Arbeiten: was erwartet wird und was hier gerade gemessen wurde
+
+## Das Phasendiagramm der Vesikel
+
+phases = Vesikel: Phasendiagramm
+phases-hint = Das kleinste ∫H² über dem reduzierten Volumen v = 6√π V/A^(3/2), auf drei Zweigen von Formen mit festem Flächeninhalt und Volumen (Seifert, Berndl und Lipowsky, 1991). Gestreckte biegen sich am wenigsten über 0,651, flache bis hinab zu 0,592, darunter Stomatozyten. Jeder Punkt wird hier berechnet; ein Klick zeigt seine Fläche.
+phases-run = Formen berechnen
+phases-count = { $count } von { $of } Formen
+phase-of = Zweig
+phase-expected = Erwartet
+phase-branch = { $branch ->
+    [prolate] gestreckt
+    [oblate] flach
+   *[stomatocyte] Stomatozyt
+}
+phase-point = Die Form zeigen: { phase-branch }, Volumen { $volume }, ∫H²/4π = { $energy }
 
 ## Beispiele, und worauf zu achten ist
 
@@ -298,6 +337,8 @@ sample-thin-torus-shows = Verdickt sich zum Clifford-Torus: ∫H² fällt auf 2�
 sample-torus-knot-shows = Bei festem Inhalt und Volumen; ohne Regularisierung entartet das Netz (p-Willmore, Abbildung 5).
 sample-bad-mesh-shows = Dreiecke sind umgeklappt; „Netz jetzt regularisieren“ heilt sie, ohne die Form zu ändern (p-Willmore, Abbildungen 3, 7 und 11).
 sample-trefoil-kept-shows = Ein dicker verknoteter Schlauch kommt auf einem Plateau von ∫H² zur Ruhe (p-Willmore, Abbildung 9).
+sample-trefoil-undone-shows = Ein verknoteter Schlauch geht durch sich hindurch und endet als Clifford-Torus: ∫H² = 2π² (Pinkall; Marques und Neves).
+sample-link-undone-shows = Zwei verschlungene Schläuche gehen durcheinander hindurch und enden als zwei Clifford-Tori: ∫H² = 4π².
 sample-bumps-kept-shows = Rundet sich, ohne zu wachsen oder zu schrumpfen (p-Willmore, Abbildung 1).
 sample-ellipsoid-p-shows = Am Ende eine Sphäre, für jeden Exponenten p auf anderem Weg (p-Willmore, Abbildung 12).
 sample-cylinder-gaps-shows = Eingesunkene Flicken heben sich zurück zum Zylinder: Seine mittlere Krümmung ist konstant (Variation der Krümmung, Abbildung 5.1).
@@ -323,6 +364,8 @@ sample-morin-fine-shows = Dieselbe Hälfte der Umstülpung auf einem feineren Ne
 sample-boy-shows = Eine projektive Ebene, einseitig, und die am wenigsten gebogene im Raum: ∫H² = 12π (Bryant, Kusner).
 sample-cyclide-shows = Ein Möbius-Bild des Clifford-Torus, mit derselben Energie: W/2 liegt nahe 2π².
 sample-inverted-catenoid-shows = Zwei Blätter, die sich in einem Punkt berühren: ∫H² = 8π, wie bei jeder invertierten Minimalfläche mit zwei Enden.
+sample-lawson-2-shows = Fließt zu Lawsons ξ₂,₁, deren Symmetrien und Großkreise sie hat: ∫H² = 21,89, so wenig wie keine andere bekannte mit zwei Henkeln.
+sample-lawson-3-shows = Fließt zu Lawsons ξ₃,₁: ∫H² = 22,82, so wenig wie keine andere bekannte mit drei Henkeln.
 sample-rough-mesh-shows = Ein Durchgang von „Netz jetzt regularisieren“ genügt hier (p-Willmore, Abbildung 7).
 sample-range-scan-shows = So groß wie der der Arbeit, mit ebenso vielen Löchern; hundert Schritte beginnen auch Merkmale wegzunehmen (Abbildung 12).
 

@@ -115,7 +115,6 @@ shape-incompatible = die Form `{ $shape }` lässt sich nicht machen: { $reason }
     .hint = Ändern Sie einen der genannten Werte.
 conflict-thick-tube = minor = { NUMBER($minor, digits: 17) } ist nicht kleiner als major = { NUMBER($major, digits: 17) }
 conflict-shear = shear × rows = { NUMBER($turn, digits: 17) } ist keine ganze Zahl
-conflict-common-divisor = p = { $p } und q = { $q } haben einen gemeinsamen Teiler
 conflict-odd = { $parameter } = { $value } ist ungerade
 conflict-too-coarse = level { $level } ist zu grob für Löcher vom Radius { NUMBER($radius, digits: 17) }
 conflict-holes-overlap = { $count } Löcher vom Radius { NUMBER($radius, digits: 17) } haben keinen Platz; bei diesem level muss er unter { $most } sein

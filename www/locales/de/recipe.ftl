@@ -58,6 +58,7 @@ link-recipe = { $reason }
 link-value-sample = die Kennung eines Beispiels
 link-value-digest = die ersten 16 Ziffern eines SHA-256, oder mehr davon
 link-value-step = eine ganze Zahl mit höchstens sieben Ziffern
+link-value-percent = eine ganze Zahl von 0 bis 100
 link-value-camera = die Zahlen einer Kamera, mit Kommas dazwischen
 link-value-one-of = eines von { $names }
 link-value-energy = eine Zahl

@@ -14,6 +14,10 @@ paper-volume-preserving = { paper-volume-preserving.authors }: volume-preserving
     .authors = Huisken
 paper-eversion = { paper-eversion.authors }: a sphere eversion
     .authors = Francis, Sullivan, Kusner, Brakke, Hartman and Chappell
+paper-lawson = { paper-lawson.authors }: minimal surfaces of the 3-sphere
+    .authors = Lawson
+paper-knots = { paper-knots.authors }: regular homotopy of surfaces
+    .authors = Pinkall
 
 ## Figures: their number; the paper’s report and what to expect here
 
@@ -214,6 +218,22 @@ figure-eversion-fine = The minimax eversion, { $number }, finer
     .title = The sphere turned inside out, 5,000 vertices
     .reports = A sphere can be turned inside out through itself without a crease (Smale, 1958); the same film on a finer mesh, which takes about ten times as long.
     .expected = Both ways end at a round sphere, ∫H² below 1.005·4π; volumes of opposite signs, within 1 % of the ball’s; no crossings at the ends; immersed at every step, least product of face and vertex normals above 0.3
+figure-lawson-2 = ξ₂,₁, { $number }
+    .title = The surface with two handles that bends least
+    .reports = Lawson’s minimal surface ξ₂,₁ of the 3-sphere has the area 21.89, and so its image in space has the Willmore energy 21.89. Kusner conjectures (1989) that no surface with two handles bends less; for one handle Marques and Neves proved it (2014).
+    .expected = Two handles at the end, ∫H² = 21.89 to 0.7 %, the area kept to 1e-8
+figure-lawson-3 = ξ₃,₁, { $number }
+    .title = The surface with three handles that bends least
+    .reports = Lawson’s ξ₃,₁ has the Willmore energy 22.82. The series goes on towards 8π: 8π(1 − ln 2/(2g + 2) − …) for g handles (Heller, Heller and Traizet, 2023).
+    .expected = Three handles at the end, ∫H² = 22.82 to 0.7 %, the area kept to 1e-8
+figure-knot-undone = A knot, { $number }
+    .title = A knot that comes undone
+    .reports = An immersion may pass through itself, and so a knotted torus can be carried into one without a knot. Of all tori the Clifford torus bends least, ∫H² = 2π² (Marques and Neves, 2014).
+    .expected = One torus at the end, ∫H² = 2π² to 1 %, having passed through itself on the way; the area kept to 1e-8
+figure-link-undone = A link, { $number }
+    .title = A link that comes undone
+    .reports = An immersion may pass through itself, and so two linked tori can each take the shape that bends least, as if the other were not there: ∫H² = 2·2π².
+    .expected = Two tori at the end, ∫H² = 4π² to 1 %, which pass through each other; the area kept to 1e-8
 
 ## Measured on a figure
 
@@ -242,6 +262,8 @@ measured-refinement-apart = { NUMBER($coarse, digits: 5) }, { NUMBER($middle, di
 measured-ball = off { NUMBER($off, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $steps } steps, { $status }
 measured-isoperimetric = 36πV²/A³ { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, off { NUMBER($off, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $steps } steps, { $status }
 measured-eversion = ∫H²/4π { NUMBER($firstEnergy, digits: 5) } ← { NUMBER($halfway, digits: 4) } → { NUMBER($lastEnergy, digits: 5) }, V over the ball’s { NUMBER($firstVolume, digits: 4) } and { NUMBER($lastVolume, digits: 4) }, crossings { $firstCrossings } ← { $crossings } → { $lastCrossings }, least product of normals { NUMBER($alignment, digits: 2) }
+measured-lawson = genus { $genus }, ∫H² { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) }, expected { NUMBER($least, digits: 4) }: { NUMBER($off, digits: 2) } %; drift { NUMBER($drift, digits: 1) }, angle { NUMBER($angle, digits: 2) }°, { $status }
+measured-undone = ∫H² { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 5) } times { $tubes }·2π²; crossings at most { $crossings }, at the end { $left }; least product of normals { NUMBER($alignment, digits: 2) }, drift { NUMBER($drift, digits: 1) }, { $status }
 measured-flips = area/Willmore/localised: { $areaFlips }/{ $willmoreFlips }/{ $localisedFlips } flips, area { NUMBER($area, digits: 5) }/{ NUMBER($willmoreArea, digits: 5) }/{ NUMBER($localisedArea, digits: 5) }, W { NUMBER($areaCircle, digits: 4) }/{ NUMBER($willmoreCircle, digits: 4) }/{ NUMBER($localisedCircle, digits: 4) }
 measured-variation = Σ|ΔK| { NUMBER($first, digits: 4) } → { NUMBER($last, digits: 4) }
 measured-lost = { $lost } % lost
@@ -277,7 +299,24 @@ bench-refinement = Area, W/2 and ∫H² by cotangents and by fits under refineme
 bench-robustness = How flows end, left to themselves: on shapes with noise (h the mean edge length), or on the
     meshes of a folder in 100 steps. The energy at first and last, the largest relative rise of
     the monitored functional in a step, the smallest angle there was
+bench-vesicles = Vesicles at rest, area and volume kept: ∫H²/4π over the reduced volume on three branches, and where
+    they cross; what is expected is of shapes of revolution
 bench-figures = The figures of the four papers: what is expected, and what was measured here just now
+
+## The phase diagram of vesicles
+
+phases = Vesicles: phase diagram
+phases-hint = The least ∫H² over the reduced volume v = 6√π V/A^(3/2), of three branches of shapes with area and volume kept (Seifert, Berndl and Lipowsky, 1991). Prolate shapes bend least above 0.651, oblate ones down to 0.592, stomatocytes below. Every point is computed here; a click shows its surface.
+phases-run = Compute the shapes
+phases-count = { $count } of { $of } shapes
+phase-of = Branch
+phase-expected = Expected
+phase-branch = { $branch ->
+    [prolate] prolate
+    [oblate] oblate
+   *[stomatocyte] stomatocyte
+}
+phase-point = Show the { phase-branch } shape of volume { $volume }, ∫H²/4π = { $energy }
 
 ## Samples, and what to look for
 
@@ -298,6 +337,8 @@ sample-thin-torus-shows = Thickens into the Clifford torus: ∫H² falls to 2π�
 sample-torus-knot-shows = Area and volume kept; without regularisation the mesh degenerates (p-Willmore, figure 5).
 sample-bad-mesh-shows = Triangles have turned over; “Regularise the mesh now” mends them without changing the shape (p-Willmore, figures 3, 7 and 11).
 sample-trefoil-kept-shows = A thick knotted tube comes to rest on a plateau of ∫H² (p-Willmore, figure 9).
+sample-trefoil-undone-shows = A knotted tube passes through itself and ends as the Clifford torus: ∫H² = 2π² (Pinkall; Marques and Neves).
+sample-link-undone-shows = Two linked tubes pass through each other and end as two Clifford tori: ∫H² = 4π².
 sample-bumps-kept-shows = Rounds off without growing or shrinking (p-Willmore, figure 1).
 sample-ellipsoid-p-shows = A sphere in the end, on another way for every exponent p (p-Willmore, figure 12).
 sample-cylinder-gaps-shows = Sunken patches rise back to the cylinder: its mean curvature is constant (variation of curvature, figure 5.1).
@@ -323,6 +364,8 @@ sample-morin-fine-shows = The same half of an eversion on a finer mesh.
 sample-boy-shows = A projective plane, one-sided, and the least bent of all that there are in space: ∫H² = 12π (Bryant, Kusner).
 sample-cyclide-shows = A Möbius image of the Clifford torus, with the same energy: W/2 is near 2π².
 sample-inverted-catenoid-shows = Two sheets that touch in a point: ∫H² = 8π, as of every inverted minimal surface with two ends.
+sample-lawson-2-shows = Flows to Lawson’s ξ₂,₁, of which it has the symmetries and the great circles: ∫H² = 21.89, the least known with two handles.
+sample-lawson-3-shows = Flows to Lawson’s ξ₃,₁: ∫H² = 22.82, the least known with three handles.
 sample-rough-mesh-shows = One pass of “Regularise the mesh now” is enough here (p-Willmore, figure 7).
 sample-range-scan-shows = As large as the paper’s, with as many holes; a hundred steps begin to take the features too (figure 12).
 

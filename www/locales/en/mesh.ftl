@@ -121,7 +121,6 @@ shape-incompatible = shape `{ $shape }` cannot be made: { $reason }
     .hint = Change one of the values named.
 conflict-thick-tube = minor = { NUMBER($minor, digits: 17) } is not below major = { NUMBER($major, digits: 17) }
 conflict-shear = shear × rows = { NUMBER($turn, digits: 17) } is not a whole number
-conflict-common-divisor = p = { $p } and q = { $q } have a common divisor
 conflict-odd = { $parameter } = { $value } is odd
 conflict-too-coarse = level { $level } is too coarse for holes of radius { NUMBER($radius, digits: 17) }
 conflict-holes-overlap = { $count } holes of radius { NUMBER($radius, digits: 17) } do not fit; at this level it must be below { $most }

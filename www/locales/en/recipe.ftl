@@ -58,6 +58,7 @@ link-recipe = { $reason }
 link-value-sample = the id of a sample
 link-value-digest = the first 16 digits of a SHA-256, or more of them
 link-value-step = a whole number of at most seven digits
+link-value-percent = a whole number from 0 to 100
 link-value-camera = the numbers of a camera, with commas between them
 link-value-one-of = one of { $names }
 link-value-energy = a number
