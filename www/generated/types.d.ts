@@ -16,7 +16,7 @@ edges: number, };
 /**
  * What a command of the same name is answered with.
  */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "turn": State } | { "timeline": Timeline } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
+export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "turn": State } | { "timeline": Timeline } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "phase": Phase | null } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
 
 /**
  * What is shown of edge flips.
@@ -89,6 +89,11 @@ row: unknown[] | null, };
  * What the energy of an open surface is (Section 3.3 of the paper).
  */
 export type Boundary = "clamped" | "fixed" | "free";
+
+/**
+ * Shapes that go over into each other as the volume changes.
+ */
+export type Branch = "prolate" | "oblate" | "stomatocyte";
 
 /**
  * A branch, for people to choose from.
@@ -244,6 +249,10 @@ figure: string, } } | { "timeline": Record<symbol, never> } | { "restore": {
  */
 exact: Float64Array, 
 /**
+ * Three corners each, where those of the frame were its own; null or none else.
+ */
+triangles: Uint32Array | null, 
+/**
  * The step they belong to.
  */
 step: number, 
@@ -306,7 +315,11 @@ pairs: number, } } | { "why": Record<symbol, never> } | { "selfIntersections": R
 /**
  * Of what.
  */
-options: StudyOptions | null, } } | { "bench": { 
+options: StudyOptions | null, } } | { "phase": { 
+/**
+ * From 0.
+ */
+number: number, } } | { "bench": { 
 /**
  * Of what.
  */
@@ -999,6 +1012,10 @@ positions: Float32Array,
  */
 exact: Float64Array, 
 /**
+ * Three corners each, where remeshing or edge flips made others than were loaded.
+ */
+triangles: Uint32Array | null, 
+/**
  * Colours; null where there are none, or panes have their own.
  */
 field: Field | null, 
@@ -1341,6 +1358,10 @@ wireframe?: boolean,
  */
 boundary?: boolean, 
 /**
+ * What share of the surface's depth is cut away in front, so that one sees inside; in percent.
+ */
+cut?: number, 
+/**
  * Of the energy's axis.
  */
 scale?: Scale, };
@@ -1456,11 +1477,6 @@ small: boolean, };
  * small ones.
  */
 export type Loops = Array<number> | string | null;
-
-/**
- * How a surface is refined.
- */
-export type Manner = "sampled" | "polyhedron" | "loop";
 
 /**
  * The metric the gradient is taken in.
@@ -1766,6 +1782,35 @@ angles: [number, number],
 objective: [number, number], };
 
 /**
+ * One shape of the diagram.
+ */
+export type Phase = { 
+/**
+ * Which shapes it belongs to.
+ */
+branch: Branch, 
+/**
+ * 6√π V/A^(3/2), 1 of a ball.
+ */
+reducedVolume: number, 
+/**
+ * ∫H²/4π, 1 of a sphere.
+ */
+energy: number, 
+/**
+ * The same of the smooth shape of revolution at rest, where it is known.
+ */
+expected: number | null, 
+/**
+ * How the flow ended.
+ */
+status: Status, 
+/**
+ * How many shapes the diagram has.
+ */
+of: number, };
+
+/**
  * What a plot has of a step, and what the step warns of.
  */
 export type PlotPoint = { 
@@ -1985,6 +2030,11 @@ sha256: string,
  * Its length.
  */
 bytes: number, };
+
+/**
+ * How a surface is refined.
+ */
+export type RefinedBy = "sampled" | "polyhedron" | "loop";
 
 /**
  * How a mesh at rest is regularised. Unknown names are refused.
@@ -2401,6 +2451,10 @@ gradientNorm: number,
  */
 milliseconds: number, 
 /**
+ * The pass of remeshing that the last step began with.
+ */
+pass?: Pass, 
+/**
  * Whether an earlier state is stored.
  */
 canStepBack: boolean, };
@@ -2582,7 +2636,7 @@ export type StudyReport = {
 /**
  * How the surface is refined.
  */
-manner: Manner, 
+refinedBy: RefinedBy, 
 /**
  * Exponent of [`Resolution::power`].
  */
@@ -2621,7 +2675,7 @@ export type SubdivisionScheme = "linear" | "loop";
 /**
  * Which table.
  */
-export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "robustness" | "figures";
+export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "robustness" | "vesicles" | "figures";
 
 /**
  * Where the values of a quantity lead.
@@ -2715,7 +2769,11 @@ circles: boolean,
 /**
  * Principal directions.
  */
-directions: boolean, };
+directions: boolean, 
+/**
+ * The curves along which the surface passes through itself.
+ */
+crossings: boolean, };
 
 /**
  * How near boundary vertices are welded: a word, or a length.

@@ -1,8 +1,7 @@
 //! Knots and links that come undone. An immersed surface may pass through itself, and what is knotted
-//! and what is not can then be carried into each other: U. Pinkall, Regular homotopy classes of
-//! immersed surfaces, Topology 24, 1985. A knotted tube that bends less and less ends as the torus
-//! that bends least, Clifford's, with ∫H² = 2π² by Marques and Neves, Annals of Mathematics 179,
-//! 2014; two tubes as two of these.
+//! and what is not can then be carried into each other [P85](crate::bibliography#p85). A knotted tube
+//! that bends less and less ends as the torus that bends least, Clifford's, with ∫H² = 2π²
+//! [MN14](crate::bibliography#mn14); two tubes as two of these.
 
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measure::{area_drift, near};

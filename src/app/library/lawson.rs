@@ -1,11 +1,10 @@
-//! Lawson's surfaces ξ_{g,1}: H. B. Lawson, Complete minimal surfaces in S³, Annals of
-//! Mathematics 92, 1970. Kusner conjectures (Journal of Differential Geometry 29, 1989) that of all
-//! closed surfaces with g handles their stereographic images bend least, as by Marques & Neves,
-//! Annals of Mathematics 179, 2014, the Clifford torus ξ_{1,1} does for g = 1.
+//! Lawson's surfaces ξ_{g,1} [L70](crate::bibliography#l70). Kusner conjectures
+//! [K89](crate::bibliography#k89) that of all closed surfaces with g handles their stereographic images
+//! bend least, as the Clifford torus ξ_{1,1} does for g = 1 by Marques and Neves
+//! [MN14](crate::bibliography#mn14).
 //!
-//! ∫H² is their area in the 3-sphere, which Heller, Heller & Traizet (Journal of Differential
-//! Geometry 124, 2023) expand in 1/(2g + 2):
-//! 8π(1 − ln 2/(2g + 2) − (9/4)ζ(3)/(2g + 2)³ + …).
+//! ∫H² is their area in the 3-sphere, which is expanded in 1/(2g + 2) by
+//! [HHT23](crate::bibliography#hht23): 8π(1 − ln 2/(2g + 2) − (9/4)ζ(3)/(2g + 2)³ + …).
 
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measure::{area_drift, near};

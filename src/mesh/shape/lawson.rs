@@ -1,4 +1,4 @@
-//! Towards Lawson's minimal surfaces ξ_{g,1} of the 3-sphere (Annals of Mathematics 92, 1970): a
+//! Towards Lawson's minimal surfaces ξ_{g,1} of the 3-sphere [L70](crate::bibliography#l70): a
 //! surface with the same symmetries and through the same great circles, as stereographic image.
 //!
 //! With (z, w) in ℂ², |z|² + |w|² = 1, it is the zero set of
