@@ -2,8 +2,7 @@
 //! that are at rest with their area and volume kept.
 //!
 //! Prolate shapes bend least above v = 0.651, oblate ones (discocytes) down to 0.592, and
-//! stomatocytes, which are dented inward, below: Seifert, Berndl & Lipowsky, Physical Review A 44,
-//! 1991. Each point is a surface of its own that flowed to rest. Prolate shapes have tips, where
+//! stomatocytes, which are dented inward, below [SBL91](crate::bibliography#sbl91). Each point is a surface of its own that flowed to rest. Prolate shapes have tips, where
 //! triangles pile up unless they are made anew between steps; oblate ones are not the least of all
 //! there where they are at rest, and stay oblate by the symmetry of their triangles, which are left
 //! alone.
