@@ -223,7 +223,7 @@ impl Flow for CircleFlow {
         };
         let dt = dt.unwrap_or(tau * unit);
         if !self.is_paper() && self.options.goal == Goal::Relax {
-            StepSize::adaptive(dt, 1e-12 * unit, 1e6 * unit)
+            StepSize::adaptive(dt, 1e-12 * unit, 1e6 * unit).quickening()
         } else {
             StepSize::constant(dt, 1e-9 * dt)
         }
