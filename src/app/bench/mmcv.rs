@@ -16,6 +16,8 @@ pub(super) const TABLE: Table = Table {
         "assemble",
         "factor",
         "solve",
+        "search",
+        "regularise",
         "steps",
         "megabytes",
         "paperUnknowns",
