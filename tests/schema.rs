@@ -54,6 +54,7 @@ fn schema() -> String {
  * @property {readonly FlowName[]} flows
  * @property {string | null} scheme
  * @property {string | null} goal
+ * @property {string | null} remesh
  * @property {boolean} ofOneFlow  a change of flow takes its value back
  */
 
@@ -165,6 +166,7 @@ fn row_json<S: Options>(row: &Row<S>) -> Json {
         "flows": flows,
         "scheme": row.read_by.scheme,
         "goal": row.read_by.goal,
+        "remesh": row.read_by.remesh,
         "ofOneFlow": row.is_of_one_flow,
     })
 }

@@ -62,13 +62,15 @@ export const toFlow = (flow) => ({
  * Whether what runs reads an option.
  * @param {string} name
  * @param {Options} options  of what runs
+ * @returns {boolean}
  */
-export function isRead(name, { flow, scheme, goal }) {
+export function isRead(name, options) {
   const { flows, ...only } = rowOf(name);
   return (
-    flows.includes(flow) &&
-    (only.scheme === null || only.scheme === scheme) &&
-    (only.goal === null || only.goal === goal)
+    flows.includes(options.flow) &&
+    (only.scheme === null || only.scheme === options.scheme) &&
+    (only.goal === null || only.goal === options.goal) &&
+    (only.remesh === null || only.remesh === options.remesh || !isRead("remesh", options))
   );
 }
 

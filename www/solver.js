@@ -196,13 +196,15 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
    */
   async function place(frame, before, now) {
     const isStart =
-      frame?.state.step === 0 && frame.positions.every((c, n) => c === now.positions[n]);
+      frame?.state.step === 0 &&
+      !frame.triangles &&
+      frame.positions.every((c, n) => c === now.positions[n]);
     if (!frame || isStart) return send("reset", {}, MOVE);
     // Far from the origin an edited mesh is read into a place of its own.
     const by = before.shift.map((c, n) => c - now.shift[n]);
     const exact = by.some(Boolean) ? frame.exact.map((c, n) => c + by[n % 3]) : frame.exact;
-    const { step, time } = frame.state;
-    return send("restore", { exact, step, time }, MOVE);
+    const { triangles, state } = frame;
+    return send("restore", { exact, triangles, step: state.step, time: state.time }, MOVE);
   }
 
   /**
@@ -277,9 +279,8 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   function ownCopy() {
     const { loaded, last } = scene;
     if (!loaded) throw { kind: "NoMesh", message: say("no-mesh-yet"), hint: "", detail: {} };
-    // Edge flips change the triangles.
-    const pane = last?.panes.find(({ name }) => name === last.state.flips?.[0].criterion);
-    return plyOf(last?.exact ?? loaded.positions, loaded.shift, (pane ?? loaded).triangles);
+    const triangles = last?.triangles ?? loaded.triangles;
+    return plyOf(last?.exact ?? loaded.positions, loaded.shift, triangles);
   }
 
   return {

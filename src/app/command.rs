@@ -105,6 +105,9 @@ pub enum Command {
     Restore {
         /// Three coordinates a vertex.
         exact: TypedArray<f64>,
+        /// Three corners each, where those of the frame were its own; null or none else.
+        #[serde(default)]
+        triangles: Option<TypedArray<u32>>,
         /// The step they belong to.
         step: usize,
         /// Its time.
@@ -422,7 +425,15 @@ impl Session {
                 Answer::Branch(state)
             }
             C::Timeline {} => Answer::Timeline(self.timeline()?),
-            C::Restore { exact, step, time } => Answer::Restore(self.restore(&exact, step, time)?),
+            C::Restore {
+                exact,
+                triangles,
+                step,
+                time,
+            } => {
+                let triangles = triangles.as_ref().map(|list| list.as_slice());
+                Answer::Restore(self.restore(&exact, triangles, step, time)?)
+            }
             C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),
             C::Flip { options } => Answer::Flip(self.flip(&options)?),
             C::Fill { options } => Answer::Fill(self.fill_telling(&options)?),

@@ -87,6 +87,14 @@ pub(super) fn change_between(
     Ok(change)
 }
 
+/// Adds to a record of options, which says its flow, what it must not leave out.
+pub(super) fn say_whole(record: &mut Values, options: &FlowOptions) {
+    let rows = FlowOptions::ROWS.iter();
+    for row in rows.filter(|row| row.must_be_said(options)) {
+        record.insert(row.name.into(), (row.get)(options));
+    }
+}
+
 /// The options that are others than those of `base`.
 pub(super) fn differing(base: &FlowOptions, options: &FlowOptions) -> Values {
     let rows = FlowOptions::ROWS.iter();

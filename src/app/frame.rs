@@ -42,6 +42,8 @@ pub struct Frame {
     pub positions: TypedArray<f32>,
     /// The same in full precision, to go on from after a crash.
     pub exact: TypedArray<f64>,
+    /// Three corners each, where remeshing or edge flips made others than were loaded.
+    pub triangles: Option<TypedArray<u32>>,
     /// Colours; null where there are none, or panes have their own.
     pub field: Option<Field>,
     /// Triangles that folded over in the last step.
@@ -139,6 +141,7 @@ impl Session {
             reports: take(&mut view.reports),
             positions: as_f32(&runner.x).into(),
             exact: runner.x.iter().flat_map(|p| p.to_array()).collect(),
+            triangles: (runner.own_triangles()).map(|mesh| mesh.triangle_indices().into()),
             field: field.map(|name| runner.field(name)).transpose()?,
             flipped_triangles: runner.folded().to_vec().into(),
             panes,

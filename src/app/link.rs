@@ -4,6 +4,7 @@
 //! before anything is changed. No text makes this program set aside more than a few times its
 //! own size, but for selections of vertices, which are counted first.
 
+mod base;
 mod base64;
 mod check;
 mod error;
@@ -23,8 +24,9 @@ use super::provenance::{Action, EditRecord};
 use super::recipe::{Estimate, Reader, steps_in};
 use super::{Session, library};
 use crate::arrays::TypedArray;
-use crate::flow::option::{self, Options, Value, Values};
+use crate::flow::option::{self, Options, Value, Values, as_meant};
 use crate::flow::options::{FlowName, FlowOptions};
+use base::{base_of, before_of};
 pub use error::{LinkError, LinkValue};
 use serde::{Deserialize, Serialize};
 use words::Words;
@@ -217,12 +219,6 @@ fn is_energy(text: &str) -> bool {
     digits && text.len() < 30 && is_among(text, "+-.") && is_number
 }
 
-/// What a scene has unless its link says otherwise.
-fn base_of(sample: Option<&str>) -> FlowOptions {
-    let sample = sample.and_then(library::sample);
-    sample.map_or_else(FlowOptions::default, library::Sample::whole_options)
-}
-
 impl Link {
     /// Reads the words of a link. In the query of an address (`is_own` is false) there may be
     /// words of others, which are passed over.
@@ -305,7 +301,9 @@ impl Link {
                 options.insert(word.into(), value);
             }
         }
-        self.options.extend(option::read::<FlowOptions>(&options)?);
+        let mut said = option::read::<FlowOptions>(&options)?;
+        as_meant(&mut said, &before_of(self.sample.as_deref()));
+        self.options.extend(said);
         self.arrangement
             .extend(option::read::<Arrangement>(&arrangement)?);
         Ok(())
@@ -405,7 +403,8 @@ impl Link {
         let mut read = Vec::new();
         for text in panes {
             let pane = read_pane(text).ok_or_else(refused)?;
-            let change = option::read::<FlowOptions>(&pane.change)?;
+            let mut change = option::read::<FlowOptions>(&pane.change)?;
+            as_meant(&mut change, &option::before());
             let options = comparison::options_with(&first, &change)?;
             if options.flow == FlowName::Flips {
                 // They change the mesh: nothing can stand beside them.

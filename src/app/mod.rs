@@ -80,7 +80,7 @@ pub use recipe::{
 };
 pub use repairs::RepairItem;
 pub use runner::Configured;
-pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
+pub use study::{Limits, RefinedBy, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
 
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
@@ -356,16 +356,6 @@ impl Session {
         }
         let options = runner.options().clone();
         Ok(self.configure(options)?.state)
-    }
-
-    /// Puts positions from outside in place, as after a crash; the history starts anew.
-    ///
-    /// # Errors
-    /// If there are not three finite coordinates a vertex.
-    pub fn restore(&mut self, exact: &[f64], step: usize, time: f64) -> Result<State, Fault> {
-        let state = self.ensure_configured()?.restore(exact, step, time)?;
-        self.settle_panes();
-        Ok(state)
     }
 
     /// Where the session stands.

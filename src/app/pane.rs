@@ -15,6 +15,7 @@ use crate::flow::option;
 use crate::flow::option::kind::id_of;
 use crate::flow::options::FlowName;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
+use crate::order;
 use crate::remesh::flips::FlipOptimiser;
 use crate::remesh::flips::reduction::Criterion;
 use glam::DVec3;
@@ -114,16 +115,9 @@ pub(super) fn pictures(first: &Runner, panes: &Panes, field: Option<FieldName>) 
     }
     if panes.others().is_empty() {
         // What a pass of remeshing made the page does not know.
-        let is_known = first.segment.mesh.is_none();
-        let pane = |first: &Runner| {
-            first.pane(
-                first.options().flow.id(),
-                first.triangles(),
-                Vec::new(),
-                field,
-            )
-        };
-        return Vec::from_iter((!is_known).then(|| pane(first)));
+        let made = first.own_triangles();
+        let name = first.options().flow.id();
+        return Vec::from_iter(made.map(|mesh| first.pane(name, mesh, Vec::new(), field)));
     }
     let all = std::iter::once(first).chain(panes.others());
     let mut pictures: Vec<Pane> = all
@@ -146,7 +140,7 @@ pub(super) fn pictures(first: &Runner, panes: &Panes, field: Option<FieldName>) 
     }
     // In the order of the paper, whichever was chosen.
     let place = |pane: &Pane| FlowName::all().position(|flow| flow.id() == pane.name);
-    pictures.sort_by_key(place);
+    order::sort_by_key(&mut pictures, place);
     pictures
 }
 
@@ -187,7 +181,7 @@ impl Runner {
                 .iter()
                 .position(|n| *n == name)
         };
-        panes.sort_by_key(|pane| place(pane.name));
+        order::sort_by_key(&mut panes, |pane| place(pane.name));
         share_range(&mut panes);
         panes
     }

@@ -9,7 +9,7 @@ use crate::energy::circle::{self, Boundary, CircleEnergy};
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore, WillmoreBounds};
 use crate::energy::{conformal, p_willmore};
 use crate::flow::flips::FlipReading;
-use crate::flow::{Monitored, Multipliers, Status, StepReport};
+use crate::flow::{Monitored, Multipliers, Pass, Status, StepReport};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::message::Message;
@@ -239,6 +239,10 @@ pub struct State {
     pub gradient_norm: f64,
     /// Duration of the last step.
     pub milliseconds: f64,
+    /// The pass of remeshing that the last step began with.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub pass: Option<Pass>,
     /// Whether an earlier state is stored.
     pub can_step_back: bool,
 }

@@ -6,6 +6,7 @@
 
 mod continuation;
 mod remeshing;
+mod restoration;
 mod viewing;
 
 use super::arrangement::Arrangement;
@@ -23,7 +24,7 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::flips::EdgeFlips;
 use crate::flow::options::FlowOptions;
-use crate::flow::{Decision, FlowError, Progress, Status, StepReport, p_willmore};
+use crate::flow::{Decision, FlowError, Pass, Progress, Status, StepReport, p_willmore};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::message::Say;
@@ -295,35 +296,6 @@ impl Runner {
         Ok(outcome)
     }
 
-    pub(super) fn restore(
-        &mut self,
-        positions: &[f64],
-        step: usize,
-        time: f64,
-    ) -> Result<State, Fault> {
-        let fits = positions.len() == 3 * self.x.len();
-        if !fits || positions.iter().any(|c| !c.is_finite()) {
-            let error = AppError::BadPositions {
-                coordinates: positions.len(),
-                vertices: self.x.len(),
-            };
-            return Err(error.into());
-        }
-        self.x = positions.chunks_exact(3).map(DVec3::from_slice).collect();
-        self.begin_history();
-        self.is_restored = true;
-        if let Some(flow) = &mut self.engine {
-            flow.set_clock(step, time);
-        }
-        self.state = State {
-            step,
-            time,
-            ..State::default()
-        };
-        self.read_state();
-        Ok(self.state.clone())
-    }
-
     /// Takes a step, after a pass of remeshing where one is due, or where without one the flow
     /// would be at an end.
     pub(super) fn step(&mut self) -> Result<Option<StepReport>, Fault> {
@@ -336,7 +308,7 @@ impl Runner {
         {
             return self.step_after(pass, extends);
         }
-        let (report, decision) = self.flow_step(before, extends)?;
+        let (report, decision) = self.flow_step(before, None, extends)?;
         if let Some(kind) = self.can_pass_at(&decision) {
             // With a step it goes on, and the next one will find out.
             if report.is_some() {
@@ -357,19 +329,21 @@ impl Runner {
         }
     }
 
-    /// A step of the flow itself, from the snapshot `before`.
+    /// A step of the flow itself, from the snapshot `before` and after a pass, if there was one.
     fn flow_step(
         &mut self,
         before: Option<Snapshot>,
+        pass: Option<(Pass, f64)>,
         extends: bool,
     ) -> Result<(Option<StepReport>, Decision), Fault> {
+        let (pass, milliseconds) = pass.unzip();
         let Some(flow) = &mut self.engine else {
             return Err(Fault::no_mesh());
         };
         if extends {
             flow.extend_budget();
         }
-        let (report, decision) = match flow.step(&mut self.x) {
+        let (mut report, decision) = match flow.step(&mut self.x) {
             Ok(outcome) => outcome,
             Err(error) => {
                 self.state.status = Status::Failed;
@@ -378,7 +352,9 @@ impl Runner {
                 return Err(error.into());
             }
         };
-        if let Some(report) = &report {
+        if let Some(report) = &mut report {
+            report.pass = pass;
+            report.remesh_milliseconds = milliseconds.unwrap_or_default();
             self.state = State {
                 step: report.step,
                 time: report.time,
@@ -396,6 +372,7 @@ impl Runner {
                 multipliers: report.multipliers,
                 reduced_volume: report.reduced_volume,
                 flips: report.flips.clone(),
+                pass,
                 can_step_back: true,
                 ..State::default()
             };

@@ -14,7 +14,7 @@ pub use kind::{Kind, Range};
 pub(crate) use rows::row;
 pub use value::Value;
 
-use super::options::{FlowName, FlowOptions, Goal, Scheme};
+use super::options::{FlowName, FlowOptions, Goal, Remeshing, Scheme};
 use crate::message::{Message, Say};
 use kind::{id_of, ids, named};
 use serde::Serialize;
@@ -48,8 +48,10 @@ pub struct ReadBy {
     pub flows: &'static [FlowName],
     /// … under this scheme only …
     pub scheme: Option<Scheme>,
-    /// … and with this goal only, where a flow has goals.
+    /// … and with this goal only, where a flow has goals, …
     pub goal: Option<Goal>,
+    /// … and with these passes of remeshing only, where a flow has some.
+    pub remesh: Option<Remeshing>,
 }
 
 impl ReadBy {
@@ -62,6 +64,7 @@ impl ReadBy {
             flows,
             scheme: None,
             goal: None,
+            remesh: None,
         }
     }
 
@@ -81,19 +84,34 @@ impl ReadBy {
         }
     }
 
-    fn holds(&self, options: &FlowOptions) -> bool {
-        self.flows.contains(&options.flow)
-            && self.scheme.is_none_or(|scheme| scheme == options.scheme)
-            && self.goal.is_none_or(|goal| goal == options.goal)
+    /// With these passes of remeshing only.
+    pub const fn remesh(self, remesh: Remeshing) -> Self {
+        Self {
+            remesh: Some(remesh),
+            ..self
+        }
     }
 
-    /// The refusal of an option that these do not read.
-    fn unread(&self, name: &'static str) -> OptionError {
-        OptionError::UnreadOption {
-            name,
-            flows: self.flows.iter().map(|flow| flow.id()).collect(),
-            scheme: self.scheme.map_or("any", |scheme| id_of(&scheme)),
-            goal: self.goal.map_or("any", |goal| id_of(&goal)),
+    /// Refuses an option that what runs does not read.
+    fn check(&self, name: &'static str, options: &FlowOptions) -> Result<(), OptionError> {
+        let is_read = self.flows.contains(&options.flow)
+            && self.scheme.is_none_or(|scheme| scheme == options.scheme)
+            && self.goal.is_none_or(|goal| goal == options.goal);
+        if !is_read {
+            return Err(OptionError::UnreadOption {
+                name,
+                flows: self.flows.iter().map(|flow| flow.id()).collect(),
+                scheme: self.scheme.map_or("any", |scheme| id_of(&scheme)),
+                goal: self.goal.map_or("any", |goal| id_of(&goal)),
+            });
+        }
+        match self.remesh {
+            Some(remesh) if remesh != options.remeshing() => Err(OptionError::LoneOption {
+                name,
+                other: "remesh",
+                value: id_of(&remesh),
+            }),
+            _ => Ok(()),
         }
     }
 }
@@ -108,6 +126,8 @@ pub struct Row<S: 'static> {
     pub kind: Kind,
     /// The word for `null`, where the option may be left to the program or be no limit.
     pub absent: Option<&'static str>,
+    /// Its default before, where that is another by now: what a record means that does not say it.
+    pub was: Option<&'static str>,
     /// Words that stand for themselves beside the kind.
     pub words: &'static [&'static str],
     /// Of a number, as text; empty where it has none.
@@ -129,6 +149,14 @@ impl<S> Row<S> {
     pub const fn or(self, word: &'static str) -> Self {
         Self {
             absent: Some(word),
+            ..self
+        }
+    }
+
+    /// The same, whose default was another before.
+    pub const fn was(self, word: &'static str) -> Self {
+        Self {
+            was: Some(word),
             ..self
         }
     }
@@ -238,6 +266,37 @@ pub fn options_of<S: Options>(values: &Values) -> Result<S, OptionError> {
     Ok(options)
 }
 
+impl Row<FlowOptions> {
+    /// Whether a record of options must say this one though it has its default.
+    pub fn must_be_said(&self, options: &FlowOptions) -> bool {
+        self.was.is_some() && self.read_by.flows.contains(&options.flow)
+    }
+}
+
+/// The defaults as they were, where they are others by now.
+pub fn before() -> FlowOptions {
+    let mut options = FlowOptions::default();
+    for row in FlowOptions::ROWS {
+        if let Some(was) = row.was {
+            (row.set)(&mut options, &row.read(&Value::Text(was.into())));
+        }
+    }
+    options
+}
+
+/// Adds to a record of options what it leaves out and meant by that: what options of its time
+/// were, where defaults are others by now. What says no flow was not written by this program, and
+/// means the defaults of now.
+pub fn as_meant(record: &mut Values, of_its_time: &FlowOptions) {
+    let flow = record.get("flow").and_then(FlowName::of);
+    for row in FlowOptions::ROWS.iter().filter(|row| row.was.is_some()) {
+        if flow.is_some_and(|flow| row.read_by.flows.contains(&flow)) {
+            let value = || (row.get)(of_its_time);
+            record.entry(row.name.into()).or_insert_with(value);
+        }
+    }
+}
+
 /// Reads the texts among `words` and checks all values: what a link or a command line gave.
 ///
 /// # Errors
@@ -275,15 +334,14 @@ impl FlowOptions {
 /// [`read`], and refuses what would change nothing: on a command line that is a mistake.
 ///
 /// # Errors
-/// As [`read`]; [`OptionError::UnreadOption`], [`OptionError::ConflictingOptions`].
+/// As [`read`]; [`OptionError::UnreadOption`], [`OptionError::LoneOption`],
+/// [`OptionError::ConflictingOptions`].
 pub fn read_strictly(words: &Values) -> Result<Values, OptionError> {
     let values = read::<FlowOptions>(words)?;
     let options = options_of::<FlowOptions>(&values)?;
     for name in values.keys() {
         let row = find::<FlowOptions>(name)?;
-        if !row.read_by.holds(&options) {
-            return Err(row.read_by.unread(row.name));
-        }
+        row.read_by.check(row.name, &options)?;
     }
     let both = |a, b| [a, b].iter().all(|name| values.contains_key(*name));
     let same = [("dt", "tau"), ("maxSteps", "maxSeconds")];

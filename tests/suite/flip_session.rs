@@ -136,7 +136,9 @@ fn steps_of_any_length_lead_the_same_way_and_back() {
     // As after a crash: positions and the number of flips.
     let mut again = run(Some(7));
     let positions = again.frame().expect("a frame").exact;
-    again.restore(&positions, 240, 240.0).expect("restored");
+    again
+        .restore(&positions, None, 240, 240.0)
+        .expect("restored");
     assert_eq!(export(&again).len(), end.len());
     assert!(edges_of(&export(&again)) == edges_of(&end));
 }

@@ -371,12 +371,12 @@ fn a_new_start_has_no_history_and_a_recipe_with_all_that_was_done() {
     session
         .configure(flowing(FlowName::Circle))
         .expect("options");
-    session.restore(&positions, 7, 1.0).expect("restored");
+    session.restore(&positions, None, 7, 1.0).expect("restored");
     assert_eq!(session.timeline().expect("a timeline").start, 7);
     assert_eq!(session.provenance().expect_err("unknown").kind, "NoRecipe");
     session.reset().expect("reset");
     assert_eq!(session.provenance().expect("known").edits.len(), 1);
-    session.restore(&positions, 7, 1.0).expect("restored");
+    session.restore(&positions, None, 7, 1.0).expect("restored");
     session.adopt().expect("kept");
     assert_eq!(session.provenance().expect_err("unknown").kind, "NoRecipe");
 }

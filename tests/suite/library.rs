@@ -216,7 +216,9 @@ fn a_session_that_shows_a_figure_is_judged_as_a_run_of_it() {
             let finding = figure.judged(&session).expect(id).expect("all of it");
             assert!(finding.ok && finding != judged, "{}", said(&finding));
             let here = session.frame().expect("a frame").exact;
-            session.restore(&here, 49, 1.0).expect("positions that fit");
+            session
+                .restore(&here, None, 49, 1.0)
+                .expect("positions that fit");
             assert_eq!(figure.judged(&session).expect(id), None);
         }
     }

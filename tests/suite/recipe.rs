@@ -527,7 +527,7 @@ fn what_a_link_lacks_is_said() {
     );
     let mut lost = bumps(flowing(FlowName::Circle));
     let exact = lost.frame().expect("a frame").exact;
-    lost.restore(&exact, 2, 0.1).expect("restored");
+    lost.restore(&exact, None, 2, 0.1).expect("restored");
     assert_eq!(
         lacks(&lost, scene(own(None), sample("pipe"))),
         [Lack::EditsUnknown]

@@ -262,7 +262,7 @@ fn a_restored_session_goes_on_from_there() {
     let (positions, state) = (frame.exact, frame.state);
     let mut other = small();
     let restored = other
-        .restore(&positions, state.step, state.time)
+        .restore(&positions, None, state.step, state.time)
         .expect("restored");
     assert_eq!((restored.step, restored.time), (3, state.time));
     assert_eq!(restored.energy, state.energy, "to the last bit");
@@ -270,7 +270,7 @@ fn a_restored_session_goes_on_from_there() {
     assert_eq!(other.state().expect("state").step, 4);
     assert_eq!(
         other
-            .restore(&positions[1..], 0, 0.0)
+            .restore(&positions[1..], None, 0, 0.0)
             .expect_err("short")
             .kind,
         "BadPositions"

@@ -6,6 +6,7 @@ use umbilic::app::{Edit, Origin, RemeshOptions, ScriptText, Session};
 use umbilic::flow::StepReport;
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions, Remeshing};
+use umbilic::io::Format;
 use umbilic::remesh::adaptive::Kind;
 
 fn opened(shape: &str, values: &[(&str, f64)]) -> Session {
@@ -236,4 +237,61 @@ fn without_passes_the_mesh_stays_and_with_them_an_edit_takes_it_over() {
     s.continue_with(options).expect("a flow");
     let report = s.step().expect("a step").expect("a report");
     assert!(report.area < there.area);
+}
+
+#[test]
+fn a_new_session_goes_on_from_a_remeshed_surface_and_back_to_the_mesh_itself() {
+    let mut lost = worn(Remeshing::Adaptive);
+    let start = lost.frame().expect("a frame");
+    assert_eq!(start.triangles, None, "the page has those that were loaded");
+    let pass = steps(&mut lost, 60).iter().rposition(|r| r.pass.is_some());
+    assert!(pass.is_some());
+    let frame = lost.frame().expect("a frame");
+    let triangles = frame.triangles.clone().expect("triangles of its own").0;
+    assert_eq!(frame.panes[0].triangles, triangles);
+    let file = |s: &Session| s.export(Format::Off).expect("a file");
+    let (before, there) = (lost.state().expect("a state"), file(&lost));
+    let mut s = worn(Remeshing::Adaptive);
+    // Those of the start do not fit, nor what is no surface of these vertices.
+    let (step, time) = (before.step, before.time);
+    let mut turned = triangles.clone();
+    turned.swap(0, 1);
+    let mut beyond = triangles.clone();
+    beyond[0] = u32::MAX;
+    for bad in [None, Some(&turned), Some(&beyond)] {
+        let bad = bad.map(Vec::as_slice);
+        s.restore(&frame.exact, bad, step, time)
+            .expect_err("no surface");
+        assert!(s.frame().expect("a frame").exact == start.exact);
+    }
+    let state = s
+        .restore(&frame.exact, Some(&triangles), step, time)
+        .expect("restored");
+    assert_eq!((state.step, state.time), (step, time));
+    let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
+    same(state.energy, before.energy);
+    same(state.area, before.area);
+    assert_eq!(state.min_angle_degrees, before.min_angle_degrees);
+    assert!(file(&s) == there, "to the last bit");
+    assert_eq!(s.frame().expect("a frame").triangles, frame.triangles);
+    // How it came about is not known, and the history begins anew.
+    assert_eq!(s.provenance().expect_err("unknown").kind, "NoRecipe");
+    assert_eq!(s.timeline().expect("a timeline").start, step);
+    let reports = steps(&mut s, 400);
+    assert!(
+        reports
+            .iter()
+            .all(|r| (r.area / before.area - 1.0).abs() < 1e-9)
+    );
+    let energy = s.state().expect("a state").energy / (4.0 * PI);
+    assert!((0.985..1.002).contains(&energy), "{energy}");
+    // Back to the mesh itself: from the start, and as positions of it.
+    s.restore(&start.exact, None, 0, 0.0).expect("restored");
+    assert_eq!(s.frame().expect("a frame").triangles, None);
+    s.restore(&frame.exact, Some(&triangles), step, time)
+        .expect("restored");
+    s.reset().expect("the start");
+    let frame = s.frame().expect("a frame");
+    assert_eq!((frame.triangles, frame.exact), (None, start.exact));
+    assert!(s.provenance().is_ok());
 }

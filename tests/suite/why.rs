@@ -8,7 +8,7 @@ use umbilic::app::{
 };
 use umbilic::flow::Status;
 use umbilic::flow::constraint::Kept;
-use umbilic::flow::options::{FlowName, FlowOptions, Integrator, Scheme};
+use umbilic::flow::options::{FlowName, FlowOptions, Integrator, Remeshing, Scheme};
 use umbilic::remesh::Mode;
 
 struct Case {
@@ -143,9 +143,11 @@ impl Mesh {
     }
 }
 
+/// Without passes of remeshing, which leave little to be asked about.
 fn p_willmore() -> FlowOptions {
     FlowOptions {
         flow: FlowName::PWillmore,
+        remesh: Remeshing::Off,
         ..FlowOptions::default()
     }
 }
@@ -483,6 +485,20 @@ fn a_surface_does_not_swell_although_size_costs_nothing() {
     let found = case.diagnosis("DegenerateFaces");
     let angle = case.state().min_angle_degrees;
     assert!((case.mesh().smallest_angle(found.faces[0]) - angle).abs() < 1e-2);
+    // Passes of remeshing do not make it swell either, and the mesh stays good.
+    let options = FlowOptions {
+        remesh: Remeshing::Adaptive,
+        ..p_willmore()
+    };
+    let mut case = Case::new("trefoil", &[("along", 60.0), ("around", 6.0)], options);
+    case.run(200);
+    let state = case.state();
+    assert!(state.area < 4.0 * area, "{} of {area}", state.area);
+    assert!(
+        state.min_angle_degrees > 15.0,
+        "{}",
+        state.min_angle_degrees
+    );
 }
 
 #[test]

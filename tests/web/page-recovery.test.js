@@ -4,6 +4,8 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { loadSolver } from "../../www/cli/solver.js";
+import { perform } from "../../www/session.js";
 import {
   button,
   choice,
@@ -147,6 +149,74 @@ test("an exception that nobody caught is survived, colours and options with it",
     faults.filter((fault) => !fault.includes("made by the test")),
     [],
   );
+  await close();
+});
+
+/** What a session that reads a PLY has of its mesh and its energy. @param {Buffer} bytes */
+async function opened(bytes) {
+  const { Session } = await loadSolver();
+  const session = new Session();
+  perform(session, "load", { bytes: new Uint8Array(bytes), name: "saved.ply" });
+  const { vertices, edges, faces, closed, minAngleDegrees } = perform(session, "info");
+  const { state } = perform(session, "configure", { options: { flow: "p-willmore" } });
+  session.free();
+  return { vertices, edges, faces, closed, minAngleDegrees, energy: state.energy };
+}
+
+test("a remeshed surface outlives its worker with its own triangles, as file and on screen", async () => {
+  const { page, close } = await site.blank();
+  let isBroken = true;
+  // The last for good, until it is mended.
+  await spoilWorkers(page, (n) => (n > 2 && isBroken ? { at: "asked === 2" } : null));
+  await page.goto(`${site.url}?msaa=1#sample=morin&step=40`);
+  await until(page, "Paused at step 40");
+  const shown = async () => ({
+    surface: await surface(page),
+    energy: await energy(page),
+    vertices: await reading(page, "Vertices"),
+    faces: await reading(page, "Faces"),
+  });
+  const before = await shown();
+  assert.notEqual(before.vertices, "1200", "passes were made");
+  const saved = (await download(page, "PLY")).bytes;
+  const whole = await opened(saved);
+  assert.deepEqual([whole.vertices, whole.faces].map(String), [before.vertices, before.faces]);
+  assert.ok(whole.closed && Math.abs(whole.energy / before.energy - 1) < 1e-5);
+
+  const crash = (/** @type {string} */ word) =>
+    page.workers()[0].evaluate((word) => {
+      setTimeout(() => {
+        throw new Error(word);
+      });
+    }, word);
+  await crash("the first");
+  assert.match(await firstError(page), /the first.*goes on from step 40.*stored steps are gone/);
+  await until(page, "Paused at step 40");
+  assert.deepEqual(await shown(), before);
+  // To the last digit, though a face may begin at another corner.
+  assert.deepEqual(await opened((await download(page, "PLY")).bytes), whole);
+  await button(page, "Step").click();
+  await until(page, "Paused at step 41");
+  const next = await shown();
+  assert.ok(next.energy < 1.02 * before.energy, `${next.energy} after ${before.energy}`);
+
+  // Where none can be had, the page's own copy has the triangles that are shown.
+  await crash("the second");
+  await page
+    .getByRole("alert")
+    .getByText(/each time the surface was to be restored/)
+    .waitFor();
+  const own = await opened((await download(page, "OBJ")).bytes);
+  assert.deepEqual([own.vertices, own.faces].map(String), [next.vertices, next.faces]);
+  assert.ok(own.closed && Math.abs(own.energy / next.energy - 1) < 1e-5);
+  isBroken = false;
+  await button(page, "Restart the solver").click();
+  await until(page, "Paused at step 41");
+  assert.deepEqual(await shown(), next);
+  // From the start on it is known again.
+  await button(page, "Reset").click();
+  await until(page, "Ready");
+  assert.equal(await reading(page, "Vertices"), "1200");
   await close();
 });
 

@@ -188,12 +188,28 @@ test("a surface that is given other triangles on its way goes on in one clip", a
   const { page, faults, close } = await site.open("sample=morin&maxSteps=40");
   assert.match(await surface(page), /step 0, energy 50\.97/);
   await playToEnd(page, /^Stopped after 40 steps/);
+  // Each pass is a tick on the curve, from the energy before it to the one after.
+  const ticks = await page.locator(".curve .pass title").allTextContents();
+  const passes = ticks.map((tick) =>
+    /^step (\d+), after remeshing: energy (\S+) to (\S+)$/.exec(tick),
+  );
+  assert.ok(passes.length > 0 && passes.every(Boolean), ticks.join("; "));
+  const [step, before, after] = (passes.at(-1) ?? []).slice(1).map(Number);
+  assert.notEqual(before, after);
+  const rows = await plotted(page);
+  assert.ok(Math.abs(rows[step - 1][3] / before - 1) < 1e-4, `${rows[step - 1]}: ${before}`);
   // Half of Morin's surface: its energy is four times that of a sphere, and falls.
   const last = Number(/step 40, energy (\S+?),/.exec(await surface(page))?.[1]);
   assert.ok(last < 51 && last > 4 * Math.PI - 0.1, String(last));
-  await page.keyboard.press(",");
-  await until(page, "Paused at step 39");
-  assert.match(await surface(page), /step 39, energy /);
+  // Who does not see the tick is told of it at its step.
+  const scrubber = page.getByRole("slider", { name: "History" });
+  for (let at = 39; at >= step - 1; at -= 1) {
+    await page.keyboard.press(",");
+    await until(page, `Paused at step ${at}`);
+    const told = at === step ? ticks.at(-1) : `step ${at}`;
+    assert.equal(await scrubber.getAttribute("aria-valuetext"), told);
+  }
+  assert.match(await surface(page), new RegExp(`step ${step - 1}, energy `));
   assert.deepEqual(faults, []);
   await close();
 });

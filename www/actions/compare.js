@@ -23,8 +23,8 @@ const contrasts = {
     { flow: "p-willmore", p: 2 },
   ],
   regularise: [
-    { flow: "p-willmore", regularise: "off" },
-    { flow: "p-willmore", regularise: "nonlinear" },
+    { flow: "p-willmore", regularise: "off", remesh: "off" },
+    { flow: "p-willmore", regularise: "nonlinear", remesh: "off" },
   ],
   scheme: [{ scheme: "paper" }, { scheme: "auto" }],
 };

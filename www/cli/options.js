@@ -103,10 +103,11 @@ function limits({ low, high, lowOpen, also }) {
 }
 
 /** What reads an option, where that is not every flow. @param {Row} row */
-function readers({ flows, scheme, goal }) {
+function readers({ flows, scheme, goal, remesh }) {
   const others = moving.filter((flow) => !flows.includes(flow));
   const of = others.length < flows.length ? others.map((flow) => `not ${flow}`) : flows;
-  return [...of, ...(scheme ? [`--scheme ${scheme}`] : []), ...(goal ? [`--goal ${goal}`] : [])];
+  const only = Object.entries({ scheme, goal, remesh }).filter(([, value]) => value);
+  return [...of, ...only.map(([flag, value]) => `--${flag} ${value}`)];
 }
 
 /**

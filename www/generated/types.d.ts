@@ -244,6 +244,10 @@ figure: string, } } | { "timeline": Record<symbol, never> } | { "restore": {
  */
 exact: Float64Array, 
 /**
+ * Three corners each, where those of the frame were its own; null or none else.
+ */
+triangles: Uint32Array | null, 
+/**
  * The step they belong to.
  */
 step: number, 
@@ -999,6 +1003,10 @@ positions: Float32Array,
  */
 exact: Float64Array, 
 /**
+ * Three corners each, where remeshing or edge flips made others than were loaded.
+ */
+triangles: Uint32Array | null, 
+/**
  * Colours; null where there are none, or panes have their own.
  */
 field: Field | null, 
@@ -1456,11 +1464,6 @@ small: boolean, };
  * small ones.
  */
 export type Loops = Array<number> | string | null;
-
-/**
- * How a surface is refined.
- */
-export type Manner = "sampled" | "polyhedron" | "loop";
 
 /**
  * The metric the gradient is taken in.
@@ -1987,6 +1990,11 @@ sha256: string,
 bytes: number, };
 
 /**
+ * How a surface is refined.
+ */
+export type RefinedBy = "sampled" | "polyhedron" | "loop";
+
+/**
  * How a mesh at rest is regularised. Unknown names are refused.
  */
 export type RegulariseOptions = { 
@@ -2401,6 +2409,10 @@ gradientNorm: number,
  */
 milliseconds: number, 
 /**
+ * The pass of remeshing that the last step began with.
+ */
+pass?: Pass, 
+/**
  * Whether an earlier state is stored.
  */
 canStepBack: boolean, };
@@ -2590,7 +2602,7 @@ export type StudyReport = {
 /**
  * How the surface is refined.
  */
-manner: Manner, 
+refinedBy: RefinedBy, 
 /**
  * Exponent of [`Resolution::power`].
  */

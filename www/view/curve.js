@@ -7,6 +7,7 @@ import { say } from "../words.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { Point } from "../clip.js" */
+/** @import { Pass } from "../generated/types.js" */
 
 /** Most points of a line: as many as there are pixels to tell them apart. */
 const MOST = 600;
@@ -52,6 +53,10 @@ export function topOf(points) {
   return most || 1;
 }
 
+/** Where an energy lies. @param {number} energy @param {number} most  at the top */
+const heightOf = (energy, most) =>
+  BOTTOM - ((BOTTOM - TOP) * Math.min(Math.max(energy, 0), most)) / most;
+
 /** @param {Page} page */
 export function curve(page) {
   page.player.tick.value;
@@ -62,10 +67,7 @@ export function curve(page) {
   const most = topOf(points);
   const some = thinned(points);
   /** @param {Point} point */
-  const at = (point) => [
-    (point.sum / total) * WIDTH,
-    BOTTOM - ((BOTTOM - TOP) * Math.max(energyOf(point), 0)) / most,
-  ];
+  const at = (point) => [(point.sum / total) * WIDTH, heightOf(energyOf(point), most)];
   const line = (/** @type {number[][]} */ list) =>
     `M${list.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
   if (points.length === 0 || (points.length < 2 && !s.running)) {
@@ -79,7 +81,7 @@ export function curve(page) {
   const played = [...whole.filter(([left]) => left < x), [x, y]];
   const under = (/** @type {number[][]} */ list) =>
     `${line(list)}L${list[list.length - 1][0].toFixed(1)} ${BOTTOM}L0 ${BOTTOM}Z`;
-  const { step } = page.shown() ?? { step: 0 };
+  const { step, pass } = page.shown() ?? { step: 0, pass: undefined };
   const ticks = points.length > 200 ? [] : points;
 
   /** @param {PointerEvent} event */
@@ -111,7 +113,7 @@ export function curve(page) {
     <span class="most" aria-hidden="true">${formatShort(most)}</span><span class="least" aria-hidden="true">0</span>
     <div class="plot" role="slider" tabindex="0" aria-label=${say("history")} aria-valuemin=${points[0]?.state.step ?? 0}
       aria-valuemax=${points.at(-1)?.state.step ?? 0} aria-valuenow=${step}
-      aria-valuetext=${say("clause-step", { step })}
+      aria-valuetext=${pass ? remeshed(step, pass) : say("clause-step", { step })}
       @pointerdown=${press} @keydown=${key}
       @pointermove=${(/** @type {PointerEvent} */ event) =>
         /** @type {Element} */ (event.currentTarget).hasPointerCapture(event.pointerId) &&
@@ -121,7 +123,7 @@ export function curve(page) {
         <line class="base" x1="0" x2=${WIDTH} y1=${BOTTOM} y2=${BOTTOM} />
         <path class="computed area" d=${under(whole)} /><path class="played area" d=${under(played)} />
         <path class="computed" d=${line(whole)} /><path class="played" d=${line(played)} />
-        ${branches(page)}
+        ${branches(page)}${passes(points, total, most)}
         ${ticks.map((point) => svg`<line class="tick" x1=${at(point)[0]} x2=${at(point)[0]} y1=${BOTTOM + 1} y2=${BOTTOM + 5} />`)}
       </svg>
       <i class="head" .style=${`--x:${(x / WIDTH) * 100}%;--y:${y}%`}></i>
@@ -140,6 +142,25 @@ function label({ state, sum }, total, place) {
     >${place === "last" ? say("clause-step", { step: state.step }) : text}</span>`;
 }
 
+/** A step that began with other triangles, in words. @param {number} step @param {Pass} pass */
+const remeshed = (step, { objective: [before, after] }) =>
+  say("step-remeshed", { step, before, after });
+
+/**
+ * Passes of remeshing: a tick at the step before, as high as the energy jumped and some more.
+ * @param {readonly Point[]} points @param {number} total @param {number} most
+ */
+function passes(points, total, most) {
+  return points.map(({ state: { step, pass } }, n) => {
+    const before = points[step < 0 ? n + 1 : n - 1];
+    if (!pass || !before) return nothing;
+    const [from, to] = pass.objective.map((energy) => heightOf(energy, most));
+    const x = (WIDTH * before.sum) / total;
+    return svg`<line class="pass" x1=${x} x2=${x} y1=${Math.min(from, to) - 4} y2=${Math.max(from, to) + 4}
+      ><title>${remeshed(step, pass)}</title></line>`;
+  });
+}
+
 /** Where branches left the path. @param {Page} page */
 function branches(page) {
   const { timeline } = page.state.value;
@@ -149,9 +170,8 @@ function branches(page) {
   const most = topOf(clip.points);
   return timeline.branches.map(({ from, energy }) => {
     const point = clip.points[Math.max(clip.indexOf(from), 0)];
-    const y = (/** @type {number} */ value) =>
-      BOTTOM - ((BOTTOM - TOP) * Math.min(Math.max(value, 0), most)) / most;
+    const [left, right] = [energyOf(point), energy].map((value) => heightOf(value, most));
     const x = (WIDTH * point.sum) / total;
-    return svg`<path class="branch" d="M${x} ${y(energyOf(point))}L${Math.min(x + 60, WIDTH)} ${y(energy)}" />`;
+    return svg`<path class="branch" d="M${x} ${left}L${Math.min(x + 60, WIDTH)} ${right}" />`;
   });
 }

@@ -9,13 +9,15 @@ import { histogram } from "../range.js";
 import { symbol } from "../status.js";
 import { say } from "../words.js";
 import { conjecture, lab } from "./conjecture.js";
-import { equation } from "./equation.js";
-import { grid, section, table } from "./parts.js";
+import { grid, lazy, section, table } from "./parts.js";
 import { study } from "./study.js";
 import { vertex } from "./vertex.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { State as Reading } from "../generated/types.js" */
+
+/** With what sets its formulas. */
+const equation = lazy(() => import("./equation.js").then(({ equation }) => equation));
 
 /** Rows of the table at most; of more steps every so manyth. */
 const MOST_ROWS = 200;
@@ -57,7 +59,12 @@ function readings(page) {
   const shown = page.shown();
   const first = page.lead.clip.points[0]?.state;
   if (!mesh) return nothing;
-  const { genus, vertices, faces } = mesh.info;
+  const { genus } = mesh.info;
+  const { clip, u } = page.lead;
+  const made = clip.points[clip.at(u).index]?.drawable;
+  const { vertices, faces } = made
+    ? { vertices: made.positions.length / 3, faces: made.triangles.length / 3 }
+    : mesh.info;
   /** @type {(readonly [string, unknown, string?])[]} */
   const rows = [];
   if (shown) {

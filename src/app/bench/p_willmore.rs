@@ -1,13 +1,13 @@
 //! The p-Willmore flow, p = 2, on a torus: a step with area and volume kept and nonlinear
-//! regularisation, or one pass of regularisation alone, beside table 1 of Gruber & Aulisa,
-//! measured on another machine.
+//! regularisation, or one pass of regularisation alone, beside table 1 of Gruber & Aulisa
+//! [GA20](crate::bibliography#ga20), measured on another machine.
 
 use super::{
     BenchOptions, Measurement, Table, megabytes, milliseconds, rejected, shaped, step, steps, times,
 };
 use crate::app::RegulariseOptions;
 use crate::flow::constraint::Kept;
-use crate::flow::options::{FlowName, FlowOptions};
+use crate::flow::options::{FlowName, FlowOptions, Remeshing};
 use crate::message::Value;
 use crate::remesh::Mode;
 use web_time::Instant;
@@ -87,6 +87,7 @@ fn stepped((size, paper): ([usize; 2], f64), count: usize) -> Measurement {
             flow: FlowName::PWillmore,
             keep: vec![Kept::Area, Kept::Volume],
             max_steps: Some(count + 1),
+            remesh: Remeshing::Off,
             ..FlowOptions::default()
         })?;
         let first = step(&mut session)?.milliseconds;

@@ -51,9 +51,11 @@ impl Runner {
         (!changes.is_empty()).then(Remedy::repair)
     }
 
-    /// The flow's own regularisation, where it has one and that is off.
+    /// The flow's own regularisation, where it has one, that is off, and no passes of remeshing
+    /// stand in its place.
     pub(super) fn can_regularise_each_step(&self) -> Option<Remedy> {
-        let off = self.reads("regularise") && self.options().regularise == Mode::Off;
+        let is_off = self.reads("regularise") && self.options().regularise == Mode::Off;
+        let off = is_off && self.passes().is_none();
         off.then(|| Remedy::regularise_each_step().anew())
     }
 

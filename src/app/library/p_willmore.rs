@@ -1,18 +1,28 @@
-//! Figures of Gruber & Aulisa, Computational p-Willmore Flow with Conformal Penalty, 2020.
+//! Figures of Gruber & Aulisa, Computational p-Willmore Flow with Conformal Penalty
+//! [GA20](crate::bibliography#ga20).
 
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measure::{area_drift, near, off_sphere, volume_drift};
 use super::measured::Run;
 use crate::app::{FieldName, RegulariseOptions};
 use crate::flow::Status;
-use crate::flow::options::FlowOptions;
+use crate::flow::options::{FlowOptions, Remeshing};
 use crate::remesh::Mode;
 use std::f64::consts::PI;
 
 const PLAIN: Figure = Figure {
     paper: Paper::PWillmore,
+    options: papers,
     ..Figure::PLAIN
 };
+
+/// The paper knows no passes of remeshing.
+fn papers(o: FlowOptions) -> FlowOptions {
+    FlowOptions {
+        remesh: Remeshing::Off,
+        ..o
+    }
+}
 
 /// ∫H² of the Clifford torus, the least of all tori.
 const CLIFFORD: f64 = 2.0 * PI * PI;
@@ -174,7 +184,7 @@ fn steady(p: f64, dt: f64, o: FlowOptions) -> FlowOptions {
         dt: Some(dt),
         keep: Vec::new(),
         regularise: Mode::Off,
-        ..o
+        ..papers(o)
     }
 }
 
@@ -205,21 +215,21 @@ pub(super) static FIGURES: &[Figure] = &[
     },
     Figure {
         id: "p-willmore-2-p0",
-        options: |o| FlowOptions { p: 0.0, ..o },
+        options: |o| papers(FlowOptions { p: 0.0, ..o }),
         steps: Steps::Count(100),
         judge: |run| letter(run, run.last.area < 0.2 * run.first.area),
         ..LETTER
     },
     Figure {
         id: "p-willmore-2-p2",
-        options: |o| FlowOptions { p: 2.0, ..o },
+        options: |o| papers(FlowOptions { p: 2.0, ..o }),
         steps: Steps::Count(160),
         judge: |run| letter(run, near(run.last.energy_normalised, 1.0, 0.01)),
         ..LETTER
     },
     Figure {
         id: "p-willmore-2-p4",
-        options: |o| FlowOptions { p: 4.0, ..o },
+        options: |o| papers(FlowOptions { p: 4.0, ..o }),
         steps: Steps::Count(160),
         judge: |run| letter(run, run.last.area > 1.8 * run.first.area),
         ..LETTER
@@ -312,9 +322,11 @@ pub(super) static FIGURES: &[Figure] = &[
         id: "p-willmore-9-off",
         number: "9",
         sample: "trefoil-kept",
-        options: |o| FlowOptions {
-            regularise: Mode::Off,
-            ..o
+        options: |o| {
+            papers(FlowOptions {
+                regularise: Mode::Off,
+                ..o
+            })
         },
         quick: false,
         judge: |run| kept(run, |first, last| last < 0.5 * first),
@@ -341,11 +353,13 @@ pub(super) static FIGURES: &[Figure] = &[
         id: "p-willmore-11",
         number: "11",
         sample: "bad-mesh",
-        options: |o| FlowOptions {
-            regularise: Mode::Off,
-            keep: Vec::new(),
-            tau: Some(1e-4),
-            ..o
+        options: |o| {
+            papers(FlowOptions {
+                regularise: Mode::Off,
+                keep: Vec::new(),
+                tau: Some(1e-4),
+                ..o
+            })
         },
         regularise: passes(Mode::Nonlinear, 2),
         steps: Steps::Count(1),
@@ -353,17 +367,17 @@ pub(super) static FIGURES: &[Figure] = &[
     },
     Figure {
         id: "p-willmore-12-p0",
-        options: |o| FlowOptions { p: 0.0, ..o },
+        options: |o| papers(FlowOptions { p: 0.0, ..o }),
         ..BALL
     },
     Figure {
         id: "p-willmore-12-p2",
-        options: |o| FlowOptions { p: 2.0, ..o },
+        options: |o| papers(FlowOptions { p: 2.0, ..o }),
         ..BALL
     },
     Figure {
         id: "p-willmore-12-p4",
-        options: |o| FlowOptions { p: 4.0, ..o },
+        options: |o| papers(FlowOptions { p: 4.0, ..o }),
         ..BALL
     },
 ];

@@ -184,6 +184,7 @@ fn volume_kept(o: FlowOptions) -> FlowOptions {
 fn area_kept(o: FlowOptions) -> FlowOptions {
     FlowOptions {
         keep: vec![Area],
+        // Said though it is the default: links to these samples are older than that.
         remesh: Remeshing::Adaptive,
         ..p_willmore(o)
     }

@@ -1,5 +1,6 @@
 use super::*;
 use crate::flow::option::Value;
+use crate::flow::options::Remeshing;
 use serde_json::{Value as Json, json};
 
 const LINKS: &str = include_str!("../../../tests/golden/links.txt");
@@ -162,6 +163,63 @@ fn a_word_that_cannot_be_is_refused() {
     // In a query there may be words of others.
     let link = Link::read("embed&epsilonn=0.5&step=2&lang=de&lang=en", false);
     assert_eq!(link.expect("a link").step, 2);
+}
+
+/// Flows of links that were written before there were passes of remeshing, with what they meant.
+#[test]
+fn a_default_that_moved_is_what_it_was_in_links_of_before() {
+    let remesh = |link: &Link| link.options.get("remesh").map(ToString::to_string);
+    let read = |text: &str| Link::read(text, true).expect("a link");
+    for (text, meant) in [
+        ("sample=vesicle&flow=p-willmore", Some("off")),
+        ("mesh=bunny&flow=p-willmore&p=4", Some("off")),
+        // It says so itself.
+        ("sample=morin&flow=p-willmore", Some("adaptive")),
+        (
+            "sample=vesicle&flow=p-willmore&remesh=isotropic",
+            Some("isotropic"),
+        ),
+        // What this program did not write, and what reads no such option, have the default of now.
+        ("sample=vesicle", None),
+        ("flow=circle", None),
+        // The paper knows no passes, whoever asks for its figure.
+        ("figure=p-willmore-6", Some("off")),
+    ] {
+        let link = read(text);
+        assert_eq!(remesh(&link).as_deref(), meant, "{text}");
+        let again = read(&link.write().text);
+        assert_eq!(again.options, link.options, "{text}");
+    }
+    let link = read("panes=flow_p-willmore*same");
+    let change = &link.comparison.expect("panes").panes[0].change;
+    assert_eq!(change["remesh"], Value::Text("off".into()));
+    let flow = json!([{"flow": {"flow": "p-willmore"}}, {"steps": 2}]);
+    let link = read(&format!("step=2&path={}", encoded(&flow)));
+    let path = link.path.clone().expect("a path");
+    let Action::Flow(options) = &path[0] else {
+        panic!("{path:?}")
+    };
+    assert_eq!(options.remesh, Remeshing::Off);
+    // Said both ways now, so that nothing depends on what is left out.
+    for remesh in [Remeshing::Off, Remeshing::Adaptive] {
+        let options = FlowOptions {
+            remesh,
+            ..(**options).clone()
+        };
+        let path = vec![Action::Flow(Box::new(options)), Action::Steps(2)];
+        let path = Some(path);
+        let written = Link {
+            path,
+            ..link.clone()
+        }
+        .write()
+        .text;
+        let Some(Action::Flow(found)) = read(&written).path.expect("a path").into_iter().next()
+        else {
+            panic!("{written}")
+        };
+        assert_eq!(found.remesh, remesh);
+    }
 }
 
 #[test]

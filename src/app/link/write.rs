@@ -1,15 +1,15 @@
 //! Writing a link: what the session knows of the scene, and what the page adds.
 
+use super::base::base_of;
 use super::error::LinkError;
 use super::record::{encode_edits, encode_path};
 use super::region;
 use super::words::Written;
 use super::{
     Comparison, DIGEST, LETTERS, Link, LinkView, Lockstep, MAX_SELECTED, SAME, Scale, Shading,
-    base_of,
 };
 use crate::app::arrangement::Arrangement;
-use crate::app::comparison::{change_between, differing, options_with};
+use crate::app::comparison::{change_between, differing, options_with, say_whole};
 use crate::app::fault::Fault;
 use crate::app::field::FieldName;
 use crate::app::provenance::{Action, Provenance};
@@ -319,8 +319,12 @@ fn compared(
     };
     let mut comparison = comparison.clone();
     for pane in &mut comparison.panes {
+        let options = options_with(current, &pane.change)?;
         if first.is_some() {
-            pane.change = change_between(base, &options_with(current, &pane.change)?)?;
+            pane.change = change_between(base, &options)?;
+        }
+        if pane.change.contains_key("flow") {
+            say_whole(&mut pane.change, &options);
         }
         pane.step = pane.step.filter(|other| *other != step);
     }
@@ -390,5 +394,6 @@ impl Link {
         if let Some(row) = flow {
             self.options.insert(row.name.into(), (row.get)(options));
         }
+        say_whole(&mut self.options, options);
     }
 }

@@ -183,6 +183,7 @@ impl Reader {
                 self.selection(value)?;
             }
         }
+        option::as_meant(&mut values, &option::before());
         option::options_of(&values).map_err(|error| self.refused(error))
     }
 

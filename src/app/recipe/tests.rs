@@ -1,5 +1,6 @@
 use super::file::Recipe;
 use super::*;
+use crate::flow::options::Remeshing;
 use serde_json::{Value as Json, json};
 
 const PLAIN: &str = include_str!("../../../tests/golden/recipes/plain.json");
@@ -188,6 +189,12 @@ fn what_another_version_wrote_is_refused_with_its_name() {
     let older = PLAIN.replace(" \"maxSeconds\": 500000000,\n ", "");
     assert_ne!(older, PLAIN);
     Recipe::read(&older).expect("a recipe");
+    // And before there were passes of remeshing.
+    let older = PLAIN.replace(" \"remesh\": \"adaptive\",\n ", "");
+    assert_ne!(older, PLAIN);
+    let older = older.replace("\"flow\": \"circle\"", "\"flow\": \"p-willmore\"");
+    let recipe = Recipe::read(&older).expect("a recipe");
+    assert_eq!(recipe.flow.remesh, Remeshing::Off);
 }
 
 #[test]

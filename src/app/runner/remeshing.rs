@@ -31,7 +31,7 @@ const REST: usize = 3;
 
 impl Runner {
     /// What kind of passes there are under the options in force, on this surface.
-    fn passes(&self) -> Option<Kind> {
+    pub(in crate::app) fn passes(&self) -> Option<Kind> {
         self.passes_under(self.options())
     }
 
@@ -169,16 +169,12 @@ impl Runner {
     /// A step on the mesh that a pass has made, which is taken back where there is none to take.
     pub(super) fn step_after(
         &mut self,
-        (pass, milliseconds): (Pass, f64),
+        pass: (Pass, f64),
         extends: bool,
     ) -> Result<Option<StepReport>, Fault> {
-        let (mut report, decision) = self.flow_step(self.copied(), extends)?;
-        match &mut report {
-            Some(report) => {
-                report.remesh_milliseconds = milliseconds;
-                report.pass = Some(pass);
-            }
-            None => self.take_pass_back(),
+        let (report, decision) = self.flow_step(self.copied(), Some(pass), extends)?;
+        if report.is_none() {
+            self.take_pass_back();
         }
         self.end(decision);
         Ok(report)

@@ -29,6 +29,7 @@ macro_rules! option_row {
             flag: $flag,
             kind: $kind,
             absent: None,
+            was: None,
             words: &[],
             unit: $unit,
             group: $crate::flow::option::Group::$group,
@@ -63,6 +64,7 @@ impl Options for FlowOptions {
         let p_willmore = ReadBy::flows(P_WILLMORE);
         let closed = ReadBy::flows(CLOSED);
         let paper = closed.scheme(Scheme::Paper);
+        let without_passes = closed.remesh(Remeshing::Off);
         let flips = ReadBy::flows(FLIPS);
         let any = Range::closed(-1e6, 1e6);
         let tau = Range::positive(MAX_TAU);
@@ -104,11 +106,11 @@ impl Options for FlowOptions {
                 Kind::choice::<Integrator>(), "", Method, circle),
             row!(mass, "mass", "mass", Kind::choice::<MassChoice>(), "", Method, circle),
             row!(remesh, "remesh", "remesh",
-                Kind::choice::<Remeshing>(), "", Method, p_willmore.scheme(Scheme::Auto)),
+                Kind::choice::<Remeshing>(), "", Method, p_willmore.scheme(Scheme::Auto)).was("off"),
             row!(regularise, "regularise", "regularise",
-                Kind::choice::<Mode>(), "", Method, closed),
+                Kind::choice::<Mode>(), "", Method, without_passes),
             row!(regularise_epsilon, "regulariseEpsilon", "regularise-epsilon",
-                Number(Range::positive(1e3)), "", Method, closed),
+                Number(Range::positive(1e3)), "", Method, without_passes),
             row!(perturbation, "perturbation", "perturbation",
                 Number(Range::closed(0.0, MAX_PERTURBATION)), "mean edge lengths", Method, closed),
             row!(rungs, "rungs", "rungs",
@@ -320,6 +322,24 @@ mod tests {
         assert_eq!(scheme, Some((closed, "paper", "any")));
         let set = refused(&[("flow", "volume-preserving"), ("p", "2")]);
         assert_eq!(set, Some((vec!["p-willmore"], "any", "any")));
+        // Passes of remeshing stand in the place of regularisation.
+        for own in [("regularise", "linear"), ("regulariseEpsilon", "0.1")] {
+            let passes = |more: &[_]| {
+                let pairs = [&[("flow", "p-willmore"), own], more].concat();
+                read_strictly(&words(&pairs))
+            };
+            let error = passes(&[]).expect_err("they are on");
+            assert!(
+                matches!(error, OptionError::LoneOption { name, other: "remesh", value: "off" }
+                    if name == own.0)
+            );
+            assert!(passes(&[("remesh", "isotropic")]).is_err());
+            assert!(passes(&[("remesh", "off")]).is_ok());
+            assert!(passes(&[("scheme", "paper")]).is_ok());
+            // Terms with a length for their unit let no mesh change.
+            assert!(passes(&[("tension", "1")]).is_ok());
+            assert_eq!(refused(&[("flow", "volume-preserving"), own]), None);
+        }
         assert!(matches!(
             read_strictly(&words(&[("dt", "1"), ("tau", "1")])),
             Err(OptionError::ConflictingOptions {

@@ -101,7 +101,14 @@ export class FakeWorker {
     this.say({
       ...{ type: "frame", run: this.run, state: this.state(), reports: [] },
       ...{ positions: Float32Array.from(this.exact), exact: this.exact, field: null },
-      ...{ flippedTriangles: new Uint32Array(), panes: [], curves: null, jump: null, look: null },
+      ...{
+        flippedTriangles: new Uint32Array(),
+        triangles: null,
+        panes: [],
+        curves: null,
+        jump: null,
+        look: null,
+      },
       ...{ timeline, story: null },
     });
   }

@@ -325,3 +325,7 @@ sample-cyclide-shows = Ein Möbius-Bild des Clifford-Torus, mit derselben Energi
 sample-inverted-catenoid-shows = Zwei Blätter, die sich in einem Punkt berühren: ∫H² = 8π, wie bei jeder invertierten Minimalfläche mit zwei Enden.
 sample-rough-mesh-shows = Ein Durchgang von „Netz jetzt regularisieren“ genügt hier (p-Willmore, Abbildung 7).
 sample-range-scan-shows = So groß wie der der Arbeit, mit ebenso vielen Löchern; hundert Schritte beginnen auch Merkmale wegzunehmen (Abbildung 12).
+
+## Neue Dreiecke zwischen Schritten
+
+step-remeshed = Schritt { $step }, nach neuem Vernetzen: Energie { NUMBER($before, digits: 5) } zu { NUMBER($after, digits: 5) }

@@ -325,3 +325,7 @@ sample-cyclide-shows = A Möbius image of the Clifford torus, with the same ener
 sample-inverted-catenoid-shows = Two sheets that touch in a point: ∫H² = 8π, as of every inverted minimal surface with two ends.
 sample-rough-mesh-shows = One pass of “Regularise the mesh now” is enough here (p-Willmore, figure 7).
 sample-range-scan-shows = As large as the paper’s, with as many holes; a hundred steps begin to take the features too (figure 12).
+
+## New triangles between steps
+
+step-remeshed = step { $step }, after remeshing: energy { NUMBER($before, digits: 5) } to { NUMBER($after, digits: 5) }
