@@ -287,6 +287,8 @@ const HISTORY: &[Column] = &[
     ("regulariseMilliseconds", |r| {
         thousandths(r.regularise_milliseconds)
     }),
+    ("searchMilliseconds", |r| thousandths(r.search_milliseconds)),
+    ("remeshMilliseconds", |r| thousandths(r.remesh_milliseconds)),
 ];
 
 fn or_empty(value: Option<f64>) -> String {
@@ -342,13 +344,15 @@ mod tests {
             factor_milliseconds: 24.5,
             solve_milliseconds: 25.5,
             regularise_milliseconds: 26.5,
+            search_milliseconds: 27.5,
+            remesh_milliseconds: 28.5,
             ..StepReport::default()
         };
         let json = serde_json::to_value(&report).expect("JSON");
         let csv = history_csv(&[report]);
         let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
         assert_eq!(lines.len(), 2);
-        assert_eq!((lines[0].len(), lines[1].len()), (27, 27));
+        assert_eq!((lines[0].len(), lines[1].len()), (29, 29));
         for (name, cell) in lines[0].iter().zip(&lines[1]) {
             let reading = json.get(name).unwrap_or(&json["multipliers"][name]);
             let cell = cell.parse::<f64>().ok();

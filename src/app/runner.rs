@@ -333,9 +333,10 @@ impl Runner {
     fn flow_step(
         &mut self,
         before: Option<Snapshot>,
-        pass: Option<Pass>,
+        pass: Option<(Pass, f64)>,
         extends: bool,
     ) -> Result<(Option<StepReport>, Decision), Fault> {
+        let (pass, milliseconds) = pass.unzip();
         let Some(flow) = &mut self.engine else {
             return Err(Fault::no_mesh());
         };
@@ -353,6 +354,7 @@ impl Runner {
         };
         if let Some(report) = &mut report {
             report.pass = pass;
+            report.remesh_milliseconds = milliseconds.unwrap_or_default();
             self.state = State {
                 step: report.step,
                 time: report.time,

@@ -17,6 +17,8 @@ pub struct Cost {
     pub factor: f64,
     /// Seconds for triangular solves and iterations.
     pub solve: f64,
+    /// Seconds for trials of a move: the functional there, and what the mesh would be.
+    pub search: f64,
     /// Seconds for sliding vertices along the surface.
     pub regularise: f64,
     /// Inner iterations: of the linear solver, or of Newton's method.

@@ -236,6 +236,7 @@ impl Driver {
         before: Functional,
         cost: &mut Cost,
     ) -> Result<Option<Found>, FlowError> {
+        let watch = Instant::now();
         let rules = self.flow.rules();
         let angles = [
             self.start.angle,
@@ -257,6 +258,7 @@ impl Driver {
             is_guarded: false,
             met_bound: false,
         };
+        cost.search += watch.elapsed().as_secs_f64();
         let mut resolved = 0;
         let found = loop {
             cost.tell("factor", 0.1);
@@ -273,7 +275,10 @@ impl Driver {
                         break None;
                     }
                     cost.tell("trial", 0.4);
-                    match trials.run(&mut *self.flow, &step, cost) {
+                    let watch = Instant::now();
+                    let taken = trials.run(&mut *self.flow, &step, cost);
+                    cost.search += watch.elapsed().as_secs_f64();
+                    match taken {
                         Ok(taken) => {
                             self.flow.accept(&step, taken.share);
                             self.run
@@ -319,7 +324,7 @@ impl Driver {
         cost: &mut Cost,
     ) -> Result<Found, FlowError> {
         let d = here.iter().zip(&y).map(|(x, y)| *y - *x).collect();
-        let value = match self.flow.measure(here, &mut y, cost) {
+        let value = match self.flow.measure(here, &mut y) {
             Ok(value) => value,
             Err(_) => self.evaluate(&y, cost)?.value,
         };
@@ -407,6 +412,7 @@ impl Driver {
         report.assemble_milliseconds = cost.assemble * 1e3;
         report.factor_milliseconds = cost.factor * 1e3;
         report.solve_milliseconds = cost.solve * 1e3;
+        report.search_milliseconds = cost.search * 1e3;
         report.regularise_milliseconds = cost.regularise * 1e3;
         report.warnings.append(&mut cost.warnings);
         Ok((report, decision))

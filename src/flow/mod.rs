@@ -105,7 +105,7 @@ pub trait Flow {
     ///
     /// # Errors
     /// What is wrong with the trial.
-    fn measure(&mut self, x: &[DVec3], y: &mut [DVec3], cost: &mut Cost) -> Result<f64, Refusal>;
+    fn measure(&mut self, x: &[DVec3], y: &mut [DVec3]) -> Result<f64, Refusal>;
 
     /// ⟨∇F, d⟩ at the trial that was measured last; asked for by [`Search::Wolfe`] only.
     fn trial_slope(&self, _d: &[DVec3]) -> f64 {

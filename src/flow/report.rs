@@ -159,14 +159,18 @@ pub struct StepReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
     pub linear_residual: Option<f64>,
-    /// Time for energy, gradient and matrix.
+    /// Time for energy, gradient and matrix where the step begins and ends.
     pub assemble_milliseconds: f64,
     /// Time for factorisations.
     pub factor_milliseconds: f64,
     /// Time for triangular solves and iterations.
     pub solve_milliseconds: f64,
+    /// Time for trials: the functional at each, and what the mesh would be.
+    pub search_milliseconds: f64,
     /// Time for sliding vertices along the surface.
     pub regularise_milliseconds: f64,
+    /// Time for the pass of remeshing before the step, which is no part of `milliseconds`.
+    pub remesh_milliseconds: f64,
     /// The pass of remeshing that came before the step, where there was one.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]

@@ -53,21 +53,16 @@ impl Trials<'_> {
         cost: &mut Cost,
     ) -> Result<Taken, Refusal> {
         match step.search {
-            Search::Unseen => self.unseen(flow, step, cost),
-            Search::Solve => self.shorten(flow, step, 0, cost),
-            Search::Shorten => self.shorten(flow, step, MAX_SHORTENINGS, cost),
+            Search::Unseen => self.unseen(flow, step),
+            Search::Solve => self.shorten(flow, step, 0),
+            Search::Shorten => self.shorten(flow, step, MAX_SHORTENINGS),
             Search::Wolfe => self.bisect(flow, step, cost),
         }
     }
 
-    fn unseen(
-        &mut self,
-        flow: &mut dyn Flow,
-        step: &Move,
-        cost: &mut Cost,
-    ) -> Result<Taken, Refusal> {
+    fn unseen(&mut self, flow: &mut dyn Flow, step: &Move) -> Result<Taken, Refusal> {
         let mut y = self.moved(step, 1.0);
-        let value = flow.measure(self.x, &mut y, cost)?;
+        let value = flow.measure(self.x, &mut y)?;
         let share = 1.0;
         if value.is_finite() {
             Ok(Taken { y, value, share })
@@ -82,12 +77,11 @@ impl Trials<'_> {
         flow: &mut dyn Flow,
         step: &Move,
         times: usize,
-        cost: &mut Cost,
     ) -> Result<Taken, Refusal> {
         let mut share = 1.0;
         let mut first = None;
         for _ in 0..=times {
-            let (refusal, value) = match self.test(flow, step, share, cost) {
+            let (refusal, value) = match self.test(flow, step, share) {
                 Ok(taken) => return Ok(taken),
                 Err(refused) => refused,
             };
@@ -132,7 +126,7 @@ impl Trials<'_> {
                 break;
             }
             cost.iterations += 1;
-            match self.test(flow, step, share, cost) {
+            match self.test(flow, step, share) {
                 Err((refusal, _)) => {
                     first.get_or_insert(refusal);
                     high = share;
@@ -155,7 +149,7 @@ impl Trials<'_> {
             return Err(first.unwrap_or(Refusal::of(Cause::Rise)));
         };
         // Not the one that was measured last.
-        best.value = flow.measure(self.x, &mut best.y, cost)?;
+        best.value = flow.measure(self.x, &mut best.y)?;
         Ok(best)
     }
 
@@ -170,11 +164,10 @@ impl Trials<'_> {
         flow: &mut dyn Flow,
         step: &Move,
         share: f64,
-        cost: &mut Cost,
     ) -> Result<Taken, (Refusal, f64)> {
         let mut y = self.moved(step, share);
         let mut value = f64::NAN;
-        let result = self.judge(flow, step, share, &mut y, &mut value, cost);
+        let result = self.judge(flow, step, share, &mut y, &mut value);
         match result {
             Ok(()) => Ok(Taken { y, value, share }),
             Err(refusal) => Err((self.note(refusal, &y), value)),
@@ -188,10 +181,9 @@ impl Trials<'_> {
         share: f64,
         y: &mut [DVec3],
         value: &mut f64,
-        cost: &mut Cost,
     ) -> Result<(), Refusal> {
         self.guard.check_distance(self.x, y)?;
-        *value = flow.measure(self.x, y, cost)?;
+        *value = flow.measure(self.x, y)?;
         if !value.is_finite() {
             return Err(Refusal::of(Cause::NotFinite));
         }

@@ -8,6 +8,10 @@ pub struct StepSize {
     pub dt: f64,
     /// Factor after a step accepted at once.
     pub growth: f64,
+    /// Whether it is squared from the second such step in a row on.
+    pub quickens: bool,
+    /// Whether the last step was accepted at once.
+    pub was_whole: bool,
     /// Factor after a refusal that names none.
     pub shrink: f64,
     /// Below this the run is stuck.
@@ -30,6 +34,8 @@ impl StepSize {
         Self {
             dt,
             growth: 2.0,
+            quickens: false,
+            was_whole: false,
             shrink: 0.25,
             smallest,
             largest,
@@ -55,12 +61,29 @@ impl StepSize {
         }
     }
 
+    /// Quickens its growth: a move that is too long costs little where it is shortened along its
+    /// own direction, and one too short a solve.
+    #[must_use]
+    pub fn quickening(self) -> Self {
+        Self {
+            quickens: true,
+            ..self
+        }
+    }
+
     /// After `share` of a move was accepted, solved for anew `resolved` times.
     pub fn accepted(&mut self, share: f64, resolved: usize, grows: bool) {
+        let is_whole = share >= 1.0 && resolved == 0 && grows;
+        let powers = if self.quickens && self.was_whole {
+            2
+        } else {
+            1
+        };
+        self.was_whole = is_whole;
         if share < 1.0 {
             self.dt *= share.max(LEAST_SHARE);
-        } else if resolved == 0 && grows {
-            self.dt = (self.dt * self.growth).min(self.largest);
+        } else if is_whole {
+            self.dt = (self.dt * self.growth.powi(powers)).min(self.largest);
         }
     }
 
@@ -120,6 +143,21 @@ mod tests {
         assert_eq!(size.dt, 1.5);
         size.accepted(0.01, 0, true);
         assert_eq!(size.dt, 0.375);
+    }
+
+    #[test]
+    fn one_that_quickens_grows_faster_from_the_second_whole_move_on() {
+        let mut size = StepSize::adaptive(1.0, 1e-3, 1e3).quickening();
+        let mut after = |share: f64, resolved: usize| {
+            size.accepted(share, resolved, true);
+            size.dt
+        };
+        assert_eq!([1.0; 3].map(|share| after(share, 0)), [2.0, 8.0, 32.0]);
+        assert_eq!(
+            [after(0.5, 0), after(1.0, 0), after(1.0, 0)],
+            [16.0, 32.0, 128.0]
+        );
+        assert_eq!([after(1.0, 1), after(1.0, 0)], [128.0, 256.0]);
     }
 
     #[test]

@@ -60,7 +60,7 @@ fn the_smallest_row_of_each_table_of_times_is_whole() {
     assert_eq!(circle.len(), 1);
     let sizes = ["vertices", "faces"].map(|column| circle[0].number(column));
     assert_eq!(sizes, [2601.0, 5202.0]);
-    for part in ["assemble", "factor", "solve"] {
+    for part in ["assemble", "factor", "solve", "search", "regularise"] {
         assert!(circle[0].number(part) <= circle[0].number("step"), "{part}");
     }
     // Of a step without refusals it is all, and of any other less.

@@ -268,9 +268,12 @@ fn what_is_kept_is_that_of_where_the_flow_began() {
 #[test]
 fn a_diagnosis_looks_at_the_steps_of_the_present_flow() {
     let mut session = with("bumpy-sphere", &[("level", 2.0)], flowing(FlowName::Circle));
-    session.run(6).expect("steps");
     let kind = |session: &Session| session.why().expect("a mesh").map(|found| found.kind);
-    assert_eq!(kind(&session), Some("RejectedSteps"));
+    let is_refused = (0..20).any(|_| {
+        session.run(1).expect("a step");
+        kind(&session) == Some("RejectedSteps")
+    });
+    assert!(is_refused, "{:?}", kind(&session));
     let paper = FlowOptions {
         scheme: Scheme::Paper,
         ..flowing(FlowName::Circle)

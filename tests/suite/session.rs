@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use umbilic::app::Session;
 use umbilic::energy::circle::Boundary;
-use umbilic::flow::options::{FlowName, FlowOptions, Goal, Scheme};
+use umbilic::flow::options::{FlowName, FlowOptions, Goal, Integrator, Scheme};
 use umbilic::flow::{Reason, Status};
 use umbilic::io::{self, Format};
 
@@ -315,6 +315,40 @@ fn progress_is_told_within_a_step() {
     })));
     session.step().expect("a step");
     assert!(stages.borrow().iter().any(|s| s == "factor"), "{stages:?}");
+}
+
+/// Nothing is counted twice: the parts are no more than the whole.
+#[test]
+fn the_parts_of_a_step_are_told_apart() {
+    let flowing = |flow| FlowOptions {
+        flow,
+        ..FlowOptions::default()
+    };
+    let finishing = FlowOptions {
+        integrator: Integrator::Lbfgs,
+        ..flowing(FlowName::Circle)
+    };
+    let laws = [FlowName::Circle, FlowName::PWillmore, FlowName::Willmore];
+    for options in laws.map(flowing).into_iter().chain([finishing]) {
+        let mut session = Session::new();
+        let level = [("level".to_owned(), 4.0)];
+        session.sample("bumpy-sphere", &level).expect("a shape");
+        session.configure(options.clone()).expect("a flow");
+        for _ in 0..3 {
+            let report = session.step().expect("a step").expect("a report");
+            let parts = [
+                report.assemble_milliseconds,
+                report.factor_milliseconds,
+                report.solve_milliseconds,
+                report.search_milliseconds,
+                report.regularise_milliseconds,
+            ];
+            let what = format!("{options:?}: {parts:?} of {}", report.milliseconds);
+            assert!(parts.iter().sum::<f64>() <= report.milliseconds, "{what}");
+            assert!(parts[0] > 0.0 && parts[3] > 0.0, "{what}");
+            assert_eq!(report.remesh_milliseconds, 0.0);
+        }
+    }
 }
 
 #[test]

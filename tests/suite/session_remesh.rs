@@ -136,6 +136,9 @@ fn a_flow_remeshes_between_steps_and_comes_to_rest_at_the_sphere() {
     let reports = steps(&mut s, 400);
     let passes = reports.iter().filter(|report| report.pass.is_some());
     assert!(passes.count() > 0);
+    for report in &reports {
+        assert_eq!(report.remesh_milliseconds > 0.0, report.pass.is_some());
+    }
     // The functional falls within each segment, and over them all.
     for report in &reports {
         assert!(report.objective <= report.objective_before * (1.0 + 1e-12));

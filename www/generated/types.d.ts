@@ -2588,7 +2588,7 @@ update?: number,
  */
 linearResidual?: number, 
 /**
- * Time for energy, gradient and matrix.
+ * Time for energy, gradient and matrix where the step begins and ends.
  */
 assembleMilliseconds: number, 
 /**
@@ -2600,9 +2600,17 @@ factorMilliseconds: number,
  */
 solveMilliseconds: number, 
 /**
+ * Time for trials: the functional at each, and what the mesh would be.
+ */
+searchMilliseconds: number, 
+/**
  * Time for sliding vertices along the surface.
  */
 regulariseMilliseconds: number, 
+/**
+ * Time for the pass of remeshing before the step, which is no part of `milliseconds`.
+ */
+remeshMilliseconds: number, 
 /**
  * The pass of remeshing that came before the step, where there was one.
  */

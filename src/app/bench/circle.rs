@@ -5,7 +5,16 @@ use crate::flow::options::{FlowName, FlowOptions};
 
 pub(super) const TABLE: Table = Table {
     columns: &[
-        "vertices", "faces", "assemble", "factor", "solve", "step", "trial", "rejected",
+        "vertices",
+        "faces",
+        "assemble",
+        "factor",
+        "solve",
+        "search",
+        "regularise",
+        "step",
+        "trial",
+        "rejected",
     ],
     left: 1,
     digits: None,

@@ -17,6 +17,8 @@ pub(super) const TABLE: Table = Table {
         "assemble",
         "factor",
         "solve",
+        "search",
+        "regularise",
         "steps",
         "megabytes",
         "paperUnknowns",

@@ -270,6 +270,8 @@ fn times(reports: &[StepReport]) -> Row {
         ("assemble", of(|r| r.assemble_milliseconds)),
         ("factor", of(|r| r.factor_milliseconds)),
         ("solve", of(|r| r.solve_milliseconds)),
+        ("search", of(|r| r.search_milliseconds)),
+        ("regularise", of(|r| r.regularise_milliseconds)),
     ]
 }
 

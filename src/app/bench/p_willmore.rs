@@ -21,6 +21,8 @@ pub(super) const TABLE: Table = Table {
         "assemble",
         "factor",
         "solve",
+        "search",
+        "regularise",
         "rejected",
         "megabytes",
         "paper",

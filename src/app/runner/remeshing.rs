@@ -22,6 +22,7 @@ use crate::geometry::measure;
 use crate::remesh::Mode;
 use crate::remesh::adaptive::{self, Kind, Soundness, Targets};
 use std::rc::Rc;
+use web_time::Instant;
 
 /// Steps between two looks at the mesh.
 const EVERY: usize = 10;
@@ -94,7 +95,7 @@ impl Runner {
         (helps && self.steps_since_pass() >= REST).then_some(kind)
     }
 
-    /// Makes a pass; `None` where the surface would not have stayed the same.
+    /// Makes a pass, and tells its milliseconds; `None` where the surface would not have stayed the same.
     ///
     /// # Errors
     /// As [`Driver::start`](crate::flow::Driver::start), if memory is short; nothing has changed.
@@ -102,7 +103,8 @@ impl Runner {
         &mut self,
         kind: Kind,
         snapshot: Option<Snapshot>,
-    ) -> Result<Option<Pass>, Fault> {
+    ) -> Result<Option<(Pass, f64)>, Fault> {
+        let watch = Instant::now();
         let keeps_volume = self.options().keep.contains(&Kept::Volume);
         let targets = Targets {
             area: self.state.area,
@@ -144,7 +146,7 @@ impl Runner {
         };
         self.follow(snapshot, Event::Pass, None);
         self.read_state();
-        Ok(Some(Pass {
+        let pass = Pass {
             after_step: self.state.step,
             vertices: self.x.len(),
             splits: made.counts.splits,
@@ -152,7 +154,8 @@ impl Runner {
             flips: made.counts.flips,
             angles: [before, self.state.min_angle_degrees],
             objective: [energy, self.state.objective],
-        }))
+        };
+        Ok(Some((pass, 1e3 * watch.elapsed().as_secs_f64())))
     }
 
     /// Whether readings of the surface as it is now can be believed; `None` of open and one-sided
@@ -166,7 +169,7 @@ impl Runner {
     /// A step on the mesh that a pass has made, which is taken back where there is none to take.
     pub(super) fn step_after(
         &mut self,
-        pass: Pass,
+        pass: (Pass, f64),
         extends: bool,
     ) -> Result<Option<StepReport>, Fault> {
         let (report, decision) = self.flow_step(self.copied(), Some(pass), extends)?;

@@ -233,7 +233,7 @@ impl Flow for CircleFlow {
         };
         let dt = dt.unwrap_or(tau * unit);
         if !self.is_paper() && self.options.goal == Goal::Relax {
-            StepSize::adaptive(dt, 1e-12 * unit, 1e6 * unit)
+            StepSize::adaptive(dt, 1e-12 * unit, 1e6 * unit).quickening()
         } else {
             StepSize::constant(dt, 1e-9 * dt)
         }
@@ -262,10 +262,9 @@ impl Flow for CircleFlow {
         }
     }
 
-    fn measure(&mut self, _x: &[DVec3], y: &mut [DVec3], cost: &mut Cost) -> Result<f64, Refusal> {
+    fn measure(&mut self, _x: &[DVec3], y: &mut [DVec3]) -> Result<f64, Refusal> {
         let smoothing = self.schedule.smoothing();
-        let (energy, trial) = (&self.problem.energy, &mut self.trial);
-        cost.assembling(|| energy.evaluate(y, smoothing, trial));
+        self.problem.energy.evaluate(y, smoothing, &mut self.trial);
         let jumped = self.trial.exact > (1.0 + JUMP) * self.evaluation.exact
             && self.trial.exact > self.nearly_spherical();
         if jumped && !self.is_paper() {

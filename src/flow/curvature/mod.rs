@@ -363,12 +363,10 @@ impl Flow for CurvatureFlow {
         Ok(Proposal::Move(Box::new(step)))
     }
 
-    fn measure(&mut self, _x: &[DVec3], y: &mut [DVec3], cost: &mut Cost) -> Result<f64, Refusal> {
-        let watch = Instant::now();
+    fn measure(&mut self, _x: &[DVec3], y: &mut [DVec3]) -> Result<f64, Refusal> {
         let next = Curvatures::of(&self.mesh, y, &self.region);
         let unfit = self.unfit(&next);
         let energy = self.watched().energy(&next, measure::area(&self.mesh, y));
-        cost.assemble += watch.elapsed().as_secs_f64();
         if let Some(vertex) = unfit {
             return Err(Refusal::at(Cause::Unfit, vertex));
         }

@@ -162,7 +162,7 @@ impl Flow for Scripted {
         step.rests = self.script.rests;
         Ok(Proposal::Move(Box::new(step)))
     }
-    fn measure(&mut self, _: &[DVec3], y: &mut [DVec3], _: &mut Cost) -> Result<f64, Refusal> {
+    fn measure(&mut self, _: &[DVec3], y: &mut [DVec3]) -> Result<f64, Refusal> {
         let r = radius(y);
         self.script.measured.borrow_mut().push(r);
         self.slope = ((self.script.value)(r + 1e-6) - (self.script.value)(r - 1e-6)) / 2e-6;
