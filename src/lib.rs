@@ -2,27 +2,42 @@
 //!
 //! # The mathematics on one page
 //!
-//! The Willmore energy of a surface, ∫ (H² − K) dA = ¼ ∫ (κ₁ − κ₂)² dA, measures how far
-//! it is from being umbilic, that is from being a sphere at every point. Bobenko &
+//! The Willmore energy of a surface,
+//!
+//! ```math
+//! \int (H^2 - K) \, dA = \tfrac14 \int (\kappa_1 - \kappa_2)^2 \, dA,
+//! ```
+//!
+//! measures how far it is from being umbilic, that is from being a sphere at every point. Bobenko &
 //! Schröder's discrete version sums the intersection angles β of the circumcircles of
 //! neighbouring triangles:
 //!
-//! ```text
-//! W_i = Σ_{edges at i} β − 2π,       W = Σ_i W_i.
+//! ```math
+//! W_i = \sum_{\text{edges at } i} \beta - 2\pi, \qquad W = \sum_i W_i.
 //! ```
 //!
 //! Like the smooth energy it is invariant under Möbius transformations, never negative,
 //! and zero on a sphere. Its gradient flow, dx/dt = −∇W, is stepped semi-implicitly with
 //! the matrix K for which ∇W = K x.
 //!
-//! Gruber & Aulisa take powers of the mean curvature, W^p = ∫|Y|^p dA with the curvature
-//! vector Y = Δx = −2Hn, discretised by finite elements: Y_i = −s_i/m_i with s_i the area
-//! gradient and m_i the lumped mass of a vertex. The flow dx/dt = −∇W^p, for p = 0 the
-//! mean-curvature flow, may keep area and volume; vertices then slide along the surface
-//! towards a conformal mesh. With p = 0 and the volume kept it is Huisken's volume-preserving
-//! mean-curvature flow, dx/dt = 2(H̄ − H)n with H̄ the mean of H by area.
+//! Gruber & Aulisa take powers of the mean curvature,
 //!
-//! Xu & Zhang join patches with continuous curvature by the gradient flow of ∫|∇H|² dA,
+//! ```math
+//! W^p = \int |Y|^p \, dA, \qquad Y = \Delta x = -2 H n,
+//! ```
+//!
+//! discretised by finite elements: Y_i = −s_i/m_i with s_i the area gradient and m_i the lumped
+//! mass of a vertex. The flow dx/dt = −∇W^p, for p = 0 the mean-curvature flow, may keep area and
+//! volume; vertices then slide along the surface towards a conformal mesh. With p = 0 and the
+//! volume kept it is Huisken's volume-preserving mean-curvature flow, dx/dt = 2(H̄ − H)n with H̄
+//! the mean of H by area.
+//!
+//! Xu & Zhang join patches with continuous curvature by the gradient flow of
+//!
+//! ```math
+//! F = \int |\nabla H|^2 \, dA,
+//! ```
+//!
 //! of sixth order, beside the flows by mean curvature, by surface diffusion, V = ΔH, and by
 //! the Willmore energy, V = ΔH + 2H(H² − K). Their operators come from quadratic fits.
 //! Vertices move along their normals with the speed V.
@@ -47,27 +62,18 @@
 //!
 //! Dependencies point one way: `mesh ← geometry ← operator ← energy ← remesh ← flow ←
 //! app ← web`; `io` and `viewer` stand beside and know no flow; `soup` is what `io` and
-//! `mesh` share; `linalg` knows vectors only.
+//! `mesh` share; `linalg` knows vectors only;
+//! `order` sorts for all.
 //!
 //! # References
 //!
-//! - A. I. Bobenko, P. Schröder: *Discrete Willmore Flow*. Symposium on Geometry
-//!   Processing 2005.
-//! - A. Gruber, E. Aulisa: *Computational p-Willmore Flow with Conformal Penalty*. ACM
-//!   Transactions on Graphics 39 (2020).
-//! - G. Xu, Q. Zhang: *Minimal Mean-Curvature-Variation Surfaces and Their Applications in
-//!   Surface Modeling*. Geometric Modeling and Processing 2006; their H has the opposite
-//!   sign.
-//! - G. Huisken: *The volume preserving mean curvature flow*. Journal für die reine und
-//!   angewandte Mathematik 382 (1987).
-//! - G. Francis, J. M. Sullivan, R. B. Kusner, K. A. Brakke, C. Hartman, G. Chappell: *The
-//!   Minimax Sphere Eversion*. Visualization and Mathematics, Springer 1997.
-//! - W. Brink, L. Alboul: *Willmore energy vs area as criteria for mesh optimisation*.
+//! Keys like [BS05](bibliography#bs05) are those of the [`bibliography`].
 
 #[cfg(feature = "solver")]
 pub mod app;
 #[cfg(feature = "solver")]
 pub mod arrays;
+pub mod bibliography;
 #[cfg(feature = "solver")]
 pub mod energy;
 #[cfg(feature = "solver")]
@@ -81,6 +87,7 @@ pub mod mesh;
 pub mod message;
 #[cfg(feature = "solver")]
 pub mod operator;
+pub mod order;
 #[cfg(feature = "solver")]
 pub mod remesh;
 pub mod soup;

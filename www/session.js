@@ -33,3 +33,10 @@
  * @throws {import("./generated/types.js").Fault}
  */
 export const perform = (session, name, fields) => session.perform({ [name]: fields ?? {} })[name];
+
+/**
+ * Whether a run came to its end, of its own accord or at a limit.
+ * @param {import("./generated/types.js").Status} status
+ * @returns {status is Exclude<import("./generated/types.js").Status, "ready">}
+ */
+export const isOver = (status) => status !== "ready";

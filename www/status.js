@@ -4,7 +4,7 @@
 import { sampleName } from "./library.js";
 import { formatNumber } from "./number.js";
 import { flowOf, settled } from "./options.js";
-import { isOver } from "./standing.js";
+import { isOver } from "./session.js";
 import { say } from "./words.js";
 
 /** @import { State as Reading } from "./generated/types.js" */

@@ -9,8 +9,7 @@
 import init, { Session } from "./pkg/solver/solver.js";
 import { refusal } from "./refusal.js";
 import { sequence, sequenceSize } from "./sequence.js";
-import { perform } from "./session.js";
-import { isOver } from "./standing.js";
+import { isOver, perform } from "./session.js";
 
 /**
  * A request: a command of the session, or one of `own`, with its fields. `run` is the number of

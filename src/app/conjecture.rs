@@ -6,6 +6,7 @@ use super::message::AppError;
 use super::runner::Runner;
 use crate::arrays::TypedArray;
 use crate::mesh::{Edge, HalfedgeMesh};
+use crate::order;
 use crate::remesh::flips::conjecture::{Quadrants, survey};
 use crate::remesh::flips::lab::{CLASSES, Lab};
 use crate::remesh::flips::reduction::Quad;
@@ -170,7 +171,9 @@ fn report(mesh: &HalfedgeMesh, x: &[DVec3]) -> ConjectureReport {
     let mut counterexamples: Vec<_> = all.iter().filter(|(_, r)| !r.agree()).collect();
     let strength =
         |r: &crate::remesh::flips::conjecture::Reductions| r.area.abs().min(r.localised.abs());
-    counterexamples.sort_by(|(_, a), (_, b)| strength(b).total_cmp(&strength(a)));
+    order::sort_by(&mut counterexamples, |(_, a), (_, b)| {
+        strength(b).total_cmp(&strength(a))
+    });
     let mut report = ConjectureReport {
         counts,
         counterexamples: counterexamples.len(),

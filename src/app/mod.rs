@@ -80,7 +80,7 @@ pub use recipe::{
 };
 pub use repairs::RepairItem;
 pub use runner::Configured;
-pub use study::{Limits, Manner, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
+pub use study::{Limits, RefinedBy, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
 
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;

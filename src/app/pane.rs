@@ -15,6 +15,7 @@ use crate::flow::option;
 use crate::flow::option::kind::id_of;
 use crate::flow::options::FlowName;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
+use crate::order;
 use crate::remesh::flips::FlipOptimiser;
 use crate::remesh::flips::reduction::Criterion;
 use glam::DVec3;
@@ -139,7 +140,7 @@ pub(super) fn pictures(first: &Runner, panes: &Panes, field: Option<FieldName>) 
     }
     // In the order of the paper, whichever was chosen.
     let place = |pane: &Pane| FlowName::all().position(|flow| flow.id() == pane.name);
-    pictures.sort_by_key(place);
+    order::sort_by_key(&mut pictures, place);
     pictures
 }
 
@@ -180,7 +181,7 @@ impl Runner {
                 .iter()
                 .position(|n| *n == name)
         };
-        panes.sort_by_key(|pane| place(pane.name));
+        order::sort_by_key(&mut panes, |pane| place(pane.name));
         share_range(&mut panes);
         panes
     }

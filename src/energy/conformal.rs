@@ -1,4 +1,5 @@
-//! Conformal distortion against reference angles, after Gruber & Aulisa.
+//! Conformal distortion against reference angles, after Gruber & Aulisa
+//! [GA20](crate::bibliography#ga20).
 
 use crate::geometry::measure::{face_vector_area, triangle_points};
 use crate::mesh::HalfedgeMesh;

@@ -6,7 +6,8 @@ use std::f64::consts::PI;
 /// Least values on the smooth closed surfaces of a mesh's topology, added over components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LowerBounds {
-    /// Of ∫H² dA: 4π (Willmore 1965), and 2π² with any handle (Marques & Neves 2014).
+    /// Of ∫H² dA: 4π (Willmore [W65](crate::bibliography#w65)), and 2π² with any handle (Marques
+    /// & Neves [MN14](crate::bibliography#mn14)).
     pub willmore: f64,
     /// Of the circle-angle energy as printed, twice ∫(H² − K) dA: 0 for spheres,
     /// 4π² + 8π(g − 1) for genus g ≥ 1, by Gauss and Bonnet.

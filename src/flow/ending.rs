@@ -2,6 +2,7 @@
 
 use super::driver::Driver;
 use super::rules::Ceiling;
+use super::signs::{NARROW, SHARPENED, SLIVER, UNDER_RESOLVED, WORN};
 use super::termination::{self, Ending};
 use super::{
     Cause, Cost, Decision, FlowError, Functional, Occasion, Phase, Reason, Refusal, Status,
@@ -16,22 +17,12 @@ use glam::DVec3;
 /// at which it is about to, where no step is accepted any more.
 const VANISHED: f64 = 1e-3;
 const VANISHING: f64 = 0.1;
-/// 2|H|√m, m a vertex's area, from which a mesh no longer resolves its surface, and from which,
-/// with no step accepted, the surface has become singular; less, where it is a neck.
-const UNDER_RESOLVED: f64 = 3.0;
-const SINGULAR_NECK: f64 = 1.5;
-/// A bend is new if it is so many times the sharpest at the start.
-const NEW_BEND: f64 = 1.5;
 /// With faces of so many times the mean, and four times what there was at the start, the
 /// surface's curvature sits in a few tiny faces and the rest is not resolved; with so many
 /// more there is no sense in going on.
 const LARGE_FACE: f64 = 40.0;
 const HOPELESS_FACE: f64 = 200.0;
 const FACE_GROWTH: f64 = 4.0;
-/// A smallest angle below this, in degrees, that was much larger at the start is a mesh that
-/// degenerates.
-const SLIVER: f64 = 8.0;
-const WORN: f64 = 0.5;
 
 /// Something closes between the vertices.
 const COLLAPSED: Decision = Decision::Stop(Status::Collapsed, Reason::BelowBound);
@@ -230,12 +221,8 @@ impl Driver {
         let then = sharpest(&self.mesh, &self.start.x).map_or(0.0, |found| found.bend);
         // A surface that could vanish does so round, unless a neck closes before.
         let is_neck = is_neck || self.flow.rules().can_vanish;
-        let least = if is_neck {
-            SINGULAR_NECK
-        } else {
-            UNDER_RESOLVED
-        };
-        if bend < least || bend < NEW_BEND * then || !self.flow.is_free(vertex as usize) {
+        let least = if is_neck { NARROW } else { UNDER_RESOLVED };
+        if bend < least || bend < SHARPENED * then || !self.flow.is_free(vertex as usize) {
             return None;
         }
         let (time, place) = (self.run.time, x[vertex as usize].to_array());

@@ -1,13 +1,14 @@
 //! Edge flips step by step: a step is a number of flips, and the positions stay.
 //!
 //! An optimiser of connectivity beside the flows, which change positions. Brink & Alboul
-//! compare three criteria from the same start; the others can run beside the chosen one, flip
-//! by flip.
+//! [BA](crate::bibliography#ba) compare three criteria from the same start; the others can run
+//! beside the chosen one, flip by flip.
 
 use super::options::FlowOptions;
 use super::{Decision, FlowError, Progress, Reading, Reason, Status, StepReport};
 use crate::geometry::measure;
 use crate::mesh::{HalfedgeMesh, Vertex};
+use crate::order;
 use crate::remesh::flips::FlipOptimiser;
 use crate::remesh::flips::reduction::Criterion;
 use glam::DVec3;
@@ -130,7 +131,7 @@ impl EdgeFlips {
         let first = self.before.max(made.len().saturating_sub(SHOWN));
         let last = made.get(first..).unwrap_or_default();
         let mut edges: Vec<_> = last.iter().map(|flip| flip.edge).collect();
-        edges.sort_unstable();
+        order::sort(&mut edges);
         edges.dedup();
         edges.into_iter().map(|e| run.mesh().ends(e)).collect()
     }

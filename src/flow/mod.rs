@@ -31,6 +31,7 @@ mod run;
 #[cfg(test)]
 mod scripted;
 mod search;
+pub mod signs;
 pub mod spec;
 pub mod step_size;
 pub mod termination;

@@ -11,10 +11,10 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 pub enum FlowName {
-    /// Bobenko & Schröder's circle-angle Willmore flow.
+    /// Bobenko & Schröder's circle-angle Willmore flow [BS05](crate::bibliography#bs05).
     #[default]
     Circle,
-    /// Gruber & Aulisa's p-Willmore flow.
+    /// Gruber & Aulisa's p-Willmore flow [GA20](crate::bibliography#ga20).
     PWillmore,
     /// Flow by mean curvature.
     MeanCurvature,
@@ -24,9 +24,9 @@ pub enum FlowName {
     SurfaceDiffusion,
     /// Willmore flow by fitted operators.
     Willmore,
-    /// Xu & Zhang's minimal mean-curvature-variation flow.
+    /// Xu & Zhang's minimal mean-curvature-variation flow [XZ06](crate::bibliography#xz06).
     Mmcv,
-    /// Brink & Alboul's edge flips.
+    /// Brink & Alboul's edge flips [BA](crate::bibliography#ba).
     Flips,
 }
 

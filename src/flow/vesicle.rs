@@ -3,8 +3,8 @@
 //!
 //! For each reduced volume there are several axisymmetric shapes at rest, prolate, oblate and
 //! dented ones (stomatocytes), of which one has the least energy (Seifert, Berndl & Lipowsky
-//! 1991). A flow that leads the volume stays on the branch it started on, and one with a
-//! symmetry stays symmetric even where that is unstable.
+//! [SBL91](crate::bibliography#sbl91)). A flow that leads the volume stays on the branch it
+//! started on, and one with a symmetry stays symmetric even where that is unstable.
 
 use super::Warning;
 use crate::geometry::curvature::vertex_normals;

@@ -1,11 +1,11 @@
 //! Where a surface passes through itself: the pairs of its triangles that do.
 //!
 //! Two triangles *pass through each other* where the surface crosses itself along a segment in
-//! both. Touching is no crossing: sheets that lie on one another in a plane, or meet in a point, a
-//! vertex or an edge and stay on their sides, are not reported; nor are sheets that lie on one
+//! both. Touching is no crossing: sheets that lie on one another in a plane, or meet in a point,
+//! a vertex or an edge and stay on their sides, are not reported; nor are sheets that lie on one
 //! another for a while and part to opposite sides, along that stretch. Three cases are told apart
-//! by the line in which the planes of the two triangles meet (Möller 1997, "A fast
-//! triangle-triangle intersection test", J. Graphics Tools 2(2), looks for the first one only):
+//! by the line in which the planes of the two triangles meet (Möller
+//! [M97](crate::bibliography#m97) looks for the first one only):
 //!
 //! 1. The insides of both overlap along it. This is all there is in general position; of
 //!    triangles with a common vertex too, where the opposite edge of one goes through the other.

@@ -8,6 +8,7 @@ use super::assembly::{Assembly, Tally};
 use super::binary::Scalar;
 use super::stream::Stream;
 use super::{Expected, Extra, Format, Oddity, Place, Read, ReadError};
+use crate::order;
 
 /// Whether a file begins as MSH does.
 pub(super) fn is_header(bytes: &[u8]) -> bool {
@@ -188,7 +189,7 @@ impl<'a> Reader<'a> {
     /// Puts the nodes in the order of their numbers.
     fn sort(&mut self) -> Result<(), ReadError> {
         if !self.nodes.is_sorted() {
-            self.nodes.sort_unstable();
+            order::sort(&mut self.nodes);
         }
         let mut pairs = self.nodes.windows(2);
         match pairs.find(|pair| pair[0].0 == pair[1].0) {

@@ -2,8 +2,9 @@
 
 use super::convergence::Convergence;
 
-/// Solves `A x = b` by GMRES without restart, preconditioned from the right: the Krylov
-/// space of A P⁻¹, with modified Gram–Schmidt and Givens rotations (Saad & Schultz 1986).
+/// Solves `A x = b` by GMRES without restart, preconditioned from the right: the Krylov space of
+/// A P⁻¹, with modified Gram–Schmidt and Givens rotations (Saad & Schultz
+/// [SS86](crate::bibliography#ss86)).
 ///
 /// `apply` writes A v for a v; `precondition` replaces v by P⁻¹ v. Ends at `tolerance`
 /// relative to ‖b‖ or after `max_iterations`, which bounds the memory: a vector an iteration.

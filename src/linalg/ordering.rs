@@ -64,8 +64,8 @@ impl Graph {
     }
 }
 
-/// Approximate minimum degree (Amestoy, Davis, Duff 1996): the row eliminated first,
-/// second, …
+/// Approximate minimum degree (Amestoy, Davis, Duff [ADD96](crate::bibliography#add96)): the row
+/// eliminated first, second, …
 pub(super) fn minimum_degree(graph: &Graph) -> Result<Vec<u32>, FaerError> {
     minimum_degree_of(&graph.starts, &graph.neighbours)
 }
@@ -89,12 +89,12 @@ fn minimum_degree_of(starts: &[u32], neighbours: &[u32]) -> Result<Vec<u32>, Fae
 
 /// Nested dissection by coordinates: the row eliminated first, second, …
 ///
-/// A part is split at the median of its principal axis; the separator is a minimum
-/// vertex cover of the edges *of the matrix graph* that cross, and is eliminated after
-/// both halves. On a surface of n vertices with bounded stencils the factor has
-/// O(n log n) entries and costs O(n^{3/2}) operations (George 1973; Lipton, Rose and
-/// Tarjan 1979). The order itself takes O(n log n). Coordinates that coincide or are not
-/// finite only make it a poorer order.
+/// A part is split at the median of its principal axis; the separator is a minimum vertex cover
+/// of the edges *of the matrix graph* that cross, and is eliminated after both halves. On a
+/// surface of n vertices with bounded stencils the factor has O(n log n) entries and costs
+/// O(n^{3/2}) operations (George [G73](crate::bibliography#g73); Lipton, Rose and Tarjan
+/// [LRT79](crate::bibliography#lrt79)). The order itself takes O(n log n). Coordinates that
+/// coincide or are not finite only make it a poorer order.
 pub(super) fn nested_dissection(graph: &Graph, points: &[DVec3]) -> Result<Vec<u32>, FaerError> {
     let n = points.len();
     let mut order: Vec<u32> = (0..n as u32).collect();

@@ -4,7 +4,8 @@
 //! that is hard to predict, so sixty-four bits of state are enough and no
 //! dependency is needed.
 
-/// The SplitMix64 generator (Steele, Lea & Flood 2014): equidistributed, period 2^64.
+/// The SplitMix64 generator (Steele, Lea & Flood [SLF14](crate::bibliography#slf14)):
+/// equidistributed, period 2^64.
 ///
 /// Integers and [`Self::uniform`] are the same on every platform;
 /// [`Self::gaussian`] goes through the platform's `ln` and `cos`, which may
@@ -38,7 +39,7 @@ impl SplitMix64 {
         (self.uniform() * n as f64) as usize
     }
 
-    /// Standard normal: mean 0, variance 1 (Box & Muller).
+    /// Standard normal: mean 0, variance 1 (Box & Muller [BM58](crate::bibliography#bm58)).
     pub fn gaussian(&mut self) -> f64 {
         // 1 - u lies in (0, 1]: the logarithm is finite.
         let radius = (-2.0 * (1.0 - self.uniform()).ln()).sqrt();

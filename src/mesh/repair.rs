@@ -3,6 +3,7 @@
 
 use super::error::Repair;
 use super::sides::{Side, face_adjacency, interior_edges};
+use crate::order;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 
@@ -151,7 +152,7 @@ pub(super) fn split_vertices(
         }
     }
     if !split.is_empty() {
-        split.sort_unstable();
+        order::sort(&mut split);
         split.dedup();
         repairs.push(Repair::SplitVertices {
             count: split.len(),

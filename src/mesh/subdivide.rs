@@ -57,7 +57,8 @@ pub fn linear_levels(soup: PolygonSoup, levels: usize) -> Result<PolygonSoup, Su
     (0..levels).try_fold(soup, |soup, _| linear(&soup))
 }
 
-/// One step of Loop's scheme (Loop 1987): C² limit surface, C¹ where the valence is not six.
+/// One step of Loop's scheme (Loop [L87](crate::bibliography#l87)): C² limit surface, C¹ where
+/// the valence is not six.
 ///
 /// * new vertex of an interior edge: 3/8 of each end, 1/8 of each opposite corner;
 /// * old interior vertex of valence n: `(1 - n w) x + w Σ neighbours` with

@@ -1,9 +1,9 @@
 //! Surface elements at their quadrature points: linear (P1) triangles and bilinear (Q1)
 //! quadrilaterals.
 //!
-//! Everything the flows of Gruber & Aulisa integrate is a function of the tangent plane
-//! at a point. On a triangle that plane is constant and the centroid alone is exact; a
-//! quadrilateral takes 2 × 2 Gauss points.
+//! Everything the flows of Gruber & Aulisa [GA20](crate::bibliography#ga20) integrate is a
+//! function of the tangent plane at a point. On a triangle that plane is constant and the
+//! centroid alone is exact; a quadrilateral takes 2 × 2 Gauss points.
 
 use super::dual::{Dual, DualVec};
 use crate::mesh::HalfedgeMesh;

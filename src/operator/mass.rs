@@ -2,10 +2,12 @@
 //!
 //! For a field f with values f_i at the vertices, fᵀ M f stands for ∫|f|² dA:
 //!
-//! ```text
-//! consistent   M_ij = ∫ φ_i φ_j dA     f itself is interpolated by the hat functions φ_i,
-//! lumped       m_i  = ∫ φ_i dA         |f|² is,
-//! mixed        M_α  = (1 − α) consistent + α lumped.
+//! ```math
+//! \begin{aligned}
+//! \text{consistent} && M_{ij} &= \int \varphi_i \varphi_j \, dA && f \text{ itself is interpolated by the hat functions } \varphi_i, \\
+//! \text{lumped} && m_i &= \int \varphi_i \, dA && |f|^2 \text{ is,} \\
+//! \text{mixed} && M_\alpha &= (1 - \alpha) \, \text{consistent} + \alpha \, \text{lumped.}
+//! \end{aligned}
 //! ```
 //!
 //! A square is convex: at no point does |Σ φ_i f_i|² exceed Σ φ_i |f_i|². So lumped −

@@ -2,8 +2,8 @@
 //!
 //! With the cotangent stiffness C and the lumped mass M,
 //!
-//! ```text
-//! [C (M⁻¹C)^(k−1) x]_free = 0,      the other vertices held.
+//! ```math
+//! \bigl[ C (M^{-1} C)^{k-1} x \bigr]_{\text{free}} = 0, \qquad \text{the other vertices held.}
 //! ```
 //!
 //! k = 1 is the membrane the rim spans, k = 2 also meets the tangent planes around it,

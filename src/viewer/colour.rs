@@ -191,8 +191,9 @@ mod tests {
         contrast: true,
     };
 
-    /// Linear light of trichromats and, by the matrices of Machado, Oliveira & Fernandes 2009
-    /// (severity 1), what protanopes, deuteranopes and tritanopes see of it.
+    /// Linear light of trichromats and, by the matrices of Machado, Oliveira & Fernandes
+    /// [MOF09](crate::bibliography#mof09) (severity 1), what protanopes, deuteranopes and
+    /// tritanopes see of it.
     const SIGHT: [[[f64; 3]; 3]; 4] = [
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         [

@@ -14,7 +14,8 @@ pub struct Hit {
     pub point: Vec3,
 }
 
-/// The first triangle along a ray, from either side (Möller & Trumbore 1997).
+/// The first triangle along a ray, from either side (Möller & Trumbore
+/// [MT97](crate::bibliography#mt97)).
 pub fn pick(drawing: &Drawing, origin: Vec3, direction: Vec3) -> Option<Hit> {
     let at = drawing.positions();
     let mut nearest: Option<(f32, u32)> = None;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
-use umbilic::app::{Limits, Manner, Session, Study, StudyOptions, StudyReport, Tendency, Trend};
+use umbilic::app::{Limits, RefinedBy, Session, Study, StudyOptions, StudyReport, Tendency, Trend};
 
 fn study(name: &str, values: &[(&str, f64)], p: f64, vertices: usize) -> StudyReport {
     let parameters = values.iter().map(|(n, v)| ((*n).to_owned(), *v)).collect();
@@ -36,7 +36,10 @@ fn order(report: &StudyReport, quantity: &str) -> f64 {
 #[test]
 fn on_the_sphere_everything_converges_with_order_two() {
     let report = study("icosphere", &[("level", 2.0)], 4.0, 11_000);
-    assert_eq!((report.manner, report.rows.len()), (Manner::Sampled, 4));
+    assert_eq!(
+        (report.refined_by, report.rows.len()),
+        (RefinedBy::Sampled, 4)
+    );
     for quantity in ["area", "cotangent", "fitted", "power"] {
         let found = trend(&report, quantity);
         assert_eq!(found.tendency, Tendency::Converges, "{quantity}");
@@ -108,7 +111,7 @@ fn lattices_tend_to_the_multiples_that_are_known() {
 #[test]
 fn polyhedra_have_no_willmore_energy() {
     let report = study("icosahedron", &[("level", 2.0)], 2.0, 11_000);
-    assert_eq!(report.manner, Manner::Polyhedron);
+    assert_eq!(report.refined_by, RefinedBy::Polyhedron);
     for (k, row) in report.rows.iter().enumerate() {
         // W = 4π (2^k − 1) after k linear subdivisions.
         let expected = 2.0 * PI * (2f64.powi(k as i32 + 2) - 1.0);
@@ -147,7 +150,7 @@ fn other_surfaces_are_studied_by_the_limit_of_loops_scheme() {
     while !report.finished {
         report = session.study(None).expect("a study");
     }
-    assert_eq!((report.manner, report.rows.len()), (Manner::Loop, 4));
+    assert_eq!((report.refined_by, report.rows.len()), (RefinedBy::Loop, 4));
     let area = trend(&report, "area");
     assert_eq!((area.tendency, area.smooth), (Tendency::Converges, None));
     assert!((order(&report, "area") - 2.0).abs() < 0.2, "{area:?}");

@@ -7,8 +7,8 @@ import { LOST } from "../channel.js";
 import { Clip } from "../clip.js";
 import { createPlayer } from "../player.js";
 import { rangeOf } from "../range.js";
+import { isOver } from "../session.js";
 import { CANCELLED, createSolver } from "../solver.js";
-import { isOver } from "../standing.js";
 import { say, sayFault } from "../words.js";
 
 /** @import { State as Reading } from "../generated/types.js" */

@@ -2,7 +2,7 @@
 // Playing, stepping, going back; which flow, and with what.
 
 import { defaults, toFlow } from "../options.js";
-import { isOver } from "../standing.js";
+import { isOver } from "../session.js";
 import { say } from "../words.js";
 
 /** @import { Arrangement } from "../generated/types.js" */

@@ -4,8 +4,7 @@
 
 import * as schema from "../generated/schema.js";
 import { byCurvature, rowOf } from "../options.js";
-import { perform } from "../session.js";
-import { isOver } from "../standing.js";
+import { isOver, perform } from "../session.js";
 import { say } from "../words.js";
 import { command, out } from "./command.js";
 import { isRefusal, orExit, usage } from "./failure.js";

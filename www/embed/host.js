@@ -63,7 +63,7 @@ export function createEmbedding(page) {
   }
 
   /** Where it stands. @returns {SurfaceState} */
-  function standing() {
+  function surfaceState() {
     const { mesh, options, version, extras } = get();
     const reading = page.shown();
     const { step = 0, time = 0, energy = null, area = null, status = null } = reading ?? {};
@@ -133,7 +133,7 @@ export function createEmbedding(page) {
   function arrived() {
     if (!get().mesh) return;
     isSuspended = asked.has("autoplay");
-    tell("ready", standing());
+    tell("ready", surfaceState());
     settle();
   }
 
@@ -239,7 +239,7 @@ export function createEmbedding(page) {
       hearing.add(faults);
       await answers[type](request).finally(() => hearing.delete(faults));
       if (faults.length > 0) throw faults[0];
-      post({ id, ok: standing() });
+      post({ id, ok: surfaceState() });
     } catch (error) {
       refuse(request, error);
     }
@@ -290,12 +290,12 @@ export function createEmbedding(page) {
       const shown = page.shown();
       if (shown !== told && reading && loaded !== "loading") {
         told = shown;
-        tell("frame", standing());
+        tell("frame", surfaceState());
       }
       const now = phaseNow();
       if (now !== phase) {
         phase = now;
-        tell("statechange", standing());
+        tell("statechange", surfaceState());
       }
       // After everybody has been told of this state.
       queueMicrotask(settle);

@@ -1466,11 +1466,6 @@ small: boolean, };
 export type Loops = Array<number> | string | null;
 
 /**
- * How a surface is refined.
- */
-export type Manner = "sampled" | "polyhedron" | "loop";
-
-/**
  * The metric the gradient is taken in.
  */
 export type MassChoice = "auto" | "uniform" | "area";
@@ -1993,6 +1988,11 @@ sha256: string,
  * Its length.
  */
 bytes: number, };
+
+/**
+ * How a surface is refined.
+ */
+export type RefinedBy = "sampled" | "polyhedron" | "loop";
 
 /**
  * How a mesh at rest is regularised. Unknown names are refused.
@@ -2594,7 +2594,7 @@ export type StudyReport = {
 /**
  * How the surface is refined.
  */
-manner: Manner, 
+refinedBy: RefinedBy, 
 /**
  * Exponent of [`Resolution::power`].
  */

@@ -3,6 +3,7 @@
 
 import { existsSync } from "node:fs";
 import path from "node:path";
+import { buildDocumentation } from "./documentation.js";
 import { root, run, runNode } from "./process.js";
 import { buildWasm } from "./wasm.js";
 
@@ -40,10 +41,7 @@ export const rustChecks = [
   },
   {
     title: "Links in the Rust documentation",
-    run: () =>
-      run("cargo", ["doc", "--locked", "--no-deps", "--lib", "--document-private-items"], {
-        env: { RUSTDOCFLAGS: "-D warnings" },
-      }),
+    run: buildDocumentation,
   },
 ];
 

@@ -4,7 +4,7 @@
 import { html, nothing } from "lit-html";
 import { figures } from "../generated/library.js";
 import { remember } from "../language.js";
-import { isOver } from "../standing.js";
+import { isOver } from "../session.js";
 import { say } from "../words.js";
 import { button, close, icon } from "./parts.js";
 import { pictureOf } from "./pictures.js";

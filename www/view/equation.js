@@ -2,14 +2,30 @@
 // The energy and the equation of the flow in force, symbol by symbol, with their values.
 
 import { html } from "lit-html";
+import temml from "temml";
 import { formatNumber } from "../number.js";
 import { flowOf, isRead } from "../options.js";
 import { say } from "../words.js";
-import { tex } from "./tex.js";
 
 /** @import { Monitored, State as Reading } from "../generated/types.js" */
 /** @import { Page } from "../actions.js" */
 /** @import { S } from "../store.js" */
+
+/** Formulas that were set once. @type {Map<string, Element>} */
+const known = new Map();
+
+/** TeX as MathML. @param {string} source @param {boolean} [displayMode] */
+function tex(source, displayMode = false) {
+  const name = `${displayMode} ${source}`;
+  let math = known.get(name);
+  if (!math) {
+    const holder = document.createElement("span");
+    temml.render(source, holder, { displayMode, throwOnError: true });
+    math = /** @type {Element} */ (holder.firstElementChild);
+    known.set(name, math);
+  }
+  return math.cloneNode(true);
+}
 
 /** What does not rise. @type {Record<Monitored, readonly string[]>} */
 const energies = {

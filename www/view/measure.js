@@ -9,13 +9,15 @@ import { histogram } from "../range.js";
 import { symbol } from "../status.js";
 import { say } from "../words.js";
 import { conjecture, lab } from "./conjecture.js";
-import { equation } from "./equation.js";
-import { grid, section, table } from "./parts.js";
+import { grid, lazy, section, table } from "./parts.js";
 import { study } from "./study.js";
 import { vertex } from "./vertex.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { State as Reading } from "../generated/types.js" */
+
+/** With what sets its formulas. */
+const equation = lazy(() => import("./equation.js").then(({ equation }) => equation));
 
 /** Rows of the table at most; of more steps every so manyth. */
 const MOST_ROWS = 200;

@@ -52,11 +52,11 @@ function finding({ quantity, tendency, smooth, isKnown, values, orders }, p) {
 }
 
 /** @param {StudyReport} study */
-function findings({ manner, trends, p }) {
+function findings({ refinedBy, trends, p }) {
   const circle = trends.find(({ quantity }) => quantity === "circle")?.tendency;
   return [
     ...trends.map((trend) => finding(trend, p)),
-    ...(manner === "polyhedron" ? [say("study-polyhedron")] : []),
+    ...(refinedBy === "polyhedron" ? [say("study-polyhedron")] : []),
     ...(circle === "elsewhere" || circle === "diverges" ? [say("study-lattice")] : []),
     say("study-minimisers"),
   ];
@@ -138,7 +138,7 @@ function shown(study) {
     const text = one.smooth === null ? "–" : formatNumber(one.smooth, 5);
     return one.isKnown || one.smooth === null ? text : `≈ ${text}`;
   });
-  return html`<p class="hint">${say("study-manner", { manner: study.manner, most: study.mostVertices })}</p>
+  return html`<p class="hint">${say("study-refined-by", { refinedBy: study.refinedBy, most: study.mostVertices })}</p>
     ${grid(say("study"), heads, [...rows, ...(study.trends.some((one) => one.smooth !== null) ? [[say("study-smooth"), "0", ...smooth]] : [])])}
     ${study.finished ? html`<ul class="findings">${findings(study).map((text) => html`<li>${text}</li>`)}</ul>` : nothing}`;
 }

@@ -1,5 +1,6 @@
 //! Minimal mean-curvature variation: the first step and a later one, steps to rest, and forming
-//! and solving the system in table 5.1 of Xu & Zhang, measured on another machine.
+//! and solving the system in table 5.1 of Xu & Zhang [XZ06](crate::bibliography#xz06), measured
+//! on another machine.
 
 use super::{BenchOptions, Measurement, Row, Table, median, megabytes, named, step, times};
 use crate::app::library::{Holes, Shape};

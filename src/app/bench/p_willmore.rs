@@ -1,6 +1,6 @@
 //! The p-Willmore flow, p = 2, on a torus: a step with area and volume kept and nonlinear
-//! regularisation, or one pass of regularisation alone, beside table 1 of Gruber & Aulisa,
-//! measured on another machine.
+//! regularisation, or one pass of regularisation alone, beside table 1 of Gruber & Aulisa
+//! [GA20](crate::bibliography#ga20), measured on another machine.
 
 use super::{
     BenchOptions, Measurement, Table, megabytes, milliseconds, rejected, shaped, step, steps, times,

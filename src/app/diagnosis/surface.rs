@@ -9,23 +9,14 @@ use crate::app::runner::Runner;
 use crate::flow::Status;
 use crate::flow::constraint::Kept;
 use crate::flow::options::FlowName;
+use crate::flow::signs::{BUBBLE, NARROW, SHARPENED, SLIVER, UNDER_RESOLVED, WORN};
 use crate::flow::spec::{self, Family};
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
 use std::f64::consts::PI;
 
-/// Bends, see [`Sharpest`]: of a ring of two edges, and of one of four, which is a reason where
-/// the flow has stopped. A surface that is drawn that way has no more to say about it: it must
-/// have become so.
-const SINGULAR: f64 = 3.0;
-const NARROW: f64 = 1.5;
-const SHARPENED: f64 = 1.5;
 /// The bend of a ring of n edges is this over n: 2π √(√3/2).
 const RING: f64 = 5.85;
-/// Growth of the area that is a sign of a bubble.
-const BUBBLE: f64 = 4.0;
-/// A smallest angle below this, in degrees, and below half of that at the start.
-const SLIVER: f64 = 8.0;
 /// ∫H² of coarse meshes comes to 1.8 % below the smooth minimum; W of aligned lattices to 2 %
 /// and of others not below it at all.
 const HONEST: f64 = 0.97;
@@ -100,7 +91,7 @@ impl Runner {
         if !is_low {
             return None;
         }
-        let found = self.sharpest(if stopped { NARROW } else { SINGULAR })?;
+        let found = self.sharpest(if stopped { NARROW } else { UNDER_RESOLVED })?;
         if !found.is_neck {
             return None;
         }
@@ -145,7 +136,7 @@ impl Runner {
     fn sliver(&self) -> Option<(u32, f64)> {
         let (face, angle) = measure::sharpest_face(self.triangles(), &self.x)?;
         let then = self.start_angle();
-        (angle < SLIVER && angle < 0.5 * then).then_some((face.0, angle))
+        (angle < SLIVER && angle < WORN * then).then_some((face.0, angle))
     }
 
     /// In degrees.

@@ -1,4 +1,4 @@
-//! Figures of Bobenko & Schröder, Discrete Willmore Flow, 2005.
+//! Figures of Bobenko & Schröder, Discrete Willmore Flow [BS05](crate::bibliography#bs05).
 
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measure::{TorusFit, near, off_plane, off_sphere};

@@ -1,4 +1,4 @@
-//! Figures of Xu & Zhang, minimal mean-curvature-variation flow.
+//! Figures of Xu & Zhang [XZ06](crate::bibliography#xz06), minimal mean-curvature-variation flow.
 
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measure::{off_tube, off_unit_sphere};

@@ -1,12 +1,12 @@
-//! The sphere turned inside out by its own bending: Francis, Sullivan, Kusner, Brakke, Hartman and
-//! Chappell, The minimax sphere eversion, 1997.
+//! The sphere turned inside out by its own bending: Francis, Sullivan, Kusner, Brakke, Hartman
+//! and Chappell, The minimax sphere eversion, [FSKBHC97](crate::bibliography#fskbhc97).
 //!
-//! Smale's theorem of 1958 says that there is an eversion, a regular homotopy from the round sphere
-//! to itself with its sides exchanged; it may pass through itself but never crease. By Max and
-//! Banchoff, 1981, each passes through a surface with a quadruple point, and ∫H² is at least 16π
-//! there by Li and Yau. Morin's surface after Kusner is critical and has exactly that much. It is a
-//! saddle: pushed to either side it flows down to the round sphere, and the two ways make the
-//! eversion.
+//! Smale's theorem [S58](crate::bibliography#s58) says that there is an eversion, a regular
+//! homotopy from the round sphere to itself with its sides exchanged; it may pass through itself
+//! but never crease. By Max and Banchoff [MB81](crate::bibliography#mb81), each passes through a
+//! surface with a quadruple point, and ∫H² is at least 16π there by Li and Yau. Morin's surface
+//! after Kusner is critical and has exactly that much. It is a saddle: pushed to either side it
+//! flows down to the round sphere, and the two ways make the eversion.
 
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measured::Run;

@@ -1,4 +1,5 @@
-//! Figures of Brink & Alboul, edge flips by area, Willmore and localised Willmore energy.
+//! Figures of Brink & Alboul [BA](crate::bibliography#ba), edge flips by area, Willmore and
+//! localised Willmore energy.
 
 use super::figure::{Figure, Finding, Paper};
 use super::measured::Run;

@@ -1,4 +1,5 @@
-//! Figures of Gruber & Aulisa, Computational p-Willmore Flow with Conformal Penalty, 2020.
+//! Figures of Gruber & Aulisa, Computational p-Willmore Flow with Conformal Penalty
+//! [GA20](crate::bibliography#ga20).
 
 use super::figure::{Figure, Finding, Paper, Steps};
 use super::measure::{area_drift, near, off_sphere, volume_drift};

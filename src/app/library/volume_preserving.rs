@@ -1,5 +1,5 @@
-//! What Huisken proves of volume-preserving mean-curvature flow, 1987: it makes convex surfaces
-//! round.
+//! What Huisken [H87](crate::bibliography#h87) proves of volume-preserving mean-curvature flow:
+//! it makes convex surfaces round.
 
 use super::figure::{Figure, Finding, Paper};
 use super::measure::{off_sphere, volume_drift};

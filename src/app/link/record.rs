@@ -9,6 +9,7 @@ use crate::app::provenance::{Action, Edit, EditRecord};
 use crate::app::recipe::{Node, Reader, RecipeError};
 use crate::flow::option::{Options, Row, Value};
 use crate::flow::options::FlowOptions;
+use crate::order;
 use crate::remesh::static_pass::RegulariseOptions;
 use serde::ser::{Serialize, Serializer};
 
@@ -41,7 +42,7 @@ struct LinkRecord<'a> {
 fn rows_in_order() -> Vec<&'static Row<FlowOptions>> {
     let recipe = json::compact(&FlowOptions::default());
     let mut rows: Vec<_> = FlowOptions::ROWS.iter().collect();
-    rows.sort_by_key(|row| recipe.find(&format!("\"{}\":", row.name)));
+    order::sort_by_key(&mut rows, |row| recipe.find(&format!("\"{}\":", row.name)));
     rows
 }
 

@@ -4,20 +4,21 @@
 //! replaced by the limit surface of Loop's scheme, sampled ever more finely: splitting edges
 //! at their midpoints would get no closer to a smooth surface.
 //!
-//! What is known: the area converges with order h² (Morvan & Thibert 2004 where angles do not
-//! tend to 0). ∫H² by cotangents and by fits converges on meshes of fixed shape. The circle
-//! energy W/2 tends to ∫(H² − K) dA on right-angled lattices along the lines of curvature, to
-//! a multiple of it on others, and is unbounded where triangles are not Delaunay (Bobenko &
-//! Schröder 2005, Section 2). And of minimisers: that the values converge on given meshes does
-//! not let minimisers converge; minimising any of the piecewise-linear Willmore energies
-//! proposed so far fails to converge to a solution of the smooth problem (Chen, Yu, Brogan,
-//! Kusner, Yang & Zigerelli, arXiv 1901.09990).
+//! What is known: the area converges with order h² (Morvan & Thibert
+//! [MT04](crate::bibliography#mt04) where angles do not tend to 0). ∫H² by cotangents and by fits
+//! converges on meshes of fixed shape. The circle energy W/2 tends to ∫(H² − K) dA on
+//! right-angled lattices along the lines of curvature, to a multiple of it on others, and is
+//! unbounded where triangles are not Delaunay ([BS05](crate::bibliography#bs05), Section 2). And of
+//! minimisers: that the values converge on given meshes does not let minimisers converge;
+//! minimising any of the piecewise-linear Willmore energies proposed so far fails to converge to
+//! a solution of the smooth problem (Chen, Yu, Brogan, Kusner, Yang & Zigerelli
+//! [CYBKYZ19](crate::bibliography#cybkyz19)).
 
 mod exact;
 mod subject;
 mod trend;
 
-pub use subject::Manner;
+pub use subject::RefinedBy;
 pub use trend::{Tendency, Trend};
 
 use super::Session;
@@ -127,7 +128,7 @@ impl Resolution {
 #[serde(rename_all = "camelCase")]
 pub struct StudyReport {
     /// How the surface is refined.
-    pub manner: Manner,
+    pub refined_by: RefinedBy,
     /// Exponent of [`Resolution::power`].
     pub p: f64,
     /// Coarsest first.
@@ -199,7 +200,7 @@ impl Study {
     /// What is known so far.
     pub fn report(&self) -> StudyReport {
         StudyReport {
-            manner: self.subject.manner(),
+            refined_by: self.subject.refined_by(),
             p: self.p,
             rows: self.rows.clone(),
             trends: trend::trends(&self.rows, self.exact, self.p),

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
-pub enum Manner {
+pub enum RefinedBy {
     /// A smooth shape, sampled anew.
     Sampled,
     /// A polyhedron, its faces split: the surface stays what it is, with its edges.
@@ -22,11 +22,11 @@ pub enum Manner {
     Loop,
 }
 
-use Manner::{Polyhedron, Sampled};
+use RefinedBy::{Polyhedron, Sampled};
 
 /// Shapes that are the same surface at every resolution, and the counts that set it. Not
 /// among them are those whose noise or damage is measured in edge lengths.
-const REFINED: &[(&str, &[&str], Manner)] = &[
+const REFINED: &[(&str, &[&str], RefinedBy)] = &[
     ("icosphere", &["level"], Sampled),
     ("icosahedron", &["level"], Polyhedron),
     ("octahedron", &["level"], Polyhedron),
@@ -59,7 +59,7 @@ const WANTED: usize = 3;
 pub(super) enum Subject {
     Shape {
         name: &'static str,
-        manner: Manner,
+        refined_by: RefinedBy,
         counts: &'static [&'static str],
         /// Of the coarsest resolution.
         values: BTreeMap<String, f64>,
@@ -81,7 +81,7 @@ impl Subject {
     ) -> Result<Self, Fault> {
         let pairs: Vec<(String, f64)> = parameters.clone().into_iter().collect();
         let asked = shape::make(name, &pairs)?.soup;
-        let Some(&(name, counts, manner)) = REFINED.iter().find(|(known, ..)| *known == name)
+        let Some(&(name, counts, refined_by)) = REFINED.iter().find(|(known, ..)| *known == name)
         else {
             return Ok(Self::surface(asked));
         };
@@ -102,16 +102,16 @@ impl Subject {
         }
         Ok(Self::Shape {
             name,
-            manner,
+            refined_by,
             counts,
             values,
         })
     }
 
-    pub(super) fn manner(&self) -> Manner {
+    pub(super) fn refined_by(&self) -> RefinedBy {
         match self {
-            Self::Shape { manner, .. } => *manner,
-            Self::Surface { .. } => Manner::Loop,
+            Self::Shape { refined_by, .. } => *refined_by,
+            Self::Surface { .. } => RefinedBy::Loop,
         }
     }
 

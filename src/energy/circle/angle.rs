@@ -3,9 +3,9 @@
 //! For an interior edge `(i, j)` with opposite vertices `k`, `l` the angle depends
 //! on the six squared distances of its *diamond* only through three products,
 //!
-//! ```text
-//! P = |kj|² |li|²,   Q = |jl|² |ik|²,   R = |ij|² |kl|²,
-//! cos β = (R − P − Q) / (2 √(PQ)),
+//! ```math
+//! P = |kj|^2 |li|^2, \quad Q = |jl|^2 |ik|^2, \quad R = |ij|^2 |kl|^2, \qquad
+//! \cos \beta = \frac{R - P - Q}{2 \sqrt{PQ}},
 //! ```
 //!
 //! the law of cosines in the triangle of the three other points after an inversion

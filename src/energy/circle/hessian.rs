@@ -2,8 +2,9 @@
 //!
 //! An angle is a function of a few squared distances α_r, so
 //!
-//! ```text
-//! Hess φ = Σ_r ω_r (Laplacian of pair r) ⊗ I + 4 Σ_rs φ_rs (e_r)(e_s)ᵀ,
+//! ```math
+//! \operatorname{Hess} \varphi = \sum_r \omega_r \, (\text{Laplacian of pair } r) \otimes I
+//!   + 4 \sum_{rs} \varphi_{rs} \, e_r e_s^T,
 //! ```
 //!
 //! with ω_r = 2 ∂φ/∂α_r, φ_rs = ∂²φ/∂α_r∂α_s and e_r = x_p − x_q at p, x_q − x_p at

@@ -1,7 +1,7 @@
-//! The circle-angle Willmore energy of Bobenko & Schröder.
+//! The circle-angle Willmore energy of Bobenko & Schröder [BS05](crate::bibliography#bs05).
 //!
-//! ```text
-//! W_i = Σ_{edges at i} β − 2π,     W = Σ_i W_i          (Section 2, as printed)
+//! ```math
+//! W_i = \sum_{\text{edges at } i} \beta - 2\pi, \qquad W = \sum_i W_i \qquad \text{(Section 2, as printed)}
 //! ```
 //!
 //! Dimensionless, ≥ 0, invariant under Möbius transformations; 0 exactly when every

@@ -12,8 +12,8 @@
 //! a vertex of valence 6. They would double the cost of the factorisation. A spring of
 //! strength w between such p and q is replaced by springs 2w from both to i,
 //!
-//! ```text
-//! w (x_p − x_q)² ≤ 2w (x_p − x_i)² + 2w (x_i − x_q)²   (w > 0),
+//! ```math
+//! w (x_p - x_q)^2 \le 2w (x_p - x_i)^2 + 2w (x_i - x_q)^2 \qquad (w > 0),
 //! ```
 //!
 //! or left out where w < 0: either way the matrix only grows, and stays semi-definite.

@@ -1,4 +1,4 @@
-//! ∫|H|^p dA, the p-Willmore energies of Gruber & Aulisa.
+//! ∫|H|^p dA, the p-Willmore energies of Gruber & Aulisa [GA20](crate::bibliography#ga20).
 
 mod bounds;
 mod evaluation;

@@ -1,13 +1,23 @@
-//! Bobenko & Schröder's discrete Willmore flow: gradient flow of the circle-angle
-//! energy W (Section 4 of the paper).
+//! Bobenko & Schröder's discrete Willmore flow: gradient flow of the circle-angle energy W
+//! (Section 4 of [BS05](crate::bibliography#bs05)).
 //!
-//! The semi-implicit step solves (M/dt + K) Δx = −∇E with one scalar matrix for the three
-//! coordinates. Two schemes share it: the recommended one smooths the angles, projects K star
+//! The semi-implicit step solves
+//!
+//! ```math
+//! \Bigl( \frac{M}{dt} + K \Bigr) \Delta x = -\nabla E
+//! ```
+//!
+//! with one scalar matrix for the three coordinates. Two schemes share it: the recommended one smooths the angles, projects K star
 //! by star and accepts only descent; the paper's takes constant steps with the exact energy
 //! and the plain K. Other integrators reuse the same parts.
 //!
-//! What must not rise is U_ε = Σ 2√(β² + ε²) − 2πN: it has the gradient of the smoothed energy
-//! W_ε = U_ε − 2εE, lies above W and meets it at ε = 0, and falls when ε is made smaller. W
+//! What must not rise is
+//!
+//! ```math
+//! U_\epsilon = \sum 2 \sqrt{\beta^2 + \epsilon^2} - 2 \pi N.
+//! ```
+//!
+//! It has the gradient of the smoothed energy W_ε = U_ε − 2εE, lies above W and meets it at ε = 0, and falls when ε is made smaller. W
 //! itself, which is what people see, may rise by the angles that a step opens.
 
 mod backward_euler;

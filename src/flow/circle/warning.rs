@@ -2,14 +2,13 @@
 //! is Möbius invariant, so that it does not mind balloons.
 
 use super::CircleFlow;
+use crate::flow::signs::BUBBLE;
 use crate::flow::warning::WarningsGiven;
 use crate::flow::{StepReport, Warning};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
 
-/// Growth of the area that is a sign of a bubble.
-const BUBBLE: f64 = 4.0;
 /// Half of the area in so much smaller a share of the faces than at the start is a balloon.
 const BALLOON: f64 = 0.5;
 /// W that rises by this share in a step is told of.

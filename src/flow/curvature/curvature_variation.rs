@@ -1,9 +1,10 @@
 //! Minimal mean-curvature-variation flow, of sixth order: decreases F = ∫|∇H|² dA.
 //!
-//! Xu & Zhang, equations (3.1) and (3.8):
+//! Xu & Zhang [XZ06](crate::bibliography#xz06), equations (3.1) and (3.8):
 //!
-//! ```text
-//! V = −(Δ²H + 2(2H² − K)ΔH + 2⟨∇H, ◇H⟩ − 2H|∇H|²),   dF/dt = −∫V² dA.
+//! ```math
+//! V = -\bigl(\Delta^2 H + 2 (2H^2 - K) \Delta H + 2 \langle \nabla H, \diamond H \rangle
+//!   - 2H |\nabla H|^2\bigr), \qquad \frac{dF}{dt} = -\int V^2 \, dA.
 //! ```
 //!
 //! The paper's H and ◇ have the opposite sign; each term is odd in them, and its V is
@@ -22,8 +23,10 @@ pub(super) fn density(at: &Curvatures, row: usize, _i: usize) -> f64 {
 
 /// The paper's splits, section 4: of every product one factor is taken at the next surface,
 ///
-/// ```text
-/// V' = −(Δ²H' + (2H²−K)ΔH' + (2HΔH − |∇H|²)H' − ΔH K' + ⟨◇H − H∇H, ∇H'⟩ + ⟨∇H, ◇H'⟩).
+/// ```math
+/// V' = -\bigl(\Delta^2 H' + (2H^2 - K) \Delta H' + (2H \Delta H - |\nabla H|^2) H'
+///   - \Delta H \, K' + \langle \diamond H - H \nabla H, \nabla H' \rangle
+///   + \langle \nabla H, \diamond H' \rangle\bigr).
 /// ```
 pub(super) fn linearise(
     at: &Curvatures,

@@ -1,6 +1,7 @@
-//! Flows by mean curvature and its derivatives, after Xu & Zhang: mean-curvature flow,
-//! surface diffusion, Willmore flow, and the minimal mean-curvature-variation flow of
-//! sixth order, which joins a free patch to its surroundings with continuous curvature.
+//! Flows by mean curvature and its derivatives, after Xu & Zhang
+//! [XZ06](crate::bibliography#xz06): mean-curvature flow, surface diffusion, Willmore flow, and
+//! the minimal mean-curvature-variation flow of sixth order, which joins a free patch to its
+//! surroundings with continuous curvature.
 //!
 //! All four move vertices along their normals, r' = r + s φn, with φ from one semi-implicit
 //! system (see `system`) and the operators of [`crate::operator::fitted`]. A flow's own file
@@ -14,10 +15,10 @@
 //! not, and no functional is known that the discrete flow lowers: whole steps, which find the
 //! steady state in a few, are taken there without a test for descent.
 //!
-//! A rest of the fitted flow is not quite the least of the fitted energy, so that a good fill
-//! may end a little above an earlier step: by a thousandth of the least so far, and where whole
-//! steps contract (the natural monotonicity test of Newton's method, Deuflhard 2004) by a
-//! hundredth at most.
+//! A rest of the fitted flow is not quite the least of the fitted energy, so that a good fill may
+//! end a little above an earlier step: by a thousandth of the least so far, and where whole steps
+//! contract (the natural monotonicity test of Newton's method, Deuflhard
+//! [D04](crate::bibliography#d04)) by a hundredth at most.
 //!
 //! Vertices are not moved along the surface: smoothing them each step keeps the flow from
 //! converging.

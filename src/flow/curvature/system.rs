@@ -3,8 +3,8 @@
 //! In the paper's system of 3n unknowns each row has the factor n_i: every vertex moves along
 //! its normal, r' = r + φn. With that H' = H + Bφ and K' = K + Gφ,
 //!
-//! ```text
-//! B_ij = −½ Δ_ij ⟨n_i, n_j⟩,   G_ij = k_ij ⟨n_i, n_j⟩,
+//! ```math
+//! B_{ij} = -\tfrac12 \Delta_{ij} \langle n_i, n_j \rangle, \qquad G_{ij} = k_{ij} \langle n_i, n_j \rangle,
 //! ```
 //!
 //! and a velocity V_i = Σ q_ij H_j + k_i K_i gives (1/dt − QB − diag(k) G) φ = V: the same

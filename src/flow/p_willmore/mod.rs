@@ -1,19 +1,31 @@
-//! p-Willmore flow of Gruber & Aulisa: gradient flow of W^p = ∫|Y|^p dA on closed surfaces,
-//! p = 0 being mean-curvature flow; with area and volume kept, the terms of Canham and
-//! Helfrich, and conformal regularisation after each step.
+//! p-Willmore flow of Gruber & Aulisa [GA20](crate::bibliography#ga20): gradient flow of W^p =
+//! ∫|Y|^p dA on closed surfaces, p = 0 being mean-curvature flow; with area and volume kept, the
+//! terms of Canham and Helfrich, and conformal regularisation after each step.
 //!
-//! The step solves (M/τ + L diag(c) L) d = −P∇W^p with one scalar matrix: L the cotangent
-//! Laplacian, c_i ≈ p max(1, p − 1) |Y_i|^(p−2)/m_i, P the projection onto vertex normals.
+//! The step solves
+//!
+//! ```math
+//! \Bigl( \frac{M}{\tau} + L \operatorname{diag}(c) L \Bigr) d = -P \nabla W^p, \qquad
+//! c_i \approx p \max(1, p - 1) \frac{|Y_i|^{p-2}}{m_i},
+//! ```
+//!
+//! with one scalar matrix: L the cotangent Laplacian, P the projection onto vertex normals.
 //! W^p is that of the mixed mass ([`Mass`]), to which a crumpled mesh is no cheaper.
 //! The gradient is exact and local; without P linear elements would lower their energy by
 //! sliding vertices, below the minimum of smooth surfaces. τ has the unit length^(p+2).
 //! The paper's own scheme, centred and nonlinear, is there to be compared with.
 //!
 //! With p = 0 and the volume kept it is the volume-preserving mean-curvature flow of Huisken,
-//! dx/dt = 2(H̄ − H)n with H̄ = ∫H dA/∫dA: M dx/dt = −∇A + λ∇V, where λ is 2H̄. Area falls in
-//! every step; the volume is that of the start to 1e-11 of it, as a step ends with Newton's
-//! iteration onto it. Embedded convex surfaces become round (Huisken 1987), which is to say that
-//! 36πV²/A³, the square of the reduced volume, rises to 1; others may pinch.
+//!
+//! ```math
+//! \frac{dx}{dt} = 2 (\bar H - H) n, \quad \bar H = \int H \, dA \Big/ \int dA: \qquad
+//! M \frac{dx}{dt} = -\nabla A + \lambda \nabla V, \quad \lambda = 2 \bar H.
+//! ```
+//!
+//! Area falls in every step; the volume is that of the start to 1e-11 of it, as a step ends with Newton's
+//! iteration onto it. Embedded convex surfaces become round (Huisken
+//! [H87](crate::bibliography#h87)), which is to say that 36πV²/A³, the square of the reduced
+//! volume, rises to 1; others may pinch.
 //!
 //! What is monitored and shown is W^p/2^p = ∫|H|^p dA with the terms in force.
 

@@ -2,13 +2,12 @@
 
 use super::PWillmoreFlow;
 use super::kept::Kept;
+use crate::flow::signs::UNDER_RESOLVED;
 use crate::flow::warning::WarningsGiven;
 use crate::flow::{StepReport, Warning, vesicle};
 use glam::DVec3;
 
-/// |Y|h from which a mesh no longer resolves its surface, and from which the surface is about
-/// to become singular.
-const UNDER_RESOLVED: f64 = 3.0;
+/// The bend, here |Y|h, from which the surface is about to become singular.
 const SINGULAR: f64 = 8.0;
 /// With a functional so near the smooth minimum the mesh may cheat.
 const NEAR_MINIMUM: f64 = 0.985;

@@ -5,6 +5,7 @@ mod tree;
 pub use tree::SurfaceTree;
 
 use crate::mesh::{HalfedgeMesh, Vertex};
+use crate::order;
 use glam::DVec3;
 use std::borrow::Cow;
 
@@ -35,8 +36,8 @@ fn squared_distance(p: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
 
 /// Two-sided distances between a surface and others of the same connectivity,
 ///
-/// ```text
-/// max ( max_i d(y_i, S_x), max_i d(x_i, S_y) ),
+/// ```math
+/// \max \bigl( \max_i d(y_i, S_x), \; \max_i d(x_i, S_y) \bigr),
 /// ```
 ///
 /// the vertices of each against all of the other: what slides along a surface is at no
@@ -103,7 +104,7 @@ fn farthest<'t>(
     if open.is_empty() {
         return floor;
     }
-    open.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+    order::sort_by(&mut open, |a, b| b.0.total_cmp(&a.0));
     let tree = tree();
     let mut farthest = floor;
     for (bound, v) in open {

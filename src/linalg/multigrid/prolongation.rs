@@ -1,13 +1,14 @@
 //! How a field on a coarse level is carried to the next finer one.
 //!
 //! The value at a point is that of the plane fitted to the values at the nearest coarse points by
-//! moving least squares (Lancaster and Šalkauskas 1981), so that linear functions are carried
-//! over, and with them what a bending matrix nearly annihilates. The positions need only tell
-//! who is near whom: those at the start of a flow do for all of it.
+//! moving least squares (Lancaster and Šalkauskas [LS81](crate::bibliography#ls81)), so that
+//! linear functions are carried over, and with them what a bending matrix nearly annihilates. The
+//! positions need only tell who is near whom: those at the start of a flow do for all of it.
 
 use super::coarsening::NONE;
 use super::rows::Rows;
 use crate::linalg::ordering::Graph;
+use crate::order;
 use glam::{DMat4, DVec3, DVec4};
 
 /// Coarse points a value is taken from: more fill the coarser matrices and spare no iterations.
@@ -53,7 +54,7 @@ pub(super) fn prolongation(
             .map(|&(_, j)| numbers[j as usize])
             .zip(weights)
             .collect();
-        row.sort_unstable_by_key(|entry| entry.0);
+        order::sort_by_key(&mut row, |entry| entry.0);
         for (c, weight) in row {
             rows.push(c, weight as f32);
         }

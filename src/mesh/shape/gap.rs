@@ -1,5 +1,7 @@
-//! Surfaces with patches to be restored: the figures of Xu & Zhang.
+//! Surfaces with patches to be restored: the figures of Xu & Zhang
+//! [XZ06](crate::bibliography#xz06).
 
+use crate::order;
 use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
@@ -79,7 +81,7 @@ pub fn dodecahedron(level: usize) -> Result<Sample, SubdivisionError> {
                 (p.dot(second).atan2(p.dot(first)), t as u32)
             })
             .collect();
-        around.sort_by(|a, b| a.0.total_cmp(&b.0));
+        order::sort_by(&mut around, |a, b| a.0.total_cmp(&b.0));
         let ring: Vec<u32> = around.into_iter().map(|(_, t)| t).collect();
         faces.extend((1..4).map(|k| [ring[0], ring[k], ring[k + 1]]));
     }

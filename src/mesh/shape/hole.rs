@@ -1,4 +1,5 @@
-//! A six-sided hole to be filled: figure 10 of Bobenko & Schröder 2005.
+//! A six-sided hole to be filled: figure 10 of Bobenko & Schröder
+//! [BS05](crate::bibliography#bs05).
 
 use glam::{DVec2, DVec3};
 

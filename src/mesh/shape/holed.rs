@@ -1,4 +1,5 @@
-//! Surfaces with holes to be filled, after figure 5.1 (d) of Xu & Zhang 2007.
+//! Surfaces with holes to be filled, after figure 5.1 (d) of Xu & Zhang
+//! [XZ06](crate::bibliography#xz06).
 
 use std::collections::HashMap;
 use std::f64::consts::PI;

@@ -1,12 +1,14 @@
-//! Morin's and Boy's surface as critical points of the Willmore energy: minimal surfaces with
-//! 2p flat ends (Kusner, Bull. Amer. Math. Soc. 17, 1987), inverted.
+//! Morin's and Boy's surface as critical points of the Willmore energy: minimal surfaces with 2p
+//! flat ends (Kusner [K87](crate::bibliography#k87)), inverted.
 //!
 //! With homogeneous z = a/b,
 //!
-//! ```text
-//! N = (i(a^(2p−1) b − a b^(2p−1)), a^(2p−1) b + a b^(2p−1), i (p−1)/p (a^(2p) + b^(2p)))
-//! D = a^(2p) + r a^p b^p − b^(2p),  r = 2√(2p−1)/(p−1)
-//! R = Re(N D̄) + s|D|² e₃,  x = |D|² R/|R|²,  x = 0 where D = 0.
+//! ```math
+//! \begin{gathered}
+//! N = \Bigl( i (a^{2p-1} b - a b^{2p-1}), \; a^{2p-1} b + a b^{2p-1}, \; i \tfrac{p-1}{p} (a^{2p} + b^{2p}) \Bigr) \\
+//! D = a^{2p} + r a^p b^p - b^{2p}, \qquad r = \frac{2 \sqrt{2p-1}}{p-1} \\
+//! R = \operatorname{Re}(N \bar D) + s |D|^2 e_3, \qquad x = |D|^2 \frac{R}{|R|^2}, \quad x = 0 \text{ where } D = 0.
+//! \end{gathered}
 //! ```
 //!
 //! ∫H² = 8πp for every s ≠ 0, which is where the centre of the inversion lies. p = 2 is Morin's
@@ -15,6 +17,7 @@
 //! surface twice.
 
 use super::conformal::{image, place, points};
+use crate::order;
 use crate::soup::PolygonSoup;
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
@@ -83,7 +86,7 @@ pub fn boy(vertices: usize, s: f64) -> PolygonSoup {
         face.sort_unstable();
         face
     };
-    faces.sort_by_key(|face| key(*face));
+    order::sort_by_key(&mut faces, |face| key(*face));
     faces.dedup_by_key(|face| key(*face));
     PolygonSoup::from_faces(cover.positions[..vertices].to_vec(), &faces)
 }

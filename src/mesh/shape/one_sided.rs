@@ -36,8 +36,9 @@ pub fn moebius(width: f64, around: usize, across: usize) -> PolygonSoup {
 /// `around` even.
 ///
 /// The axis is the piriform `(-b sin t (1 - cos t), 1 - cos t)` and the radius
-/// `c - d(t - π)√(t(2π - t))` (Franzoni 2012), here with `b, c, d = 0.4, 0.26, 0.26/π²`, sampled
-/// at equal steps of axis and radius. Closed, immersed, Euler characteristic 0.
+/// `c - d(t - π)√(t(2π - t))` (Franzoni [F12](crate::bibliography#f12)), here with
+/// `b, c, d = 0.4, 0.26, 0.26/π²`, sampled at equal steps of axis and radius. Closed, immersed,
+/// Euler characteristic 0.
 pub fn klein_bottle(along: usize, around: usize) -> PolygonSoup {
     let steps = curve::even_parameters(along, |s| {
         let section = Section::at(s);

@@ -1,8 +1,8 @@
 //! Regular solids with triangular faces, circumradius 1.
 //!
-//! Subdivided linearly k times, each has the printed circle-angle energy
-//! `4π(2^k - 1)`: 188.496 for the icosahedron and k = 4, where figure 6 of
-//! Bobenko & Schröder 2005 begins.
+//! Subdivided linearly k times, each has the printed circle-angle energy `4π(2^k - 1)`: 188.496
+//! for the icosahedron and k = 4, where figure 6 of Bobenko & Schröder
+//! [BS05](crate::bibliography#bs05) begins.
 
 use glam::DVec3;
 

@@ -1,5 +1,5 @@
 //! Surfaces that are sampled well and triangulated badly: starts for edge flips, after the
-//! figures of Brink & Alboul.
+//! figures of Brink & Alboul [BA](crate::bibliography#ba).
 
 use std::f64::consts::TAU;
 

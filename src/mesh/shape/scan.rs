@@ -1,4 +1,5 @@
-//! A range scan: what a light-stripe scanner sees of a bust, figure 12 of Bobenko & Schröder 2005.
+//! A range scan: what a light-stripe scanner sees of a bust, figure 12 of Bobenko & Schröder
+//! [BS05](crate::bibliography#bs05).
 
 use glam::DVec3;
 

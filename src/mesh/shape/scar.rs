@@ -1,4 +1,5 @@
-//! A stone with a scar to be healed: figure 11 of Bobenko & Schröder 2005.
+//! A stone with a scar to be healed: figure 11 of Bobenko & Schröder
+//! [BS05](crate::bibliography#bs05).
 
 use glam::DVec3;
 

@@ -59,9 +59,9 @@ pub fn cyclide(around: usize, tube: usize, turn: f64) -> PolygonSoup {
 /// | acute isosceles (63°, 53°, 63°) | n x n | 1/2 |
 /// | obtuse (104°), not Delaunay | n x n | -1/4 |
 ///
-/// Over 4π², the circle-angle energy tends to 1, grows like the number of
-/// columns, tends to 3/2, to 4/3, and grows like its square (the smooth limit
-/// of Bobenko & Schröder 2005, section 2).
+/// Over 4π², the circle-angle energy tends to 1, grows like the number of columns, tends to 3/2,
+/// to 4/3, and grows like its square (the smooth limit of Bobenko & Schröder
+/// [BS05](crate::bibliography#bs05), section 2).
 ///
 /// The shift must close up: `shear·rows` is rounded to a whole number.
 pub fn lattice_torus(columns: usize, rows: usize, shear: f64) -> PolygonSoup {

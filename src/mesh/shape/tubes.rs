@@ -1,4 +1,5 @@
-//! Open tubes that point at each other, to be blended: Figure 5.2 of Xu & Zhang 2007.
+//! Open tubes that point at each other, to be blended: Figure 5.2 of Xu & Zhang
+//! [XZ06](crate::bibliography#xz06).
 
 use std::f64::consts::TAU;
 

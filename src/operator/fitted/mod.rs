@@ -1,12 +1,13 @@
-//! Differential operators by quadratic fits, after Xu (Report ICM-06-01, 2006).
+//! Differential operators by quadratic fits, after Xu [X06](crate::bibliography#x06).
 //!
 //! At a vertex i a function f is fitted by a quadratic polynomial f_i + f_u u + f_v v +
 //! ½ f_uu u² + f_uv uv + ½ f_vv v² over local parameters (u, v) of its neighbours, through
 //! f_i and by weighted least squares. The fit is linear in f, and so are the operators
 //! that follow from it, the same for positions and for functions:
 //!
-//! ```text
-//! (∇f)_i = Σ_j ∇_ij f_j,   (◇f)_i = Σ_j ◇_ij f_j,   (Δf)_i = Σ_j Δ_ij f_j,   K_i = Σ_j k_ij n_i·r_j
+//! ```math
+//! (\nabla f)_i = \sum_j \nabla_{ij} f_j, \quad (\diamond f)_i = \sum_j \diamond_{ij} f_j, \quad
+//! (\Delta f)_i = \sum_j \Delta_{ij} f_j, \quad K_i = \sum_j k_{ij} \, n_i \cdot r_j
 //! ```
 //!
 //! with j over the vertex and its stencil. Pointwise, units 1/length, 1/length², 1/length²,

@@ -5,6 +5,7 @@
 //! input gives the same output to the last bit.
 
 use crate::mesh::{self, HalfedgeMesh};
+use crate::order;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 
@@ -91,7 +92,7 @@ impl Draft {
         (b - a).cross(c - a)
     }
 
-    /// Unit normals: those of the faces with the weights of Max (J. Graphics Tools 4, 1999),
+    /// Unit normals: those of the faces with the weights of Max [M99](crate::bibliography#m99),
     /// sin α/|e₁||e₂|, exact on spheres.
     pub(super) fn normals(&self) -> Vec<DVec3> {
         let mut sums = vec![DVec3::ZERO; self.x.len()];
@@ -197,7 +198,7 @@ impl Draft {
     pub(super) fn by_stretch(&self, wanted: impl Fn(f64) -> bool) -> Vec<[u32; 2]> {
         let edges = self.edges().into_iter().map(|e| (self.stretch(e), e));
         let mut found: Vec<_> = edges.filter(|(stretch, _)| wanted(*stretch)).collect();
-        found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        order::sort_by(&mut found, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         found.into_iter().map(|(_, e)| e).collect()
     }
 

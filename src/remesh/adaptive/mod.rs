@@ -1,12 +1,12 @@
 //! Another mesh of the same surface: triangles near equilateral, as small as it bends.
 //!
 //! A pass is two rounds of splits, collapses, flips and relaxation, after which area and volume
-//! are brought back. Isotropic remeshing after Botsch & Kobbelt (SGP 2004) with the size field
-//! of Dunyach et al. (Eurographics 2013), but on a fitted surface instead of a stored one:
-//! new vertices lie on the cubic through the tangent planes at the ends of their edge, and
-//! vertices slide on fitted quadrics. Nothing is ever projected onto the old mesh, whose nearest
-//! point may lie on another sheet of an immersed surface. What is off the smooth surface
-//! is O(h³) for splits, O(h⁴) on regular meshes.
+//! are brought back. Isotropic remeshing after Botsch & Kobbelt [BK04](crate::bibliography#bk04)
+//! with the size field of Dunyach et al. [DVBB13](crate::bibliography#dvbb13), but on a fitted
+//! surface instead of a stored one: new vertices lie on the cubic through the tangent planes at
+//! the ends of their edge, and vertices slide on fitted quadrics. Nothing is ever projected onto
+//! the old mesh, whose nearest point may lie on another sheet of an immersed surface. What is off
+//! the smooth surface is O(h³) for splits, O(h⁴) on regular meshes.
 //!
 //! Held vertices and boundaries stay as they are, bit for bit, with the edges between them. No
 //! order depends on anything but the input: a pass gives the same mesh again, to the last bit.

@@ -1,11 +1,12 @@
-//! Conformal regularisation of Gruber & Aulisa (Problems 4.3 and 5.3): vertices slide along
-//! the surface until its elements are as similar as can be to their reference shapes.
+//! Conformal regularisation of Gruber & Aulisa [GA20](crate::bibliography#ga20) (Problems 4.3 and
+//! 5.3): vertices slide along the surface until its elements are as similar as can be to their
+//! reference shapes.
 //!
 //! The reference of a triangle has the angles of Algorithm 1, that of a quadrilateral is a
 //! square. One pass minimises, over displacements v,
 //!
-//! ```text
-//! CD(x + v) + Σ_i (1/2ε) ⟨v_i, n_i⟩²,      CD = Σ_T 2 (D_T − A_T),
+//! ```math
+//! CD(x + v) + \sum_i \frac{1}{2\epsilon} \langle v_i, n_i \rangle^2, \qquad CD = \sum_T 2 (D_T - A_T),
 //! ```
 //!
 //! with the normals held, a linear least-squares problem with a symmetric positive definite

@@ -2,6 +2,7 @@
 
 use super::error::FillError;
 use crate::mesh::{HalfedgeMesh, Vertex};
+use crate::order;
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 use std::f64::consts::TAU;
@@ -113,7 +114,9 @@ pub(super) fn check_simple(
     let direction = DVec3::new(0.5377, 0.6411, 0.5471);
     let place = |i: usize| x[boundary.vertices[i] as usize];
     let mut order: Vec<usize> = (0..m).collect();
-    order.sort_by(|&i, &j| place(i).dot(direction).total_cmp(&place(j).dot(direction)));
+    order::sort_by(&mut order, |&i, &j| {
+        place(i).dot(direction).total_cmp(&place(j).dot(direction))
+    });
     for (at, &i) in order.iter().enumerate() {
         let near = |j: &&usize| (place(**j) - place(i)).dot(direction) <= same;
         for &j in order[at + 1..].iter().take_while(near) {

@@ -1,9 +1,9 @@
 //! Triangulation of a closed loop in space, of least area and without double edges.
 //!
-//! Dynamic programming over the chords (Barequet & Sharir 1995), O(m³) for m vertices. Of a
-//! longer loop ears are clipped first, the shortest chord first, until few enough vertices
-//! are left. A loop that has no triangulation on its own vertices gets a vertex in its
-//! middle.
+//! Dynamic programming over the chords (Barequet & Sharir [BS95](crate::bibliography#bs95)),
+//! O(m³) for m vertices. Of a longer loop ears are clipped first, the shortest chord first, until
+//! few enough vertices are left. A loop that has no triangulation on its own vertices gets a
+//! vertex in its middle.
 
 use glam::DVec3;
 use std::cmp::Reverse;

@@ -1,10 +1,10 @@
 //! N-sided hole filling and blending: the first surface, which a flow then fairs.
 //!
-//! After Xu & Zhang (2007), Sections 5.1 and 5.2. Each hole is triangulated by least area,
-//! remeshed to the mean edge length of its loop, and drawn into the surface around it by
-//! polyharmonic fills of order 3 ([`crate::operator::polyharmonic`]), so that position,
-//! tangent plane and curvature continue nearly. Several loops can instead be connected by
-//! one patch, which begins as their convex hull.
+//! After Xu & Zhang [XZ06](crate::bibliography#xz06), Sections 5.1 and 5.2. Each hole is
+//! triangulated by least area, remeshed to the mean edge length of its loop, and drawn into the
+//! surface around it by polyharmonic fills of order 3 ([`crate::operator::polyharmonic`]), so
+//! that position, tangent plane and curvature continue nearly. Several loops can instead be
+//! connected by one patch, which begins as their convex hull.
 //!
 //! Old vertices keep their numbers and positions bit for bit, old faces their numbers and
 //! corners; what is new follows. Two holes that share a corner are two loops, though the mesh has

@@ -1,7 +1,8 @@
-//! Incremental remeshing of a patch to a target edge length (Botsch & Kobbelt 2004): split,
-//! collapse, flip, smooth.
+//! Incremental remeshing of a patch to a target edge length (Botsch & Kobbelt
+//! [BK04](crate::bibliography#bk04)): split, collapse, flip, smooth.
 
 use super::patch::Patch;
+use crate::order;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 
@@ -120,7 +121,9 @@ fn split_long(patch: &mut Patch, length: f64, target: &Target) {
     };
     let mut edges = patch.inner_edges();
     edges.retain(|&(a, b)| is_long(patch, a, b));
-    edges.sort_by(|p, q| patch.length(q.0, q.1).total_cmp(&patch.length(p.0, p.1)));
+    order::sort_by(&mut edges, |p, q| {
+        patch.length(q.0, q.1).total_cmp(&patch.length(p.0, p.1))
+    });
     let mut room = target.most.saturating_sub(patch.n_free());
     let mut queue = VecDeque::from(edges);
     while room > 0 {

@@ -1,5 +1,5 @@
-//! Brink & Alboul's conjecture, that a flip lowers the area if and only if it lowers the
-//! localised Willmore energy: f_a ≤ 0 ⇔ f_l ≤ 0 (Section 4). It is false.
+//! Brink & Alboul [BA](crate::bibliography#ba)'s conjecture, that a flip lowers the area if and
+//! only if it lowers the localised Willmore energy: f_a ≤ 0 ⇔ f_l ≤ 0 (Section 4). It is false.
 //!
 //! By hand: (0,0,0), (3,0,0), (0,4,0), (1,0,1) as i, j, k, l have f_a = 15/2 − 2√2 − √89/2 =
 //! −0.0454 and f_l = +0.0068. It looks true because both signs are that of the Delaunay test

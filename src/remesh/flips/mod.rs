@@ -1,5 +1,5 @@
-//! The edge-flip optimiser of Brink & Alboul: the flip that gains most, again and again,
-//! until none gains anything; and every flip back again.
+//! The edge-flip optimiser of Brink & Alboul [BA](crate::bibliography#ba): the flip that gains
+//! most, again and again, until none gains anything; and every flip back again.
 
 pub mod conjecture;
 pub mod lab;

@@ -1,5 +1,6 @@
-//! What an edge flip takes off each of the three costs of Brink & Alboul: f(e) = before −
-//! after, so positive is an improvement. (The printed text has the sign both ways.)
+//! What an edge flip takes off each of the three costs of Brink & Alboul
+//! [BA](crate::bibliography#ba): f(e) = before − after, so positive is an improvement. (The
+//! printed text has the sign both ways.)
 
 use crate::energy::circle::angle::diamond_angle;
 use crate::geometry::measure::triangle_angles;

@@ -3,6 +3,7 @@
 use super::faces::{Faces, sides};
 use super::hash::{Mixed, Table};
 use super::sheet::sheets;
+use crate::order;
 use crate::soup::PolygonSoup;
 use std::hash::{Hash, Hasher};
 
@@ -10,7 +11,7 @@ use std::hash::{Hash, Hasher};
 fn places(face: &[u32], soup: &PolygonSoup) -> Vec<[u64; 3]> {
     let place = |v: &u32| (soup.positions[*v as usize] + 0.0).to_array();
     let mut all: Vec<[u64; 3]> = (face.iter()).map(|v| place(v).map(f64::to_bits)).collect();
-    all.sort_unstable();
+    order::sort(&mut all);
     all
 }
 
@@ -38,7 +39,7 @@ pub(super) fn drop_doubles(soup: &mut PolygonSoup) -> (usize, Vec<u32>) {
         let mut faces: Vec<_> = (sheet.iter())
             .map(|&f| places(faces.face(f), soup))
             .collect();
-        faces.sort_unstable();
+        order::sort(&mut faces);
         faces
     };
     for sheet in all.iter().filter(is_open) {

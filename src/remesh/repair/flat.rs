@@ -2,6 +2,7 @@
 
 use super::collapse::Collapser;
 use super::faces::Faces;
+use crate::order;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 
@@ -23,7 +24,7 @@ fn flat(face: &[u32], x: &[DVec3]) -> Option<Flat> {
     let at = |v: u32| x[v as usize];
     let mut sides = [[a, b, c], [b, c, a], [c, a, b]];
     let length = |s: &[u32; 3]| at(s[0]).distance_squared(at(s[1]));
-    sides.sort_by(|s, t| length(s).total_cmp(&length(t)));
+    order::sort_by(&mut sides, |s, t| length(s).total_cmp(&length(t)));
     let [shortest, _, longest] = sides;
     let [p, q, r] = longest.map(at);
     let twice = (q - p).cross(r - p).length();

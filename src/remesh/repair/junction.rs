@@ -4,6 +4,7 @@ use super::faces::Faces;
 use super::grid::Grid;
 use super::hash::Table;
 use super::weld;
+use crate::order;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 
@@ -24,7 +25,7 @@ impl<'a> Rims<'a> {
         if total == 0.0 {
             return None;
         }
-        edges.sort_unstable();
+        order::sort(&mut edges);
         let mut neighbours: Table<u32, Vec<u32>> = Table::default();
         for &(a, b) in &edges {
             neighbours.entry(a).or_default().push(b);
@@ -70,7 +71,7 @@ impl<'a> Rims<'a> {
                 }
             }
         }
-        found.sort_by(|s, t| s.0.total_cmp(&t.0).then(s.1.cmp(&t.1)));
+        order::sort_by(&mut found, |s, t| s.0.total_cmp(&t.0).then(s.1.cmp(&t.1)));
         found.dedup();
         let all: Vec<u32> = found.into_iter().map(|(_, v)| v).collect();
         let goes_on = |v: &u32| {

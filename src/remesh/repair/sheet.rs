@@ -3,6 +3,7 @@
 use super::faces::{Faces, sides};
 use super::hash::Table;
 use super::{Change, RepairChange, edges, key};
+use crate::order;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -73,7 +74,7 @@ pub(super) fn drop_fins(soup: &mut PolygonSoup) -> Option<Change> {
         let before = count;
         let mut fins = sheets(&faces);
         fins.retain(|sheet| sheet.len() <= small);
-        fins.sort_by_key(Vec::len);
+        order::sort_by_key(&mut fins, Vec::len);
         for fin in fins {
             let edges = || fin.iter().flat_map(|&f| sides(faces.face(f)));
             let hangs = edges().any(|edge| is_crowded(&faces, edge));
@@ -114,7 +115,7 @@ pub(super) fn cut(soup: &mut PolygonSoup, origin: &mut Vec<u32>) -> Vec<Change> 
         if crowded.is_empty() {
             break;
         }
-        crowded.sort_unstable();
+        order::sort(&mut crowded);
         if round == 0 {
             count = crowded.len();
             vertices = crowded.iter().flat_map(|&(a, b)| [a, b]).collect();
@@ -183,7 +184,9 @@ fn paired(faces: &Faces, sheet_of: &[usize], (a, b): (u32, u32), x: &[DVec3]) ->
             candidates.push((bend, *f, *g));
         }
     }
-    candidates.sort_by(|s, t| s.0.total_cmp(&t.0).then((s.1, s.2).cmp(&(t.1, t.2))));
+    order::sort_by(&mut candidates, |s, t| {
+        s.0.total_cmp(&t.0).then((s.1, s.2).cmp(&(t.1, t.2)))
+    });
     let mut taken = Vec::new();
     let mut pairs = Vec::new();
     for (_, f, g) in candidates {

@@ -4,6 +4,7 @@ use super::faces::Faces;
 use super::grid::Grid;
 use super::hash::Table;
 use super::{edges, key};
+use crate::order;
 use crate::soup::PolygonSoup;
 
 /// Vertices at an end of an edge that only one face has.
@@ -41,7 +42,7 @@ pub(super) fn weld(soup: &mut PolygonSoup, near: f64) -> (usize, Vec<u32>) {
     for (corner, (fan, _)) in soup.corners.iter_mut().zip(&were) {
         *corner = *fan;
     }
-    were.sort_unstable();
+    order::sort(&mut were);
     were.dedup();
     let (mut count, mut vertices) = (0, Vec::new());
     let mut first = Table::default();

@@ -642,7 +642,7 @@ study-preparing = Die Fläche wird vorbereitet …
 study-measuring = Auflösung { $level } wird gemessen …
 study-order = Ordnung { $order }
 study-smooth = Glatt
-study-manner = { $manner ->
+study-refined-by = { $refinedBy ->
     [sampled] Die glatte Form, bei jeder Auflösung neu abgetastet; höchstens { $most } Ecken.
     [polyhedron] Das Polyeder, seine Seiten jedes Mal geviertelt; höchstens { $most } Ecken.
    *[loop] Die Grenzfläche von Loops Schema mit diesem Netz als Steuernetz, die etwas innerhalb liegt; höchstens { $most } Ecken.

@@ -642,7 +642,7 @@ study-preparing = Preparing the surface…
 study-measuring = Measuring resolution { $level }…
 study-order = order { $order }
 study-smooth = Smooth
-study-manner = { $manner ->
+study-refined-by = { $refinedBy ->
     [sampled] The smooth shape, sampled anew at each resolution; { $most } vertices at most.
     [polyhedron] The polyhedron, its faces split into four each time; { $most } vertices at most.
    *[loop] The limit surface of Loop’s scheme with this mesh as its control mesh, which lies a little inside; { $most } vertices at most.
