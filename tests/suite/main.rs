@@ -35,6 +35,7 @@ mod property_io;
 mod real_meshes;
 mod recipe;
 mod regularise;
+mod remesh_flows;
 mod repair;
 mod robust_flows;
 mod self_intersection;

@@ -26,6 +26,8 @@ use web_time::Instant;
 
 /// Steps between two looks at the mesh.
 const EVERY: usize = 10;
+/// Degrees that a pass is to add to the smallest angle where it does little else.
+const GAIN: f64 = 3.0;
 /// Steps after a pass before there can be another.
 const REST: usize = 3;
 
@@ -95,7 +97,8 @@ impl Runner {
         (helps && self.steps_since_pass() >= REST).then_some(kind)
     }
 
-    /// Makes a pass, and tells its milliseconds; `None` where the surface would not have stayed the same.
+    /// Makes a pass, and tells its milliseconds; `None` where the surface would not have stayed the
+    /// same, or the mesh would.
     ///
     /// # Errors
     /// As [`Driver::start`](crate::flow::Driver::start), if memory is short; nothing has changed.
@@ -115,6 +118,11 @@ impl Runner {
         let Ok(made) = adaptive::pass(mesh, &self.x, kind, self.budget(), targets) else {
             return Ok(None);
         };
+        // A mesh that is as good as it gets would be flipped to and fro, and the flow never rest.
+        let after = measure::min_angle_degrees(&made.mesh, &made.positions);
+        if made.is_settled() && after < before + GAIN {
+            return Ok(None);
+        }
         let Some(Checkpoint::Flow(checkpoint)) = self.checkpoint() else {
             return Ok(None);
         };

@@ -83,6 +83,21 @@ pub struct Counts {
     pub flips: usize,
 }
 
+/// Whether so few splits and collapses are no sign that a mesh is to become another.
+fn is_settled(changes: usize, vertices: usize) -> bool {
+    (changes as f64) < SETTLED * vertices as f64
+}
+
+impl Remeshed {
+    /// Whether it is much the mesh that it was made of, but for flips.
+    pub fn is_settled(&self) -> bool {
+        is_settled(
+            self.counts.splits + self.counts.collapses,
+            self.positions.len(),
+        )
+    }
+}
+
 messages! {
     /// Why a mesh is not remeshed; it is as it was.
     #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,7 +155,7 @@ pub fn remesh(
         let before = counts.splits + counts.collapses;
         round(&mut draft, kind, vertices, &mut counts);
         let changes = counts.splits + counts.collapses - before;
-        if done >= ROUNDS && (changes as f64) < SETTLED * draft.x.len() as f64 {
+        if done >= ROUNDS && is_settled(changes, draft.x.len()) {
             break;
         }
     }
