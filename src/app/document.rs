@@ -1,5 +1,6 @@
 //! The mesh a session works on, as loaded and as flowed.
 
+use super::colours::Colours;
 use super::fault::Fault;
 use super::message::Notice;
 use super::readings::Info;
@@ -32,6 +33,8 @@ pub(super) struct Document {
     pub(super) frame: Frame,
     /// Positions at step 0, in the frame.
     pub(super) start: Vec<DVec3>,
+    /// What the file gives its vertices.
+    pub(super) colours: Colours,
     /// What was repaired, and is to be known of it.
     pub(super) warnings: Vec<Message>,
     /// What of that was done when the file was opened.
@@ -63,7 +66,12 @@ impl Document {
         let repairs = built.repairs.into_iter();
         built.repairs = repairs.map(|r| r.counted_from(first)).collect();
         let warnings = read.warnings.into_iter().map(Message::from).collect();
-        Self::of_built(stem(file_name), built, warnings)
+        let colours = Colours::of(&read.soup, &built.soup_vertex);
+        let document = Self::of_built(stem(file_name), built, warnings)?;
+        Ok(Self {
+            colours,
+            ..document
+        })
     }
 
     /// From a file that is no surface until it is repaired.
@@ -73,7 +81,7 @@ impl Document {
         weld: Weld,
     ) -> Result<Self, Fault> {
         let read = crate::io::read(bytes, file_name)?;
-        let Mended { built, items, .. } = mend(&read.soup, weld)?;
+        let Mended { built, items, were } = mend(&read.soup, weld)?;
         let mut warnings: Vec<Message> = read.warnings.into_iter().map(Message::from).collect();
         warnings.extend(items.iter().map(|item| item.message.clone()));
         let told = Built {
@@ -83,6 +91,7 @@ impl Document {
         let document = Self::of_built(stem(file_name), told, warnings)?;
         Ok(Self {
             repaired: items,
+            colours: Colours::of(&read.soup, &were),
             ..document
         })
     }
@@ -132,6 +141,7 @@ impl Document {
             triangles,
             frame,
             start,
+            colours: Colours::default(),
             warnings,
             opened,
             repaired: Vec::new(),

@@ -5,6 +5,7 @@
 
 mod arrangement;
 mod bench;
+mod colours;
 mod command;
 mod comparison;
 mod conjecture;
@@ -86,12 +87,13 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
-use crate::io::Format;
+use crate::io::{Format, Loss};
 use crate::mesh::shape;
 use crate::message::Message;
 use crate::remesh::adaptive::Soundness;
 use crate::remesh::fill::FillProgress;
 use crate::remesh::flips::lab::Lab;
+use colours::Colours;
 use document::Document;
 use edit::Edits;
 use frame::View;
@@ -483,7 +485,11 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn losses(&self, format: Format) -> Result<Vec<Message>, Fault> {
-        let losses = crate::io::losses(&self.runner()?.soup(), format);
+        let runner = self.runner()?;
+        let mut losses = crate::io::losses(&runner.soup(), format);
+        if matches!(runner.colours(), Colours::Dropped) {
+            losses.push(Loss::ColoursRemeshed);
+        }
         Ok(losses.into_iter().map(Message::from).collect())
     }
 

@@ -136,6 +136,7 @@ impl Runner {
         said.push(filled.into());
         said.extend(outcome.warnings.iter().cloned());
         let document = Document {
+            colours: document.colours.spread(&polygons),
             triangles: triangulated(&polygons, &positions)?,
             polygons,
             start: positions,

@@ -116,6 +116,7 @@ impl Runner {
             polygons: Rc::clone(&made),
             triangles: made,
             start: positions,
+            colours: present.colours.dropped(),
             free,
             fixed,
             ..present

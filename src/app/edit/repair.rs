@@ -40,6 +40,7 @@ impl Runner {
             triangles: triangulated(&polygons, &built.positions)?,
             polygons,
             start: built.positions,
+            colours: document.colours.carried(&were),
             free: chosen(&self.options().free),
             fixed: chosen(&self.options().fixed),
             warnings,
