@@ -3,11 +3,12 @@
 use super::colours::Colours;
 use super::fault::Fault;
 use super::message::Notice;
+use super::numbers::{Numbers, first_of};
 use super::readings::Info;
 use super::repairs::{Mended, RepairItem, mend, preview};
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
-use crate::io::Format;
+use crate::geometry::quality::flat_triangles;
 use crate::mesh::shape::Sample;
 use crate::mesh::{self, Built, HalfedgeMesh};
 use crate::message::{Message, Say};
@@ -35,6 +36,8 @@ pub(super) struct Document {
     pub(super) start: Vec<DVec3>,
     /// What the file gives its vertices.
     pub(super) colours: Colours,
+    /// How its vertices and faces are numbered.
+    pub(super) numbers: Numbers,
     /// What was repaired, and is to be known of it.
     pub(super) warnings: Vec<Message>,
     /// What of that was done when the file was opened.
@@ -51,8 +54,7 @@ impl Document {
     /// From a file.
     pub(super) fn from_file(bytes: &[u8], file_name: &str) -> Result<Self, Fault> {
         let read = crate::io::read(bytes, file_name)?;
-        // OBJ counts from 1.
-        let first = u32::from(read.format == Format::Obj);
+        let first = first_of(read.format);
         let mut built = match mesh::build(&read.soup) {
             Ok(built) => built,
             Err(error) => {
@@ -67,9 +69,11 @@ impl Document {
         built.repairs = repairs.map(|r| r.counted_from(first)).collect();
         let warnings = read.warnings.into_iter().map(Message::from).collect();
         let colours = Colours::of(&read.soup, &built.soup_vertex);
+        let numbers = Numbers::of(&read.soup, first, &built);
         let document = Self::of_built(stem(file_name), built, warnings)?;
         Ok(Self {
             colours,
+            numbers,
             ..document
         })
     }
@@ -92,6 +96,10 @@ impl Document {
         Ok(Self {
             repaired: items,
             colours: Colours::of(&read.soup, &were),
+            numbers: Numbers {
+                first: first_of(read.format),
+                ..Numbers::default()
+            },
             ..document
         })
     }
@@ -142,6 +150,7 @@ impl Document {
             frame,
             start,
             colours: Colours::default(),
+            numbers: Numbers::default(),
             warnings,
             opened,
             repaired: Vec::new(),
@@ -154,7 +163,13 @@ impl Document {
     /// With warnings about triangles that are hard on any flow, in the place of earlier ones.
     pub(super) fn with_shape_warnings(mut self) -> Self {
         let ids = [
-            Notice::FlatTriangles { count: 0 }.message().id,
+            Notice::FlatTriangles {
+                count: 0,
+                face: 0,
+                vertices: Vec::new(),
+            }
+            .message()
+            .id,
             Notice::ShortEdges {
                 count: 0,
                 a: 0,
@@ -165,16 +180,24 @@ impl Document {
         ];
         self.warnings.retain(|warning| !ids.contains(&warning.id));
         let (mesh, x) = (&self.triangles, &self.start);
-        let flat = mesh
-            .faces()
-            .filter(|&f| {
-                let [a, b, c] = measure::triangle_points(mesh, x, f);
-                crate::geometry::quality::triangle_quality([a, b, c]) < 1e-12
-            })
-            .count();
-        if flat > 0 {
-            let count = flat;
-            self.warnings.push(Notice::FlatTriangles { count }.into());
+        let flat = flat_triangles(mesh, x);
+        if let Some(f) = flat.first() {
+            let vertices = mesh.triangle(*f).map(|v| v.0).to_vec();
+            // The face that it was cut from.
+            let is_whole = |face: &crate::mesh::Face| {
+                let corners: Vec<u32> = self.polygons.face_vertices(*face).map(|v| v.0).collect();
+                vertices.iter().all(|v| corners.contains(v))
+            };
+            let face = match self.polygons.is_triangular() {
+                true => *f,
+                false => self.polygons.faces().find(is_whole).unwrap_or(*f),
+            };
+            let notice = Notice::FlatTriangles {
+                count: flat.len(),
+                face: face.0,
+                vertices,
+            };
+            self.warnings.push(notice.into());
         }
         let shortest = NEARLY_COINCIDENT * measure::mean_edge_length(mesh, x);
         let near = mesh

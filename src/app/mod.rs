@@ -25,6 +25,7 @@ pub mod library;
 mod link;
 mod look;
 mod message;
+mod numbers;
 mod options;
 mod outcome;
 mod pane;
@@ -69,6 +70,7 @@ pub use look::{
     ALIGNED_DEGREES, Alignment, Drawn, Look, MAX_CIRCLES, MAX_CROSSES, SegmentKind, Wanted,
 };
 pub use message::{AppError, Notice};
+pub use numbers::Numbers;
 pub use outcome::{Outcome, RunNotice};
 pub use pane::{Curve, Curves, Pane};
 pub use plot_point::PlotPoint;
@@ -118,6 +120,8 @@ pub struct Loaded {
     /// What is added to positions for the file's coordinates; zero unless those lie far from the
     /// origin.
     pub shift: [f64; 3],
+    /// How the file numbers what sentences name.
+    pub numbers: Numbers,
     /// Three corners a triangle.
     pub triangles: TypedArray<u32>,
     /// Two ends an edge of the file's own faces.
@@ -141,6 +145,7 @@ impl Loaded {
             info: document.info(),
             positions: as_f32(&document.start).into(),
             shift: document.frame.shift.to_array(),
+            numbers: document.numbers.clone(),
             triangles: document.triangles.triangle_indices().into(),
             wire_edges: document.polygons.edge_indices(false).into(),
             boundary_edges: document.polygons.edge_indices(true).into(),

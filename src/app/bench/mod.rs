@@ -11,6 +11,7 @@ mod flips;
 mod mmcv;
 mod p_willmore;
 mod refinement;
+mod repair;
 mod robustness;
 
 use super::fault::Fault;
@@ -40,6 +41,8 @@ pub enum TableName {
     Mmcv,
     /// Energies under refinement.
     Refinement,
+    /// Loose triangles made a surface.
+    Repair,
     /// How flows end, left to themselves.
     Robustness,
     /// The figures of the papers.
@@ -148,6 +151,7 @@ impl TableName {
             Self::Flips => &flips::TABLE,
             Self::Mmcv => &mmcv::TABLE,
             Self::Refinement => &refinement::TABLE,
+            Self::Repair => &repair::TABLE,
             Self::Robustness => &robustness::TABLE,
             Self::Figures => &figures::TABLE,
         }

@@ -117,6 +117,7 @@ impl Runner {
             triangles: made,
             start: positions,
             colours: present.colours.dropped(),
+            numbers: present.numbers.plain(),
             free,
             fixed,
             ..present

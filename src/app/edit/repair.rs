@@ -41,6 +41,7 @@ impl Runner {
             polygons,
             start: built.positions,
             colours: document.colours.carried(&were),
+            numbers: document.numbers.plain(),
             free: chosen(&self.options().free),
             fixed: chosen(&self.options().fixed),
             warnings,

@@ -63,6 +63,7 @@ impl Runner {
         let fixed = of(&self.options().fixed, |a, b| a && b);
         let document = Document {
             colours: document.colours.refined(&parents),
+            numbers: document.numbers.plain(),
             triangles: triangulated(&polygons, &finer.positions)?,
             polygons,
             start: finer.positions,
