@@ -57,7 +57,9 @@ const named =
   ([{ value }], { bare }) => {
     const of = (/** @type {any} */ n) => numberOf(what, Number(n.value ?? n));
     const all = Array.isArray(value) ? value.map(of).join(", ") : `${of(value)}`;
-    return bare || !firstNumber() ? all : `${all} (${say("counted-from", { first: firstNumber() })})`;
+    return bare || !firstNumber()
+      ? all
+      : `${all} (${say("counted-from", { first: firstNumber() })})`;
   };
 
 /** @type {Record<string, (args: any[], named: Record<string, any>) => any>} */

@@ -75,8 +75,12 @@ function defects(page) {
   }${
     info.gap === null
       ? nothing
-      : finding(say("found-gap"), html`${say("found-gap.hint")} <label class="inline" for=${id}>${say("weld-length")}
-          <input id=${id} class="short" type="number" min="0" step="any" .value=${info.gap.toPrecision(3)} /></label>`, weld)
+      : finding(
+          say("found-gap"),
+          html`${say("found-gap.hint")} <label class="inline" for=${id}>${say("weld-length")}
+          <input id=${id} class="short" type="number" min="0" step="any" .value=${info.gap.toPrecision(3)} /></label>`,
+          weld,
+        )
   }${repaired.length > 0 ? finding(say("found-repaired"), list(repaired)) : nothing}`;
 }
 

@@ -3,8 +3,8 @@
 
 import { html, nothing } from "lit-html";
 import { formatNumber } from "../number.js";
-import { colourOf } from "../overlay.js";
 import { numberOf, vertexOf } from "../numbers.js";
+import { colourOf } from "../overlay.js";
 import { isDark } from "../store.js";
 import { say } from "../words.js";
 import { button, grid, idOf, table, toggle } from "./parts.js";
