@@ -8,6 +8,9 @@ mod triangulate;
 
 use glam::DVec3;
 
+/// Red, green, blue and opacity from 0 to 1, as they are shown on a screen (sRGB).
+pub type Colour = [f32; 4];
+
 /// Positions and polygonal faces of any degree.
 ///
 /// Faces are stored end to end: the corners of face `f` are
@@ -21,6 +24,8 @@ pub struct PolygonSoup {
     pub corners: Vec<u32>,
     /// Where each face begins in `corners`; `n_faces + 1` entries.
     pub face_starts: Vec<u32>,
+    /// Colour of each vertex, or none at all.
+    pub colours: Vec<Colour>,
 }
 
 impl Default for PolygonSoup {
@@ -29,6 +34,7 @@ impl Default for PolygonSoup {
             positions: Vec::new(),
             corners: Vec::new(),
             face_starts: vec![0],
+            colours: Vec::new(),
         }
     }
 }
@@ -44,6 +50,22 @@ impl PolygonSoup {
             soup.push_face(face.as_ref());
         }
         soup
+    }
+
+    /// Whether each vertex has a colour.
+    pub fn has_colours(&self) -> bool {
+        !self.colours.is_empty() && self.colours.len() == self.positions.len()
+    }
+
+    /// Colours of vertices that were those of this soup; none where it has none.
+    pub fn colours_of(&self, were: &[u32]) -> Vec<Colour> {
+        let were = if self.has_colours() { were } else { &[] };
+        were.iter().map(|&v| self.colours[v as usize]).collect()
+    }
+
+    /// Whether some colour lets light through.
+    pub(crate) fn is_translucent(&self) -> bool {
+        self.colours.iter().any(|colour| colour[3] < 1.0)
     }
 
     /// Appends one face.

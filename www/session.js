@@ -2,6 +2,8 @@
 // The solver's wasm `Session` by commands: what may be asked, and what is answered, is said in
 // generated/types.d.ts.
 
+import { numberAs } from "./numbers.js";
+
 /** @import { Answer, Command } from "./generated/types.js" */
 /** @import { Session } from "./pkg/solver/solver.js" */
 
@@ -32,7 +34,11 @@
  * @returns {AnswerOf<N>}
  * @throws {import("./generated/types.js").Fault}
  */
-export const perform = (session, name, fields) => session.perform({ [name]: fields ?? {} })[name];
+export function perform(session, name, fields) {
+  const answer = session.perform({ [name]: fields ?? {} })[name];
+  if (answer?.numbers) numberAs(answer.numbers);
+  return answer;
+}
 
 /**
  * Whether a run came to its end, of its own accord or at a limit.

@@ -3,6 +3,7 @@
 // clip is played changes at every picture and stands beside it (player.js).
 
 import { computed, signal } from "@preact/signals-core";
+import { numberAs } from "./numbers.js";
 import { defaults, plainArrangement } from "./options.js";
 
 /** @import { Configured, Curves, CurvatureJump, Inverted, Loaded, Look, State as Reading, Timeline, Wanted } from "./generated/types.js" */
@@ -196,6 +197,7 @@ export function createStore(first = initial) {
     get: () => state.peek(),
     /** @param {Partial<PageState>} change */
     patch(change) {
+      if (change.mesh) numberAs(change.mesh.numbers);
       state.value = Object.freeze({ ...state.peek(), ...change });
     },
     /**

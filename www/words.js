@@ -6,11 +6,14 @@
 // A value is a number, a text, a truth, another message, which is said in its place, or a list of
 // these. Numbers are shown with a decimal point in every language (see language.js), whole
 // numbers in full and others to three significant digits, `NUMBER($x, digits: 5)` to five.
-// `LIST($all, most: 6)` shows the first six of a list, `COUNT($all)` how many there are.
+// `LIST($all, most: 6)` shows the first six of a list, `COUNT($all)` how many there are. `VERTEX($v)`
+// is a vertex, or a list of them, as the file numbers it, `FACE($f)` a face: with a word where the
+// file counts from 1, unless `bare`, as another number that says so follows.
 
 import { FluentBundle, FluentNumber, FluentResource, FluentType } from "@fluent/bundle";
 import { english, fetchWords } from "#locales";
 import { formatShort } from "./number.js";
+import { firstNumber, numberOf } from "./numbers.js";
 
 /** @import { Message, Fault as Refusal } from "./generated/types.js" */
 
@@ -48,8 +51,21 @@ class List extends FluentType {
   }
 }
 
+/** @param {"vertices" | "faces"} what @returns {(args: any[], named: Record<string, any>) => string} */
+const named =
+  (what) =>
+  ([{ value }], { bare }) => {
+    const of = (/** @type {any} */ n) => numberOf(what, Number(n.value ?? n));
+    const all = Array.isArray(value) ? value.map(of).join(", ") : `${of(value)}`;
+    return bare || !firstNumber()
+      ? all
+      : `${all} (${say("counted-from", { first: firstNumber() })})`;
+  };
+
 /** @type {Record<string, (args: any[], named: Record<string, any>) => any>} */
 const functions = {
+  VERTEX: named("vertices"),
+  FACE: named("faces"),
   // What could not be measured is shown as such.
   NUMBER: ([value], { digits }) =>
     typeof value === "string" ? value : new Numeral(Number(value), digits && Number(digits)),

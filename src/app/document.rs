@@ -1,12 +1,14 @@
 //! The mesh a session works on, as loaded and as flowed.
 
+use super::colours::Colours;
 use super::fault::Fault;
 use super::message::Notice;
+use super::numbers::{Numbers, first_of};
 use super::readings::Info;
 use super::repairs::{Mended, RepairItem, mend, preview};
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
-use crate::io::Format;
+use crate::geometry::quality::flat_triangles;
 use crate::mesh::shape::Sample;
 use crate::mesh::{self, Built, HalfedgeMesh};
 use crate::message::{Message, Say};
@@ -32,6 +34,10 @@ pub(super) struct Document {
     pub(super) frame: Frame,
     /// Positions at step 0, in the frame.
     pub(super) start: Vec<DVec3>,
+    /// What the file gives its vertices.
+    pub(super) colours: Colours,
+    /// How its vertices and faces are numbered.
+    pub(super) numbers: Numbers,
     /// What was repaired, and is to be known of it.
     pub(super) warnings: Vec<Message>,
     /// What of that was done when the file was opened.
@@ -48,8 +54,7 @@ impl Document {
     /// From a file.
     pub(super) fn from_file(bytes: &[u8], file_name: &str) -> Result<Self, Fault> {
         let read = crate::io::read(bytes, file_name)?;
-        // OBJ counts from 1.
-        let first = u32::from(read.format == Format::Obj);
+        let first = first_of(read.format);
         let mut built = match mesh::build(&read.soup) {
             Ok(built) => built,
             Err(error) => {
@@ -63,7 +68,14 @@ impl Document {
         let repairs = built.repairs.into_iter();
         built.repairs = repairs.map(|r| r.counted_from(first)).collect();
         let warnings = read.warnings.into_iter().map(Message::from).collect();
-        Self::of_built(stem(file_name), built, warnings)
+        let colours = Colours::of(&read.soup, &built.soup_vertex);
+        let numbers = Numbers::of(&read.soup, first, &built);
+        let document = Self::of_built(stem(file_name), built, warnings)?;
+        Ok(Self {
+            colours,
+            numbers,
+            ..document
+        })
     }
 
     /// From a file that is no surface until it is repaired.
@@ -73,7 +85,7 @@ impl Document {
         weld: Weld,
     ) -> Result<Self, Fault> {
         let read = crate::io::read(bytes, file_name)?;
-        let Mended { built, items, .. } = mend(&read.soup, weld)?;
+        let Mended { built, items, were } = mend(&read.soup, weld)?;
         let mut warnings: Vec<Message> = read.warnings.into_iter().map(Message::from).collect();
         warnings.extend(items.iter().map(|item| item.message.clone()));
         let told = Built {
@@ -83,6 +95,11 @@ impl Document {
         let document = Self::of_built(stem(file_name), told, warnings)?;
         Ok(Self {
             repaired: items,
+            colours: Colours::of(&read.soup, &were),
+            numbers: Numbers {
+                first: first_of(read.format),
+                ..Numbers::default()
+            },
             ..document
         })
     }
@@ -132,6 +149,8 @@ impl Document {
             triangles,
             frame,
             start,
+            colours: Colours::default(),
+            numbers: Numbers::default(),
             warnings,
             opened,
             repaired: Vec::new(),
@@ -144,7 +163,13 @@ impl Document {
     /// With warnings about triangles that are hard on any flow, in the place of earlier ones.
     pub(super) fn with_shape_warnings(mut self) -> Self {
         let ids = [
-            Notice::FlatTriangles { count: 0 }.message().id,
+            Notice::FlatTriangles {
+                count: 0,
+                face: 0,
+                vertices: Vec::new(),
+            }
+            .message()
+            .id,
             Notice::ShortEdges {
                 count: 0,
                 a: 0,
@@ -155,16 +180,24 @@ impl Document {
         ];
         self.warnings.retain(|warning| !ids.contains(&warning.id));
         let (mesh, x) = (&self.triangles, &self.start);
-        let flat = mesh
-            .faces()
-            .filter(|&f| {
-                let [a, b, c] = measure::triangle_points(mesh, x, f);
-                crate::geometry::quality::triangle_quality([a, b, c]) < 1e-12
-            })
-            .count();
-        if flat > 0 {
-            let count = flat;
-            self.warnings.push(Notice::FlatTriangles { count }.into());
+        let flat = flat_triangles(mesh, x);
+        if let Some(f) = flat.first() {
+            let vertices = mesh.triangle(*f).map(|v| v.0).to_vec();
+            // The face that it was cut from.
+            let is_whole = |face: &crate::mesh::Face| {
+                let corners: Vec<u32> = self.polygons.face_vertices(*face).map(|v| v.0).collect();
+                vertices.iter().all(|v| corners.contains(v))
+            };
+            let face = match self.polygons.is_triangular() {
+                true => *f,
+                false => self.polygons.faces().find(is_whole).unwrap_or(*f),
+            };
+            let notice = Notice::FlatTriangles {
+                count: flat.len(),
+                face: face.0,
+                vertices,
+            };
+            self.warnings.push(notice.into());
         }
         let shortest = NEARLY_COINCIDENT * measure::mean_edge_length(mesh, x);
         let near = mesh

@@ -137,6 +137,10 @@ messages! {
         FlatTriangles {
             /// How many.
             count: usize,
+            /// The first; of a triangulated copy the face that it was cut from.
+            face: u32,
+            /// Its corners.
+            vertices: Vec<u32>,
         },
         /// Edges far shorter than the mean.
         ShortEdges {

@@ -5,6 +5,7 @@
 
 mod arrangement;
 mod bench;
+mod colours;
 mod command;
 mod comparison;
 mod conjecture;
@@ -24,6 +25,7 @@ pub mod library;
 mod link;
 mod look;
 mod message;
+mod numbers;
 mod options;
 mod outcome;
 mod pane;
@@ -69,6 +71,7 @@ pub use look::{
     ALIGNED_DEGREES, Alignment, Drawn, Look, MAX_CIRCLES, MAX_CROSSES, SegmentKind, Wanted,
 };
 pub use message::{AppError, Notice};
+pub use numbers::Numbers;
 pub use outcome::{Outcome, RunNotice};
 pub use pane::{Curve, Curves, Pane};
 pub use phases::{Branch, Phase, crossing};
@@ -88,12 +91,13 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
-use crate::io::Format;
+use crate::io::{Format, Loss};
 use crate::mesh::shape;
 use crate::message::Message;
 use crate::remesh::adaptive::Soundness;
 use crate::remesh::fill::FillProgress;
 use crate::remesh::flips::lab::Lab;
+use colours::Colours;
 use document::Document;
 use edit::Edits;
 use frame::View;
@@ -118,6 +122,8 @@ pub struct Loaded {
     /// What is added to positions for the file's coordinates; zero unless those lie far from the
     /// origin.
     pub shift: [f64; 3],
+    /// How the file numbers what sentences name.
+    pub numbers: Numbers,
     /// Three corners a triangle.
     pub triangles: TypedArray<u32>,
     /// Two ends an edge of the file's own faces.
@@ -141,6 +147,7 @@ impl Loaded {
             info: document.info(),
             positions: as_f32(&document.start).into(),
             shift: document.frame.shift.to_array(),
+            numbers: document.numbers.clone(),
             triangles: document.triangles.triangle_indices().into(),
             wire_edges: document.polygons.edge_indices(false).into(),
             boundary_edges: document.polygons.edge_indices(true).into(),
@@ -475,7 +482,11 @@ impl Session {
     /// # Errors
     /// [`Fault::no_mesh`].
     pub fn losses(&self, format: Format) -> Result<Vec<Message>, Fault> {
-        let losses = crate::io::losses(&self.runner()?.soup(), format);
+        let runner = self.runner()?;
+        let mut losses = crate::io::losses(&runner.soup(), format);
+        if matches!(runner.colours(), Colours::Dropped) {
+            losses.push(Loss::ColoursRemeshed);
+        }
         Ok(losses.into_iter().map(Message::from).collect())
     }
 

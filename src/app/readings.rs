@@ -15,6 +15,7 @@ use crate::mesh::HalfedgeMesh;
 use crate::message::Message;
 use crate::operator::{Elements, Mass};
 use crate::remesh::fill::boundary_loops;
+use crate::remesh::repair;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -60,6 +61,9 @@ pub struct Info {
     /// What a repair does to the file: what was safe, and done when it was opened, and what
     /// [`Session::repair`](super::Session::repair) would change now.
     pub repairs: Vec<RepairItem>,
+    /// A length within which a weld closes gaps that no repair closes by itself; see
+    /// [`gap`](crate::remesh::repair::gap).
+    pub gap: Option<f64>,
 }
 
 impl Info {
@@ -94,6 +98,7 @@ impl Info {
             self_intersections,
             warnings,
             repairs: Vec::new(),
+            gap: repair::gap(mesh, x),
         }
     }
 }

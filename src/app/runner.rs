@@ -10,6 +10,7 @@ mod restoration;
 mod viewing;
 
 use super::arrangement::Arrangement;
+use super::colours::Colours;
 use super::crossing::count_after_step;
 use super::document::Document;
 use super::engine::{Checkpoint, Engine};
@@ -193,10 +194,21 @@ impl Runner {
         document.info()
     }
 
-    /// Faces as they are now, in the file's coordinates.
+    /// Faces as they are now, in the file's coordinates and colours.
     pub(super) fn soup(&self) -> PolygonSoup {
         let x = self.document.frame.leave(&self.x);
-        self.polygons().to_soup(&x)
+        PolygonSoup {
+            colours: self.colours().list().to_vec(),
+            ..self.polygons().to_soup(&x)
+        }
+    }
+
+    /// What the file gave the vertices that there are now.
+    pub(super) fn colours(&self) -> Colours {
+        match &self.segment.mesh {
+            Some(_) => self.document.colours.dropped(),
+            None => self.document.colours.clone(),
+        }
     }
 
     pub(super) fn field(&self, name: FieldName) -> Result<Field, Fault> {

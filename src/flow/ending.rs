@@ -3,14 +3,15 @@
 use super::driver::Driver;
 use super::rules::Ceiling;
 use super::signs::{NARROW, SHARPENED, SLIVER, UNDER_RESOLVED, WORN};
-use super::termination::{self, Ending};
+use super::termination::{self, Clock, Ending};
 use super::{
-    Cause, Cost, Decision, FlowError, Functional, Occasion, Phase, Reason, Refusal, Status,
+    Advice, Cause, Cost, Decision, FlowError, Functional, Occasion, Phase, Reason, Refusal, Status,
     StepReport, Warning,
 };
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
-use crate::geometry::quality::largest_face;
+use crate::geometry::quality::{flat_triangles, largest_face};
+use crate::mesh::Face;
 use glam::DVec3;
 
 /// Share of the start's area at which a surface that nothing holds has shrunk to a point; and
@@ -165,7 +166,10 @@ impl Driver {
     ) -> Result<Decision, FlowError> {
         let rules = self.flow.rules();
         if self.run.window.met_bound() || self.is_collapsing(before.value) {
-            return Ok(COLLAPSED);
+            return Ok(match self.run.step == self.run.first_step {
+                true => Decision::Stop(Status::Collapsed, Reason::Unresolved),
+                false => COLLAPSED,
+            });
         }
         let area = measure::area(&self.mesh, x);
         if rules.can_vanish && area < VANISHING * self.start.area {
@@ -180,6 +184,15 @@ impl Driver {
         }
         if is_at_rest {
             return Ok(Decision::Stop(Status::Converged, Reason::AtRest));
+        }
+        if self.run.step == self.run.first_step
+            && self.mesh.is_triangular()
+            && let flat = flat_triangles(&self.mesh, x)
+            && let Some(&Face(face)) = flat.first()
+        {
+            let count = flat.len();
+            let why = Reason::FlatFace { count, face };
+            return Ok(Decision::Stop(Status::Stalled, why));
         }
         let advice = self.flow.advice();
         let why = match self.refusal {
@@ -203,7 +216,8 @@ impl Driver {
     fn vanished(&self, x: &[DVec3]) -> Decision {
         let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();
         let time = self.run.time;
-        Decision::Stop(Status::Singular, Reason::Vanishes { time, place })
+        let clock = self.flow.clock();
+        Decision::Stop(Status::Singular, Reason::Vanishes { time, clock, place })
     }
 
     /// A neck or a tip thinner than the mesh can show, where that is why no step was accepted.
@@ -216,6 +230,7 @@ impl Driver {
             vertex,
             bend,
             is_neck,
+            ring,
             ..
         } = sharpest(&self.mesh, x)?;
         let then = sharpest(&self.mesh, &self.start.x).map_or(0.0, |found| found.bend);
@@ -225,11 +240,17 @@ impl Driver {
         if bend < least || bend < SHARPENED * then || !self.flow.is_free(vertex as usize) {
             return None;
         }
-        let (time, place) = (self.run.time, x[vertex as usize].to_array());
-        let advice = self.flow.advice();
+        // All around, as the sharpest vertex itself may lie on any side of it.
+        let middle = ring.iter().map(|v| x[*v as usize]).sum::<DVec3>() / ring.len() as f64;
+        let (time, clock, place) = (self.run.time, self.flow.clock(), middle.to_array());
+        let advice = match clock {
+            Clock::Own => self.flow.advice(),
+            _ => Advice::KeepVolume,
+        };
         let why = if is_neck {
             Reason::PinchedNeck {
                 time,
+                clock,
                 vertex,
                 place,
                 advice,
@@ -237,6 +258,7 @@ impl Driver {
         } else {
             Reason::SharpTip {
                 time,
+                clock,
                 vertex,
                 place,
                 advice,

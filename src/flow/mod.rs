@@ -47,7 +47,7 @@ pub use refusal::{Cause, Refusal};
 pub use report::{Monitored, Multipliers, Pass, Reading, Status, StepReport};
 pub use rules::Rules;
 pub use run::Checkpoint;
-pub use termination::{Decision, Reason};
+pub use termination::{Clock, Decision, Reason};
 pub use warning::{Advice, Warning};
 
 use glam::DVec3;
@@ -161,6 +161,11 @@ pub trait Flow {
 
     /// What the numbers cannot tell; each is said once a run.
     fn warn(&self, _x: &[DVec3], _report: &mut StepReport, _given: &mut WarningsGiven) {}
+
+    /// What its time is counted by.
+    fn clock(&self) -> Clock {
+        Clock::Own
+    }
 
     /// What helps a run that can go no further.
     fn advice(&self) -> Advice {

@@ -30,6 +30,19 @@ pub enum Decision {
 }
 
 messages! {
+    /// What a time is counted by: flows by mean curvature differ in it by a factor.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Clock as "clock" {
+        /// That of the flow's own law.
+        Own,
+        /// The normal velocity is −H.
+        MeanCurvature,
+        /// It is −2H, the gradient of the area.
+        AreaGradient,
+    }
+}
+
+messages! {
     /// Why a run is over, beside what its status says.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub enum Reason as "reason" {
@@ -68,6 +81,13 @@ messages! {
             /// What helps.
             advice: Advice,
         },
+        /// No first step could be taken from faces that have no area.
+        FlatFace {
+            /// How many.
+            count: usize,
+            /// The first.
+            face: u32,
+        },
         /// Only ever smaller steps lower the energy, which is not at rest.
         Creeping {
             /// What helps.
@@ -80,10 +100,14 @@ messages! {
         },
         /// Any further step would have less energy than smooth surfaces of this topology can.
         BelowBound,
+        /// Before the first step already, so that the mesh does not show the surface.
+        Unresolved,
         /// The surface shrinks to a point.
         Vanishes {
             /// When.
             time: f64,
+            /// By which clock.
+            clock: Clock,
             /// Where.
             place: [f64; 3],
         },
@@ -91,6 +115,8 @@ messages! {
         PinchedNeck {
             /// When.
             time: f64,
+            /// By which clock.
+            clock: Clock,
             /// The vertex of the sharpest bend.
             vertex: u32,
             /// Where it lies.
@@ -102,6 +128,8 @@ messages! {
         SharpTip {
             /// When.
             time: f64,
+            /// By which clock.
+            clock: Clock,
             /// The vertex of the sharpest bend.
             vertex: u32,
             /// Where it lies.

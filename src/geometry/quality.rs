@@ -15,6 +15,15 @@ pub fn triangle_quality([a, b, c]: [DVec3; 3]) -> f64 {
     }
 }
 
+/// Triangles of no more quality have no area.
+const FLAT: f64 = 1e-12;
+
+/// Triangles without area: corners on a line, or at one place.
+pub fn flat_triangles(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<Face> {
+    let quality = |f: &Face| triangle_quality(triangle_points(mesh, x, *f));
+    mesh.faces().filter(|f| quality(f) < FLAT).collect()
+}
+
 /// The worst triangle and its quality.
 pub fn worst_triangle(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<(Face, f64)> {
     mesh.faces()

@@ -3,7 +3,13 @@
 use glam::DVec3;
 
 use super::{Format, Oddity, Place, Read, ReadError};
-use crate::soup::PolygonSoup;
+use crate::soup::{Colour, PolygonSoup};
+
+/// A part of a colour that a file does not give.
+pub(super) const NO_PART: f64 = f64::NAN;
+
+/// Colours beyond are counted to 255, as many programs write them in text.
+const BRIGHTEST: f32 = 2.0;
 
 /// A soup being read.
 pub(super) struct Assembly {
@@ -45,6 +51,19 @@ impl Assembly {
         self.check_limit("vertices", vertex + 1, place)?;
         self.soup.positions.push(position);
         Ok(())
+    }
+
+    /// Gives a vertex its colour: the first that it is given counts.
+    pub(super) fn colour(&mut self, vertex: usize, parts: [f64; 4]) {
+        let colours = &mut self.soup.colours;
+        if vertex >= colours.len() {
+            colours.resize(vertex, [NO_PART as f32; 4]);
+            colours.push(parts.map(|part| part as f32));
+        }
+    }
+
+    pub(super) fn has_colours(&self) -> bool {
+        !self.soup.colours.is_empty()
     }
 
     /// Appends a face whose indices the reader has checked, unless it has too few corners.
@@ -102,11 +121,15 @@ impl Assembly {
     ///
     /// # Errors
     /// [`ReadError::NoFaces`].
-    pub(super) fn finish(self, format: Format) -> Result<Read, ReadError> {
+    pub(super) fn finish(mut self, format: Format) -> Result<Read, ReadError> {
         if self.soup.n_faces() == 0 {
             return Err(ReadError::NoFaces {
                 vertices: self.soup.positions.len(),
             });
+        }
+        if self.has_colours() {
+            let vertices = self.n_vertices();
+            settle(&mut self.soup.colours, vertices);
         }
         let short = |(count, first)| Oddity::ShortFaces { count, first };
         Ok(Read {
@@ -114,6 +137,20 @@ impl Assembly {
             format,
             warnings: self.dropped.met().map(short).into_iter().collect(),
         })
+    }
+}
+
+/// Makes colours of what a file gives: a part that is missing is 1, so that a vertex without a
+/// colour is white.
+fn settle(colours: &mut Vec<Colour>, vertices: usize) {
+    colours.resize(vertices, [NO_PART as f32; 4]);
+    let is_bytes = colours.iter().flatten().any(|part| *part > BRIGHTEST);
+    let largest = if is_bytes { 255.0 } else { 1.0 };
+    for part in colours.iter_mut().flatten() {
+        *part = match part.is_finite() {
+            true => ((f64::from(*part) / largest) as f32).clamp(0.0, 1.0),
+            false => 1.0,
+        };
     }
 }
 

@@ -410,6 +410,13 @@ messages! {
             /// directions.
             z: f64,
         },
+        /// The format has no place for colours of vertices.
+        Colours {
+            /// The format.
+            format: Format,
+        },
+        /// A remeshing has made other vertices than those that had colours.
+        ColoursRemeshed,
     }
 }
 

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::error::check_writable;
-use super::{Format, WriteError, single};
+use super::{Format, WriteError, colour, single};
 use crate::soup::PolygonSoup;
 
 /// Writes one mesh of triangles, with the normals given at the vertices or none (then
@@ -11,7 +11,7 @@ use crate::soup::PolygonSoup;
 ///
 /// Positions and normals are rounded to single precision, far from the origin after the node has
 /// taken on the translation; normals are made unit vectors,
-/// and a zero one points along z. `comment` becomes the asset's generator.
+/// and a zero one points along z. Colours are turned into light, as the format asks. `comment` becomes the asset's generator.
 ///
 /// # Errors
 /// As for [`super::write`]; also for normals that are not finite or not one a vertex, and
@@ -45,8 +45,22 @@ pub fn write(
     push_vectors(&mut binary, positions.iter().copied());
     let unit = |n: &DVec3| n.normalize_or(DVec3::Z);
     push_vectors(&mut binary, normals.into_iter().flatten().map(unit));
+    let mut attributes: Vec<(&str, &str, usize)> = Vec::new();
+    if normals.is_some() {
+        attributes.push(("NORMAL", "VEC3", 12 * vertices));
+    }
+    if soup.has_colours() {
+        let parts = 3 + usize::from(soup.is_translucent());
+        for colour in &soup.colours {
+            for &part in &colour::to_linear(*colour)[..parts] {
+                binary.extend(part.to_le_bytes());
+            }
+        }
+        let kind = if parts == 3 { "VEC3" } else { "VEC4" };
+        attributes.push(("COLOR_0", kind, 4 * parts * vertices));
+    }
 
-    let mut json = scene(&positions, centre, indices, normals.is_some(), comment).into_bytes();
+    let mut json = scene(&positions, centre, indices, &attributes, comment).into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
     let length = 12 + 8 + json.len() as u64 + 8 + binary.len() as u64;
     let length = u32::try_from(length).map_err(|_| WriteError::TooLarge {
@@ -72,12 +86,13 @@ fn push_vectors(binary: &mut Vec<u8>, vectors: impl Iterator<Item = DVec3>) {
     }
 }
 
-/// The JSON part: views of the binary part, and one node that uses them.
+/// The JSON part: views of the binary part, and one node that uses them. What there is `more` of
+/// vertices than positions is a name, a type and so many bytes each.
 fn scene(
     positions: &[DVec3],
     centre: DVec3,
     indices: usize,
-    has_normals: bool,
+    more: &[(&str, &str, usize)],
     comment: &str,
 ) -> String {
     let vertices = positions.len();
@@ -102,15 +117,14 @@ fn scene(
         r#"{{"buffer":0,"byteLength":{index_bytes},"target":34963}},{{"buffer":0,"byteOffset":{index_bytes},"byteLength":{vector_bytes},"target":34962}}"#
     );
     let mut total = index_bytes + vector_bytes;
-    if has_normals {
-        attributes += r#","NORMAL":2"#;
+    for (view, (name, kind, bytes)) in (2..).zip(more) {
+        attributes += &format!(r#","{name}":{view}"#);
         accessors += &format!(
-            r#",{{"bufferView":2,"componentType":5126,"count":{vertices},"type":"VEC3"}}"#
+            r#",{{"bufferView":{view},"componentType":5126,"count":{vertices},"type":"{kind}"}}"#
         );
-        views += &format!(
-            r#",{{"buffer":0,"byteOffset":{total},"byteLength":{vector_bytes},"target":34962}}"#
-        );
-        total += vector_bytes;
+        views +=
+            &format!(r#",{{"buffer":0,"byteOffset":{total},"byteLength":{bytes},"target":34962}}"#);
+        total += bytes;
     }
     let generator = quoted(comment);
     let node = if centre == DVec3::ZERO {

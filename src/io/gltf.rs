@@ -19,7 +19,7 @@ use super::budget::Budget;
 use super::json::Json;
 use super::placed::{COPIES, turned};
 use super::weld::Weld;
-use super::{Expected, Extra, Oddity, Place, Read, ReadError};
+use super::{Expected, Extra, Oddity, Place, Read, ReadError, colour};
 
 /// Reads a GLB file.
 pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
@@ -194,7 +194,9 @@ impl<'a> Scene<'a> {
                 Entry::Occupied(known) => known.into_mut(),
                 Entry::Vacant(free) => {
                     let numbers = self.asset.accessor(accessor, primitive)?;
-                    free.insert(self.positions(&numbers, transform, is_split)?)
+                    let made = self.positions(&numbers, transform, is_split)?;
+                    self.colours(primitive, &made);
+                    free.insert(made)
                 }
             };
             self.faces(primitive, mode, of_accessor, transform, place)?;
@@ -206,7 +208,7 @@ impl<'a> Scene<'a> {
     fn note(&mut self, primitive: Json<'a>) {
         let attributes = primitive.get("attributes");
         for (name, _) in attributes.into_iter().flat_map(Json::members) {
-            self.extra[0] |= name.starts_with(b"COLOR");
+            self.extra[0] |= name.starts_with(b"COLOR") && name != b"COLOR_0";
             self.extra[1] |= name.starts_with(b"TEXCOORD");
         }
         self.extra[2] |= primitive.get("material").is_some();
@@ -237,6 +239,29 @@ impl<'a> Scene<'a> {
             });
         }
         Ok(vertices)
+    }
+
+    /// Gives vertices the colours of a primitive, if they can be read: light, in the format.
+    fn colours(&mut self, primitive: Json<'a>, vertices: &[u32]) {
+        let attributes = primitive.get("attributes");
+        let Some(accessor) = attributes.and_then(|list| list.get("COLOR_0")) else {
+            return;
+        };
+        let numbers = self.asset.accessor(accessor, primitive).ok();
+        let fitting = |of: &Numbers<'_>| of.count == vertices.len() && matches!(of.width, 3 | 4);
+        let Some(numbers) = numbers.filter(fitting) else {
+            self.extra[0] = true;
+            return;
+        };
+        for (row, vertex) in vertices.iter().enumerate() {
+            let part = |column| match column < numbers.width {
+                true => numbers.value(row, column).clamp(0.0, 1.0) as f32,
+                false => 1.0,
+            };
+            let colour = colour::to_screen([0, 1, 2, 3].map(part));
+            let assembly = &mut self.weld.assembly;
+            assembly.colour(*vertex as usize, colour.map(f64::from));
+        }
     }
 
     fn faces(

@@ -2,11 +2,11 @@
 //!
 //! | format | read | written as |
 //! | --- | --- | --- |
-//! | OBJ | `v`, `f` of any degree, negative indices, groups | text, polygons kept |
-//! | OFF | plain and the C, N, ST variants, ASCII | text, polygons kept |
-//! | PLY | ASCII and binary of both byte orders | `double` positions, polygons kept |
+//! | OBJ | `v`, colours, `f` of any degree, negative indices, groups | text, polygons, colours |
+//! | OFF | plain and the C, N, ST variants, ASCII | text, polygons, colours |
+//! | PLY | ASCII and binary of both byte orders, colours | `double` positions, polygons, colours |
 //! | STL | ASCII and binary, corners welded | triangles; binary in single precision |
-//! | glTF | GLB, and JSON that holds its buffers; triangles where nodes put them | GLB: triangles in single precision, optional normals |
+//! | glTF | GLB, and JSON that holds its buffers; triangles where nodes put them, colours | GLB: triangles in single precision, colours, optional normals |
 //! | 3MF | its model, with objects where components put them | no |
 //! | VTK | legacy, ASCII and binary, and XML; surface cells | no |
 //! | MSH | Gmsh 2 and 4.1, ASCII and binary; surface elements | no |
@@ -35,6 +35,7 @@ mod base64;
 mod binary;
 mod budget;
 mod cell;
+mod colour;
 mod error;
 mod format;
 pub mod glb;
@@ -114,7 +115,7 @@ pub fn read(bytes: &[u8], file_name: &str) -> Result<Read, ReadError> {
 
 /// Writes a mesh file.
 ///
-/// OBJ, OFF and PLY keep vertices, polygons and every bit of the positions. STL and GLB
+/// OBJ, OFF and PLY keep vertices, polygons and every bit of positions and colours. STL and GLB
 /// hold triangles, cut by [`PolygonSoup::triangles`]; binary STL and GLB round
 /// positions to single precision, to 10⁻⁶ of the size: far from the origin GLB has the translation
 /// in its node, and binary STL is moved, see [`losses`]. `comment` goes where the format has room for one.
@@ -152,5 +153,9 @@ pub fn losses(soup: &PolygonSoup, format: Format) -> Vec<Loss> {
         y: by.y,
         z: by.z,
     };
-    shift.map(moved).into_iter().collect()
+    let mut losses: Vec<Loss> = shift.map(moved).into_iter().collect();
+    if soup.has_colours() && matches!(format, Format::Stl | Format::StlAscii) {
+        losses.push(Loss::Colours { format });
+    }
+    losses
 }

@@ -1,9 +1,10 @@
 //! Wavefront OBJ: `v` and `f`, as a polygon mesh uses them.
 //!
 //! Groups, objects, smoothing groups and materials do not divide the mesh: whatever
-//! shares an index shares the vertex. Texture and normal indices are not looked at. A fourth
-//! number after a position is the weight of a rational curve, or a scalar of somebody's own: it
-//! is left aside with a warning.
+//! shares an index shares the vertex. Texture and normal indices are not looked at. Three numbers
+//! after a position, or four, are a colour, from 0 to 1 or to 255, which most programs know though
+//! it is not of the specification. One number is the weight of a rational curve, or a scalar of
+//! somebody's own: it is left aside with a warning.
 
 use std::fmt::Write as _;
 
@@ -25,7 +26,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     let mut assembly = Assembly::new();
     assembly.reserve(vertices, 0);
     let (mut skipped, mut fourth) = (Tally::default(), Tally::default());
-    let [mut has_colours, mut has_texture, mut has_materials] = [false; 3];
+    let [mut has_others, mut has_texture, mut has_materials] = [false; 3];
     let mut groups = 0;
     let mut corners = Vec::new();
     for mut words in lines() {
@@ -34,10 +35,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
             Some(b"v") => {
                 let place = words.place();
                 assembly.vertex(words.point()?, place)?;
-                match words.count() {
-                    0 => {}
-                    1 => fourth.count(place),
-                    _ => has_colours = true,
+                match words.numbers() {
+                    (0, _) => {}
+                    (1, _) => fourth.count(place),
+                    (3 | 4, [r, g, b, a]) if (r + g + b).is_finite() => {
+                        assembly.colour(assembly.n_vertices() - 1, [r, g, b, a]);
+                    }
+                    _ => has_others = true,
                 }
             }
             Some(b"f") => {
@@ -64,11 +68,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     let weights = |(count, first)| Oddity::FourthNumbers { count, first };
     read.warnings.extend(fourth.met().map(weights));
     read.warnings.extend(Oddity::left_out(&[
-        (Extra::Colours, has_colours),
         (Extra::TextureCoordinates, has_texture),
         (Extra::Materials, has_materials),
         // One is the name of the whole.
         (Extra::Groups, groups > 1),
+        (Extra::Data, has_others),
     ]));
     Ok(read)
 }
@@ -101,9 +105,14 @@ pub(super) fn write(soup: &PolygonSoup, comment: &str) -> Vec<u8> {
     for line in comment_lines(comment) {
         out += &format!("# {line}\n");
     }
-    for p in &soup.positions {
+    let parts = 3 + usize::from(soup.is_translucent());
+    for (v, p) in soup.positions.iter().enumerate() {
         // Writing to a string cannot fail.
-        let _ = writeln!(out, "v {:?} {:?} {:?}", p.x, p.y, p.z);
+        let _ = write!(out, "v {:?} {:?} {:?}", p.x, p.y, p.z);
+        for part in soup.colours.get(v).iter().flat_map(|c| &c[..parts]) {
+            let _ = write!(out, " {part:?}");
+        }
+        out.push('\n');
     }
     for face in soup.faces() {
         out.push('f');
@@ -185,12 +194,12 @@ mod tests {
         let first = Place::Line { line: 1 };
         assert_eq!(read.warnings, [Oddity::FourthNumbers { count: 2, first }]);
         let rest =
-            "g a\ng b\nusemtl c\nvt 0 0\nv 0 0 0 .1 .2 .3\nv 1 0 0 1 1 1\nv 0 1 0\nf 1/1 2/1 3/1\n";
+            "g a\ng b\nusemtl c\nvt 0 0\nv 0 0 0 .1 .2\nv 1 0 0 1 x 1\nv 0 1 0\nf 1/1 2/1 3/1\n";
         let what = vec![
-            Extra::Colours,
             Extra::TextureCoordinates,
             Extra::Materials,
             Extra::Groups,
+            Extra::Data,
         ];
         assert_eq!(of(rest).warnings, [Oddity::LeftOut { what }]);
         assert!(

@@ -1,12 +1,12 @@
 //! OFF, the text format of Geomview.
 //!
-//! The header word may carry `ST`, `C` and `N` (texture coordinates, colours and normals
-//! follow the position on a vertex line) or be missing; a face line is the number of
-//! corners, the corners, and perhaps a colour.
+//! The header word may carry `ST`, `C` and `N` or be missing: a normal, a colour and texture
+//! coordinates follow the position on a vertex line, in this order. A face line is the number of
+//! corners, the corners, and perhaps a colour, which is left aside. Colours are of 1 or of 255.
 
 use std::fmt::Write as _;
 
-use super::assembly::Assembly;
+use super::assembly::{Assembly, NO_PART};
 use super::text::{Lines, comment_lines};
 use super::{Expected, Extra, Format, Oddity, Place, Read, ReadError};
 use crate::soup::PolygonSoup;
@@ -79,9 +79,24 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
 
     let mut assembly = Assembly::new();
     assembly.reserve(vertices, faces);
-    for _ in 0..vertices {
+    let [has_colours, has_texture, has_normals] = [b'C', b'T', b'N'].map(|b| letters.contains(&b));
+    // `OFF` itself has none of these letters.
+    let (before, after) = (3 * usize::from(has_normals), 2 * usize::from(has_texture));
+    for vertex in 0..vertices {
         let mut words = lines.next_filled(Expected::Vertex)?;
         assembly.vertex(words.point()?, words.place())?;
+        if !has_colours {
+            continue;
+        }
+        let (count, numbers) = words.numbers::<7>();
+        let [r, g, b, mut a] = [0, 1, 2, 3].map(|part| numbers[before + part]);
+        let parts = count.saturating_sub(before + after);
+        if parts == 3 {
+            a = NO_PART;
+        }
+        if matches!(parts, 3 | 4) && (r + g + b).is_finite() {
+            assembly.colour(vertex, [r, g, b, a]);
+        }
     }
     let mut corners = Vec::new();
     for _ in 0..faces {
@@ -105,10 +120,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
         }
         assembly.face(&corners, place)?;
     }
+    let left = has_colours && !assembly.has_colours();
     let mut read = assembly.finish(Format::Off)?;
     read.warnings.extend(Oddity::left_out(&[
-        (Extra::Colours, letters.contains(&b'C')),
-        (Extra::TextureCoordinates, letters.contains(&b'T')),
+        (Extra::Colours, left),
+        (Extra::TextureCoordinates, has_texture),
     ]));
     Ok(read)
 }
@@ -133,14 +149,19 @@ fn checked_count(
 /// Writes positions in the shortest form that reads back to the same bits.
 pub(super) fn write(soup: &PolygonSoup, comment: &str) -> Vec<u8> {
     let mut out = String::with_capacity(64 * soup.positions.len() + 8 * soup.corners.len());
-    out += "OFF\n";
+    let has_colours = soup.has_colours();
+    out += if has_colours { "COFF\n" } else { "OFF\n" };
     for line in comment_lines(comment) {
         out += &format!("# {line}\n");
     }
     // Writing to a string cannot fail. Nobody reads the edge count; 0 is customary.
     let _ = writeln!(out, "{} {} 0", soup.positions.len(), soup.n_faces());
-    for p in &soup.positions {
-        let _ = writeln!(out, "{:?} {:?} {:?}", p.x, p.y, p.z);
+    for (v, p) in soup.positions.iter().enumerate() {
+        let _ = write!(out, "{:?} {:?} {:?}", p.x, p.y, p.z);
+        for part in soup.colours.get(v).into_iter().flatten() {
+            let _ = write!(out, " {part:?}");
+        }
+        out.push('\n');
     }
     for face in soup.faces() {
         let _ = write!(out, "{}", face.len());

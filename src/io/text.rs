@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 
+use super::assembly::NO_PART;
 use super::{Expected, Format, Found, Place, ReadError};
 
 /// The text without its byte order mark, and whether it had to be brought from UTF-16.
@@ -201,6 +202,18 @@ impl<'a> Words<'a> {
     pub(super) fn float(&mut self, expected: Expected) -> Result<f64, ReadError> {
         let word = self.word(expected)?;
         parse_float(word).ok_or_else(|| self.error(Some(word), expected))
+    }
+
+    /// How many words are left, and the first of them as numbers; [`NO_PART`] what is none.
+    pub(super) fn numbers<const N: usize>(&mut self) -> (usize, [f64; N]) {
+        let (mut count, mut numbers) = (0, [NO_PART; N]);
+        for word in self {
+            if let Some(number) = numbers.get_mut(count) {
+                *number = parse_float(word).unwrap_or(NO_PART);
+            }
+            count += 1;
+        }
+        (count, numbers)
     }
 
     /// The next word as an integer.

@@ -88,6 +88,8 @@ messages! {
             count: usize,
             /// The first.
             face: usize,
+            /// The number of the first face: 0, or 1 as a file counts.
+            first: u32,
         },
         /// Faces on the vertices of an earlier one were dropped.
         DuplicateFaces {
@@ -129,17 +131,23 @@ messages! {
 }
 
 impl Repair {
-    /// The same with vertices counted from `to`, as a file does that it is of.
+    /// The same with elements counted from `to`, as a file does that it is of.
     #[must_use]
     pub fn counted_from(mut self, to: u32) -> Self {
-        if let Self::SplitVertices {
-            vertices, first, ..
-        } = &mut self
-        {
-            let from = std::mem::replace(first, to);
-            for v in vertices {
-                *v = *v - from + to;
+        match &mut self {
+            Self::SplitVertices {
+                vertices, first, ..
+            } => {
+                let from = std::mem::replace(first, to);
+                for v in vertices {
+                    *v = *v - from + to;
+                }
             }
+            Self::DegenerateFaces { face, first, .. } => {
+                let from = std::mem::replace(first, to);
+                *face = *face - from as usize + to as usize;
+            }
+            _ => {}
         }
         self
     }

@@ -41,6 +41,7 @@ pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> Poly
         repairs.push(Repair::DegenerateFaces {
             count: degenerate,
             face: first_degenerate,
+            first: 0,
         });
     }
     let duplicate = duplicate_faces(&clean);

@@ -115,7 +115,10 @@ impl PolygonSoup {
     /// The same surface with triangles only; faces of fewer than three corners are gone.
     #[must_use]
     pub fn triangulated(&self) -> Self {
-        Self::from_faces(self.positions.clone(), &self.triangles())
+        Self {
+            colours: self.colours.clone(),
+            ..Self::from_faces(self.positions.clone(), &self.triangles())
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 //! `FUZZ_SEED` begins elsewhere. Under `ulimit -v` what asks for too much memory aborts; the file
 //! that stops a run is left in the system's folder for temporary files.
 
+use crate::colours::{coloured, triangle_in_light};
 use crate::mesh::{cube, octahedron};
 use crate::{gltf, msh, three_mf, vtk, vtp};
 use std::time::{Duration, Instant};
@@ -35,6 +36,9 @@ impl Random {
 /// Sound files of a format.
 fn seeds(format: Format) -> Vec<Vec<u8>> {
     let soup = cube(0.0, 1.0);
+    let in_light = (format == Format::Glb).then(|| {
+        [5121, 5123, 5126].map(|kind| triangle_in_light(kind, [&[0.1, 0.2, 0.3, 0.4]; 3]))
+    });
     match format {
         Format::Vtk => vtk::variants()
             .into_iter()
@@ -53,8 +57,12 @@ fn seeds(format: Format) -> Vec<Vec<u8>> {
             .into_iter()
             .filter(|style| style.binary == (format == Format::Glb))
             .map(|style| gltf::file(&octahedron(), style, "", ""))
+            .chain(in_light.into_iter().flatten())
             .collect(),
-        _ => vec![io::write(&soup, format, "a comment").unwrap()],
+        _ => [soup, coloured(true, true), coloured(false, false)]
+            .iter()
+            .map(|soup| io::write(soup, format, "a comment").unwrap())
+            .collect(),
     }
 }
 

@@ -28,7 +28,7 @@ pub(crate) const PLAIN: Style = Style {
 };
 
 /// JSON and its bytes as a file.
-fn assembled(json: &str, binary: &[u8], is_binary: bool) -> Vec<u8> {
+pub(crate) fn assembled(json: &str, binary: &[u8], is_binary: bool) -> Vec<u8> {
     let length = binary.len();
     if !is_binary {
         let uri = format!("data:application/octet-stream;base64,{}", base64(binary));
@@ -240,10 +240,13 @@ fn vertices_split_along_seams_are_joined_and_others_are_not() {
     assert_eq!(read.soup.positions.len(), 6);
     assert_eq!(read.warnings, [Oddity::SeamsJoined { count: 18 }]);
     assert_eq!(plain(&file(&split, PLAIN, "", ""), ""), split);
-    let coloured = umbilic::io::read(&file(&split, PLAIN, "", ",\"COLOR_0\":0"), "").unwrap();
-    assert_eq!(coloured.soup, split);
+    let coloured = plain(&file(&split, PLAIN, "", ",\"COLOR_0\":0"), "");
+    assert_eq!(coloured.positions, split.positions);
+    // Indices are no colours.
+    let other = umbilic::io::read(&file(&split, PLAIN, "", ",\"COLOR_0\":1"), "").unwrap();
+    assert_eq!(other.soup, split);
     let what = vec![Extra::Colours];
-    assert_eq!(coloured.warnings, [Oddity::LeftOut { what }]);
+    assert_eq!(other.warnings, [Oddity::LeftOut { what }]);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 #![allow(missing_docs, reason = "tests")]
 #![allow(clippy::unwrap_used, reason = "a test may fail here")]
 
+mod colours;
 mod fuzz;
 mod gltf;
 mod mesh;

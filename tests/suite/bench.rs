@@ -89,6 +89,11 @@ fn the_smallest_row_of_each_table_of_times_is_whole() {
         }
     }
     assert!(rows(TableName::PWillmore, small(10)).is_empty());
+
+    let repair = rows(TableName::Repair, small(3000));
+    assert_eq!(repair.len(), 1);
+    let sizes = ["triangles", "vertices"].map(|column| repair[0].number(column));
+    assert_eq!(sizes, [4096.0, 2048.0]);
 }
 
 #[test]

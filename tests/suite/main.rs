@@ -8,6 +8,7 @@ mod bench;
 mod circle_figures;
 mod circle_invariants;
 mod circle_reference;
+mod colours;
 mod comparison;
 mod course;
 mod curvature_flows;

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use umbilic::app::{Edit, Info, Loaded, Origin, RepairItem, RepairOptions, ScriptText, Session};
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::io::Format;
+use umbilic::message::Value;
 use umbilic::remesh::repair::Weld;
 
 /// Positions and faces, vertices counted from 0.
@@ -629,4 +630,79 @@ fn files_that_people_brought_become_surfaces() {
         let after = session.repair(RepairOptions::default()).expect("whole");
         assert!(after == before && !session.can_undo_edit(), "{name}");
     }
+}
+
+/// A vertex of no face, a face with a corner twice, and a triangle of three corners on a line: all
+/// before or among the rest, so that the surface's own numbers are not the file's.
+fn with_flat_triangle() -> Vec<u8> {
+    let mut soup = Soup::sphere(6, 8);
+    let [a, b, c] = [soup.faces[20][0], soup.faces[20][1], soup.faces[20][2]];
+    let middle = soup.x.len();
+    soup.x
+        .push([0, 1, 2].map(|k| 0.5 * (soup.x[a][k] + soup.x[b][k])));
+    // The neighbour across the edge keeps it; this side is divided.
+    soup.faces[20] = vec![a, middle, c];
+    soup.faces.push(vec![middle, b, c]);
+    soup.faces.insert(7, vec![b, middle, a]);
+    soup.faces.insert(0, vec![0, 0, 1]);
+    soup.x.insert(0, [3.0; 3]);
+    for v in soup.faces.iter_mut().flatten() {
+        *v += 1;
+    }
+    soup.obj()
+}
+
+#[test]
+fn a_triangle_without_area_is_named_as_the_file_numbers_it_and_stops_flows_truthfully() {
+    let bytes = with_flat_triangle();
+    let text = String::from_utf8(bytes.clone()).expect("text");
+    let faces: Vec<&str> = text.lines().filter(|line| line.starts_with('f')).collect();
+    let mut session = Session::new();
+    let loaded = session.load(&bytes, "flat.obj").expect("a surface");
+    let numbers = &loaded.numbers;
+    assert_eq!(numbers.first, 1);
+    let of_file = |list: &Option<umbilic::arrays::TypedArray<u32>>, n: f64| {
+        list.as_ref().expect("numbers")[n as usize] + numbers.first
+    };
+    let mut warnings = loaded.info.warnings.iter();
+    let flat = warnings.find(|w| &*w.id == "notice-flat-triangles");
+    let flat = flat.expect("a notice");
+    let face = of_file(&numbers.faces, flat.number("face").expect("a face"));
+    let Some(Value::List(corners)) = flat.value("vertices") else {
+        panic!("{flat:?}");
+    };
+    let corners = corners.iter().map(|corner| match corner {
+        Value::Number(v) => of_file(&numbers.vertices, *v),
+        other => panic!("{other:?}"),
+    });
+    let mut corners: Vec<u32> = corners.collect();
+    corners.sort_unstable();
+    let mut written: Vec<u32> = faces[face as usize - 1]
+        .split(' ')
+        .skip(1)
+        .map(|v| v.parse().expect("a number"))
+        .collect();
+    written.sort_unstable();
+    assert_eq!(corners, written);
+    assert_eq!(face, 9);
+
+    let options = FlowOptions {
+        flow: FlowName::PWillmore,
+        max_steps: Some(3),
+        ..FlowOptions::default()
+    };
+    session.configure(options).expect("a flow");
+    while session.step().expect("no failure").is_some() {}
+    let state = session.state().expect("a state");
+    if state.step == 0 {
+        let why = state.message.clone().expect("a reason");
+        assert_eq!(&*why.id, "reason-flat-face");
+        assert_eq!(why.number("count"), Some(1.0));
+        let why = session.why().expect("a mesh").expect("a diagnosis");
+        assert_eq!(why.remedies[0].id, umbilic::app::RemedyId::Repair);
+    } else {
+        panic!("it has moved");
+    }
+    session.repair(RepairOptions::default()).expect("repaired");
+    assert_eq!(session.loaded().expect("a mesh").numbers.vertices, None);
 }

@@ -8,6 +8,7 @@ import { after, test } from "node:test";
 import { FluentResource } from "@fluent/bundle";
 import { parseAst } from "vite";
 import { languages, speak } from "../../www/language.js";
+import { numberAs, vertexOf } from "../../www/numbers.js";
 import { say } from "../../www/words.js";
 
 after(() => speak("en"));
@@ -154,4 +155,16 @@ test("a message without words shows its id, and a value that is missing its name
   assert.equal(say({ id: "no-such-message", values: { count: 1 } }), "no-such-message");
   assert.equal(say("no-such-message.hint"), "no-such-message.hint");
   assert.match(say("count-flips"), /\{\$?count\}/);
+});
+
+test("vertices and faces are named as the file numbers them", async () => {
+  await speak("en");
+  const flat = { id: "notice-flat-triangles", values: { count: 1, face: 2, vertices: [0, 1, 3] } };
+  assert.match(say(flat), /face 2 at vertices 0, 1, 3:/);
+  numberAs({ first: 1, vertices: Uint32Array.of(1, 2, 3, 5), faces: null });
+  assert.match(say(flat), /face 3 at vertices 2, 3, 6 \(counted from 1\):/);
+  assert.match(say("flow-unfit", { vertex: 3 }), /vertex 6 \(counted from 1\)/);
+  assert.deepEqual([vertexOf(6), vertexOf(1)], [3, -1]);
+  numberAs(undefined);
+  assert.equal(say("flow-unfit", { vertex: 3 }), "the surface cannot be fitted at vertex 3");
 });

@@ -5,7 +5,7 @@ import { flowOf, toFlow } from "../options.js";
 import { say } from "../words.js";
 import { stepsOf } from "./run.js";
 
-/** @import { FillOptions, Loaded, RemeshOptions, Wanted } from "../generated/types.js" */
+/** @import { FillOptions, Loaded, RemeshOptions, RepairOptions, Wanted } from "../generated/types.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Marks, Mode } from "../store.js" */
 /** @import { Core } from "./core.js" */
@@ -87,10 +87,10 @@ export function createEdit(core) {
         const { options, reading } = get();
         if (reading && reading.step > 0) await adopt(options, stepsOf(reading.step));
       }),
-    /** What keeps it from being a whole surface. */
-    repair: () =>
+    /** What keeps it from being a whole surface. @param {Partial<RepairOptions>} [wanted] */
+    repair: (wanted = {}) =>
       change(async () => {
-        const loaded = await long("repair", () => solver.repair({}));
+        const loaded = await long("repair", () => solver.repair(wanted));
         if (loaded.repaired.length > 0) {
           const free = loaded.free ? [...loaded.free] : null;
           const fixed = loaded.fixed ? [...loaded.fixed] : null;

@@ -132,7 +132,7 @@ export function createWhy(core, { adopt, edit }, run) {
     const elements = { vertices: list("vertices"), faces: list("faces"), edges: new Uint32Array() };
     const isHere = ofFlows.includes(kind) && elements.vertices.length + elements.faces.length > 0;
     const place = { label: say("why-show"), act: () => why.point(elements, get().camera) };
-    const repair = repairs?.length ? [{ label: say("repair"), act: edit.repair }] : [];
+    const repair = repairs?.length ? [{ label: say("repair"), act: () => edit.repair() }] : [];
     return [...(isHere ? [place] : []), ...repair, ...(known[kind] ?? [])];
   };
   return why;

@@ -1123,7 +1123,12 @@ warnings: Array<Message>,
  * What a repair does to the file: what was safe, and done when it was opened, and what
  * [`Session::repair`](super::Session::repair) would change now.
  */
-repairs: Array<RepairItem>, };
+repairs: Array<RepairItem>, 
+/**
+ * A length within which a weld closes gaps that no repair closes by itself; see
+ * [`gap`](crate::remesh::repair::gap).
+ */
+gap: number | null, };
 
 /**
  * How time is discretised.
@@ -1388,6 +1393,10 @@ positions: Float32Array,
  */
 shift: [number, number, number], 
 /**
+ * How the file numbers what sentences name.
+ */
+numbers: Numbers, 
+/**
  * Three corners a triangle.
  */
 triangles: Uint32Array, 
@@ -1586,6 +1595,23 @@ tension: number | null,
  * Of the volume; positive pushes outwards.
  */
 pressure: number | null, };
+
+/**
+ * Numbers of a file's vertices and faces.
+ */
+export type Numbers = { 
+/**
+ * That of the first: 0, or 1 of a format that counts so.
+ */
+first: number, 
+/**
+ * For each vertex the file's, counted from 0; null where these are the same.
+ */
+vertices: Uint32Array | null, 
+/**
+ * The same of faces.
+ */
+faces: Uint32Array | null, };
 
 /**
  * What the open mesh was made of, before any edits; as the page tells it.
@@ -2683,7 +2709,7 @@ export type SubdivisionScheme = "linear" | "loop";
 /**
  * Which table.
  */
-export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "robustness" | "vesicles" | "figures";
+export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "repair" | "robustness" | "figures";
 
 /**
  * Where the values of a quantity lead.

@@ -7,7 +7,7 @@ import { sampleName } from "../library.js";
 import { formatNumber } from "../number.js";
 import { sceneTitle } from "../status.js";
 import { say } from "../words.js";
-import { button, select } from "./parts.js";
+import { button, idOf, select } from "./parts.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { RepairItem } from "../generated/types.js" */
@@ -64,11 +64,23 @@ function defects(page) {
   const list = (items) =>
     html`<ul class="changes">${items.map((item) => html`<li>${say(item.message)}</li>`)}</ul>`;
   const wanting = info.repairs.filter(({ done }) => !done);
-  const start = button(say("repair"), page.edit.repair, { kind: "small primary" });
+  const start = button(say("repair"), () => page.edit.repair(), { kind: "small primary" });
+  const id = idOf("weld");
+  const length = () => /** @type {HTMLInputElement} */ (document.getElementById(id)).valueAsNumber;
+  const weld = button(say("weld"), () => page.edit.repair({ weld: length() }), { kind: "small" });
   return html`${
     wanting.length > 0
       ? finding(say("found-broken"), html`${say("found-broken.hint")}${list(wanting)}`, start)
       : nothing
+  }${
+    info.gap === null
+      ? nothing
+      : finding(
+          say("found-gap"),
+          html`${say("found-gap.hint")} <label class="inline" for=${id}>${say("weld-length")}
+          <input id=${id} class="short" type="number" min="0" step="any" .value=${info.gap.toPrecision(3)} /></label>`,
+          weld,
+        )
   }${repaired.length > 0 ? finding(say("found-repaired"), list(repaired)) : nothing}`;
 }
 

@@ -3,6 +3,7 @@
 
 import { html, nothing } from "lit-html";
 import { formatNumber } from "../number.js";
+import { numberOf, vertexOf } from "../numbers.js";
 import { colourOf } from "../overlay.js";
 import { isDark } from "../store.js";
 import { say } from "../words.js";
@@ -52,7 +53,7 @@ function probed(page, probe) {
       [say("vertex-to"), say("vertex-length"), "β"],
       edges.map(({ neighbour, length, beta }) => [
         html`<button type="button" class="link" aria-label=${say("vertex-go", { neighbour })} @focus=${() => mark(neighbour)} @pointerenter=${() => mark(neighbour)}
-        @blur=${() => page.edit.mark(null)} @pointerleave=${() => page.edit.mark(null)} @click=${() => page.edit.inspect({ probe: neighbour })}>${neighbour}</button>`,
+        @blur=${() => page.edit.mark(null)} @pointerleave=${() => page.edit.mark(null)} @click=${() => page.edit.inspect({ probe: neighbour })}>${numberOf("vertices", neighbour)}</button>`,
         formatNumber(length, 4),
         beta === null ? say("vertex-none") : degrees(beta),
       ]),
@@ -89,8 +90,8 @@ export function vertex(page) {
   const key = (/** @type {number} */ kind, /** @type {string} */ text) =>
     html`<span class="key" .style=${`--kind:${colourOf(kind, dark)}`}>${text}</span>`;
   return html`<div class="row">${button(say("tool-pick"), () => page.edit.mode(mode === "pick" ? null : "pick"), { kind: "small", pressed: mode === "pick" })}
-      <label class="inline" for=${id}>${say("vertex-number")} <input id=${id} class="short" type="number" min="0" step="1" .value=${wanted.probe === null ? "" : String(wanted.probe)}
-        @change=${(/** @type {any} */ { target }) => page.edit.inspect({ probe: target.value === "" ? null : target.valueAsNumber })} /></label>
+      <label class="inline" for=${id}>${say("vertex-number")} <input id=${id} class="short" type="number" min="0" step="1" .value=${wanted.probe === null ? "" : String(numberOf("vertices", wanted.probe))}
+        @change=${(/** @type {any} */ { target }) => page.edit.inspect({ probe: target.value === "" ? null : vertexOf(target.valueAsNumber) })} /></label>
       ${wanted.probe === null ? nothing : button(say("vertex-leave"), () => page.edit.inspect({ probe: null }), { kind: "small" })}</div>
     ${look?.probe ? probed(page, look.probe) : wanted.probe === null ? nothing : html`<p class="hint">${say("vertex-missing", { vertex: wanted.probe })}</p>`}
     ${toggle(say("circles"), wanted.circles, (circles) => page.edit.inspect({ circles }), circlesText(look?.circles))}

@@ -11,6 +11,7 @@ mod flips;
 mod mmcv;
 mod p_willmore;
 mod refinement;
+mod repair;
 mod robustness;
 mod vesicles;
 
@@ -41,6 +42,8 @@ pub enum TableName {
     Mmcv,
     /// Energies under refinement.
     Refinement,
+    /// Loose triangles made a surface.
+    Repair,
     /// How flows end, left to themselves.
     Robustness,
     /// The phase diagram of vesicles.
@@ -151,6 +154,7 @@ impl TableName {
             Self::Flips => &flips::TABLE,
             Self::Mmcv => &mmcv::TABLE,
             Self::Refinement => &refinement::TABLE,
+            Self::Repair => &repair::TABLE,
             Self::Robustness => &robustness::TABLE,
             Self::Vesicles => &vesicles::TABLE,
             Self::Figures => &figures::TABLE,

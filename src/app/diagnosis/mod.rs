@@ -124,6 +124,15 @@ messages! {
             /// The vertex of the sharpest bend.
             vertex: u32,
         },
+        /// Triangles without area, from which no first step led on.
+        FlatFaces {
+            /// How many.
+            count: usize,
+            /// The first.
+            face: u32,
+        },
+        /// The mesh shows less energy than that before the first step.
+        Unresolved,
         /// A large exponent on a rough surface.
         LargeExponent {
             /// The exponent.
@@ -237,13 +246,15 @@ impl Runner {
                 .then(|| self.pinch(true))
                 .flatten()
         };
-        self.cocircular(flow)
+        self.flat_faces()
+            .or_else(|| self.cocircular(flow))
             .or_else(|| self.rising())
             .or_else(pinched)
             .or_else(|| self.scaling())
             .or_else(|| self.pinch(stopped))
             .or_else(|| self.inflating())
             .or_else(|| self.below_minimum())
+            .or_else(|| self.unresolved())
             .or_else(|| self.failed())
             .or_else(|| self.too_rough())
             .or_else(|| self.folded_over(flow))

@@ -13,6 +13,7 @@ use crate::flow::signs::{BUBBLE, NARROW, SHARPENED, SLIVER, UNDER_RESOLVED, WORN
 use crate::flow::spec::{self, Family};
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
+use crate::geometry::quality::flat_triangles;
 use std::f64::consts::PI;
 
 /// The bend of a ring of n edges is this over n: 2π √(√3/2).
@@ -185,6 +186,29 @@ impl Runner {
         let diagnosis = Diagnosis::new(&symptom).at_vertices([vertex]);
         let finer = Some(self.can_subdivide().unwrap_or_else(Remedy::refine));
         Some(diagnosis.with([finer, Some(Remedy::refine()), self.can_go_back()]))
+    }
+
+    pub(super) fn unresolved(&self) -> Option<Diagnosis> {
+        let is_at_start = self.segment_reports().is_empty();
+        let symptom = (self.state.status == Status::Collapsed && is_at_start)
+            .then_some(Symptom::Unresolved)?;
+        let other = Remedy::other_flow(FlowName::PWillmore).anew();
+        Some(Diagnosis::new(&symptom).with([Some(other)]))
+    }
+
+    /// Triangles without area from which no first step led on.
+    pub(super) fn flat_faces(&self) -> Option<Diagnosis> {
+        let is_at_start = self.state.status == Status::Stalled && self.segment_reports().is_empty();
+        let mesh = self.triangles();
+        let flat = is_at_start.then(|| flat_triangles(mesh, &self.x))?;
+        let (face, count) = (flat.first()?.0, flat.len());
+        let diagnosis = Diagnosis::new(&Symptom::FlatFaces { count, face });
+        let remedies = [self.can_repair(), self.can_regularise()];
+        Some(
+            diagnosis
+                .at_faces(flat.into_iter().map(|f| f.0))
+                .with(remedies),
+        )
     }
 
     pub(super) fn folded_over(&self, flow: &Engine) -> Option<Diagnosis> {

@@ -136,6 +136,8 @@ impl Runner {
         said.push(filled.into());
         said.extend(outcome.warnings.iter().cloned());
         let document = Document {
+            colours: document.colours.spread(&polygons),
+            numbers: document.numbers.plain(),
             triangles: triangulated(&polygons, &positions)?,
             polygons,
             start: positions,

@@ -53,6 +53,8 @@ impl Runner {
         } else if let Some(mesh) = &self.segment.mesh {
             document.polygons = Rc::clone(mesh);
             document.triangles = Rc::clone(mesh);
+            document.colours = self.colours();
+            document.numbers = document.numbers.plain();
         }
         document
     }

@@ -116,6 +116,8 @@ impl Runner {
             polygons: Rc::clone(&made),
             triangles: made,
             start: positions,
+            colours: present.colours.dropped(),
+            numbers: present.numbers.plain(),
             free,
             fixed,
             ..present

@@ -40,6 +40,8 @@ impl Runner {
             triangles: triangulated(&polygons, &built.positions)?,
             polygons,
             start: built.positions,
+            colours: document.colours.carried(&were),
+            numbers: document.numbers.plain(),
             free: chosen(&self.options().free),
             fixed: chosen(&self.options().fixed),
             warnings,

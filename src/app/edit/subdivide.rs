@@ -62,6 +62,8 @@ impl Runner {
         let free = of(&self.options().free, |a, b| a || b);
         let fixed = of(&self.options().fixed, |a, b| a && b);
         let document = Document {
+            colours: document.colours.refined(&parents),
+            numbers: document.numbers.plain(),
             triangles: triangulated(&polygons, &finer.positions)?,
             polygons,
             start: finer.positions,

@@ -44,8 +44,8 @@ use super::rules::{Ceiling, Folds};
 use super::step_size::StepSize;
 use super::warning::WarningsGiven;
 use super::{
-    Advice, Cause, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase, Proposal,
-    Reading, Refusal, Rules, StepReport, boundary, prefill,
+    Advice, Cause, Clock, Cost, Flow, FlowError, Functional, Monitored, Move, Occasion, Phase,
+    Proposal, Reading, Refusal, Rules, StepReport, boundary, prefill,
 };
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
@@ -103,7 +103,8 @@ pub struct CurvatureFlow {
     start: Vec<DVec3>,
     /// The monitored functional at the start.
     first_energy: f64,
-    /// ∫H² of the best smooth surface of the topology, where that bounds the functional.
+    /// ∫H² of the best smooth surface of the topology, which a mesh that has less does not resolve:
+    /// of the flows that go by curvatures alone.
     smooth_minimum: Option<f64>,
     ladder: Ladder,
     /// Largest |φ| of the whole step that led here, in mean edges.
@@ -112,6 +113,8 @@ pub struct CurvatureFlow {
     curvatures: Option<Curvatures>,
     trial: Option<Curvatures>,
     trial_energy: f64,
+    /// ∫H² of the trial, where it is bounded.
+    trial_willmore: f64,
     /// Largest |φ| of the last proposal, in mean edges.
     size: f64,
     /// A proposal that was made to see how long it is, with its step size.
@@ -156,7 +159,7 @@ impl CurvatureFlow {
         let region = Region::new(mesh, x, is_free, law.depth());
         let at = Curvatures::of(mesh, x, &region);
         let is_whole = region.free.len() == x.len();
-        let is_bounded = law == Law::Willmore && is_whole;
+        let is_bounded = matches!(law, Law::Willmore | Law::CurvatureVariation) && is_whole;
         let mut flow = Self {
             system: CurvatureSystem::new(law, &region),
             start: x.to_vec(),
@@ -173,6 +176,7 @@ impl CurvatureFlow {
             curvatures: Some(at),
             trial: None,
             trial_energy: f64::NAN,
+            trial_willmore: f64::NAN,
             size: 0.0,
             known: None,
             reached: None,
@@ -296,8 +300,13 @@ impl Flow for CurvatureFlow {
             };
         }
         if self.ladder.is_climbing() {
+            let is_whole = self.is_whole();
             return Rules {
                 ceiling: Ceiling::Below(LADDER * self.first_energy),
+                turn: is_whole.then_some(TURN),
+                folds: if is_whole { Folds::None } else { Folds::Any },
+                bound: self.smooth_minimum,
+                bound_share: LEAST,
                 ..Rules::unseen()
             };
         }
@@ -370,13 +379,16 @@ impl Flow for CurvatureFlow {
         if let Some(vertex) = unfit {
             return Err(Refusal::at(Cause::Unfit, vertex));
         }
+        if self.smooth_minimum.is_some() {
+            self.trial_willmore = next.integrate(willmore::density);
+        }
         self.trial = Some(next);
         self.trial_energy = energy;
         Ok(energy)
     }
 
     fn bounded(&self) -> f64 {
-        self.trial_energy
+        self.trial_willmore
     }
 
     fn accept(&mut self, step: &Move, _share: f64) {
@@ -415,6 +427,13 @@ impl Flow for CurvatureFlow {
 
     fn warn(&self, _x: &[DVec3], report: &mut StepReport, given: &mut WarningsGiven) {
         self.warn_of(report, given);
+    }
+
+    fn clock(&self) -> Clock {
+        match self.law {
+            Law::MeanCurvature => Clock::MeanCurvature,
+            _ => Clock::Own,
+        }
     }
 
     fn advice(&self) -> Advice {

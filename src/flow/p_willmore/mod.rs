@@ -45,8 +45,8 @@ use super::rules::{Ceiling, Folds};
 use super::step_size::StepSize;
 use super::warning::WarningsGiven;
 use super::{
-    Advice, Cost, Flow, FlowError, Functional, Monitored, Move, Multipliers, Occasion, Phase,
-    Proposal, Reading, Refusal, Rules, StepReport, vesicle,
+    Advice, Clock, Cost, Flow, FlowError, Functional, Monitored, Move, Multipliers, Occasion,
+    Phase, Proposal, Reading, Refusal, Rules, StepReport, vesicle,
 };
 use crate::energy::p_willmore::{Evaluation, Helfrich, Integrals, PWillmore};
 use crate::geometry::measure;
@@ -383,6 +383,13 @@ impl Flow for PWillmoreFlow {
 
     fn warn(&self, x: &[DVec3], report: &mut StepReport, given: &mut WarningsGiven) {
         self.warn_of(x, report, given);
+    }
+
+    fn clock(&self) -> Clock {
+        match self.options.p == 0.0 && !self.kept.any() {
+            true => Clock::AreaGradient,
+            false => Clock::Own,
+        }
     }
 
     fn advice(&self) -> Advice {

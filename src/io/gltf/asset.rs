@@ -217,6 +217,7 @@ impl<'a> Asset<'a> {
         let width = match accessor.get("type").and_then(Json::string).as_deref() {
             Some(b"SCALAR") => 1,
             Some(b"VEC3") => 3,
+            Some(b"VEC4") => 4,
             _ => return Err(wrong("type")),
         };
         let count = accessor.get("count").and_then(Json::index);

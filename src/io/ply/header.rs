@@ -30,8 +30,10 @@ pub(super) enum Role {
     Coordinate(usize),
     /// The list of a face's vertices.
     Corners,
-    /// A colour, the first part of it.
-    Colour,
+    /// Part of a vertex's colour: 0 to 3 of red, green, blue and opacity.
+    Colour(usize),
+    /// The first part of a colour of something else.
+    OtherColour,
     /// A texture coordinate, or a list of these.
     Texture,
     /// Nothing.
@@ -62,7 +64,9 @@ impl Property {
             None
         };
         let (scalar, _) = read_type(words)?;
-        let role = match (kind, words.word(Expected::PropertyName)?) {
+        let name = words.word(Expected::PropertyName)?;
+        let part = colour_part(name).filter(|_| kind == ElementKind::Vertex && !is_list);
+        let role = match (kind, name) {
             (ElementKind::Vertex, b"x") if !is_list => Role::Coordinate(0),
             (ElementKind::Vertex, b"y") if !is_list => Role::Coordinate(1),
             (ElementKind::Vertex, b"z") if !is_list => Role::Coordinate(2),
@@ -71,9 +75,9 @@ impl Property {
             {
                 Role::Corners
             }
-            (_, b"red" | b"diffuse_red") => Role::Colour,
+            (_, b"red" | b"diffuse_red") => part.map_or(Role::OtherColour, Role::Colour),
             (_, b"s" | b"u" | b"texture_u" | b"texcoord") => Role::Texture,
-            _ => Role::Other,
+            _ => part.map_or(Role::Other, Role::Colour),
         };
         Ok(Self {
             role,
@@ -81,6 +85,14 @@ impl Property {
             length,
         })
     }
+}
+
+/// Which part of a colour a property of that name is.
+fn colour_part(name: &[u8]) -> Option<usize> {
+    let name = name.strip_prefix(b"diffuse_").unwrap_or(name);
+    [&b"red"[..], b"green", b"blue", b"alpha"]
+        .iter()
+        .position(|part| *part == name)
 }
 
 fn read_type<'a>(words: &mut Words<'a>) -> Result<(Scalar, &'a [u8]), ReadError> {

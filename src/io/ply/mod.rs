@@ -1,9 +1,9 @@
 //! PLY, in text and in binary of both byte orders.
 //!
 //! The header names elements and, in order, their properties; the body holds them. One
-//! walk over the elements serves all three encodings, see [`body`]. Wanted are `x`, `y`,
-//! `z` of `vertex` and the list `vertex_indices` (or `vertex_index`) of `face`;
-//! everything else is stepped over.
+//! walk over the elements serves all three encodings, see [`body`]. Read are `x`, `y`,
+//! `z` of `vertex`, its `red`, `green`, `blue` and `alpha`, and the list `vertex_indices` (or
+//! `vertex_index`) of `face`; everything else is stepped over.
 
 mod body;
 mod header;
@@ -14,7 +14,8 @@ use glam::DVec3;
 use self::body::{Binary, Body, Text};
 use self::header::{Element, ElementKind, Header, Property, Role};
 pub(super) use self::write::write;
-use super::assembly::Assembly;
+use super::assembly::{Assembly, NO_PART};
+use super::binary::Scalar;
 use super::{Expected, Extra, Format, Found, Oddity, Place, Read, ReadError};
 
 /// Reads a PLY file of any encoding.
@@ -62,7 +63,7 @@ fn read_body(header: &Header, mut body: impl Body) -> Result<Read, ReadError> {
     }
     let mut read = assembly.finish(header.format)?;
     read.warnings.extend(Oddity::left_out(&[
-        (Extra::Colours, header.has(Role::Colour)),
+        (Extra::Colours, header.has(Role::OtherColour)),
         (Extra::TextureCoordinates, header.has(Role::Texture)),
     ]));
     Ok(read)
@@ -76,6 +77,7 @@ fn read_vertex(
     body.begin(Expected::Vertex)?;
     let place = body.place();
     let mut position = DVec3::ZERO;
+    let mut colour = None;
     for property in &element.properties {
         match property.role {
             Role::Coordinate(axis) => {
@@ -83,10 +85,29 @@ fn read_vertex(
                 let expected = Expected::Coordinate { axis: axis_name };
                 position[axis] = body.value(property.scalar, expected)?
             }
+            Role::Colour(part) => {
+                let largest = match property.scalar {
+                    Scalar::U8 => f64::from(u8::MAX),
+                    Scalar::U16 => f64::from(u16::MAX),
+                    _ => 1.0,
+                };
+                let scalar = match body.format() {
+                    // Fractions are met in text whatever the header says.
+                    Format::PlyAscii => Scalar::F64,
+                    _ => property.scalar,
+                };
+                let value = body.value(scalar, Expected::Number)?;
+                colour.get_or_insert([NO_PART; 4])[part] = value / largest;
+            }
             _ => step_over(property, body)?,
         }
     }
-    assembly.vertex(position, place)
+    let vertex = assembly.n_vertices();
+    assembly.vertex(position, place)?;
+    if let Some(parts) = colour {
+        assembly.colour(vertex, parts);
+    }
+    Ok(())
 }
 
 fn read_face(
@@ -270,7 +291,7 @@ mod tests {
     #[test]
     fn strips_are_triangles_every_other_turned_round() {
         let elements = VERTEX.replace('3', "5")
-            + "property uchar red\nelement tristrips 1\nproperty list int int vertex_indices\n";
+            + "property uchar s\nelement tristrips 1\nproperty list int int vertex_indices\n";
         let points = "0 0 0 1\n1 0 0 1\n0 1 0 1\n1 1 0 1\n2 0 0 1\n";
         let strip = |list: &str| {
             let count = list.split(' ').count();
@@ -279,7 +300,7 @@ mod tests {
         let read = strip("0 1 2 3 -1 1 4 3").unwrap();
         let faces: Vec<_> = read.soup.faces().collect();
         assert_eq!(faces, [[0, 1, 2], [2, 1, 3], [1, 4, 3]]);
-        let what = vec![Extra::Colours];
+        let what = vec![Extra::TextureCoordinates];
         assert_eq!(read.warnings, [Oddity::LeftOut { what }]);
         // Repeated corners lead to the next part of a strip and are no triangles.
         let read = strip("0 1 2 2 1 1 1 4 3").unwrap();

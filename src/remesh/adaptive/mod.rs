@@ -44,6 +44,11 @@ const SETTLED: f64 = 0.01;
 /// The area of a mesh that is folded over is not that of its surface, and changes by more.
 const SAME_AREA: f64 = 0.02;
 
+/// A surface whose volume changes by more than this share of that of the ball with its area has
+/// become another, as one of needles does, whose normals say nothing of what lies between their
+/// ends.
+const SAME_VOLUME: f64 = 0.1;
+
 /// What decides how long edges are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -161,6 +166,14 @@ pub fn remesh(
     }
     counts.flips += flip::to_delaunay(&mut draft);
     let area = measure::area(mesh, x);
+    if let Some(volume) = measure::volume(mesh, x)
+        && !start.held.contains(&true)
+    {
+        let ball = area.powf(1.5) / (6.0 * std::f64::consts::PI.sqrt());
+        if (restore::volume(&draft) - volume).abs() > SAME_VOLUME * ball {
+            return Err(RemeshError::Spoilt);
+        }
+    }
     let change = draft.areas().iter().sum::<f64>() / area - 1.0;
     let is_same = change.abs() < SAME_AREA && !start.held.contains(&true);
     let targets = is_same.then_some(Targets { area, volume: None });

@@ -66,7 +66,7 @@ fn scale_to(draft: &mut Draft, wanted: f64) {
     }
 }
 
-fn volume(draft: &Draft) -> f64 {
+pub(super) fn volume(draft: &Draft) -> f64 {
     let origin = draft.x[0];
     let part = |corners: [u32; 3]| {
         let [a, b, c] = corners.map(|v| draft.at(v) - origin);

@@ -4,16 +4,22 @@ use super::faces::{Faces, sides};
 use super::hash::Table;
 use std::collections::BTreeSet;
 
-/// Collapses edges; remembers which faces a vertex has as long as nobody else changes them.
+/// Collapses edges; remembers which faces a vertex has had.
 #[derive(Default)]
 pub(super) struct Collapser {
     faces_of: Table<u32, Vec<usize>>,
+    /// Faces that were looked at: what others change are new faces after them, and empty ones.
+    seen: usize,
 }
 
 impl Collapser {
-    /// The faces were changed by somebody else.
-    pub(super) fn forget(&mut self) {
-        self.faces_of.clear();
+    fn catch_up(&mut self, faces: &Faces) {
+        for f in self.seen..faces.len() {
+            for &v in faces.face(f) {
+                self.faces_of.entry(v).or_default().push(f);
+            }
+        }
+        self.seen = faces.len();
     }
 
     fn star(&self, faces: &Faces, v: u32) -> Vec<usize> {
@@ -27,13 +33,7 @@ impl Collapser {
     /// Makes one vertex of the ends of an edge, where that leaves a surface a surface; gives the
     /// vertex.
     pub(super) fn collapse(&mut self, faces: &mut Faces, [a, b]: [u32; 2]) -> Option<u32> {
-        if self.faces_of.is_empty() {
-            for f in 0..faces.len() {
-                for &v in faces.face(f) {
-                    self.faces_of.entry(v).or_default().push(f);
-                }
-            }
-        }
+        self.catch_up(faces);
         let around = |v: u32| -> BTreeSet<u32> {
             let star = self.star(faces, v);
             let pairs = star.iter().flat_map(|&f| sides(faces.face(f)));
@@ -65,9 +65,6 @@ impl Collapser {
             }
             if face.len() < 3 {
                 continue;
-            }
-            for &v in &face {
-                self.faces_of.entry(v).or_default().push(faces.len());
             }
             faces.add(face);
         }

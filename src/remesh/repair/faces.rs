@@ -7,7 +7,53 @@ use crate::soup::PolygonSoup;
 /// Faces of a soup; those that are gone are empty.
 pub(super) struct Faces {
     faces: Vec<Vec<u32>>,
-    of_edge: Table<(u32, u32), Vec<u32>>,
+    of_edge: Table<(u32, u32), Few>,
+}
+
+/// Faces at an edge: hardly ever more than two, for which nothing is allocated.
+pub(super) enum Few {
+    Two([u32; 2], u8),
+    Many(Vec<u32>),
+}
+
+impl Default for Few {
+    fn default() -> Self {
+        Self::Two([0; 2], 0)
+    }
+}
+
+impl Few {
+    fn push(&mut self, f: u32) {
+        match self {
+            Self::Two(list, n @ (0 | 1)) => {
+                list[usize::from(*n)] = f;
+                *n += 1;
+            }
+            Self::Two([a, b], _) => *self = Self::Many(vec![*a, *b, f]),
+            Self::Many(list) => list.push(f),
+        }
+    }
+
+    fn remove(&mut self, f: u32) {
+        match self {
+            Self::Two(list, n) => {
+                if *n == 2 && list[0] == f {
+                    list[0] = list[1];
+                    *n = if list[0] == f { 0 } else { 1 };
+                } else if *n > 0 && list[usize::from(*n) - 1] == f {
+                    *n -= 1;
+                }
+            }
+            Self::Many(list) => list.retain(|g| *g != f),
+        }
+    }
+
+    fn list(&self) -> &[u32] {
+        match self {
+            Self::Two(list, n) => &list[..usize::from(*n)],
+            Self::Many(list) => list,
+        }
+    }
 }
 
 impl Faces {
@@ -32,12 +78,13 @@ impl Faces {
 
     /// The faces at an edge, in order.
     pub(super) fn at(&self, a: u32, b: u32) -> &[u32] {
-        self.of_edge.get(&key(a, b)).map_or(&[], Vec::as_slice)
+        self.of_edge.get(&key(a, b)).map_or(&[], Few::list)
     }
 
     /// Every edge with its faces.
-    pub(super) fn edges(&self) -> impl Iterator<Item = (&(u32, u32), &Vec<u32>)> {
-        self.of_edge.iter().filter(|(_, faces)| !faces.is_empty())
+    pub(super) fn edges(&self) -> impl Iterator<Item = (&(u32, u32), &[u32])> {
+        let all = self.of_edge.iter().map(|(ends, few)| (ends, few.list()));
+        all.filter(|(_, faces)| !faces.is_empty())
     }
 
     pub(super) fn add(&mut self, face: Vec<u32>) {
@@ -52,7 +99,7 @@ impl Faces {
         let face = std::mem::take(&mut self.faces[f]);
         for (a, b) in sides(&face) {
             if let Some(faces) = self.of_edge.get_mut(&key(a, b)) {
-                faces.retain(|&g| g as usize != f);
+                faces.remove(f as u32);
             }
         }
         face

@@ -72,7 +72,6 @@ pub(super) fn drop_flat(soup: &mut PolygonSoup) -> Dropped {
                 }
             }
             Some(Flat::Between([a, b, c])) => {
-                collapser.forget();
                 faces.remove(f);
                 dropped.flat.0 += 1;
                 dropped.flat.1.extend([a, b, c]);

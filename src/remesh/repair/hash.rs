@@ -17,8 +17,9 @@ impl Hasher for Mixed {
     }
 
     fn write(&mut self, bytes: &[u8]) {
-        for &byte in bytes {
-            self.write_u64(u64::from(byte));
+        for eight in bytes.chunks(8) {
+            let number = eight.iter().rev().fold(0, |n, b| n << 8 | u64::from(*b));
+            self.write_u64(number);
         }
     }
 

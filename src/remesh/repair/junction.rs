@@ -8,6 +8,9 @@ use crate::order;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 
+/// A gap narrower than this share of the edges at it may be one that is to be closed.
+const NARROW: f64 = 0.5;
+
 /// Boundary edges, and what is near them.
 pub(super) struct Rims<'a> {
     x: &'a [DVec3],
@@ -81,6 +84,29 @@ impl<'a> Rims<'a> {
             })
         };
         all.iter().copied().filter(goes_on).collect()
+    }
+
+    /// A length within which vertices meet across a gap that is narrow for the edges at it: as
+    /// large as the widest of such, of which there must be two ends.
+    pub(super) fn gap(&self) -> Option<f64> {
+        let mut widest = 0.0_f64;
+        let mut ends = 0;
+        for (&v, around) in &self.neighbours {
+            let p = self.x[v as usize];
+            let length = |w: &u32| self.x[*w as usize].distance(p);
+            let shortest = around.iter().map(length).fold(f64::INFINITY, f64::min);
+            let narrow = NARROW * shortest;
+            let reach = DVec3::splat(narrow);
+            let others = self.grid.near(p - reach, p + reach);
+            let others = others.filter(|w| *w != v && !around.contains(w));
+            let nearest = others.map(|w| length(&w)).fold(f64::INFINITY, f64::min);
+            if nearest <= narrow && nearest > self.near {
+                widest = widest.max(nearest);
+                ends += 1;
+            }
+        }
+        // A little more, so that rounding leaves none out.
+        (ends >= 2).then_some(1.01 * widest)
     }
 
     /// Whether two boundary vertices lie within `near` of each other, or one on an edge.

@@ -18,7 +18,7 @@ mod sheet;
 mod suspect;
 mod weld;
 
-pub use suspect::is_suspect;
+pub use suspect::{gap, is_suspect};
 
 use crate::mesh::{self, Repair};
 use crate::message::{Message, Say, messages};

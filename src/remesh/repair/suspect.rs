@@ -18,10 +18,21 @@ pub fn is_suspect(mesh: &HalfedgeMesh, x: &[DVec3], weld: Weld) -> bool {
     if mesh.faces().any(&mut has_flat) {
         return true;
     }
+    let rims = rims(mesh, x, weld);
+    rims.is_some_and(|rims| rims.is_suspect())
+}
+
+/// A length within which a weld closes gaps that are wider than what [`Weld::Auto`] takes for none,
+/// and narrow for the edges at them; `None` where there are none.
+pub fn gap(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<f64> {
+    rims(mesh, x, Weld::Auto)?.gap()
+}
+
+fn rims<'a>(mesh: &HalfedgeMesh, x: &'a [DVec3], weld: Weld) -> Option<Rims<'a>> {
     let open = mesh.edges().filter(|&e| mesh.is_boundary_edge(e));
     let open: Vec<(u32, u32)> = open.map(|e| mesh.ends(e).map(|v| v.0).into()).collect();
     if open.is_empty() {
-        return false;
+        return None;
     }
     let near = match weld {
         Weld::Off => None,
@@ -35,6 +46,5 @@ pub fn is_suspect(mesh: &HalfedgeMesh, x: &[DVec3], weld: Weld) -> bool {
             automatic(x, sides.collect())
         }
     };
-    let near = near.unwrap_or(0.0);
-    Rims::new(open, x, near).is_some_and(|rims| rims.is_suspect())
+    Rims::new(open, x, near.unwrap_or(0.0))
 }

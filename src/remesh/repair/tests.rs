@@ -280,3 +280,37 @@ fn whatever_is_repaired_is_a_surface_and_good_ones_are_left_alone() {
         }
     }
 }
+
+/// A length is proposed for a gap that is narrow for its edges, and closes it; none for what is
+/// whole, for what a repair closes by itself, and for a hole.
+#[test]
+fn a_narrow_gap_is_measured_and_that_length_closes_it() {
+    let apart = |gap: f64| {
+        // The upper half on vertices of its own, lifted.
+        let mut soup = sphere(3.0);
+        let n = soup.positions.len() as u32;
+        let lifted: Vec<DVec3> = soup.positions.iter().map(|p| *p + gap * DVec3::Z).collect();
+        let mut faces: Vec<Vec<u32>> = soup.faces().map(<[u32]>::to_vec).collect();
+        let is_high = |v: &u32| soup.positions[*v as usize].z > -1e-9;
+        for face in faces.iter_mut().filter(|face| face.iter().all(is_high)) {
+            face.iter_mut().for_each(|v| *v += n);
+        }
+        soup.positions.extend(lifted);
+        PolygonSoup::from_faces(soup.positions, &faces)
+    };
+    let gap_of = |soup: &PolygonSoup| {
+        let built = crate::mesh::build(soup).expect("a surface");
+        gap(&built.mesh, &built.positions)
+    };
+    for width in [0.01, 0.03] {
+        let soup = apart(width);
+        let proposed = gap_of(&soup).expect("a gap");
+        assert!((width..1.05 * width).contains(&proposed), "{proposed}");
+        assert_eq!(repair(&soup, Weld::Auto).changes, []);
+        let repaired = repair(&soup, Weld::Within(proposed));
+        assert_eq!(kinds(&repaired).len(), 1, "{:?}", repaired.changes);
+        assert!(is_sphere(&repaired.soup));
+    }
+    assert_eq!(gap_of(&apart(0.5)), None);
+    assert_eq!(gap_of(&sphere(3.0)), None);
+}

@@ -57,6 +57,13 @@ app-centre-too-far = das Zentrum ist weiter als das { $most }-Fache der Größe 
 app-centre-too-near = das Zentrum ist um { $percent } % der Größe der Fläche von ihr entfernt, nötig sind { $least } %
     .hint = Ein Punkt der Fläche im Zentrum ginge ins Unendliche: Rücken Sie das Zentrum von ihr weg.
 
+found-gap = Ein Spalt
+    .hint = Zwei Ränder laufen nebeneinander, näher als eine halbe Kante. Innerhalb dieser Länge verschweißt werden sie eins; das lässt sich rückgängig machen.
+weld-length = Länge
+weld = Verschweißen
+
+counted-from = ab { $first } gezählt
+
 ## Wie ein Lauf endete
 
 run-over = { $ended }: { $reason }
@@ -78,11 +85,14 @@ notice-polygons = Das Netz hat { $count ->
 notice-flat-triangles = Das Netz hat { $count ->
     [one] { $count } Dreieck
    *[other] { $count } Dreiecke
-} ohne Flächeninhalt (Ecken auf einer Geraden).
+} ohne Flächeninhalt (Ecken auf einer Geraden), zuerst Facette { FACE($face, bare: 1) } an den Ecken { VERTEX($vertices) }: Eine Reparatur nimmt { $count ->
+    [one] es
+   *[other] sie
+} heraus und schließt, was das öffnet.
 notice-short-edges = Das Netz hat { $count ->
     [one] { $count } Kante
    *[other] { $count } Kanten
-}, kürzer als ein Millionstel des Mittels, zuerst zwischen den Ecken { $a } und { $b }: Verschmelzen Sie solche Ecken (nach Abstand) für einen besseren Fluss.
+}, kürzer als ein Millionstel des Mittels, zuerst zwischen den Ecken { VERTEX($a, bare: 1) } und { VERTEX($b) }: Verschmelzen Sie solche Ecken (nach Abstand) für einen besseren Fluss.
 notice-self-intersections = Die Fläche durchdringt sich selbst, in { $count ->
     [one] { $count } Dreieckspaar
    *[other] { $count } Dreieckspaaren
@@ -98,53 +108,58 @@ notice-filled = Gefüllt: { $count ->
 ## Woran es liegt
 
 symptom-rejected-steps = Es ist alles in Ordnung: In Schritt { $step } { $count ->
-    [one] wurde ein längerer Versuch, der Ecke { $vertex } am weitesten bewegt hätte,
-   *[other] wurden { $count } längere Versuche, deren letzter Ecke { $vertex } am weitesten bewegt hätte,
+    [one] wurde ein längerer Versuch, der Ecke { VERTEX($vertex) } am weitesten bewegt hätte,
+   *[other] wurden { $count } längere Versuche, deren letzter Ecke { VERTEX($vertex) } am weitesten bewegt hätte,
 } abgelehnt und τ = { $tau } genommen, womit die Energie fällt.
 symptom-refused-steps = Jeder versuchte Schritt wurde abgelehnt: { $cause ->
-    [TooFar] Selbst der letzte und kürzeste würde Ecke { $vertex } um mehr als eine halbe Kante bewegen.
-    [Turn] Selbst der letzte und kürzeste würde Facette { $face } um mehr als 60° drehen.
-    [Fold] Selbst der letzte und kürzeste würde Facette { $face } umklappen.
-    [Sliver] Selbst der letzte und kürzeste würde Facette { $face } zum Splitter machen.
-    [Constraints] Mit einer kleinen Bewegung dieser Fläche lassen sich Flächeninhalt und Volumen nicht beide beibehalten; am weitesten würde sich Ecke { $vertex } bewegen.
-    [Bound] Selbst der letzte und kürzeste hätte weniger Energie als jede glatte Fläche dieser Topologie und würde Ecke { $vertex } am weitesten bewegen.
-    [Unfit] Selbst der letzte und kürzeste ließe um Ecke { $vertex } keine Fläche, die sich anpassen lässt.
-   *[other] Keiner senkt die Energie, auch nicht der letzte und kürzeste, der Ecke { $vertex } am weitesten bewegen würde.
+    [TooFar] Selbst der letzte und kürzeste würde Ecke { VERTEX($vertex) } um mehr als eine halbe Kante bewegen.
+    [Turn] Selbst der letzte und kürzeste würde Facette { FACE($face) } um mehr als 60° drehen.
+    [Fold] Selbst der letzte und kürzeste würde Facette { FACE($face) } umklappen.
+    [Sliver] Selbst der letzte und kürzeste würde Facette { FACE($face) } zum Splitter machen.
+    [Constraints] Mit einer kleinen Bewegung dieser Fläche lassen sich Flächeninhalt und Volumen nicht beide beibehalten; am weitesten würde sich Ecke { VERTEX($vertex) } bewegen.
+    [Bound] Selbst der letzte und kürzeste hätte weniger Energie als jede glatte Fläche dieser Topologie und würde Ecke { VERTEX($vertex) } am weitesten bewegen.
+    [Unfit] Selbst der letzte und kürzeste ließe um Ecke { VERTEX($vertex) } keine Fläche, die sich anpassen lässt.
+   *[other] Keiner senkt die Energie, auch nicht der letzte und kürzeste, der Ecke { VERTEX($vertex) } am weitesten bewegen würde.
 }
 symptom-cocircular-kink = An { $count ->
     [one] { $count } Kante
    *[other] { $count } Kanten
 } liegen die vier Punkte beider Dreiecke auf einem Kreis; dort hat die Energie eine Kegelspitze, und mit der Winkelglättung ε = { $epsilon } führt kein Schritt von ihr hinab.
 symptom-rising-energy = Die Energie steigt, von { $least } auf { $energy }: { $halved ->
-    [0] Dieses Schema prüft nicht, ob sie fällt, und Schritte mit τ = { $tau } sind dafür zu lang; Ecke { $vertex } bewegte sich im letzten um { $moved } Kantenlängen.
-   *[other] Für Schritte über τ = { $tau } ist die Matrix des Schritts indefinit, sodass sich Fehler verstärken; Ecke { $vertex } bewegte sich im letzten Schritt um { $moved } Kantenlängen.
+    [0] Dieses Schema prüft nicht, ob sie fällt, und Schritte mit τ = { $tau } sind dafür zu lang; Ecke { VERTEX($vertex) } bewegte sich im letzten um { $moved } Kantenlängen.
+   *[other] Für Schritte über τ = { $tau } ist die Matrix des Schritts indefinit, sodass sich Fehler verstärken; Ecke { VERTEX($vertex) } bewegte sich im letzten Schritt um { $moved } Kantenlängen.
 }
-symptom-pinch = Die Fläche schnürt sich bei Ecke { $vertex } ab: Der Hals dort ist { $width } breit, { $edges ->
+symptom-pinch = Die Fläche schnürt sich bei Ecke { VERTEX($vertex) } ab: Der Hals dort ist { $width } breit, { $edges ->
     [0] zu dünn für einen Ring von Kanten
     [1] zu dünn für einen Ring von Kanten
     [2] zu dünn für einen Ring von Kanten
    *[other] mit Platz für { $edges } Kanten ringsum
 }, und dieser Fluss zieht einen Hals in endlicher Zeit ganz zusammen.
-symptom-inflating = Die Fläche ist auf das { $times }-Fache ihres Inhalts angeschwollen, da ∫H² nicht von der Größe abhängt, und das hat ihr Netz verschlissen: Der kleinste Winkel von Facette { $face } ist { $angle }°.
+symptom-inflating = Die Fläche ist auf das { $times }-Fache ihres Inhalts angeschwollen, da ∫H² nicht von der Größe abhängt, und das hat ihr Netz verschlissen: Der kleinste Winkel von Facette { FACE($face) } ist { $angle }°.
 symptom-growing = Für jeden Exponenten über 2 fällt ∫|H|^p, wenn die Fläche wächst: Mit p = { $p } ist ihr Inhalt das { $times }-Fache dessen am Anfang, und sie kommt nie zur Ruhe.
 symptom-shrinking = Für jeden Exponenten unter 2 fällt ∫|H|^p, wenn die Fläche schrumpft: Mit p = { $p } ist ihr Inhalt 1/{ $times } dessen am Anfang, und sie verschwindet in endlicher Zeit.
-symptom-degenerate-faces = Das Netz entartet: Der kleinste Winkel von Facette { $face } ist { $angle }°, und am Anfang lag kein Winkel unter { $before }°; Schritte können nicht länger sein, als eine solche Facette erlaubt.
+symptom-degenerate-faces = Das Netz entartet: Der kleinste Winkel von Facette { FACE($face) } ist { $angle }°, und am Anfang lag kein Winkel unter { $before }°; Schritte können nicht länger sein, als eine solche Facette erlaubt.
 symptom-folded-faces = { $count ->
-    [one] Facette { $face } ist gegen ihre Nachbarn umgeklappt: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.
-   *[other] { $count } Facetten sind gegen ihre Nachbarn umgeklappt, als erste Facette { $face }: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.
+    [one] Facette { FACE($face) } ist gegen ihre Nachbarn umgeklappt: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.
+   *[other] { $count } Facetten sind gegen ihre Nachbarn umgeklappt, als erste Facette { FACE($face) }: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.
 }
-symptom-below-smooth-minimum = Die Energie ist { $energy }, und keine glatte Fläche dieser Topologie hat weniger als { $smooth }: Das Netz ist zu grob, um zu bemerken, was sich zwischen seinen Ecken krümmt, am meisten bei Ecke { $vertex }.
-symptom-large-exponent = Mit p = { $p } überwiegen die schärfsten Stellen alle anderen, am meisten Ecke { $vertex }: Selbst der kürzeste versuchte Schritt ginge zu weit.
-symptom-too-rough = Nach { $steps } Schritten sollen sich Ecken noch immer um bis zu { $update } Kantenlängen bewegen: Der Anfang ist zu rau für einen Fluss sechster Ordnung; der letzte Schritt bewegte Ecke { $vertex } am weitesten.
-symptom-unfit = Um Ecke { $vertex } ist die Fläche so weit zusammengefallen, dass sich ihr keine quadratische Fläche anpassen lässt, und nach Krümmungen aus solchen Anpassungen richtet sich dieser Fluss.
+symptom-below-smooth-minimum = Die Energie ist { $energy }, und keine glatte Fläche dieser Topologie hat weniger als { $smooth }: Das Netz ist zu grob, um zu bemerken, was sich zwischen seinen Ecken krümmt, am meisten bei Ecke { VERTEX($vertex) }.
+symptom-flat-faces = { $count ->
+    [one] Facette { FACE($face) } hat
+   *[other] { $count } Facetten, zuerst Facette { FACE($face) }, haben
+} keinen Flächeninhalt: Dort lässt sich nichts messen, und kein Schritt führt weiter.
+symptom-unresolved = Das Netz zeigt seine Fläche nicht: Die Krümmungen dieser Dreiecke haben zusammen weniger Energie als jede glatte Fläche dieser Topologie, wie die von Nadeln.
+symptom-large-exponent = Mit p = { $p } überwiegen die schärfsten Stellen alle anderen, am meisten Ecke { VERTEX($vertex) }: Selbst der kürzeste versuchte Schritt ginge zu weit.
+symptom-too-rough = Nach { $steps } Schritten sollen sich Ecken noch immer um bis zu { $update } Kantenlängen bewegen: Der Anfang ist zu rau für einen Fluss sechster Ordnung; der letzte Schritt bewegte Ecke { VERTEX($vertex) } am weitesten.
+symptom-unfit = Um Ecke { VERTEX($vertex) } ist die Fläche so weit zusammengefallen, dass sich ihr keine quadratische Fläche anpassen lässt, und nach Krümmungen aus solchen Anpassungen richtet sich dieser Fluss.
 symptom-step-limit = Es ist alles in Ordnung: Nach { $steps ->
     [one] { $steps } Schritt
    *[other] { $steps } Schritten
-} fällt die Energie noch, um { $percent } % im letzten, der Ecke { $vertex } am weitesten bewegte.
+} fällt die Energie noch, um { $percent } % im letzten, der Ecke { VERTEX($vertex) } am weitesten bewegte.
 symptom-not-at-rest = Nach { $steps ->
     [one] { $steps } Schritt
    *[other] { $steps } Schritten
-} ist die Fläche nicht in Ruhe; der letzte bewegte Ecke { $vertex } am weitesten.
+} ist die Fläche nicht in Ruhe; der letzte bewegte Ecke { VERTEX($vertex) } am weitesten.
 
 ## Was hilft
 

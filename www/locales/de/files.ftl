@@ -142,6 +142,8 @@ extra-data = Werte an Ecken und Zellen
 ## Was einer geschriebenen Datei fehlt
 
 loss-moved = { $format } hat Koordinaten einfacher Genauigkeit: Das Netz wurde an den Ursprung verschoben, um ({ NUMBER($x) }, { NUMBER($y) }, { NUMBER($z) }). PLY, OBJ und OFF behalten seinen Ort.
+loss-colours = { $format } hat keinen Platz für Farben der Ecken: Sie wurden weggelassen. PLY, OBJ, OFF und GLB behalten sie.
+loss-colours-remeshed = Die Eckenfarben der Datei sind entfallen: Beim Neuvernetzen sind andere Ecken entstanden.
 
 ## Netze, die sich nicht schreiben lassen
 

@@ -2,9 +2,9 @@
 
 ## Warum ein Fluss nicht beginnen oder weitergehen kann
 
-flow-not-triangular = Facette { $face } hat { $corners } Ecken; dieser Fluss arbeitet auf Dreiecken
+flow-not-triangular = Facette { FACE($face) } hat { $corners } Ecken; dieser Fluss arbeitet auf Dreiecken
     .hint = Triangulieren Sie das Netz zuerst.
-flow-zero-length-edge = die Kante zwischen den Ecken { $a } und { $b } hat keine Länge{ $others ->
+flow-zero-length-edge = die Kante zwischen den Ecken { VERTEX($a, bare: 1) } und { VERTEX($b) } hat keine Länge{ $others ->
     [0] {""}
     [one] ; eine weitere Kante ist ebenso
    *[other] ; { $others } weitere Kanten sind ebenso
@@ -26,7 +26,7 @@ flow-mixed-faces = das Netz mischt Facetten verschiedener Eckenzahl
     .hint = Triangulieren Sie das Netz zuerst.
 flow-too-large = das Netz hat { $vertices } Ecken; das Schema der Arbeit nimmt { $limit }
     .hint = Wählen Sie das empfohlene Schema, das gegen denselben Fluss strebt, oder ein gröberes Netz.
-flow-unfit = bei Ecke { $vertex } lässt sich die Fläche nicht anpassen
+flow-unfit = bei Ecke { VERTEX($vertex) } lässt sich die Fläche nicht anpassen
     .hint = Sie hat zu wenige Nachbarn, einige fallen zusammen, oder Facetten um sie sind zusammengefallen oder umgeklappt: Reparieren Sie das Netz dort, oder halten Sie die Ecken darum fest.
 flow-inaccurate = das lineare Gleichungssystem wurde nur auf ein Residuum von { NUMBER($residual, digits: 2) } gelöst
     .hint = Wählen Sie eine kleinere Schrittweite, ein gröberes Netz oder einen Fluss niedrigerer Ordnung.
@@ -40,8 +40,8 @@ warning-near-bound = ∫H² liegt unter dem jeder glatten Fläche mit diesen Hen
 warning-growth = Der Flächeninhalt ist auf ein Mehrfaches gewachsen: Vielleicht bildet sich eine Blase, rund und deshalb billig. Glätten Sie einen rauen Anfang zuerst ein wenig.
 warning-balloon = Die Hälfte des Flächeninhalts liegt in wenigen großen Facetten: Ein Teil der Fläche bläht sich auf, was diese Energie nicht stört. Der p-Willmore-Fluss, der Flächeninhalt und Volumen beibehält, lässt das nicht zu.
 warning-reading-rose = W stieg in diesem Schritt von { NUMBER($before, digits: 5) } auf { NUMBER($after, digits: 5) }, obwohl die geglättete Energie fiel, die der Fluss senkt: Viele Winkel waren nahe null.
-warning-coarse = Bei Ecke { $vertex } sind die Kanten zu lang für die Krümmung: Nehmen Sie ein feineres Netz.
-warning-nearly-singular = Bei Ecke { $vertex } wird die Fläche gleich singulär, wie ein Hals, der sich abschnürt: Nehmen Sie ein feineres Netz.
+warning-coarse = Bei Ecke { VERTEX($vertex) } sind die Kanten zu lang für die Krümmung: Nehmen Sie ein feineres Netz.
+warning-nearly-singular = Bei Ecke { VERTEX($vertex) } wird die Fläche gleich singulär, wie ein Hals, der sich abschnürt: Nehmen Sie ein feineres Netz.
 warning-large-face = Die größte Facette ist auf das { $times }-Fache des Mittels gewachsen: Ein Teil der Fläche bläht sich auf, und die gezeigte Energie ist zu klein. Ein feineres Netz hilft.
 warning-slivers = Das Netz entartet: Sein kleinster Winkel ist { NUMBER($degrees, digits: 2) }°, am Anfang { NUMBER($before, digits: 2) }°; { $advice }.
 warning-folded-faces = In diesem Schritt umgeklappt: { $count ->
@@ -102,6 +102,9 @@ cause-newton = das Newton-Verfahren nicht konvergiert oder eine Facette umklappe
 
 ## Warum ein Lauf zu Ende ist, nach seinem Status
 
+clock-own = nach dem Gesetz dieses Flusses
+clock-mean-curvature = mit der Normalgeschwindigkeit −H
+clock-area-gradient = mit der Normalgeschwindigkeit −2H, die halb so lange braucht wie −H
 reason-at-rest = die Fläche ist in Ruhe
 reason-still = keine Ecke bewegt sich mehr
 reason-zero-energy = die Energie ist bis auf Rundung null
@@ -114,14 +117,19 @@ reason-step-limit = die Grenze von { $steps ->
    *[other] { $steps } Schritten
 } ist erreicht
 reason-time-limit = die { $seconds } Sekunden Rechenzeit sind verbraucht, und die Fläche ist nicht in Ruhe
-reason-large-face = Facette { $face } ist { $times }-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf; ein feineres Netz hilft, oder Flächeninhalt und Volumen unter dem p-Willmore-Fluss beizubehalten
+reason-large-face = Facette { FACE($face) } ist { $times }-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf; ein feineres Netz hilft, oder Flächeninhalt und Volumen unter dem p-Willmore-Fluss beizubehalten
 reason-refused = jeder versuchte Schritt wurde abgelehnt, der letzte, weil { $cause }; { $advice }
+reason-flat-face = { $count ->
+    [one] Facette { FACE($face) } hat
+   *[other] { $count } Facetten, zuerst Facette { FACE($face) }, haben
+} keinen Flächeninhalt, und von dort führt kein Schritt weiter; eine Reparatur nimmt solche Facetten heraus
 reason-creeping = nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; { $advice }
 reason-worse-rest = der Fluss kommt mit mehr Energie zur Ruhe, als er unterwegs hatte; { $advice }
 reason-below-bound = jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft
-reason-vanishes = zur Zeit { NUMBER($time, digits: 4) } schrumpft die Fläche auf einen Punkt bei ({ $place }); das Volumen beizubehalten verhindert das
-reason-pinched-neck = zur Zeit { NUMBER($time, digits: 4) } schnürt sich bei Ecke { $vertex }, nahe ({ $place }), ein Hals ab; darüber hinaus hat der Fluss keine Lösung; { $advice }
-reason-sharp-tip = zur Zeit { NUMBER($time, digits: 4) } wird bei Ecke { $vertex }, nahe ({ $place }), eine Spitze zum Punkt; darüber hinaus hat der Fluss keine Lösung; { $advice }
+reason-unresolved = die Krümmungen dieser Dreiecke haben zusammen weniger Energie als jede glatte Fläche dieser Topologie, sodass sich kein Schritt an ihnen messen lässt; die Fläche ist, wie sie war, und ein Netz aus gleichmäßigen Dreiecken hilft oder der p-Willmore-Fluss
+reason-vanishes = zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf einen Punkt bei ({ $place }); das Volumen beizubehalten verhindert das
+reason-pinched-neck = zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schnürt sich bei Ecke { VERTEX($vertex) }, nahe ({ $place }), ein Hals ab; darüber hinaus hat der Fluss keine Lösung; { $advice }
+reason-sharp-tip = zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) wird bei Ecke { VERTEX($vertex) }, nahe ({ $place }), eine Spitze zum Punkt; darüber hinaus hat der Fluss keine Lösung; { $advice }
 reason-no-flips = kein Flip senkt noch { $criterion ->
     [area] den Flächeninhalt
     [willmore] die Willmore-Energie

@@ -296,6 +296,8 @@ bench-mmcv = Fluss kleinster Variation der mittleren Krümmung: Millisekunden de
     gemessen auf einem anderen Rechner, mit dem Verhältnis ihres Schrittes zu unserem
 bench-refinement = Flächeninhalt, W/2 und ∫H² nach Kotangens und nach Anpassung unter Verfeinerung, mit beobachteten Ordnungen;
     die Kreisenergie strebt nur längs der Krümmungslinien gegen ∫(H² − K) dA
+bench-repair = Lose Dreiecke einer STL-Datei werden eine Fläche: Millisekunden zum Öffnen mit der Suche nach dem,
+    was zu reparieren ist, und zum Reparieren
 bench-robustness = Wie Flüsse enden, sich selbst überlassen: auf Formen mit Rauschen (h die mittlere Kantenlänge) oder auf den
     Netzen eines Ordners in 100 Schritten. Die Energie am Anfang und am Ende, der größte relative Anstieg
     des überwachten Funktionals in einem Schritt, der kleinste Winkel, den es gab

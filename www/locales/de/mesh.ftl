@@ -25,7 +25,10 @@ mesh-too-large = { $count } Ecken von Facetten sind mehr, als 32-Bit-Indizes ben
 repair-degenerate-faces = Weggelassen: { $count ->
     [one] { $count } entartete Facette (mit wiederholter Ecke)
    *[other] { $count } entartete Facetten (mit wiederholter Ecke)
-}, zuerst Facette { $face }.
+}, zuerst Facette { $face }{ $first ->
+    [1] {""} (ab 1 gezählt, wie in der Datei)
+   *[other] {""}
+}.
 repair-duplicate-faces = Weggelassen: { $count ->
     [one] { $count } Facette
    *[other] { $count } Facetten
@@ -93,9 +96,9 @@ repaired-tangled-faces = Weggelassen: { $count ->
 
 ## Unterteilung
 
-subdivision-not-a-triangle = Facette { $face } hat { $degree } Ecken; Unterteilung braucht Dreiecke
+subdivision-not-a-triangle = Facette { FACE($face) } hat { $degree } Ecken; Unterteilung braucht Dreiecke
     .hint = Triangulieren Sie das Netz zuerst.
-subdivision-non-manifold-edge = Kante { $a }-{ $b } hat mehr als zwei Facetten
+subdivision-non-manifold-edge = Kante { VERTEX($a, bare: 1) }-{ VERTEX($b) } hat mehr als zwei Facetten
     .hint = Trennen Sie die Fläche zuerst längs dieser Kante.
 
 ## Formen der Beispiele
@@ -142,7 +145,7 @@ fill-no-loops = das Netz hat keine Randkurve
     .hint = Es gibt nichts zu füllen.
 fill-loop-out-of-range = es gibt keine Randkurve { $index }; das Netz hat { $loops }, ab 0 gezählt
     .hint = Nehmen Sie alle Randkurven oder eine von denen, die es gibt.
-fill-touching-loop = Randkurve { $index } berührt sich selbst: Die Ecken { $a } und { $b } liegen am selben Ort
+fill-touching-loop = Randkurve { $index } berührt sich selbst: Die Ecken { VERTEX($a, bare: 1) } und { VERTEX($b) } liegen am selben Ort
     .hint = Eine Reparatur näht Ränder zusammen, die aufeinander liegen.
 fill-no-small-loops = { $loops ->
     [one] die Randkurve ist
@@ -158,9 +161,9 @@ fill-too-few-loops = { $loops ->
    *[other] { $loops } Randkurven lassen
 } sich nicht verbinden
     .hint = Nennen Sie zwei oder mehr Randkurven, oder füllen Sie sie einzeln.
-fill-hidden-loop = Randkurve { $index } liegt bei Ecke { $vertex } nicht auf der konvexen Hülle der zu verbindenden Randkurven
+fill-hidden-loop = Randkurve { $index } liegt bei Ecke { VERTEX($vertex) } nicht auf der konvexen Hülle der zu verbindenden Randkurven
     .hint = Rücken Sie die Teile auseinander, oder lassen Sie diese Randkurve weg; runde Randkurven, die einander gegenüberliegen, lassen sich verbinden.
-fill-loops-too-close = die Ecken { $a } und { $b } zweier Randkurven sind schon durch eine Kante verbunden
+fill-loops-too-close = die Ecken { VERTEX($a, bare: 1) } und { VERTEX($b) } zweier Randkurven sind schon durch eine Kante verbunden
     .hint = Füllen Sie die Randkurven einzeln.
 fill-cancelled = das Füllen wurde abgebrochen
     .hint = Beginnen Sie neu, wann Sie möchten.

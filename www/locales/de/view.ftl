@@ -601,8 +601,8 @@ symbols-localised = lokale Energien vor und nach dem Flip
 
 vertex-number = Nummer
 vertex-leave = Keine
-vertex-missing = Es gibt keine Ecke { $vertex }.
-vertex-numbers = Ecke { $vertex }
+vertex-missing = Es gibt keine Ecke { VERTEX($vertex) }.
+vertex-numbers = Ecke { VERTEX($vertex) }
 vertex-position = Ort
 vertex-valence = Grad
 vertex-outside = zählt nicht zur Energie
@@ -616,7 +616,7 @@ vertex-edges = Ihre Kanten
 vertex-to = Zu
 vertex-length = Länge
 vertex-none = keiner
-vertex-go = Zu Ecke { $neighbour }
+vertex-go = Zu Ecke { VERTEX($neighbour) }
 vertex-boundary = { $counts ->
     [true] Eine Randecke: an ihren Randkanten steht β₂, gegen die Gerade durch eine Ecke im Unendlichen.
    *[false] Eine Randecke: ihre { $count } Randkanten haben nur einen Kreis und kein β, und Wᵢ zählt unter dieser Randbedingung nicht zur Energie.

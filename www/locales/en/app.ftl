@@ -57,6 +57,13 @@ app-centre-too-far = the centre is more than { $most } times the size of the sur
 app-centre-too-near = the centre is { $percent } % of the size of the surface away from it, and needs { $least } %
     .hint = A point of the surface at the centre would go to infinity: move the centre off it.
 
+found-gap = A gap
+    .hint = Two rims run side by side, closer than half an edge. Welding within this length joins them; it can be undone.
+weld-length = Length
+weld = Weld
+
+counted-from = counted from { $first }
+
 ## How a run ended
 
 run-over = { $ended }: { $reason }
@@ -78,11 +85,14 @@ notice-polygons = The mesh has { $count ->
 notice-flat-triangles = The mesh has { $count ->
     [one] { $count } triangle
    *[other] { $count } triangles
-} without area (collinear corners).
+} without area (collinear corners), the first being face { FACE($face, bare: 1) } at vertices { VERTEX($vertices) }: a repair takes { $count ->
+    [one] it
+   *[other] them
+} out and closes what that opens.
 notice-short-edges = The mesh has { $count ->
     [one] { $count } edge
    *[other] { $count } edges
-} shorter than a millionth of the mean, the first between vertices { $a } and { $b }: merge such vertices (merge by distance) for a better flow.
+} shorter than a millionth of the mean, the first between vertices { VERTEX($a, bare: 1) } and { VERTEX($b) }: merge such vertices (merge by distance) for a better flow.
 notice-self-intersections = The surface passes through itself in { $count ->
     [one] { $count } pair of triangles
    *[other] { $count } pairs of triangles
@@ -98,53 +108,58 @@ notice-filled = Filled { $count ->
 ## What is the matter
 
 symptom-rejected-steps = Nothing is wrong: in step { $step } { $count ->
-    [one] a longer trial, which would have moved vertex { $vertex } most, was refused
-   *[other] { $count } longer trials, the last of which would have moved vertex { $vertex } most, were refused
+    [one] a longer trial, which would have moved vertex { VERTEX($vertex) } most, was refused
+   *[other] { $count } longer trials, the last of which would have moved vertex { VERTEX($vertex) } most, were refused
 }, and τ = { $tau } taken, for which the energy falls.
 symptom-refused-steps = Every step tried was refused: { $cause ->
-    [TooFar] even the last and shortest would move vertex { $vertex } by more than half an edge.
-    [Turn] even the last and shortest would turn face { $face } by more than 60°.
-    [Fold] even the last and shortest would fold face { $face } over.
-    [Sliver] even the last and shortest would make a sliver of face { $face }.
-    [Constraints] area and volume cannot both be kept by a small move of this surface, which would move vertex { $vertex } most.
-    [Bound] even the last and shortest would have less energy than any smooth surface of this topology, and move vertex { $vertex } most.
-    [Unfit] even the last and shortest would leave no surface that can be fitted about vertex { $vertex }.
-   *[other] none lowers the energy, not even the last and shortest, which would move vertex { $vertex } most.
+    [TooFar] even the last and shortest would move vertex { VERTEX($vertex) } by more than half an edge.
+    [Turn] even the last and shortest would turn face { FACE($face) } by more than 60°.
+    [Fold] even the last and shortest would fold face { FACE($face) } over.
+    [Sliver] even the last and shortest would make a sliver of face { FACE($face) }.
+    [Constraints] area and volume cannot both be kept by a small move of this surface, which would move vertex { VERTEX($vertex) } most.
+    [Bound] even the last and shortest would have less energy than any smooth surface of this topology, and move vertex { VERTEX($vertex) } most.
+    [Unfit] even the last and shortest would leave no surface that can be fitted about vertex { VERTEX($vertex) }.
+   *[other] none lowers the energy, not even the last and shortest, which would move vertex { VERTEX($vertex) } most.
 }
 symptom-cocircular-kink = At { $count ->
     [one] { $count } edge
    *[other] { $count } edges
 } the four points of both triangles lie on one circle; there the energy has the tip of a cone, and with angle smoothing ε = { $epsilon } no step descends from it.
 symptom-rising-energy = The energy rises, from { $least } to { $energy }: { $halved ->
-    [0] this scheme does not test for descent, and steps of τ = { $tau } are too long for it; vertex { $vertex } moved by { $moved } edge lengths in the last one.
-   *[other] the matrix of the step is indefinite for steps longer than τ = { $tau }, so that errors are amplified; vertex { $vertex } moved by { $moved } edge lengths in the last step.
+    [0] this scheme does not test for descent, and steps of τ = { $tau } are too long for it; vertex { VERTEX($vertex) } moved by { $moved } edge lengths in the last one.
+   *[other] the matrix of the step is indefinite for steps longer than τ = { $tau }, so that errors are amplified; vertex { VERTEX($vertex) } moved by { $moved } edge lengths in the last step.
 }
-symptom-pinch = The surface pinches off at vertex { $vertex }: the neck there is { $width } wide, { $edges ->
+symptom-pinch = The surface pinches off at vertex { VERTEX($vertex) }: the neck there is { $width } wide, { $edges ->
     [0] too thin for a ring of edges
     [1] too thin for a ring of edges
     [2] too thin for a ring of edges
    *[other] with room for { $edges } edges around
 }, and this flow shrinks a neck to nothing in finite time.
-symptom-inflating = The surface has swollen to { $times } times its area, as ∫H² does not depend on size, and its mesh is worn out by that: the smallest angle of face { $face } is { $angle }°.
+symptom-inflating = The surface has swollen to { $times } times its area, as ∫H² does not depend on size, and its mesh is worn out by that: the smallest angle of face { FACE($face) } is { $angle }°.
 symptom-growing = ∫|H|^p falls as the surface grows, for every exponent above 2: with p = { $p } its area is { $times } times that at the start, and it never comes to rest.
 symptom-shrinking = ∫|H|^p falls as the surface shrinks, for every exponent below 2: with p = { $p } its area is 1/{ $times } of that at the start, and it vanishes in finite time.
-symptom-degenerate-faces = The mesh degenerates: the smallest angle of face { $face } is { $angle }°, and at the start no angle was below { $before }°; steps can be no longer than such a face allows.
+symptom-degenerate-faces = The mesh degenerates: the smallest angle of face { FACE($face) } is { $angle }°, and at the start no angle was below { $before }°; steps can be no longer than such a face allows.
 symptom-folded-faces = { $count ->
-    [one] Face { $face } is folded over, against its neighbours: about it normals and curvatures mean nothing, and steps are short or go astray.
-   *[other] { $count } faces are folded over, against their neighbours, the first of them face { $face }: about them normals and curvatures mean nothing, and steps are short or go astray.
+    [one] Face { FACE($face) } is folded over, against its neighbours: about it normals and curvatures mean nothing, and steps are short or go astray.
+   *[other] { $count } faces are folded over, against their neighbours, the first of them face { FACE($face) }: about them normals and curvatures mean nothing, and steps are short or go astray.
 }
-symptom-below-smooth-minimum = The energy is { $energy }, and no smooth surface of this topology has less than { $smooth }: the mesh is too coarse to notice what bends between its vertices, most of all at vertex { $vertex }.
-symptom-large-exponent = With p = { $p } the sharpest points outweigh all others, most of all vertex { $vertex }: even the shortest step tried would go too far.
-symptom-too-rough = After { $steps } steps vertices are still to move by up to { $update } edge lengths: the start is too rough for a flow of sixth order; the last step moved vertex { $vertex } most.
-symptom-unfit = About vertex { $vertex } the surface has collapsed so far that no quadratic surface fits it, and curvatures by fits are what this flow goes by.
+symptom-below-smooth-minimum = The energy is { $energy }, and no smooth surface of this topology has less than { $smooth }: the mesh is too coarse to notice what bends between its vertices, most of all at vertex { VERTEX($vertex) }.
+symptom-flat-faces = { $count ->
+    [one] Face { FACE($face) } has
+   *[other] { $count } faces, the first of them face { FACE($face) }, have
+} no area: nothing can be measured there, and no step leads on.
+symptom-unresolved = The mesh does not show its surface: the curvatures of these triangles add up to less energy than every smooth surface of this topology has, as those of needles do.
+symptom-large-exponent = With p = { $p } the sharpest points outweigh all others, most of all vertex { VERTEX($vertex) }: even the shortest step tried would go too far.
+symptom-too-rough = After { $steps } steps vertices are still to move by up to { $update } edge lengths: the start is too rough for a flow of sixth order; the last step moved vertex { VERTEX($vertex) } most.
+symptom-unfit = About vertex { VERTEX($vertex) } the surface has collapsed so far that no quadratic surface fits it, and curvatures by fits are what this flow goes by.
 symptom-step-limit = Nothing is wrong: after { $steps ->
     [one] { $steps } step
    *[other] { $steps } steps
-} the energy still falls, by { $percent } % in the last one, which moved vertex { $vertex } most.
+} the energy still falls, by { $percent } % in the last one, which moved vertex { VERTEX($vertex) } most.
 symptom-not-at-rest = After { $steps ->
     [one] { $steps } step
    *[other] { $steps } steps
-} the surface is not at rest; the last one moved vertex { $vertex } most.
+} the surface is not at rest; the last one moved vertex { VERTEX($vertex) } most.
 
 ## What helps
 

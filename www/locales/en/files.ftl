@@ -142,6 +142,8 @@ extra-data = values at vertices and cells
 ## What a written file lacks
 
 loss-moved = { $format } holds coordinates in single precision: the mesh was moved to the origin, by ({ NUMBER($x) }, { NUMBER($y) }, { NUMBER($z) }). PLY, OBJ and OFF keep its place.
+loss-colours = { $format } has no place for colours of vertices: they were left out. PLY, OBJ, OFF and GLB keep them.
+loss-colours-remeshed = The file’s vertex colours were dropped: remeshing has made other vertices.
 
 ## Meshes that cannot be written
 

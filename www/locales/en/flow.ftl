@@ -2,9 +2,9 @@
 
 ## Why a flow cannot start or go on
 
-flow-not-triangular = face { $face } has { $corners } corners; this flow works on triangles
+flow-not-triangular = face { FACE($face) } has { $corners } corners; this flow works on triangles
     .hint = Triangulate the mesh first.
-flow-zero-length-edge = the edge between vertices { $a } and { $b } has no length{ $others ->
+flow-zero-length-edge = the edge between vertices { VERTEX($a, bare: 1) } and { VERTEX($b) } has no length{ $others ->
     [0] {""}
     [one] ; one other edge is like it
    *[other] ; { $others } other edges are like it
@@ -26,7 +26,7 @@ flow-mixed-faces = the mesh mixes faces of different degree
     .hint = Triangulate the mesh first.
 flow-too-large = the mesh has { $vertices } vertices; the paper's scheme takes { $limit }
     .hint = Choose the recommended scheme, which tends to the same flow, or a coarser mesh.
-flow-unfit = the surface cannot be fitted at vertex { $vertex }
+flow-unfit = the surface cannot be fitted at vertex { VERTEX($vertex) }
     .hint = It has too few neighbours, some of them coincide, or faces around it have collapsed or are folded: repair the mesh there, or hold the vertices around it.
 flow-inaccurate = the linear system was solved to a residual of { NUMBER($residual, digits: 2) } only
     .hint = Choose a smaller step size, a coarser mesh or a flow of lower order.
@@ -40,8 +40,8 @@ warning-near-bound = ∫H² is below that of every smooth surface with these han
 warning-growth = The area has grown several times over: a bubble, round and thus cheap, may be forming. From a rough start, smooth a little first.
 warning-balloon = Half of the area is held by few large faces: a part of the surface inflates, which this energy does not mind. The p-Willmore flow with area and volume kept does not let it.
 warning-reading-rose = W rose from { NUMBER($before, digits: 5) } to { NUMBER($after, digits: 5) } in this step, although the smoothed energy that the flow lowers fell: many of its angles were near zero.
-warning-coarse = At vertex { $vertex } edges are too long for the curvature: use a finer mesh.
-warning-nearly-singular = At vertex { $vertex } the surface is about to become singular, as a neck that pinches off: use a finer mesh.
+warning-coarse = At vertex { VERTEX($vertex) } edges are too long for the curvature: use a finer mesh.
+warning-nearly-singular = At vertex { VERTEX($vertex) } the surface is about to become singular, as a neck that pinches off: use a finer mesh.
 warning-large-face = The largest face has grown to { $times } times the mean: one part of the surface inflates, and the energy shown is too low. A finer mesh helps.
 warning-slivers = The mesh degenerates: its smallest angle is { NUMBER($degrees, digits: 2) }°, { NUMBER($before, digits: 2) }° at the start; { $advice }.
 warning-folded-faces = { $count ->
@@ -105,6 +105,9 @@ cause-newton = Newton’s method does not converge, or a face would turn over
 
 ## Why a run is over, after its status
 
+clock-own = by this flow’s law
+clock-mean-curvature = by the normal velocity −H
+clock-area-gradient = by the normal velocity −2H, which takes half as long as −H
 reason-at-rest = the surface is at rest
 reason-still = no vertex moves any more
 reason-zero-energy = the energy is zero up to roundoff
@@ -117,14 +120,19 @@ reason-step-limit = the limit of { $steps ->
    *[other] { $steps } steps
 } is reached
 reason-time-limit = the { $seconds } seconds of computing are used up, and the surface is not at rest
-reason-large-face = face { $face } is { $times } times as large as the mean, and the mesh no longer resolves the surface; a finer mesh helps, or keeping area and volume under the p-Willmore flow
+reason-large-face = face { FACE($face) } is { $times } times as large as the mean, and the mesh no longer resolves the surface; a finer mesh helps, or keeping area and volume under the p-Willmore flow
 reason-refused = every step tried was refused, the last because { $cause }; { $advice }
+reason-flat-face = { $count ->
+    [one] face { FACE($face) } has
+   *[other] { $count } faces, the first of them face { FACE($face) }, have
+} no area, and no step leads on from there; a repair takes such faces out
 reason-creeping = only ever smaller steps lower the energy, which is not at rest; { $advice }
 reason-worse-rest = the flow comes to rest with more energy than on the way; { $advice }
 reason-below-bound = any further step would have less energy than every smooth surface of this topology, so something closes between the vertices; the surface is the last good one, and a finer or better mesh helps
-reason-vanishes = at time { NUMBER($time, digits: 4) } the surface shrinks to a point near ({ $place }); keeping the volume prevents that
-reason-pinched-neck = at time { NUMBER($time, digits: 4) } a neck pinches off at vertex { $vertex }, near ({ $place }); the flow has no solution beyond it; { $advice }
-reason-sharp-tip = at time { NUMBER($time, digits: 4) } a tip becomes a point at vertex { $vertex }, near ({ $place }); the flow has no solution beyond it; { $advice }
+reason-unresolved = the curvatures of these triangles add up to less than every smooth surface of this topology has, so that no step can be judged by them; the surface is as it was, and a mesh of even triangles helps, or the p-Willmore flow
+reason-vanishes = at time { NUMBER($time, digits: 2) } ({ $clock }) the surface shrinks to a point near ({ $place }); keeping the volume prevents that
+reason-pinched-neck = at time { NUMBER($time, digits: 2) } ({ $clock }) a neck pinches off at vertex { VERTEX($vertex) }, near ({ $place }); the flow has no solution beyond it; { $advice }
+reason-sharp-tip = at time { NUMBER($time, digits: 2) } ({ $clock }) a tip becomes a point at vertex { VERTEX($vertex) }, near ({ $place }); the flow has no solution beyond it; { $advice }
 reason-no-flips = no flip lowers { $criterion ->
     [area] the area
     [willmore] the Willmore energy

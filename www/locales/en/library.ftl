@@ -296,6 +296,8 @@ bench-mmcv = Minimal mean-curvature-variation flow: milliseconds of the first st
     measured on another machine, with the ratio of its step to ours
 bench-refinement = Area, W/2 and ∫H² by cotangents and by fits under refinement, with observed orders; the
     circle energy tends to ∫(H² − K) dA only along lines of curvature
+bench-repair = Loose triangles of an STL made a surface: milliseconds to open the file and find what is to be
+    repaired, and to repair it
 bench-robustness = How flows end, left to themselves: on shapes with noise (h the mean edge length), or on the
     meshes of a folder in 100 steps. The energy at first and last, the largest relative rise of
     the monitored functional in a step, the smallest angle there was

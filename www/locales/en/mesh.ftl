@@ -25,7 +25,10 @@ mesh-too-large = { $count } face corners are more than 32-bit indices can name
 repair-degenerate-faces = Dropped { $count ->
     [one] { $count } degenerate face (a corner repeated)
    *[other] { $count } degenerate faces (a corner repeated)
-}, the first being face { $face }.
+}, the first being face { $face }{ $first ->
+    [1] {""} (counted from 1, as in the file)
+   *[other] {""}
+}.
 repair-duplicate-faces = Dropped { $count ->
     [one] { $count } face
    *[other] { $count } faces
@@ -99,9 +102,9 @@ repaired-tangled-faces = Dropped { $count ->
 
 ## Subdivision
 
-subdivision-not-a-triangle = face { $face } has { $degree } corners; subdivision needs triangles
+subdivision-not-a-triangle = face { FACE($face) } has { $degree } corners; subdivision needs triangles
     .hint = Triangulate the mesh first.
-subdivision-non-manifold-edge = edge { $a }-{ $b } has more than two faces
+subdivision-non-manifold-edge = edge { VERTEX($a, bare: 1) }-{ VERTEX($b) } has more than two faces
     .hint = Split the surface along this edge first.
 
 ## Sample shapes
@@ -148,7 +151,7 @@ fill-no-loops = the mesh has no boundary loop
     .hint = There is nothing to fill.
 fill-loop-out-of-range = there is no boundary loop { $index }; the mesh has { $loops }, counted from 0
     .hint = Ask for all loops, or for one of those there are.
-fill-touching-loop = boundary loop { $index } touches itself: vertices { $a } and { $b } lie in the same place
+fill-touching-loop = boundary loop { $index } touches itself: vertices { VERTEX($a, bare: 1) } and { VERTEX($b) } lie in the same place
     .hint = A repair stitches boundaries that lie on each other.
 fill-no-small-loops = { $loops ->
     [one] the boundary loop is
@@ -164,9 +167,9 @@ fill-too-few-loops = { $loops ->
    *[other] { $loops } boundary loops
 } cannot be connected
     .hint = Name two loops or more, or fill them one by one.
-fill-hidden-loop = boundary loop { $index } does not lie on the convex hull of the loops to be connected, at vertex { $vertex }
+fill-hidden-loop = boundary loop { $index } does not lie on the convex hull of the loops to be connected, at vertex { VERTEX($vertex) }
     .hint = Move the parts apart or leave the loop out; loops that are round and face each other can be connected.
-fill-loops-too-close = vertices { $a } and { $b } of two loops are joined by an edge already
+fill-loops-too-close = vertices { VERTEX($a, bare: 1) } and { VERTEX($b) } of two loops are joined by an edge already
     .hint = Fill the loops one by one.
 fill-cancelled = filling was cancelled
     .hint = Start again whenever you like.

@@ -601,8 +601,8 @@ symbols-localised = localised energies before and after the flip
 
 vertex-number = Number
 vertex-leave = None
-vertex-missing = There is no vertex { $vertex }.
-vertex-numbers = Vertex { $vertex }
+vertex-missing = There is no vertex { VERTEX($vertex) }.
+vertex-numbers = Vertex { VERTEX($vertex) }
 vertex-position = Position
 vertex-valence = Valence
 vertex-outside = not part of the energy
@@ -616,7 +616,7 @@ vertex-edges = Its edges
 vertex-to = To
 vertex-length = Length
 vertex-none = none
-vertex-go = Go to vertex { $neighbour }
+vertex-go = Go to vertex { VERTEX($neighbour) }
 vertex-boundary = { $counts ->
     [true] A boundary vertex: at its boundary edges stands β₂, against the line through a vertex at infinity.
    *[false] A boundary vertex: its { $count } boundary edges have one circle only and no β, and Wᵢ is no part of the energy under this boundary condition.
