@@ -2709,7 +2709,7 @@ export type SubdivisionScheme = "linear" | "loop";
 /**
  * Which table.
  */
-export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "repair" | "robustness" | "figures";
+export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "repair" | "robustness" | "vesicles" | "figures";
 
 /**
  * Where the values of a quantity lead.
