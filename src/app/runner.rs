@@ -10,7 +10,6 @@ mod restoration;
 mod viewing;
 
 use super::arrangement::Arrangement;
-use super::colours::Colours;
 use super::crossing::count_after_step;
 use super::document::Document;
 use super::engine::{Checkpoint, Engine};
@@ -32,7 +31,6 @@ use crate::message::Say;
 use crate::operator::Elements;
 use crate::remesh::Regulariser;
 use crate::remesh::static_pass::{self, RegulariseOptions, Regularised};
-use crate::soup::PolygonSoup;
 use glam::DVec3;
 use serde::Serialize;
 use std::rc::Rc;
@@ -192,23 +190,6 @@ impl Runner {
     pub(super) fn info(&self) -> Info {
         let document = self.present();
         document.info()
-    }
-
-    /// Faces as they are now, in the file's coordinates and colours.
-    pub(super) fn soup(&self) -> PolygonSoup {
-        let x = self.document.frame.leave(&self.x);
-        PolygonSoup {
-            colours: self.colours().list().to_vec(),
-            ..self.polygons().to_soup(&x)
-        }
-    }
-
-    /// What the file gave the vertices that there are now.
-    pub(super) fn colours(&self) -> Colours {
-        match &self.segment.mesh {
-            Some(_) => self.document.colours.dropped(),
-            None => self.document.colours.clone(),
-        }
     }
 
     pub(super) fn field(&self, name: FieldName) -> Result<Field, Fault> {

@@ -9,6 +9,7 @@
 //! so a pass may raise it; refusing those that do would keep exactly the meshes that need one.
 
 use super::Runner;
+use crate::app::colours::Colours;
 use crate::app::engine::Checkpoint;
 use crate::app::fault::Fault;
 use crate::app::history::{Event, Snapshot};
@@ -21,6 +22,7 @@ use crate::flow::{Decision, Pass, Status, StepReport};
 use crate::geometry::measure;
 use crate::remesh::Mode;
 use crate::remesh::adaptive::{self, Kind, Soundness, Targets};
+use crate::soup::PolygonSoup;
 use std::rc::Rc;
 use web_time::Instant;
 
@@ -192,5 +194,24 @@ impl Runner {
     fn take_pass_back(&mut self) {
         self.back();
         self.history.drop_future();
+    }
+}
+
+impl Runner {
+    /// Faces as they are now, in the file's coordinates and colours.
+    pub(in crate::app) fn soup(&self) -> PolygonSoup {
+        let x = self.document.frame.leave(&self.x);
+        PolygonSoup {
+            colours: self.colours().list().to_vec(),
+            ..self.polygons().to_soup(&x)
+        }
+    }
+
+    /// What the file gave the vertices that there are now.
+    pub(in crate::app) fn colours(&self) -> Colours {
+        match &self.segment.mesh {
+            Some(_) => self.document.colours.dropped(),
+            None => self.document.colours.clone(),
+        }
     }
 }

@@ -54,7 +54,7 @@ use curvatures::Curvatures;
 use glam::DVec3;
 use ladder::Ladder;
 use law::Law;
-use region::Region;
+use region::{Region, check_mesh};
 use std::rc::Rc;
 use system::CurvatureSystem;
 use web_time::Instant;
@@ -512,22 +512,4 @@ impl Flow for CurvatureFlow {
         (self.reached, self.top) = (None, None);
         self.forget();
     }
-}
-
-/// The preconditions on a mesh.
-fn check_mesh(mesh: &HalfedgeMesh) -> Result<(), FlowError> {
-    let wrong = mesh
-        .faces()
-        .map(|f| (f, mesh.face_vertices(f).count()))
-        .find(|(_, corners)| *corners != 3);
-    if let Some((face, corners)) = wrong {
-        return Err(FlowError::NotTriangular {
-            face: face.0,
-            corners,
-        });
-    }
-    if !mesh.is_oriented() {
-        return Err(FlowError::NotOriented);
-    }
-    Ok(())
 }

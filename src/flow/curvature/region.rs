@@ -1,5 +1,6 @@
 //! The free vertices, their surroundings and their size.
 
+use crate::flow::FlowError;
 use crate::geometry::measure;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use glam::DVec3;
@@ -121,4 +122,22 @@ fn mean_edge_length(mesh: &HalfedgeMesh, x: &[DVec3], is_free: &[bool]) -> f64 {
         }
     }
     total / count.max(1) as f64
+}
+
+/// The preconditions on a mesh.
+pub(super) fn check_mesh(mesh: &HalfedgeMesh) -> Result<(), FlowError> {
+    let wrong = mesh
+        .faces()
+        .map(|f| (f, mesh.face_vertices(f).count()))
+        .find(|(_, corners)| *corners != 3);
+    if let Some((face, corners)) = wrong {
+        return Err(FlowError::NotTriangular {
+            face: face.0,
+            corners,
+        });
+    }
+    if !mesh.is_oriented() {
+        return Err(FlowError::NotOriented);
+    }
+    Ok(())
 }

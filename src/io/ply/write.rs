@@ -64,17 +64,11 @@ pub(in crate::io) fn write(soup: &PolygonSoup, format: Format, comment: &str) ->
     match format {
         Format::PlyAscii => write_text(soup, &colours, text),
         Format::PlyBigEndian => {
-            let numbers = (
-                f64::to_be_bytes as fn(f64) -> _,
-                u32::to_be_bytes as fn(u32) -> _,
-            );
+            let numbers: Bytes = (f64::to_be_bytes, u32::to_be_bytes);
             write_binary(soup, &colours, text, small, numbers)
         }
         _ => {
-            let numbers = (
-                f64::to_le_bytes as fn(f64) -> _,
-                u32::to_le_bytes as fn(u32) -> _,
-            );
+            let numbers: Bytes = (f64::to_le_bytes, u32::to_le_bytes);
             write_binary(soup, &colours, text, small, numbers)
         }
     }
@@ -102,12 +96,15 @@ fn write_text(soup: &PolygonSoup, colours: &Colours, mut out: String) -> Vec<u8>
     out.into_bytes()
 }
 
+/// How numbers become bytes, in either order.
+type Bytes = (fn(f64) -> [u8; 8], fn(u32) -> [u8; 4]);
+
 fn write_binary(
     soup: &PolygonSoup,
     colours: &Colours,
     header: String,
     small: bool,
-    (float, integer): (fn(f64) -> [u8; 8], fn(u32) -> [u8; 4]),
+    (float, integer): Bytes,
 ) -> Vec<u8> {
     let mut out = header.into_bytes();
     out.reserve(24 * soup.positions.len() + 4 * (soup.corners.len() + soup.n_faces()));

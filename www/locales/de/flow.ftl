@@ -127,9 +127,9 @@ reason-creeping = nur immer kleinere Schritte senken die Energie, die nicht in R
 reason-worse-rest = der Fluss kommt mit mehr Energie zur Ruhe, als er unterwegs hatte; { $advice }
 reason-below-bound = jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft
 reason-unresolved = die Krümmungen dieser Dreiecke haben zusammen weniger Energie als jede glatte Fläche dieser Topologie, sodass sich kein Schritt an ihnen messen lässt; die Fläche ist, wie sie war, und ein Netz aus gleichmäßigen Dreiecken hilft oder der p-Willmore-Fluss
-reason-vanishes = zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf einen Punkt bei ({ $place }); das Volumen beizubehalten verhindert das
-reason-pinched-neck = zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schnürt sich bei Ecke { VERTEX($vertex) }, nahe ({ $place }), ein Hals ab; darüber hinaus hat der Fluss keine Lösung; { $advice }
-reason-sharp-tip = zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) wird bei Ecke { VERTEX($vertex) }, nahe ({ $place }), eine Spitze zum Punkt; darüber hinaus hat der Fluss keine Lösung; { $advice }
+reason-vanishes = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf einen Punkt bei ({ $place }); das Volumen beizubehalten verhindert das
+reason-pinched-neck = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schnürt sich bei Ecke { VERTEX($vertex) }, nahe ({ $place }), ein Hals ab; darüber hinaus hat der Fluss keine Lösung; { $advice }
+reason-sharp-tip = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) wird bei Ecke { VERTEX($vertex) }, nahe ({ $place }), eine Spitze zum Punkt; darüber hinaus hat der Fluss keine Lösung; { $advice }
 reason-no-flips = kein Flip senkt noch { $criterion ->
     [area] den Flächeninhalt
     [willmore] die Willmore-Energie

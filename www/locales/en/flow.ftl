@@ -130,9 +130,9 @@ reason-creeping = only ever smaller steps lower the energy, which is not at rest
 reason-worse-rest = the flow comes to rest with more energy than on the way; { $advice }
 reason-below-bound = any further step would have less energy than every smooth surface of this topology, so something closes between the vertices; the surface is the last good one, and a finer or better mesh helps
 reason-unresolved = the curvatures of these triangles add up to less than every smooth surface of this topology has, so that no step can be judged by them; the surface is as it was, and a mesh of even triangles helps, or the p-Willmore flow
-reason-vanishes = at time { NUMBER($time, digits: 2) } ({ $clock }) the surface shrinks to a point near ({ $place }); keeping the volume prevents that
-reason-pinched-neck = at time { NUMBER($time, digits: 2) } ({ $clock }) a neck pinches off at vertex { VERTEX($vertex) }, near ({ $place }); the flow has no solution beyond it; { $advice }
-reason-sharp-tip = at time { NUMBER($time, digits: 2) } ({ $clock }) a tip becomes a point at vertex { VERTEX($vertex) }, near ({ $place }); the flow has no solution beyond it; { $advice }
+reason-vanishes = at about time { NUMBER($time, digits: 2) } ({ $clock }) the surface shrinks to a point near ({ $place }); keeping the volume prevents that
+reason-pinched-neck = at about time { NUMBER($time, digits: 2) } ({ $clock }) a neck pinches off at vertex { VERTEX($vertex) }, near ({ $place }); the flow has no solution beyond it; { $advice }
+reason-sharp-tip = at about time { NUMBER($time, digits: 2) } ({ $clock }) a tip becomes a point at vertex { VERTEX($vertex) }, near ({ $place }); the flow has no solution beyond it; { $advice }
 reason-no-flips = no flip lowers { $criterion ->
     [area] the area
     [willmore] the Willmore energy
