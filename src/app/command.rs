@@ -26,7 +26,6 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::StepReport;
 use crate::flow::option::{Values, options_of};
-use crate::io::Format;
 use crate::message::Message;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -352,10 +351,6 @@ pub enum Answer {
     History(String),
 }
 
-fn format_named(name: &str) -> Result<Format, Fault> {
-    Format::from_name(name).ok_or_else(|| Fault::unknown_format(name))
-}
-
 impl Session {
     /// Does what a command asks for.
     ///
@@ -439,7 +434,7 @@ impl Session {
                 step,
                 time,
             } => {
-                let triangles = triangles.as_ref().map(|list| list.as_slice());
+                let triangles = triangles.as_deref().map(Vec::as_slice);
                 Answer::Restore(self.restore(&exact, triangles, step, time)?)
             }
             C::Regularise { options } => Answer::Regularise(self.regularise(&options)?),
@@ -458,10 +453,8 @@ impl Session {
             }
             C::Colour { field } => {
                 let answer = self.field(&field)?;
-                self.view.field = match &*field {
-                    "none" => None,
-                    name => Some(FieldName::parse(name)?),
-                };
+                let name = (field != "none").then(|| FieldName::parse(&field));
+                self.view.field = name.transpose()?;
                 Answer::Colour(answer)
             }
             C::Look { wanted } => {
@@ -500,8 +493,10 @@ impl Session {
             C::Follow { script } => Answer::Follow(self.follow(&script)?),
             C::Advance {} => Answer::Advance(self.advance()?),
             C::CancelReplay {} => Answer::CancelReplay(self.cancel_replay()?),
-            C::Export { format } => Answer::Export(self.export(format_named(&format)?)?.into()),
-            C::Losses { format } => Answer::Losses(self.losses(format_named(&format)?)?),
+            C::Export { format } => {
+                Answer::Export(self.export(Fault::format_named(&format)?)?.into())
+            }
+            C::Losses { format } => Answer::Losses(self.losses(Fault::format_named(&format)?)?),
             C::History {} => Answer::History(self.history_csv()?),
         })
     }

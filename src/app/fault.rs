@@ -4,7 +4,7 @@ use super::message::AppError;
 use super::repairs::RepairItem;
 use crate::flow::FlowError;
 use crate::flow::option::OptionError;
-use crate::io::{ReadError, WriteError};
+use crate::io::{Format, ReadError, WriteError};
 use crate::mesh::MeshError;
 use crate::mesh::shape::ShapeError;
 use crate::mesh::subdivide::SubdivisionError;
@@ -52,15 +52,16 @@ impl Fault {
         AppError::NoMesh.into()
     }
 
-    /// A name of a format that is none.
-    pub fn unknown_format(name: &str) -> Self {
-        AppError::UnknownFormat {
+    /// The format of a name.
+    ///
+    /// # Errors
+    /// If no format that is written has it.
+    pub fn format_named(name: &str) -> Result<Format, Self> {
+        let unknown = || AppError::UnknownFormat {
             name: name.into(),
-            known: crate::io::Format::written()
-                .map(crate::io::Format::name)
-                .collect(),
-        }
-        .into()
+            known: Format::written().map(Format::name).collect(),
+        };
+        Format::from_name(name).ok_or_else(|| unknown().into())
     }
 
     fn with(mut self, detail: impl IntoIterator<Item = (&'static str, Vec<u32>)>) -> Self {

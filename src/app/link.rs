@@ -29,7 +29,7 @@ use crate::flow::options::{FlowName, FlowOptions};
 use base::{base_of, before_of};
 pub use error::{LinkError, LinkValue};
 use serde::{Deserialize, Serialize};
-use words::Words;
+use words::{Words, is_among, is_energy, whole};
 
 /// Vertices in all selections of a link at most.
 const MAX_SELECTED: usize = 1 << 20;
@@ -205,23 +205,6 @@ fn is_option(word: &str) -> bool {
 
 fn is_of_arrangement(word: &str) -> bool {
     Arrangement::ROWS.iter().any(|row| row.name == word)
-}
-
-fn is_among(text: &str, also: &str) -> bool {
-    let fits = |byte: u8| byte.is_ascii_alphanumeric() || also.as_bytes().contains(&byte);
-    text.bytes().all(fits)
-}
-
-fn whole(text: &str) -> Option<usize> {
-    let is_short = (1..=7).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit());
-    text.parse().ok().filter(|_| is_short)
-}
-
-/// Whether a text is an energy as links have it.
-fn is_energy(text: &str) -> bool {
-    let digits = text.bytes().any(|byte| byte.is_ascii_digit());
-    let is_number = text.parse().is_ok_and(f64::is_finite);
-    digits && text.len() < 30 && is_among(text, "+-.") && is_number
 }
 
 impl Link {

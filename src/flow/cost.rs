@@ -1,6 +1,6 @@
 //! What a step costs, told apart, and who is told how far it has come.
 
-use super::Warning;
+use super::{StepReport, Warning};
 use crate::linalg::SolveInfo;
 use std::rc::Rc;
 use web_time::Instant;
@@ -56,6 +56,19 @@ impl Cost {
         self.solve += info.solve_seconds;
         self.iterations += info.iterations;
         self.negative_pivots = info.negative_pivots;
+    }
+
+    /// Enters everything into the report of the step, and hands it the warnings.
+    pub(super) fn enter(&mut self, report: &mut StepReport) {
+        report.iterations = self.iterations;
+        report.negative_pivots = self.negative_pivots;
+        report.linear_residual = self.residual;
+        report.assemble_milliseconds = self.assemble * 1e3;
+        report.factor_milliseconds = self.factor * 1e3;
+        report.solve_milliseconds = self.solve * 1e3;
+        report.search_milliseconds = self.search * 1e3;
+        report.regularise_milliseconds = self.regularise * 1e3;
+        report.warnings.append(&mut self.warnings);
     }
 
     /// Counts the seconds of `work` as assembly.

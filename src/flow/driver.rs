@@ -406,15 +406,7 @@ impl Driver {
             is_leading: step.ceiling == Some(Ceiling::None),
         };
         let decision = self.decision(x, &ending, &mut report, cost)?;
-        report.iterations = cost.iterations;
-        report.negative_pivots = cost.negative_pivots;
-        report.linear_residual = cost.residual;
-        report.assemble_milliseconds = cost.assemble * 1e3;
-        report.factor_milliseconds = cost.factor * 1e3;
-        report.solve_milliseconds = cost.solve * 1e3;
-        report.search_milliseconds = cost.search * 1e3;
-        report.regularise_milliseconds = cost.regularise * 1e3;
-        report.warnings.append(&mut cost.warnings);
+        cost.enter(&mut report);
         Ok((report, decision))
     }
 

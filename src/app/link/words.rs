@@ -104,3 +104,22 @@ impl Written {
         self.0.finish().replace("%2C", ",")
     }
 }
+
+/// Whether a text is of letters, digits and these characters.
+pub(super) fn is_among(text: &str, also: &str) -> bool {
+    let fits = |byte: u8| byte.is_ascii_alphanumeric() || also.as_bytes().contains(&byte);
+    text.bytes().all(fits)
+}
+
+/// A number of at most seven digits.
+pub(super) fn whole(text: &str) -> Option<usize> {
+    let is_short = (1..=7).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit());
+    text.parse().ok().filter(|_| is_short)
+}
+
+/// Whether a text is an energy as links have it.
+pub(super) fn is_energy(text: &str) -> bool {
+    let digits = text.bytes().any(|byte| byte.is_ascii_digit());
+    let is_number = text.parse().is_ok_and(f64::is_finite);
+    digits && text.len() < 30 && is_among(text, "+-.") && is_number
+}
