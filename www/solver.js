@@ -3,7 +3,7 @@
 // is given that scene before it is asked for anything else.
 
 /** @import { Arrangement, FlowOptions } from "./generated/schema.js" */
-/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Message, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, RemeshOptions, RemeshOutcome, RepairOptions, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, Wanted, WrittenLink } from "./generated/types.js" */
+/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Message, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, RemeshOptions, RemeshOutcome, RepairOptions, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, LookOptions, WrittenLink } from "./generated/types.js" */
 /** @import { Finding } from "./library.js" */
 /** @import { Field, FieldName } from "./store.js" */
 /** @import { Fault } from "./words.js" */
@@ -39,7 +39,7 @@ export const CANCELLED = "Cancelled";
  * @property {FlowOptions} options
  * @property {FieldName} field
  * @property {Arrangement | null} arrangement
- * @property {Wanted | null} wanted     what is looked at more closely
+ * @property {LookOptions | null} lookOptions  what is looked at more closely
  * @property {Frame | null} last
  */
 
@@ -75,7 +75,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   /** @type {Shown} */
   let scene = {
     ...{ origin: null, loaded: null, isConfigured: false, options: {}, field: "none" },
-    ...{ arrangement: null, wanted: null, last: null },
+    ...{ arrangement: null, lookOptions: null, last: null },
   };
   /** Those of before the edits that can be undone. @type {Pick<Shown, "origin" | "loaded">[]} */
   let origins = [];
@@ -171,7 +171,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
 
   /** Gives a new worker the scene. @returns {Promise<State | null>} */
   async function restore() {
-    const { origin, loaded, isConfigured, options, field, arrangement, wanted, last } = scene;
+    const { origin, loaded, isConfigured, options, field, arrangement, lookOptions, last } = scene;
     if (!origin) return null;
     const again = await send(origin.name, origin.fields, { ends: true });
     let state = null;
@@ -180,7 +180,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       await send("configure", { options: chosen });
       if (field !== "none") await send("colour", { field });
       if (arrangement) await send("arrange", { arrangement });
-      if (wanted) await send("look", { wanted });
+      if (lookOptions) await send("look", { options: lookOptions });
       state = await place(last, loaded ?? again, again);
     }
     isWhole = true;
@@ -406,10 +406,10 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       await keep(loaded);
       return { filled, loaded };
     },
-    /** @param {Wanted} wanted @returns {Promise<Look>} */
-    async look(wanted) {
-      const look = await ask("look", { wanted });
-      scene.wanted = wanted;
+    /** @param {LookOptions} options @returns {Promise<Look>} */
+    async look(options) {
+      const look = await ask("look", { options });
+      scene.lookOptions = options;
       return look;
     },
     /** @param {number[]} centre @returns {Promise<Inverted>} */

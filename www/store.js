@@ -6,7 +6,7 @@ import { computed, signal } from "@preact/signals-core";
 import { numberAs } from "./numbers.js";
 import { defaults, plainArrangement } from "./options.js";
 
-/** @import { Configured, Curves, CurvatureJump, Inverted, Loaded, Look, State as Reading, Timeline, Wanted } from "./generated/types.js" */
+/** @import { Configured, Curves, CurvatureJump, Inverted, Loaded, Look, State as Reading, Timeline, LookOptions } from "./generated/types.js" */
 /** @import { Options } from "./options.js" */
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'failed'} Phase */
@@ -95,7 +95,7 @@ import { defaults, plainArrangement } from "./options.js";
  * @property {Readonly<Required<import("./generated/types.js").Arrangement>>} arrangement  of edge flips
  * @property {readonly Earlier[]} earlier  what `undo` brings back, oldest first
  * @property {Marks | null} marks
- * @property {Readonly<Wanted>} wanted    what is looked at more closely
+ * @property {Readonly<LookOptions>} lookOptions  what is looked at more closely
  * @property {Inverted | null} preview
  * @property {import("./library.js").Figure | null} figure
  * @property {"back" | "whole" | null} film  of a figure of two halves: the one that is shown
@@ -152,7 +152,7 @@ export const initial = Object.freeze({
   arrangement: plainArrangement,
   earlier: [],
   marks: null,
-  wanted: Object.freeze({ probe: null, circles: false, directions: false, crossings: false }),
+  lookOptions: Object.freeze({ probe: null, circles: false, directions: false, crossings: false }),
   preview: null,
   figure: null,
   film: null,

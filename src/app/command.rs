@@ -14,7 +14,7 @@ use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::history::Timeline;
 use super::link::{LinkCheck, LinkScene, PageScene, WrittenLink};
-use super::look::{Look, Wanted};
+use super::look::{Look, LookOptions};
 use super::outcome::Outcome;
 use super::phases::Phase;
 use super::readings::{EnergyOptions, EnergyReadings, Info, State};
@@ -174,7 +174,7 @@ pub enum Command {
     /// What frames look at more closely from now on.
     Look {
         /// All of it.
-        wanted: Wanted,
+        options: LookOptions,
     },
     /// The surface inverted, without changing it.
     PreviewInversion {
@@ -457,14 +457,18 @@ impl Session {
                 self.view.field = name.transpose()?;
                 Answer::Colour(answer)
             }
-            C::Look { wanted } => {
-                let look = self.look(wanted)?;
-                self.view.look = (wanted != Wanted::default()).then_some(wanted);
+            C::Look { options } => {
+                let look = self.look(options)?;
+                self.view.look = (options != LookOptions::default()).then_some(options);
                 Answer::Look(look)
             }
             C::PreviewInversion { centre } => {
-                let wanted = self.view.look.unwrap_or_default();
-                Answer::PreviewInversion(self.preview_inversion(centre, self.view.field, wanted)?)
+                let options = self.view.look.unwrap_or_default();
+                Answer::PreviewInversion(self.preview_inversion(
+                    centre,
+                    self.view.field,
+                    options,
+                )?)
             }
             C::Conjecture {} => Answer::Conjecture(self.conjecture()?),
             C::Quadrilateral { corners } => Answer::Quadrilateral(self.quadrilateral(corners)?),

@@ -4,7 +4,7 @@
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::history::Timeline;
-use super::look::{Look, Wanted};
+use super::look::{Look, LookOptions};
 use super::pane::{Curves, Pane, pictures};
 use super::plot_point::PlotPoint;
 use super::readings::State;
@@ -68,7 +68,7 @@ pub struct Frame {
 #[derive(Clone, Debug, Default)]
 pub(super) struct View {
     pub(super) field: Option<FieldName>,
-    pub(super) look: Option<Wanted>,
+    pub(super) look: Option<LookOptions>,
     /// The flow whose options were told.
     pub(super) flow: Option<Rc<Segment>>,
     reports: Vec<PlotPoint>,
@@ -147,7 +147,7 @@ impl Session {
             panes,
             curves: is_flips.then(|| runner.curves()),
             jump: runner.curvature_jump().filter(|_| !is_flips),
-            look: view.look.map(|wanted| runner.look(wanted, &runner.x)),
+            look: view.look.map(|options| runner.look(options, &runner.x)),
             timeline: runner.history.timeline(runner.state.step),
             flow,
         })

@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
-pub struct Wanted {
+pub struct LookOptions {
     /// A vertex with its star and the circumcircles of its triangles.
     pub probe: Option<u32>,
     /// The circumcircles of all triangles.
@@ -107,30 +107,30 @@ impl Session {
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
-    pub fn look(&self, wanted: Wanted) -> Result<Look, Fault> {
+    pub fn look(&self, options: LookOptions) -> Result<Look, Fault> {
         let runner = self.runner()?;
-        Ok(runner.look(wanted, &runner.x))
+        Ok(runner.look(options, &runner.x))
     }
 }
 
 impl Runner {
     /// The same with the vertices at `x`.
-    pub(super) fn look(&self, wanted: Wanted, x: &[DVec3]) -> Look {
+    pub(super) fn look(&self, options: LookOptions, x: &[DVec3]) -> Look {
         let mut look = Look::default();
         let size = measure::bounding_diagonal(x);
-        if wanted.circles {
+        if options.circles {
             self.all_circles(x, size, &mut look);
         }
-        if wanted.directions {
+        if options.directions {
             self.crosses(x, size, &mut look);
         }
-        if wanted.crossings {
+        if options.crossings {
             for [from, to] in crossing::curves(self.triangles(), x) {
                 look.segment(from, to, SegmentKind::Crossing);
             }
         }
         // Last, and so over the others.
-        look.probe = wanted.probe.and_then(|v| self.probe(v, x));
+        look.probe = options.probe.and_then(|v| self.probe(v, x));
         if let Some(vertex) = look.probe.as_ref().map(|p| Vertex(p.vertex)) {
             let mesh = self.triangles();
             for spoke in mesh.star(vertex) {

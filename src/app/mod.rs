@@ -68,7 +68,7 @@ pub use link::{
     WrittenLink,
 };
 pub use look::{
-    ALIGNED_DEGREES, Alignment, Drawn, Look, MAX_CIRCLES, MAX_CROSSES, SegmentKind, Wanted,
+    ALIGNED_DEGREES, Alignment, Drawn, Look, LookOptions, MAX_CIRCLES, MAX_CROSSES, SegmentKind,
 };
 pub use message::{AppError, Notice};
 pub use numbers::Numbers;

@@ -2,7 +2,7 @@
 
 use crate::support::{Surface, surface};
 use glam::DVec3;
-use umbilic::app::{FieldName, Session, Wanted};
+use umbilic::app::{FieldName, LookOptions, Session};
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
 use umbilic::energy::p_willmore::integrated_power;
@@ -180,7 +180,11 @@ fn an_inversion_is_previewed_kept_and_undone() {
     );
     let centre = [0.1, 0.2, 0.6];
     let seen = session
-        .preview_inversion(centre, Some(FieldName::MeanCurvature), Wanted::default())
+        .preview_inversion(
+            centre,
+            Some(FieldName::MeanCurvature),
+            LookOptions::default(),
+        )
         .expect("a preview");
     assert_eq!(
         session.positions().expect("x"),
@@ -230,7 +234,7 @@ fn bad_centres_are_refused_in_words() {
         assert!(!session.can_undo_edit());
         assert!(
             session
-                .preview_inversion(centre, None, Wanted::default())
+                .preview_inversion(centre, None, LookOptions::default())
                 .is_err()
         );
     }

@@ -3,7 +3,7 @@
 use crate::support::surface;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
-use umbilic::app::{MAX_CIRCLES, Probe, SegmentKind, Session, Wanted, edge_angle};
+use umbilic::app::{LookOptions, MAX_CIRCLES, Probe, SegmentKind, Session, edge_angle};
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
 use umbilic::flow::options::FlowOptions;
@@ -24,11 +24,11 @@ fn session(name: &str, values: &[(&str, f64)], boundary: Boundary) -> Session {
 }
 
 fn probe(session: &Session, vertex: u32) -> Option<Probe> {
-    let wanted = Wanted {
+    let options = LookOptions {
         probe: Some(vertex),
-        ..Wanted::default()
+        ..LookOptions::default()
     };
-    session.look(wanted).expect("a mesh").probe
+    session.look(options).expect("a mesh").probe
 }
 
 fn all(session: &Session) -> Vec<Probe> {
@@ -120,12 +120,12 @@ fn angles_are_those_of_the_energy() {
 #[test]
 fn circles_pass_through_their_corners() {
     let session = session("icosahedron", &[("level", 2.0)], Boundary::Clamped);
-    let wanted = Wanted {
+    let options = LookOptions {
         probe: Some(40),
         circles: true,
-        ..Wanted::default()
+        ..LookOptions::default()
     };
-    let look = session.look(wanted).expect("a mesh");
+    let look = session.look(options).expect("a mesh");
     let loaded = session.loaded().expect("a mesh");
     let circles = look.circles.expect("circles");
     assert_eq!((circles.drawn, circles.total), (320, 320));
@@ -156,12 +156,12 @@ fn circles_pass_through_their_corners() {
 #[test]
 fn of_many_circles_a_part_is_drawn_and_told() {
     let session = session("icosahedron", &[("level", 5.0)], Boundary::Clamped);
-    let wanted = Wanted {
+    let options = LookOptions {
         circles: true,
-        ..Wanted::default()
+        ..LookOptions::default()
     };
     let circles = session
-        .look(wanted)
+        .look(options)
         .expect("a mesh")
         .circles
         .expect("circles");
@@ -337,11 +337,11 @@ fn principal_directions_of_an_ellipsoid_converge() {
 fn umbilics_have_no_directions() {
     for name in ["icosphere", "disk"] {
         let session = session(name, &[], Boundary::Clamped);
-        let wanted = Wanted {
+        let options = LookOptions {
             directions: true,
-            ..Wanted::default()
+            ..LookOptions::default()
         };
-        let look = session.look(wanted).expect("a mesh");
+        let look = session.look(options).expect("a mesh");
         let crosses = look.directions.expect("crosses");
         assert_eq!(
             (crosses.drawn, crosses.left_out),
@@ -372,11 +372,11 @@ fn edges_along_lines_of_curvature_are_aligned() {
 fn double_curves_are_drawn_where_they_are_asked_for() {
     let session = session("klein-bottle", &[], Boundary::Clamped);
     let look = |crossings| {
-        let wanted = Wanted {
+        let options = LookOptions {
             crossings,
-            ..Wanted::default()
+            ..LookOptions::default()
         };
-        session.look(wanted).expect("a mesh")
+        session.look(options).expect("a mesh")
     };
     assert!(look(false).kinds.is_empty());
     let found = session.self_intersections().expect("a mesh").expect("few");

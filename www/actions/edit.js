@@ -5,7 +5,7 @@ import { flowOf, toFlow } from "../options.js";
 import { say } from "../words.js";
 import { stepsOf } from "./run.js";
 
-/** @import { FillOptions, Loaded, RemeshOptions, RepairOptions, Wanted } from "../generated/types.js" */
+/** @import { FillOptions, Loaded, RemeshOptions, RepairOptions, LookOptions } from "../generated/types.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Marks, Mode } from "../store.js" */
 /** @import { Core } from "./core.js" */
@@ -184,14 +184,14 @@ export function createEdit(core) {
     },
     /** @param {Marks | null} marks */
     mark: (marks) => patch({ marks }),
-    /** @param {Partial<Wanted>} change */
+    /** @param {Partial<LookOptions>} change */
     inspect: (change) =>
       enqueue(async () => {
-        const wanted = { ...get().wanted, ...change };
+        const lookOptions = { ...get().lookOptions, ...change };
         if (!get().mesh) return;
-        const look = await solver.look(wanted);
+        const look = await solver.look(lookOptions);
         const { extras } = get();
-        patch({ wanted, extras: { curves: null, jump: null, ...extras, look } });
+        patch({ lookOptions, extras: { curves: null, jump: null, ...extras, look } });
       }),
     // Questions that change nothing.
     loops: () => solver.loops(),

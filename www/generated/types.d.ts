@@ -299,7 +299,7 @@ field: string, } } | { "look": {
 /**
  * All of it.
  */
-wanted: Wanted, } } | { "previewInversion": { 
+options: LookOptions, } } | { "previewInversion": { 
 /**
  * As for `invert`.
  */
@@ -1458,6 +1458,27 @@ directions: Drawn | null,
  * Likewise.
  */
 alignment: Alignment | null, };
+
+/**
+ * What to look at.
+ */
+export type LookOptions = { 
+/**
+ * A vertex with its star and the circumcircles of its triangles.
+ */
+probe: number | null, 
+/**
+ * The circumcircles of all triangles.
+ */
+circles: boolean, 
+/**
+ * Principal directions.
+ */
+directions: boolean, 
+/**
+ * The curves along which the surface passes through itself.
+ */
+crossings: boolean, };
 
 /**
  * A boundary loop, for people to choose from.
@@ -2787,27 +2808,6 @@ orders: Array<number | null>,
  * Where it leads.
  */
 tendency: Tendency, };
-
-/**
- * What to look at.
- */
-export type Wanted = { 
-/**
- * A vertex with its star and the circumcircles of its triangles.
- */
-probe: number | null, 
-/**
- * The circumcircles of all triangles.
- */
-circles: boolean, 
-/**
- * Principal directions.
- */
-directions: boolean, 
-/**
- * The curves along which the surface passes through itself.
- */
-crossings: boolean, };
 
 /**
  * How near boundary vertices are welded: a word, or a length.

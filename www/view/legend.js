@@ -73,7 +73,7 @@ function fit(page) {
 
 /** @param {Page} page */
 function optionsOf(page) {
-  const { view, colour, presenting, wanted, mesh, reading } = page.state.value;
+  const { view, colour, presenting, lookOptions, mesh, reading } = page.state.value;
   const themes = ["auto", "light", "dark"].map((id) => ({ id, label: say(`theme-${id}`) }));
   const tongues = Object.entries(languages).map(([id, label]) => ({ id, label }));
   return html`<div class="options">
@@ -83,7 +83,7 @@ function optionsOf(page) {
     ${toggle(say("boundary-lines"), view.boundary, (boundary) => page.run.view({ boundary }))}
     <label class="inline">${say("cut")} <input type="range" min="0" max="95" .value=${String(view.cut)}
       @input=${(/** @type {any} */ { target }) => page.run.view({ cut: target.valueAsNumber })} /></label>
-    ${(reading?.crossings ?? mesh?.info.selfIntersections ?? 0) > 0 ? toggle(say("double-curves"), wanted.crossings, (crossings) => page.edit.inspect({ crossings })) : nothing}
+    ${(reading?.crossings ?? mesh?.info.selfIntersections ?? 0) > 0 ? toggle(say("double-curves"), lookOptions.crossings, (crossings) => page.edit.inspect({ crossings })) : nothing}
     ${segmented(
       say("shading"),
       [

@@ -83,18 +83,18 @@ function directionsText(look) {
 /** @param {Page} page */
 export function vertex(page) {
   const s = page.state.value;
-  const { wanted, mode } = s;
+  const { lookOptions, mode } = s;
   const look = (s.preview ?? s.extras)?.look ?? null;
   const id = idOf("probe");
   const dark = isDark(s);
   const key = (/** @type {number} */ kind, /** @type {string} */ text) =>
     html`<span class="key" .style=${`--kind:${colourOf(kind, dark)}`}>${text}</span>`;
   return html`<div class="row">${button(say("tool-pick"), () => page.edit.mode(mode === "pick" ? null : "pick"), { kind: "small", pressed: mode === "pick" })}
-      <label class="inline" for=${id}>${say("vertex-number")} <input id=${id} class="short" type="number" min="0" step="1" .value=${wanted.probe === null ? "" : String(numberOf("vertices", wanted.probe))}
+      <label class="inline" for=${id}>${say("vertex-number")} <input id=${id} class="short" type="number" min="0" step="1" .value=${lookOptions.probe === null ? "" : String(numberOf("vertices", lookOptions.probe))}
         @change=${(/** @type {any} */ { target }) => page.edit.inspect({ probe: target.value === "" ? null : vertexOf(target.valueAsNumber) })} /></label>
-      ${wanted.probe === null ? nothing : button(say("vertex-leave"), () => page.edit.inspect({ probe: null }), { kind: "small" })}</div>
-    ${look?.probe ? probed(page, look.probe) : wanted.probe === null ? nothing : html`<p class="hint">${say("vertex-missing", { vertex: wanted.probe })}</p>`}
-    ${toggle(say("circles"), wanted.circles, (circles) => page.edit.inspect({ circles }), circlesText(look?.circles))}
-    ${toggle(say("directions"), wanted.directions, (directions) => page.edit.inspect({ directions }), directionsText(look))}
-    ${wanted.directions ? html`<p class="hint">${key(3, "κ₁")} ${key(4, "κ₂")}</p>` : nothing}`;
+      ${lookOptions.probe === null ? nothing : button(say("vertex-leave"), () => page.edit.inspect({ probe: null }), { kind: "small" })}</div>
+    ${look?.probe ? probed(page, look.probe) : lookOptions.probe === null ? nothing : html`<p class="hint">${say("vertex-missing", { vertex: lookOptions.probe })}</p>`}
+    ${toggle(say("circles"), lookOptions.circles, (circles) => page.edit.inspect({ circles }), circlesText(look?.circles))}
+    ${toggle(say("directions"), lookOptions.directions, (directions) => page.edit.inspect({ directions }), directionsText(look))}
+    ${lookOptions.directions ? html`<p class="hint">${key(3, "κ₁")} ${key(4, "κ₂")}</p>` : nothing}`;
 }

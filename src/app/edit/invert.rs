@@ -3,7 +3,7 @@
 use crate::app::document::Document;
 use crate::app::fault::Fault;
 use crate::app::field::{Field, FieldName};
-use crate::app::look::{Look, Wanted};
+use crate::app::look::{Look, LookOptions};
 use crate::app::message::AppError;
 use crate::app::provenance::Edit;
 use crate::app::runner::Runner;
@@ -103,7 +103,7 @@ pub struct Inverted {
 impl Session {
     /// The surface as it is now, inverted in a sphere about `centre`, which is given from the
     /// middle of its bounding box in diagonals of it. Nothing changes; `field` as in
-    /// [`field`](Self::field), `wanted` as in [`look`](Self::look).
+    /// [`field`](Self::field), `options` as in [`look`](Self::look).
     ///
     /// # Errors
     /// `CentreTooNear`, `CentreTooFar`, unknown fields.
@@ -111,7 +111,7 @@ impl Session {
         &self,
         centre: [f64; 3],
         field: Option<FieldName>,
-        wanted: Wanted,
+        options: LookOptions,
     ) -> Result<Inverted, Fault> {
         let runner = self.runner()?;
         let (x, report) = runner.inverted(centre)?;
@@ -120,7 +120,7 @@ impl Session {
             report,
             positions: as_f32(&x).into(),
             field,
-            look: runner.look(wanted, &x),
+            look: runner.look(options, &x),
         })
     }
 
