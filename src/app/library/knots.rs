@@ -46,13 +46,13 @@ const PLAIN: Figure = Figure {
 pub(super) static FIGURES: &[Figure] = &[
     Figure {
         id: "knot-undone",
-        sample: "trefoil-undone",
+        sample: "trefoil-tube",
         judge: |run| undone(run, 1),
         ..PLAIN
     },
     Figure {
         id: "link-undone",
-        sample: "link-undone",
+        sample: "linked-tubes",
         judge: |run| undone(run, 2),
         quick: true,
         ..PLAIN

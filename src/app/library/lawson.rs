@@ -46,13 +46,13 @@ const PLAIN: Figure = Figure {
 pub(super) static FIGURES: &[Figure] = &[
     Figure {
         id: "lawson-2",
-        sample: "lawson-2",
+        sample: "lawson-two-handles",
         judge: |run| lawson(run, 2, 21.892),
         ..PLAIN
     },
     Figure {
         id: "lawson-3",
-        sample: "lawson-3",
+        sample: "lawson-three-handles",
         judge: |run| lawson(run, 3, 22.82),
         ..PLAIN
     },

@@ -321,13 +321,13 @@ pub static SAMPLES: &[Sample] = {
         )
         .with(both_kept),
         sample(
-            "trefoil-undone",
+            "trefoil-tube",
             Tubes,
             shape("trefoil", &[("along", 180.0), ("around", 18.0)]),
         )
         .with(area_kept),
         sample(
-            "link-undone",
+            "linked-tubes",
             Tubes,
             shape(
                 "torus-knot",
@@ -420,9 +420,14 @@ pub static SAMPLES: &[Sample] = {
             ..o
         }),
         sample("inverted-catenoid", Closed, shape("inverted-catenoid", &[])),
-        sample("lawson-2", Closed, shape("lawson", &[("genus", 2.0)])).with(area_kept),
         sample(
-            "lawson-3",
+            "lawson-two-handles",
+            Closed,
+            shape("lawson", &[("genus", 2.0)]),
+        )
+        .with(area_kept),
+        sample(
+            "lawson-three-handles",
             Closed,
             shape("lawson", &[("genus", 3.0), ("cells", 12.0)]),
         )

@@ -339,8 +339,8 @@ sample-thin-torus-shows = Verdickt sich zum Clifford-Torus: ∫H² fällt auf 2�
 sample-torus-knot-shows = Bei festem Inhalt und Volumen; ohne Regularisierung entartet das Netz (p-Willmore, Abbildung 5).
 sample-bad-mesh-shows = Dreiecke sind umgeklappt; „Netz jetzt regularisieren“ heilt sie, ohne die Form zu ändern (p-Willmore, Abbildungen 3, 7 und 11).
 sample-trefoil-kept-shows = Ein dicker verknoteter Schlauch kommt auf einem Plateau von ∫H² zur Ruhe (p-Willmore, Abbildung 9).
-sample-trefoil-undone-shows = Ein verknoteter Schlauch geht durch sich hindurch und endet als Clifford-Torus: ∫H² = 2π² (Pinkall; Marques und Neves).
-sample-link-undone-shows = Zwei verschlungene Schläuche gehen durcheinander hindurch und enden als zwei Clifford-Tori: ∫H² = 4π².
+sample-trefoil-tube-shows = Ein verknoteter Schlauch geht durch sich hindurch und endet als Clifford-Torus: ∫H² = 2π² (Pinkall; Marques und Neves).
+sample-linked-tubes-shows = Zwei verschlungene Schläuche gehen durcheinander hindurch und enden als zwei Clifford-Tori: ∫H² = 4π².
 sample-bumps-kept-shows = Rundet sich, ohne zu wachsen oder zu schrumpfen (p-Willmore, Abbildung 1).
 sample-ellipsoid-p-shows = Am Ende eine Sphäre, für jeden Exponenten p auf anderem Weg (p-Willmore, Abbildung 12).
 sample-cylinder-gaps-shows = Eingesunkene Flicken heben sich zurück zum Zylinder: Seine mittlere Krümmung ist konstant (Variation der Krümmung, Abbildung 5.1).
@@ -366,8 +366,8 @@ sample-morin-fine-shows = Dieselbe Hälfte der Umstülpung auf einem feineren Ne
 sample-boy-shows = Eine projektive Ebene, einseitig, und die am wenigsten gebogene im Raum: ∫H² = 12π (Bryant, Kusner).
 sample-cyclide-shows = Ein Möbius-Bild des Clifford-Torus, mit derselben Energie: W/2 liegt nahe 2π².
 sample-inverted-catenoid-shows = Zwei Blätter, die sich in einem Punkt berühren: ∫H² = 8π, wie bei jeder invertierten Minimalfläche mit zwei Enden.
-sample-lawson-2-shows = Fließt zu Lawsons ξ₂,₁, deren Symmetrien und Großkreise sie hat: ∫H² = 21,89, so wenig wie keine andere bekannte mit zwei Henkeln.
-sample-lawson-3-shows = Fließt zu Lawsons ξ₃,₁: ∫H² = 22,82, so wenig wie keine andere bekannte mit drei Henkeln.
+sample-lawson-two-handles-shows = Fließt zu Lawsons ξ₂,₁, deren Symmetrien und Großkreise sie hat: ∫H² = 21,89, so wenig wie keine andere bekannte mit zwei Henkeln.
+sample-lawson-three-handles-shows = Fließt zu Lawsons ξ₃,₁: ∫H² = 22,82, so wenig wie keine andere bekannte mit drei Henkeln.
 sample-rough-mesh-shows = Ein Durchgang von „Netz jetzt regularisieren“ genügt hier (p-Willmore, Abbildung 7).
 sample-range-scan-shows = So groß wie der der Arbeit, mit ebenso vielen Löchern; hundert Schritte beginnen auch Merkmale wegzunehmen (Abbildung 12).
 

@@ -19,8 +19,8 @@ sample-thin-torus = Dünner Torus
 sample-torus-knot = Torusknoten
 sample-bad-mesh = Ellipsoid, schlecht vernetzt
 sample-trefoil-kept = Kleeblattknoten, Inhalt und Volumen fest
-sample-trefoil-undone = Kleeblattknoten, Fläche fest
-sample-link-undone = Zwei verschlungene Schläuche, Fläche fest
+sample-trefoil-tube = Kleeblattknoten, Fläche fest
+sample-linked-tubes = Zwei verschlungene Schläuche, Fläche fest
 sample-bumps-kept = Beulige Sphäre, Inhalt fest
 sample-ellipsoid-p = Ellipsoid, Volumen fest, p = 4
 sample-cylinder-gaps = Zylinder mit vier Lücken
@@ -46,8 +46,8 @@ sample-morin-fine = Morins Fläche, angestoßen, 5000 Ecken
 sample-boy = Boys Fläche
 sample-cyclide = Zyklide von Dupin
 sample-inverted-catenoid = Invertiertes Katenoid
-sample-lawson-2 = Auf dem Weg zu Lawsons Fläche, zwei Henkel
-sample-lawson-3 = Auf dem Weg zu Lawsons Fläche, drei Henkel
+sample-lawson-two-handles = Auf dem Weg zu Lawsons Fläche, zwei Henkel
+sample-lawson-three-handles = Auf dem Weg zu Lawsons Fläche, drei Henkel
 sample-rough-mesh = Ellipsoid, verzerrte Dreiecke
 sample-range-scan = Verrauschter Scan, 38 000 Ecken
 

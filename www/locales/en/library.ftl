@@ -339,8 +339,8 @@ sample-thin-torus-shows = Thickens into the Clifford torus: ∫H² falls to 2π�
 sample-torus-knot-shows = Area and volume kept; without regularisation the mesh degenerates (p-Willmore, figure 5).
 sample-bad-mesh-shows = Triangles have turned over; “Regularise the mesh now” mends them without changing the shape (p-Willmore, figures 3, 7 and 11).
 sample-trefoil-kept-shows = A thick knotted tube comes to rest on a plateau of ∫H² (p-Willmore, figure 9).
-sample-trefoil-undone-shows = A knotted tube passes through itself and ends as the Clifford torus: ∫H² = 2π² (Pinkall; Marques and Neves).
-sample-link-undone-shows = Two linked tubes pass through each other and end as two Clifford tori: ∫H² = 4π².
+sample-trefoil-tube-shows = A knotted tube passes through itself and ends as the Clifford torus: ∫H² = 2π² (Pinkall; Marques and Neves).
+sample-linked-tubes-shows = Two linked tubes pass through each other and end as two Clifford tori: ∫H² = 4π².
 sample-bumps-kept-shows = Rounds off without growing or shrinking (p-Willmore, figure 1).
 sample-ellipsoid-p-shows = A sphere in the end, on another way for every exponent p (p-Willmore, figure 12).
 sample-cylinder-gaps-shows = Sunken patches rise back to the cylinder: its mean curvature is constant (variation of curvature, figure 5.1).
@@ -366,8 +366,8 @@ sample-morin-fine-shows = The same half of an eversion on a finer mesh.
 sample-boy-shows = A projective plane, one-sided, and the least bent of all that there are in space: ∫H² = 12π (Bryant, Kusner).
 sample-cyclide-shows = A Möbius image of the Clifford torus, with the same energy: W/2 is near 2π².
 sample-inverted-catenoid-shows = Two sheets that touch in a point: ∫H² = 8π, as of every inverted minimal surface with two ends.
-sample-lawson-2-shows = Flows to Lawson’s ξ₂,₁, of which it has the symmetries and the great circles: ∫H² = 21.89, the least known with two handles.
-sample-lawson-3-shows = Flows to Lawson’s ξ₃,₁: ∫H² = 22.82, the least known with three handles.
+sample-lawson-two-handles-shows = Flows to Lawson’s ξ₂,₁, of which it has the symmetries and the great circles: ∫H² = 21.89, the least known with two handles.
+sample-lawson-three-handles-shows = Flows to Lawson’s ξ₃,₁: ∫H² = 22.82, the least known with three handles.
 sample-rough-mesh-shows = One pass of “Regularise the mesh now” is enough here (p-Willmore, figure 7).
 sample-range-scan-shows = As large as the paper’s, with as many holes; a hundred steps begin to take the features too (figure 12).
 

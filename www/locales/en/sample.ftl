@@ -19,8 +19,8 @@ sample-thin-torus = Thin torus
 sample-torus-knot = Torus knot
 sample-bad-mesh = Ellipsoid, badly meshed
 sample-trefoil-kept = Trefoil, area and volume kept
-sample-trefoil-undone = Trefoil knot, area kept
-sample-link-undone = Two linked tubes, area kept
+sample-trefoil-tube = Trefoil knot, area kept
+sample-linked-tubes = Two linked tubes, area kept
 sample-bumps-kept = Bumpy sphere, area kept
 sample-ellipsoid-p = Ellipsoid, volume kept, p = 4
 sample-cylinder-gaps = Cylinder with four gaps
@@ -46,8 +46,8 @@ sample-morin-fine = Morin’s surface, pushed, 5,000 vertices
 sample-boy = Boy’s surface
 sample-cyclide = Cyclide of Dupin
 sample-inverted-catenoid = Inverted catenoid
-sample-lawson-2 = Towards Lawson’s surface, two handles
-sample-lawson-3 = Towards Lawson’s surface, three handles
+sample-lawson-two-handles = Towards Lawson’s surface, two handles
+sample-lawson-three-handles = Towards Lawson’s surface, three handles
 sample-rough-mesh = Ellipsoid, skewed triangles
 sample-range-scan = Noisy scan, 38,000 vertices
 
