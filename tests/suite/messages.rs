@@ -8,7 +8,7 @@ use umbilic::app::{
     AppError, Label, LinkError, LinkValue, MustBe, Notice, RecipeError, RunNotice, Symptom,
 };
 use umbilic::flow::option::{Allowed, OptionError};
-use umbilic::flow::{Advice, Cause, FlowError, Reason, Warning};
+use umbilic::flow::{Advice, Cause, Clock, FlowError, Reason, Warning};
 use umbilic::io::{Expected, Extra, Format, Found, Loss, Oddity, Place, ReadError, WriteError};
 use umbilic::linalg::LinalgError;
 use umbilic::mesh::shape::{Conflict, ShapeError};
@@ -89,6 +89,7 @@ fn others() -> Vec<(&'static str, Messages)> {
         Warning,
         Advice,
         Cause,
+        Clock,
         Reason,
         Notice,
         RunNotice,

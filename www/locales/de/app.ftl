@@ -57,13 +57,6 @@ app-centre-too-far = das Zentrum ist weiter als das { $most }-Fache der Größe 
 app-centre-too-near = das Zentrum ist um { $percent } % der Größe der Fläche von ihr entfernt, nötig sind { $least } %
     .hint = Ein Punkt der Fläche im Zentrum ginge ins Unendliche: Rücken Sie das Zentrum von ihr weg.
 
-found-gap = Ein Spalt
-    .hint = Zwei Ränder laufen nebeneinander, näher als eine halbe Kante. Innerhalb dieser Länge verschweißt werden sie eins; das lässt sich rückgängig machen.
-weld-length = Länge
-weld = Verschweißen
-
-counted-from = ab { $first } gezählt
-
 ## Wie ein Lauf endete
 
 run-over = { $ended }: { $reason }

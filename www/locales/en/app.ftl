@@ -57,13 +57,6 @@ app-centre-too-far = the centre is more than { $most } times the size of the sur
 app-centre-too-near = the centre is { $percent } % of the size of the surface away from it, and needs { $least } %
     .hint = A point of the surface at the centre would go to infinity: move the centre off it.
 
-found-gap = A gap
-    .hint = Two rims run side by side, closer than half an edge. Welding within this length joins them; it can be undone.
-weld-length = Length
-weld = Weld
-
-counted-from = counted from { $first }
-
 ## How a run ended
 
 run-over = { $ended }: { $reason }

@@ -1,4 +1,4 @@
-# Was im Reiter Messen genauer angesehen wird.
+# Beschriftung der Schublade, die das erste Bild nicht braucht.
 
 ## Die Gleichung
 
@@ -81,3 +81,11 @@ lab-stop = Halt
 lab-found = { $total } zufällige Tetraeder, { $against } dagegen: { $areaOnly } senken nur den Inhalt, { $localisedOnly } nur die lokale Energie.
 lab-total = Gezogen
 lab-against = Dagegen
+
+## Ein Spalt, und wie gezählt wird
+
+found-gap = Ein Spalt
+    .hint = Zwei Ränder laufen nebeneinander, näher als eine halbe Kante. Innerhalb dieser Länge verschweißt werden sie eins; das lässt sich rückgängig machen.
+weld-length = Länge
+weld = Verschweißen
+counted-from = ab { $first } gezählt

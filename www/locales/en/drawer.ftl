@@ -1,4 +1,4 @@
-# What is looked at more closely in the tab Measure.
+# Labels of the drawer that the first picture does not need.
 
 ## The equation
 
@@ -81,3 +81,11 @@ lab-stop = Stop
 lab-found = { $total } random tetrahedra, { $against } against: { $areaOnly } lower only the area, { $localisedOnly } only the localised energy.
 lab-total = Drawn
 lab-against = Against
+
+## A gap, and how elements are numbered
+
+found-gap = A gap
+    .hint = Two rims run side by side, closer than half an edge. Welding within this length joins them; it can be undone.
+weld-length = Length
+weld = Weld
+counted-from = counted from { $first }
