@@ -30,9 +30,6 @@ export function rowOf(name) {
   return row;
 }
 
-/** Whether a word of a link is an option. @param {string} word */
-export const isOption = (word) => rows.has(word);
-
 /** @param {string} id @returns {Flow} */
 export function flowOf(id) {
   const flow = schema.flows.find((one) => one.id === id);
@@ -44,9 +41,6 @@ export function flowOf(id) {
 export const byCurvature = schema.flows
   .filter(({ family }) => family === "curvature")
   .map(({ id }) => /** @type {string} */ (id));
-
-/** What a flow does at a boundary unless told otherwise. @param {string} flow */
-export const usualBoundary = (flow) => flowOf(flow).boundary;
 
 /**
  * The change to another flow: what means nothing to it goes back to its default.
@@ -100,9 +94,6 @@ const basic = [
 /** @param {string} name  of an option */
 export const isBasic = (name) => basic.includes(name);
 
-/** Options that a word of a link can hold; vertices are written otherwise. */
-export const wordOptions = schema.options.filter(({ kind }) => kind !== "vertices");
-
 /**
  * An option as text, which the solver reads.
  * @param {unknown} value
@@ -144,11 +135,3 @@ export const formats = [...savedMeshes, "csv", "recipe", "png"];
 
 /** @param {readonly string[]} ids @param {"colour" | "save-as"} kind */
 export const named = (ids, kind) => ids.map((id) => ({ id, label: say(`${kind}-${id}`) }));
-
-/**
- * How far `smooth` goes: halves every wavelength of L½ ≈ 6.7 (N τ)^¼ h, so N steps
- * that remove what is below `detail` edge lengths have this τ = dt/h² each.
- * @param {number} detail  in mean edge lengths
- * @param {number} steps
- */
-export const smoothingTau = (detail, steps) => (detail / 6.7) ** 4 / steps;

@@ -24,7 +24,7 @@ let chosen = null;
 let hasOpened = false;
 
 /** @returns {Promise<Renderer>} */
-export function chooseRenderer() {
+function chooseRenderer() {
   chosen ??= choose().catch((error) => {
     chosen = null;
     throw error;

@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { facing, trianglesAt } from "../../www/facing.js";
 import { flows } from "../../www/generated/schema.js";
 import { formatBeside, formatNumber } from "../../www/number.js";
-import { defaults, settled, smoothingTau } from "../../www/options.js";
+import { defaults, settled } from "../../www/options.js";
 import { histogram, rangeOf, roundedUp } from "../../www/range.js";
 import { fileName } from "../../www/save.js";
 import { grown, painted, rim } from "../../www/selection.js";
@@ -154,11 +154,6 @@ test("an axis has round ticks, and powers of ten where it falls far", () => {
   assert.equal(isLogarithmic("auto", [100, 1, 0]), true);
   assert.equal(isLogarithmic("auto", [100, 50]), false);
   assert.equal(isLogarithmic("linear", [100, 1]), false);
-});
-
-test("ten steps of τ = 0.01 remove detail below 3.8 edge lengths", () => {
-  // 6.7 (N τ)^¼ with N τ = 0.1.
-  assert.ok(Math.abs(smoothingTau(6.7 * 0.1 ** 0.25, 10) - 0.01) < 1e-15);
 });
 
 test("a brush paints what lies in its ball, and regions grow by rings", () => {

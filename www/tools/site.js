@@ -1,9 +1,7 @@
 // @ts-check
 // The page through vite: the development server, and the static site in `dist`.
 
-import { existsSync } from "node:fs";
-import path from "node:path";
-import { root, runNode, say } from "./process.js";
+import { runNode, say } from "./process.js";
 
 // Through node and not npx: ending this process then ends vite as well.
 const vite = "node_modules/vite/bin/vite.js";
@@ -22,9 +20,4 @@ export function serve(parameters) {
 export function buildSite() {
   say("Writing the static site to dist");
   runNode([vite, "build", ...config, "--logLevel", "warn"]);
-}
-
-/** @returns {boolean} whether there is a site to test */
-export function siteExists() {
-  return existsSync(path.join(root, "dist", "index.html"));
 }
