@@ -61,14 +61,11 @@ impl StepSize {
         }
     }
 
-    /// Quickens its growth: a move that is too long costs little where it is shortened along its
+    /// Whether its growth quickens: a move that is too long costs little where it is shortened along its
     /// own direction, and one too short a solve.
     #[must_use]
-    pub fn quickening(self) -> Self {
-        Self {
-            quickens: true,
-            ..self
-        }
+    pub fn quickening(self, quickens: bool) -> Self {
+        Self { quickens, ..self }
     }
 
     /// After `share` of a move was accepted, solved for anew `resolved` times.
@@ -147,7 +144,7 @@ mod tests {
 
     #[test]
     fn one_that_quickens_grows_faster_from_the_second_whole_move_on() {
-        let mut size = StepSize::adaptive(1.0, 1e-3, 1e3).quickening();
+        let mut size = StepSize::adaptive(1.0, 1e-3, 1e3).quickening(true);
         let mut after = |share: f64, resolved: usize| {
             size.accepted(share, resolved, true);
             size.dt

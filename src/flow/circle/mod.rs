@@ -234,10 +234,9 @@ impl Flow for CircleFlow {
         };
         let dt = dt.unwrap_or(tau * unit);
         if !self.is_paper() && self.options.goal == Goal::Relax {
-            let size = StepSize::adaptive(dt, 1e-12 * unit, 1e6 * unit);
             // Between held vertices there is more than one rest, and long steps miss the nearest.
             let is_free = self.mesh.is_closed() && self.n_free() == self.mesh.n_vertices();
-            if is_free { size.quickening() } else { size }
+            StepSize::adaptive(dt, 1e-12 * unit, 1e6 * unit).quickening(is_free)
         } else {
             StepSize::constant(dt, 1e-9 * dt)
         }
