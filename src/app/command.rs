@@ -463,12 +463,8 @@ impl Session {
                 Answer::Look(look)
             }
             C::PreviewInversion { centre } => {
-                let options = self.view.look.unwrap_or_default();
-                Answer::PreviewInversion(self.preview_inversion(
-                    centre,
-                    self.view.field,
-                    options,
-                )?)
+                let (field, look) = (self.view.field, self.view.look.unwrap_or_default());
+                Answer::PreviewInversion(self.preview_inversion(centre, field, look)?)
             }
             C::Conjecture {} => Answer::Conjecture(self.conjecture()?),
             C::Quadrilateral { corners } => Answer::Quadrilateral(self.quadrilateral(corners)?),
