@@ -62,7 +62,9 @@ pub struct Info {
     /// [`Session::repair`](super::Session::repair) would change now.
     pub repairs: Vec<RepairItem>,
     /// A length within which a weld closes gaps that no repair closes by itself; see
-    /// [`gap`](crate::remesh::repair::gap).
+    /// [`gap`](crate::remesh::repair::gap). Left out where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
     pub gap: Option<f64>,
 }
 

@@ -1126,9 +1126,9 @@ warnings: Array<Message>,
 repairs: Array<RepairItem>, 
 /**
  * A length within which a weld closes gaps that no repair closes by itself; see
- * [`gap`](crate::remesh::repair::gap).
+ * [`gap`](crate::remesh::repair::gap). Left out where there is none.
  */
-gap: number | null, };
+gap?: number, };
 
 /**
  * How time is discretised.

@@ -73,7 +73,7 @@ function defects(page) {
       ? finding(say("found-broken"), html`${say("found-broken.hint")}${list(wanting)}`, start)
       : nothing
   }${
-    info.gap === null
+    info.gap === undefined
       ? nothing
       : finding(
           say("found-gap"),
