@@ -29,6 +29,9 @@ const found = signal([]);
 /** @type {import("@preact/signals-core").Signal<import("../solver.js").Solver | null>} */
 const solver = signal(null);
 
+/** What went wrong. */
+const said = signal("");
+
 function end() {
   solver.peek()?.dismiss();
   solver.value = null;
@@ -36,9 +39,13 @@ function end() {
 
 /** @param {Page} page */
 async function run(page) {
-  const own = solverAside(end);
+  const own = solverAside((reason) => {
+    said.value = say("study-crashed", { reason });
+    end();
+  });
   solver.value = own;
   found.value = [];
+  said.value = "";
   try {
     for (let phase = await own.phase(0); phase; phase = await own.phase(found.peek().length)) {
       const { bytes } = await own.export("ply");
@@ -105,5 +112,6 @@ export function phases(page) {
   const count = { count: shapes.length, of: shapes[0]?.of ?? 0 };
   return html`<p class="hint">${say("phases-hint")}</p>
     ${solver.value ? button(say("study-cancel"), end, { kind: "small" }) : button(say("phases-run"), () => run(page), { kind: "small primary" })}
+    ${said.value ? html`<p class="hint" role="status">${said.value}</p>` : nothing}
     ${shapes.length > 0 ? html`<p class="hint" role="status">${say("phases-count", count)}</p>${diagram(page)}` : nothing}`;
 }
