@@ -80,6 +80,7 @@ pub mod energy;
 pub mod flow;
 #[cfg(feature = "solver")]
 pub mod geometry;
+pub mod interrupt;
 pub mod io;
 #[cfg(feature = "solver")]
 pub mod linalg;

@@ -47,6 +47,18 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
   const waiting = new Map();
   /** @type {ReturnType<typeof setTimeout> | null} */
   let watch = null;
+  /**
+   * A URL that the worker fetches within long steps. It has none of its messages then, and memory
+   * is shared with no page that a plain host serves; but that the URL is revoked it notices.
+   * @type {string | null}
+   */
+  let permit = null;
+
+  /** The step at hand is given up. @param {string | null} next */
+  function revoke(next) {
+    if (permit !== null) URL.revokeObjectURL(permit);
+    permit = next;
+  }
 
   /** @param {boolean} now */
   function setSilent(now) {
@@ -110,6 +122,7 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
       worker = null;
       isReady = false;
       running = null;
+      revoke(null);
       heard();
       /** @type {Fault} */
       const fault = { kind: LOST, message: "The solver was stopped.", hint: "", detail: {} };
@@ -127,10 +140,14 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
       const id = lastId;
       const { name, run } = request;
       // A request with a number ends the run at hand, as a pause does.
-      if (run !== undefined || name === "pause") running = name === "run" ? (run ?? null) : null;
+      const ends = run !== undefined || name === "pause";
+      if (ends) running = name === "run" ? (run ?? null) : null;
+      const next = run === undefined ? null : URL.createObjectURL(new Blob());
       return new Promise((resolve, reject) => {
         waiting.set(id, { resolve, reject });
-        asked.postMessage({ id, ...request });
+        asked.postMessage({ id, ...request, ...(next ? { permit: next } : {}) });
+        // Afterwards: whoever notices finds the message that says what comes instead.
+        if (ends) revoke(next);
         expect();
       });
     },

@@ -14,8 +14,9 @@ import { isOver, perform } from "./session.js";
 /**
  * A request: a command of the session, or one of `own`, with its fields. `run` is the number of
  * the run that it begins, and ends the one at hand; with `shown` a frame follows the answer.
+ * `permit` comes with a number: a URL that is revoked where a step of that run is to be given up.
  * Each is answered by one `{ id, ok }` or `{ id, error }`.
- * @typedef {{ id: number, name: string, fields: any, run?: number, shown?: boolean }} Request
+ * @typedef {{ id: number, name: string, fields: any, run?: number, shown?: boolean, permit?: string }} Request
  */
 
 /** @type {{ onmessage: ((event: MessageEvent) => void) | null, postMessage: (message: unknown, transfer?: Transferable[]) => void }} */
@@ -38,6 +39,12 @@ let nextLife = 0;
 let task = null;
 /** Milliseconds between two looks at the messages, where pieces are short. */
 const TURN = 30;
+/** Where a step is not to go on; null where that cannot be told. @type {string | null} */
+let permit = null;
+/** Milliseconds between two looks at it, and times what one took: it is not to slow the step. */
+const LOOK = 40;
+const RARELY = 10;
+let nextLook = 0;
 
 // A message to ourselves, so that the page's messages get their turn after every step;
 // a timer would be held back to one step in four milliseconds.
@@ -52,11 +59,17 @@ function advance() {
   /** @type {Refusal | null} */
   let fault = null;
   let report = null;
+  const permitted = permit;
   try {
     report = perform(session, "step");
   } catch (error) {
     if (isTrap(error)) throw error;
     fault = asRefusal(error);
+  }
+  if (!report && !fault && permit !== permitted) {
+    // A message says why. Where there is none, the URL could not be fetched: then it is left alone.
+    setTimeout(() => turns.port2.postMessage(run), LOOK);
+    return;
   }
   const state = perform(session, "state");
   // On the way to a step a limit is none: how far a minute goes depends on the machine.
@@ -153,11 +166,12 @@ async function replayed(name, fields) {
   perform(session, name, fields);
   const done = await inTurns(() => {
     const end = performance.now() + TURN;
+    const permitted = permit;
     do {
       const { share, isDone } = perform(session, "advance");
       tell("replay", share);
       if (isDone) return true;
-    } while (performance.now() < end);
+    } while (permit === permitted && performance.now() < end);
     return null;
   });
   if (!done) throw refusal("Cancelled", "worker-cancelled");
@@ -175,7 +189,7 @@ const own = {
     turns.port2.postMessage(run);
     return true;
   },
-  /** Answered after the step in hand: where the session stands. */
+  /** The step in hand was given up for it: where the session stands. */
   pause() {
     if (running) {
       running = false;
@@ -225,6 +239,7 @@ function asRefusal(error) {
 /** Nothing may be asked of a session after a trap. @param {() => void} work */
 function guarded(work) {
   nextProgress = performance.now() + PATIENCE;
+  nextLook = performance.now() + LOOK;
   try {
     work();
   } catch (error) {
@@ -246,7 +261,7 @@ function acknowledge(number) {
 }
 
 /** @param {Request} request */
-function answer({ id, name, fields, run: number, shown }) {
+function answer({ id, name, fields, run: number, shown, permit: given }) {
   /** @param {unknown} ok */
   const reply = (ok) => {
     // While a run goes on its next frame shows it.
@@ -261,6 +276,7 @@ function answer({ id, name, fields, run: number, shown }) {
   if (number !== undefined) {
     running = false;
     run = number;
+    permit = given ?? null;
     endTask();
   }
   try {
@@ -275,6 +291,35 @@ function answer({ id, name, fields, run: number, shown }) {
   } catch (error) {
     refuse(error);
   }
+}
+
+/**
+ * Within long work.
+ * @param {string} stage  none where there is no more to tell than that it goes on
+ * @param {number} fraction
+ * @returns {boolean} whether a step is to be given up
+ */
+function progressed(stage, fraction) {
+  if (stage) tell(stage, fraction);
+  else live();
+  return isRevoked();
+}
+
+/** Whether the page has revoked what it gave with the run. */
+function isRevoked() {
+  const before = performance.now();
+  if (permit === null || before < nextLook) return false;
+  try {
+    const request = new XMLHttpRequest();
+    request.open("GET", permit, false);
+    request.send();
+  } catch {
+    permit = null;
+    return true;
+  }
+  const after = performance.now();
+  nextLook = after + Math.max(LOOK, RARELY * (after - before));
+  return false;
 }
 
 /** @param {string} stage @param {number} fraction */
@@ -296,7 +341,7 @@ function live() {
 const wasm = new URL("./pkg/solver/solver_bg.wasm", import.meta.url);
 const started = init({ module_or_path: wasm }).then(() => {
   session = new Session();
-  session.onProgress(tell);
+  session.onProgress(progressed);
   Session.warmUp();
   page.postMessage({ type: "ready", version: Session.version() });
 });

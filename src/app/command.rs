@@ -26,6 +26,7 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::StepReport;
 use crate::flow::option::{Values, options_of};
+use crate::interrupt;
 use crate::message::Message;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -358,7 +359,10 @@ impl Session {
     /// Those of the method it stands for; nothing has changed then.
     pub fn perform(&mut self, command: Command) -> Result<Answer, Fault> {
         let opens = matches!(command, Command::Load { .. });
-        self.carried_out(command)
+        // Steps are observed one by one: what is given up is a step.
+        let steps = matches!(command, Command::Step {} | Command::Advance {});
+        let progress = self.progress.clone().filter(|_| !steps);
+        interrupt::observed(progress, || self.carried_out(command))
             .map_err(|fault| if opens { fault } else { self.offering(fault) })
     }
 
@@ -503,11 +507,8 @@ impl Session {
 
     /// A fill that tells its progress to whom steps tell theirs.
     pub(super) fn fill_telling(&mut self, options: &FillOptions) -> Result<FillOutcome, Fault> {
-        let progress = self.progress.clone();
-        let mut tell = |stage: &str, share: f64| {
-            if let Some(progress) = &progress {
-                progress(stage, share);
-            }
+        let mut tell = |stage: &'static str, share: f64| {
+            interrupt::tell(stage, share);
             ControlFlow::Continue(())
         };
         self.fill(options, &mut tell)

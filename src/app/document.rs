@@ -9,6 +9,7 @@ use super::repairs::{Mended, RepairItem, mend, preview};
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
 use crate::geometry::quality::flat_triangles;
+use crate::interrupt;
 use crate::mesh::shape::Sample;
 use crate::mesh::{self, Built, HalfedgeMesh};
 use crate::message::{Message, Say};
@@ -217,6 +218,7 @@ impl Document {
     pub(super) fn info(&self) -> Info {
         let mut repairs = self.opened.clone();
         repairs.extend(preview(&self.polygons, &self.start));
+        interrupt::pulse();
         Info {
             repairs,
             ..Info::of(&self.polygons, &self.triangles, &self.start, &self.warnings)

@@ -2,7 +2,7 @@
 
 use crate::flow::flips::EdgeFlips;
 use crate::flow::options::{FlowName, FlowOptions};
-use crate::flow::{self, Decision, Driver, FlowError, Progress, Reading, Refusal, StepReport};
+use crate::flow::{self, Decision, Driver, FlowError, Reading, Refusal, StepReport};
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
 use std::rc::Rc;
@@ -83,13 +83,6 @@ impl Engine {
         }
     }
 
-    pub(super) fn set_progress(&mut self, callback: Option<Progress>) {
-        match self {
-            Self::Flow(driver) => driver.set_progress(callback),
-            Self::Flips(flips) => flips.set_progress(callback),
-        }
-    }
-
     pub(super) fn mean_edge_length(&self) -> f64 {
         match self {
             Self::Flow(driver) => driver.flow().mean_edge_length(),
@@ -156,6 +149,28 @@ impl Engine {
             (Self::Flow(driver), Checkpoint::Flow(checkpoint)) => driver.restore(checkpoint),
             (Self::Flips(flips), Checkpoint::Flips(clock)) => flips.seek(clock),
             _ => {}
+        }
+    }
+
+    /// All that a step may change; flips take back what they did by themselves.
+    pub(super) fn mark(&self) -> Option<flow::Mark> {
+        match self {
+            Self::Flow(driver) => Some(driver.mark()),
+            Self::Flips(_) => None,
+        }
+    }
+
+    /// Goes back there, before a step that was given up.
+    pub(super) fn go_back(&mut self, mark: flow::Mark) {
+        if let Self::Flow(driver) = self {
+            driver.go_back(mark);
+        }
+    }
+
+    /// Lets go of what is large and can be made again.
+    pub(super) fn release(&mut self) {
+        if let Self::Flow(driver) = self {
+            driver.release();
         }
     }
 

@@ -35,7 +35,7 @@ impl Session {
         let found = library::figure(figure).ok_or_else(unknown)?;
         let over = found.back.ok_or_else(unknown)?;
         let other = match self.other_half.waiting.take() {
-            Some(half) => half.resume(self.progress.clone()),
+            Some(half) => half.resume(),
             None => self.half_of(found, over)?,
         };
         let state = other.state.clone();
@@ -53,7 +53,6 @@ impl Session {
         let sample = figure.sample().ok_or_else(Fault::no_mesh)?;
         let mut other = Self::new();
         sample.load(&mut other, over)?;
-        other.progress.clone_from(&self.progress);
         other.configure(options)?;
         other.runner.ok_or_else(Fault::no_mesh)
     }

@@ -41,7 +41,7 @@ mod runner;
 mod segment;
 mod study;
 
-pub use crate::flow::Progress;
+pub use crate::interrupt::Progress;
 pub use crate::remesh::static_pass::{MeshQuality, RegulariseOptions, Regularised};
 pub use arrangement::{Arrangement, Compare};
 pub use bench::{Bench, BenchOptions, BenchReport, MeshFile, TableName};
@@ -91,6 +91,7 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::options::FlowOptions;
 use crate::flow::{StepReport, boundary};
+use crate::interrupt;
 use crate::io::{Format, Loss};
 use crate::mesh::shape;
 use crate::message::Message;
@@ -170,6 +171,8 @@ pub struct Session {
     bench: Option<Bench>,
     view: View,
     progress: Option<Progress>,
+    /// Whether the last step was given up.
+    is_given_up: bool,
     replay: Option<Replay>,
     other_half: OtherHalf,
 }
@@ -180,15 +183,9 @@ impl Session {
         Self::default()
     }
 
-    /// Sets or clears the callback for progress within long steps.
+    /// Sets or clears who is told the progress of long work, and may have a step given up.
     pub fn set_progress(&mut self, progress: Option<Progress>) {
         self.progress = progress;
-        if let Some(runner) = &mut self.runner {
-            runner.progress.clone_from(&self.progress);
-            if let Some(flow) = &mut runner.engine {
-                flow.set_progress(self.progress.clone());
-            }
-        }
     }
 
     fn runner(&self) -> Result<&Runner, Fault> {
@@ -247,8 +244,7 @@ impl Session {
     /// # Errors
     /// See [`crate::flow::FlowError`]; the flow configured before stays.
     pub fn configure(&mut self, options: FlowOptions) -> Result<Configured, Fault> {
-        let progress = self.progress.clone();
-        let configured = self.runner_mut()?.configure(options, progress)?;
+        let configured = self.runner_mut()?.configure(options)?;
         self.other_half = OtherHalf::default();
         self.settle_panes();
         Ok(configured)
@@ -268,12 +264,21 @@ impl Session {
         self.runner_mut()
     }
 
-    /// Takes one step; `None` if there was none to take, and then the state says why.
+    /// Takes one step; `None` if there was none to take, and then the state says why, or if the one
+    /// at hand was [given up](interrupt): then everything is as before, and the next is the same.
     ///
     /// # Errors
     /// Numerical failures; the state is that before the step, with status `failed`.
     pub fn step(&mut self) -> Result<Option<StepReport>, Fault> {
-        let report = self.ensure_configured()?.step()?;
+        self.ensure_configured()?;
+        let progress = self.progress.clone();
+        let (outcome, is_given_up) = interrupt::observed(progress, || {
+            let outcome = self.runner_mut().and_then(Runner::step);
+            let is_given_up = interrupt::is_interrupted() && matches!(outcome, Ok(None));
+            (outcome, is_given_up)
+        });
+        self.is_given_up = is_given_up;
+        let report = outcome?;
         self.settle_panes();
         Ok(report)
     }

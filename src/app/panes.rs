@@ -73,7 +73,7 @@ fn start(first: &Runner, options: FlowOptions) -> Result<Runner, Fault> {
     let document = first.document.clone();
     let start = document.start.clone();
     let mut runner = Runner::new(document, start);
-    runner.configure(options, None)?;
+    runner.configure(options)?;
     Ok(runner)
 }
 

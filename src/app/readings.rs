@@ -11,6 +11,7 @@ use crate::energy::{conformal, p_willmore};
 use crate::flow::flips::FlipReading;
 use crate::flow::{Monitored, Multipliers, Pass, Status, StepReport};
 use crate::geometry::measure;
+use crate::interrupt;
 use crate::mesh::HalfedgeMesh;
 use crate::message::Message;
 use crate::operator::{Elements, Mass};
@@ -77,6 +78,7 @@ impl Info {
         warnings: &[Message],
     ) -> Self {
         let self_intersections = crossing::count(triangles, x);
+        interrupt::pulse();
         let mut warnings = warnings.to_vec();
         if let Some(n) = self_intersections.filter(|&n| n > 0) {
             warnings.push(Notice::SelfIntersections { count: n }.into());

@@ -7,6 +7,7 @@
 mod continuation;
 mod remeshing;
 mod restoration;
+mod return_point;
 mod viewing;
 
 use super::arrangement::Arrangement;
@@ -24,8 +25,9 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::flips::EdgeFlips;
 use crate::flow::options::FlowOptions;
-use crate::flow::{Decision, FlowError, Pass, Progress, Status, StepReport, p_willmore};
+use crate::flow::{Decision, FlowError, Pass, Status, StepReport, p_willmore};
 use crate::geometry::measure;
+use crate::interrupt;
 use crate::mesh::HalfedgeMesh;
 use crate::message::Say;
 use crate::operator::Elements;
@@ -63,6 +65,7 @@ enum Position {
 }
 
 /// What belongs to a snapshot that is shown, besides its positions and readings.
+#[derive(Clone)]
 struct Viewed {
     checkpoint: Checkpoint,
     /// Faces that folded over in the step that led to it.
@@ -91,7 +94,8 @@ pub(super) struct Runner {
     position: Position,
     /// Whether the engine was made anew since the last step.
     restarted: bool,
-    pub(super) progress: Option<Progress>,
+    /// What a pass of remeshing has put another in place of, until the step after it is taken.
+    aside: Option<Engine>,
     /// Whether positions came from outside since the start.
     pub(super) is_restored: bool,
     /// How the document was made of what was loaded; `None` where that cannot be told.
@@ -116,7 +120,7 @@ impl Runner {
             failure: None,
             position: Position::Live,
             restarted: false,
-            progress: None,
+            aside: None,
             is_restored: false,
             origin: Some(Vec::new()),
             arrangement: Arrangement::default(),
@@ -154,11 +158,7 @@ impl Runner {
         }
     }
 
-    pub(super) fn configure(
-        &mut self,
-        options: FlowOptions,
-        progress: Option<Progress>,
-    ) -> Result<Configured, Fault> {
+    pub(super) fn configure(&mut self, options: FlowOptions) -> Result<Configured, Fault> {
         let options = self.with_selection(options);
         let mut x = self.document.start.clone();
         let (triangles, polygons) = (&self.document.triangles, &self.document.polygons);
@@ -166,7 +166,7 @@ impl Runner {
         // step: wasm memory never shrinks.
         let old = self.engine.take();
         let effective = self.effective(&options, false);
-        let mut flow = match Engine::start(triangles, polygons, &mut x, effective) {
+        let flow = match Engine::start(triangles, polygons, &mut x, effective) {
             Ok(flow) => flow,
             Err(error) => {
                 self.engine = old;
@@ -174,8 +174,6 @@ impl Runner {
             }
         };
         drop(old);
-        flow.set_progress(progress.clone());
-        self.progress = progress;
         self.begin_segment(options);
         self.x = x;
         self.begin_history();
@@ -289,9 +287,24 @@ impl Runner {
         Ok(outcome)
     }
 
+    /// Takes a step; where that is [given up](interrupt), everything is as before it.
+    ///
+    /// # Errors
+    /// As [`Session::step`](super::Session::step).
+    pub(super) fn step(&mut self) -> Result<Option<StepReport>, Fault> {
+        let here = self.return_point();
+        let outcome = self.try_step();
+        if interrupt::is_interrupted() && !matches!(outcome, Ok(Some(_))) {
+            self.go_back(here);
+            return Ok(None);
+        }
+        self.aside = None;
+        outcome
+    }
+
     /// Takes a step, after a pass of remeshing where one is due, or where without one the flow
     /// would be at an end.
-    pub(super) fn step(&mut self) -> Result<Option<StepReport>, Fault> {
+    fn try_step(&mut self) -> Result<Option<StepReport>, Fault> {
         // Asked to go on after the end: the budget starts anew.
         let extends = self.state.status.is_final();
         let before = self.copied();
@@ -430,7 +443,7 @@ pub(super) struct Suspended {
 
 impl Suspended {
     /// Puts everything back as it was.
-    pub(super) fn resume(self, progress: Option<Progress>) -> Runner {
+    pub(super) fn resume(self) -> Runner {
         let Self {
             mut runner,
             checkpoint,
@@ -438,7 +451,6 @@ impl Suspended {
         let Some(checkpoint) = checkpoint else {
             return runner;
         };
-        runner.progress = progress;
         // It started from here before; if memory is short now, the next step will say so.
         if let Ok(mut flow) = runner.started() {
             flow.restore(checkpoint);

@@ -1,9 +1,9 @@
 //! What others may ask of a driver, and set.
 
 use super::driver::Driver;
-use super::run::{Checkpoint, Run};
+use super::run::{Checkpoint, Mark, Run};
 use super::termination::Window;
-use super::{Flow, Progress, Reading, Refusal};
+use super::{Flow, Reading, Refusal};
 use glam::DVec3;
 
 impl Driver {
@@ -15,11 +15,6 @@ impl Driver {
     /// The flow itself.
     pub fn flow(&self) -> &dyn Flow {
         &*self.flow
-    }
-
-    /// Called with a stage's name and the share of the step done, within long steps.
-    pub fn set_progress(&mut self, callback: Option<Progress>) {
-        self.progress = callback;
     }
 
     /// The next step's size, in the flow's unit of time.
@@ -56,6 +51,28 @@ impl Driver {
         self.flow.recall(checkpoint.memory);
         self.flipped.clear();
         self.refusal = None;
+    }
+
+    /// All that a step may change, but for the positions: going back to it, the same step follows
+    /// to the last bit.
+    pub fn mark(&self) -> Mark {
+        Mark {
+            run: self.run,
+            learnt: self.flow.learnt(),
+            refusal: self.refusal,
+            flipped: self.flipped.clone(),
+        }
+    }
+
+    /// Goes back to where the driver stood, before a step that is given up.
+    pub fn go_back(&mut self, mark: Mark) {
+        (self.run, self.refusal, self.flipped) = (mark.run, mark.refusal, mark.flipped);
+        self.flow.relearn(mark.learnt);
+    }
+
+    /// Lets go of what is large and can be made again, as it was, from what is kept.
+    pub fn release(&mut self) {
+        self.flow.release();
     }
 
     /// Goes on from a checkpoint of the same run on another mesh of the same surface: what is kept

@@ -1,12 +1,8 @@
-//! What a step costs, told apart, and who is told how far it has come.
+//! What a step costs, told apart.
 
 use super::{StepReport, Warning};
 use crate::linalg::SolveInfo;
-use std::rc::Rc;
 use web_time::Instant;
-
-/// A callback for progress within long steps: the stage's name and the share done.
-pub type Progress = Rc<dyn Fn(&str, f64)>;
 
 /// Where the time of a step goes, and what its solvers meet.
 #[derive(Clone, Default)]
@@ -28,28 +24,11 @@ pub struct Cost {
     /// Norm of the residual of the linear system over that of its right-hand side, where it
     /// is watched.
     pub residual: Option<f64>,
-    /// Told the stage's name and the share of the step done.
-    pub progress: Option<Progress>,
     /// Worth telling the user.
     pub warnings: Vec<Warning>,
 }
 
 impl Cost {
-    /// Of a step that tells its progress.
-    pub fn telling(progress: Option<Progress>) -> Self {
-        Self {
-            progress,
-            ..Self::default()
-        }
-    }
-
-    /// Tells how far the step has come.
-    pub fn tell(&self, stage: &str, share: f64) {
-        if let Some(progress) = &self.progress {
-            progress(stage, share);
-        }
-    }
-
     /// Takes over what a linear solve says of itself.
     pub fn add(&mut self, info: &SolveInfo) {
         self.factor += info.factor_seconds;

@@ -13,11 +13,12 @@ use super::spec::{self, Family};
 use super::termination::{Ending, Gain, Window};
 use super::warning::WarningsGiven;
 use super::{
-    Cause, Cost, Decision, Flow, FlowError, Functional, Move, Occasion, Phase, Progress, Proposal,
-    Refusal, Search, Status, StepReport, Warning,
+    Cause, Cost, Decision, Flow, FlowError, Functional, Move, Occasion, Phase, Proposal, Refusal,
+    Search, Status, StepReport, Warning,
 };
 use crate::geometry::survey::survey;
 use crate::geometry::{measure, quality};
+use crate::interrupt;
 use crate::mesh::{Face, HalfedgeMesh};
 use crate::operator::Elements;
 use glam::DVec3;
@@ -36,7 +37,6 @@ pub struct Driver {
     pub(super) run: Run,
     pub(super) refusal: Option<Refusal>,
     pub(super) flipped: Vec<u32>,
-    pub(super) progress: Option<Progress>,
 }
 
 /// A step that was found.
@@ -114,23 +114,34 @@ impl Driver {
             run,
             refusal: None,
             flipped: Vec::new(),
-            progress: None,
         }
     }
 
-    /// Takes one step: `x` becomes the next state, or is left as it is with a decision.
+    /// Takes one step: `x` becomes the next state, or is left as it is with a decision. Where the
+    /// step is [given up](crate::interrupt), the next is the same as it would have been.
     ///
     /// # Errors
     /// Numerical failures; `x` and the run are as before.
     pub fn step(&mut self, x: &mut Vec<DVec3>) -> Result<Stepped, FlowError> {
-        let before = self.checkpoint();
-        self.try_step(x).inspect_err(|_| self.restore(before))
+        let (before, mark) = (self.checkpoint(), self.mark());
+        let mut y = x.clone();
+        let outcome = self.try_step(&mut y);
+        if interrupt::is_interrupted() {
+            // It may have come of half a result, whatever it is.
+            self.go_back(mark);
+            return Ok((None, Decision::GivenUp));
+        }
+        match outcome {
+            Ok(_) => *x = y,
+            Err(_) => self.restore(before),
+        }
+        outcome
     }
 
     fn try_step(&mut self, x: &mut Vec<DVec3>) -> Result<Stepped, FlowError> {
         let watch = Instant::now();
-        let mut cost = Cost::telling(self.progress.clone());
-        cost.tell("assemble", 0.0);
+        let mut cost = Cost::default();
+        interrupt::tell("assemble", 0.0);
         if !self.run.is_exhausted {
             self.refusal = None;
         }
@@ -199,6 +210,7 @@ impl Driver {
     /// The functional at `x`.
     fn evaluate(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<Functional, FlowError> {
         let found = self.flow.evaluate(x, cost)?;
+        interrupt::check()?;
         if !found.value.is_finite() {
             return Err(FlowError::NonFiniteEnergy {
                 step: self.run.step + 1,
@@ -261,9 +273,11 @@ impl Driver {
         cost.search += watch.elapsed().as_secs_f64();
         let mut resolved = 0;
         let found = loop {
-            cost.tell("factor", 0.1);
+            interrupt::tell("factor", 0.1);
             let dt = self.run.step_size.dt;
-            let refusal = match self.flow.propose(x, dt, cost)? {
+            let proposal = self.flow.propose(x, dt, cost)?;
+            interrupt::check()?;
+            let refusal = match proposal {
                 Proposal::Nothing => break None,
                 Proposal::Refused(refusal) => {
                     trials.rejected += 1;
@@ -274,10 +288,11 @@ impl Driver {
                     if -step.slope < rules.roundoff && step.slope != 0.0 {
                         break None;
                     }
-                    cost.tell("trial", 0.4);
+                    interrupt::tell("finish", 0.4);
                     let watch = Instant::now();
                     let taken = trials.run(&mut *self.flow, &step, cost);
                     cost.search += watch.elapsed().as_secs_f64();
+                    interrupt::check()?;
                     match taken {
                         Ok(taken) => {
                             self.flow.accept(&step, taken.share);
@@ -354,11 +369,12 @@ impl Driver {
         cost: &mut Cost,
     ) -> Result<(StepReport, Decision), FlowError> {
         let Found { step, taken, .. } = &found;
-        cost.tell("regularise", 0.5);
+        interrupt::tell("regularise", 0.5);
         let watch = Instant::now();
         let slid = self.flow.slide(before_x, &taken.y, found.limit, cost)?;
         cost.regularise += watch.elapsed().as_secs_f64();
-        cost.tell("finish", 0.9);
+        interrupt::tell("finish", 0.9);
+        interrupt::check()?;
         let (y, value) = match slid {
             Some(y) => {
                 let value = self.evaluate(&y, cost)?.value;
@@ -384,6 +400,7 @@ impl Driver {
             ..StepReport::default()
         };
         self.measure_mesh(before_x, &y, &mut report);
+        interrupt::check()?;
         *x = y;
         self.flow.describe(x, &mut report);
         self.run.least = self.run.least.min(value);

@@ -1,6 +1,7 @@
 //! Why a flow cannot start or cannot go on.
 
 use super::option::{Allowed, OptionError};
+use crate::interrupt::Interrupted;
 use crate::linalg::LinalgError;
 use crate::message::messages;
 
@@ -68,6 +69,12 @@ messages! {
         },
         /// The linear system could not be solved.
         Linear(reason: LinalgError),
+    }
+}
+
+impl From<Interrupted> for FlowError {
+    fn from(interrupted: Interrupted) -> Self {
+        LinalgError::from(interrupted).into()
     }
 }
 

@@ -5,8 +5,9 @@
 //! beside the chosen one, flip by flip.
 
 use super::options::FlowOptions;
-use super::{Decision, FlowError, Progress, Reading, Reason, Status, StepReport};
+use super::{Decision, FlowError, Reading, Reason, Status, StepReport};
 use crate::geometry::measure;
+use crate::interrupt;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use crate::order;
 use crate::remesh::flips::FlipOptimiser;
@@ -49,7 +50,6 @@ pub struct EdgeFlips {
     /// Flips made before the last step.
     before: usize,
     mean_edge_length: f64,
-    progress: Option<Progress>,
 }
 
 impl EdgeFlips {
@@ -78,7 +78,6 @@ impl EdgeFlips {
             per_step: 1,
             runs: Vec::new(),
             before: 0,
-            progress: None,
         };
         this.runs.push(this.run(options.criterion));
         Ok(this)
@@ -149,17 +148,19 @@ impl EdgeFlips {
         self.runs.iter().map(reading).collect()
     }
 
-    /// Goes on to a number of flips, or to the end of every run; whether there were any.
+    /// Goes on to a number of flips, or to the end of every run, unless the work is given up; whether
+    /// there were any.
     fn advance(&mut self, goal: usize) -> bool {
         self.before = self.clock();
         for run in &mut self.runs {
             while run.flips() < goal && run.step().is_some() {
                 // How many there will be is not known: seldom more than a third of the edges.
-                if run.flips().is_multiple_of(4096)
-                    && let Some(progress) = &self.progress
-                {
+                if run.flips().is_multiple_of(256) {
                     let expected = run.mesh().n_edges() as f64 / 3.0;
-                    progress("flips", (run.flips() as f64 / expected).min(0.99));
+                    interrupt::tell("flips", (run.flips() as f64 / expected).min(0.99));
+                    if interrupt::is_interrupted() {
+                        break;
+                    }
                 }
             }
         }
@@ -193,12 +194,20 @@ impl EdgeFlips {
 }
 
 impl EdgeFlips {
-    /// Flips as many edges as a step does; without a report where there are none left.
+    /// Flips as many edges as a step does; without a report where there are none left, or where the
+    /// step is [given up](crate::interrupt): every flip is taken back then.
     pub fn step(&mut self, x: &[DVec3]) -> (Option<StepReport>, Decision) {
         let start = Instant::now();
         let before = self.runs[0].willmore();
         let flips = self.runs[0].flips();
-        if !self.advance(self.clock().saturating_add(self.per_step)) {
+        let (last, clock) = (self.before, self.clock());
+        let is_any = self.advance(clock.saturating_add(self.per_step));
+        if interrupt::is_interrupted() {
+            self.rewind(clock);
+            self.before = last;
+            return (None, Decision::GivenUp);
+        }
+        if !is_any {
             return (None, Decision::Stop(Status::Converged, self.end()));
         }
         let reading = self.reading(x);
@@ -236,11 +245,6 @@ impl EdgeFlips {
             volume: measure::volume(run.mesh(), x),
             ..Reading::default()
         }
-    }
-
-    /// Called with a stage's name and the share of it done, within long steps.
-    pub fn set_progress(&mut self, callback: Option<Progress>) {
-        self.progress = callback;
     }
 
     /// Mean edge length at the start.

@@ -38,15 +38,15 @@ pub mod termination;
 pub mod vesicle;
 pub mod warning;
 
-pub use cost::{Cost, Progress};
+pub use cost::Cost;
 pub use driver::Driver;
 pub use error::FlowError;
-pub use phase::{Memory, Occasion, Phase};
+pub use phase::{Learnt, Memory, Occasion, Phase};
 pub use proposal::{Move, Proposal, Search};
 pub use refusal::{Cause, Refusal};
 pub use report::{Monitored, Multipliers, Pass, Reading, Status, StepReport};
 pub use rules::Rules;
-pub use run::Checkpoint;
+pub use run::{Checkpoint, Mark};
 pub use termination::{Clock, Decision, Reason};
 pub use warning::{Advice, Warning};
 
@@ -198,4 +198,19 @@ pub trait Flow {
 
     /// Goes back to that; what is known of other positions is forgotten.
     fn recall(&mut self, memory: Memory);
+
+    /// All that a step may change of what the flow goes on with.
+    fn learnt(&self) -> Learnt {
+        Learnt::Memory(self.memory())
+    }
+
+    /// Goes back to that, as if no step had been begun since.
+    fn relearn(&mut self, learnt: Learnt) {
+        if let Learnt::Memory(memory) = learnt {
+            self.recall(memory);
+        }
+    }
+
+    /// Lets go of what is large and can be made again, as it was, from what is kept.
+    fn release(&mut self) {}
 }

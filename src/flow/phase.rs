@@ -54,6 +54,16 @@ pub struct Phase {
     pub event: Option<Warning>,
 }
 
+/// All that a flow has learnt and does not work out again from the positions.
+pub enum Learnt {
+    /// No more than it must remember.
+    Memory(Memory),
+    /// By the circle-angle flow.
+    Circle(circle::Learnt),
+    /// By the flows by mean curvature and its derivatives.
+    Curvature(curvature::Learnt),
+}
+
 /// What a flow must remember beside the positions.
 #[derive(Clone, Copy, Debug)]
 pub enum Memory {

@@ -1,9 +1,9 @@
 //! Where a run stands: what it started from, its budget, and what a step back restores.
 
-use super::Memory;
 use super::step_size::StepSize;
 use super::termination::Window;
 use super::warning::WarningsGiven;
+use super::{Learnt, Memory, Refusal};
 use glam::DVec3;
 
 /// What a run is compared with.
@@ -30,6 +30,14 @@ pub(super) struct Run {
     pub(super) given: WarningsGiven,
     /// Whether the next step is to end the run, as it gains nothing.
     pub(super) is_exhausted: bool,
+}
+
+/// All that a step may change of a driver.
+pub struct Mark {
+    pub(super) run: Run,
+    pub(super) learnt: Learnt,
+    pub(super) refusal: Option<Refusal>,
+    pub(super) flipped: Vec<u32>,
 }
 
 /// What a step back restores along with the positions.

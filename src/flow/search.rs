@@ -5,6 +5,7 @@ use super::refusal::farthest;
 use super::rules::{Ceiling, Rules};
 use super::step_size::sufficient_decrease;
 use super::{Cause, Cost, Flow, Functional, Move, Refusal, Search};
+use crate::interrupt;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
 
@@ -81,6 +82,9 @@ impl Trials<'_> {
         let mut share = 1.0;
         let mut first = None;
         for _ in 0..=times {
+            if interrupt::check().is_err() {
+                break;
+            }
             let (refusal, value) = match self.test(flow, step, share) {
                 Ok(taken) => return Ok(taken),
                 Err(refused) => refused,
@@ -122,7 +126,8 @@ impl Trials<'_> {
         let mut best: Option<Taken> = None;
         let mut first = None;
         for trial in 0..MAX_BISECTIONS {
-            if best.is_some() && trial >= MAX_BISECTIONS_DESCENDING {
+            let is_enough = best.is_some() && trial >= MAX_BISECTIONS_DESCENDING;
+            if is_enough || interrupt::check().is_err() {
                 break;
             }
             cost.iterations += 1;
@@ -184,6 +189,8 @@ impl Trials<'_> {
     ) -> Result<(), Refusal> {
         self.guard.check_distance(self.x, y)?;
         *value = flow.measure(self.x, y)?;
+        // Whatever is said of half a value: nobody will hear it.
+        interrupt::check().map_err(|_| Refusal::of(Cause::NotFinite))?;
         if !value.is_finite() {
             return Err(Refusal::of(Cause::NotFinite));
         }

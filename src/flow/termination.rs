@@ -25,6 +25,8 @@ const PATIENCE: usize = 4;
 pub enum Decision {
     /// Take the next step.
     GoOn,
+    /// The step was [given up](crate::interrupt): it can be taken again.
+    GivenUp,
     /// The run is over for this reason.
     Stop(Status, Reason),
 }

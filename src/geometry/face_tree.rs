@@ -5,6 +5,7 @@
 //! any mesh, of triangles of any sizes; a grid of equal cells has none that suits them all.
 
 use super::measure::triangle_points;
+use crate::interrupt;
 use crate::mesh::{Face, HalfedgeMesh};
 use glam::DVec3;
 
@@ -122,7 +123,11 @@ impl FaceTree {
             waiting.push((0, 0));
         }
         let mut looked = 0;
-        while let Some((a, b)) = waiting.pop() {
+        for turn in 1usize.. {
+            let Some((a, b)) = waiting.pop() else { break };
+            if turn.is_multiple_of(1 << 16) {
+                interrupt::pulse();
+            }
             let (p, q) = (&self.nodes[a], &self.nodes[b]);
             looked += 1;
             if looked > most {

@@ -62,6 +62,7 @@ pub use format::Format;
 
 use glam::DVec3;
 
+use crate::interrupt;
 use crate::soup::PolygonSoup;
 
 /// What a file held.
@@ -86,6 +87,7 @@ pub struct Read {
 pub fn read(bytes: &[u8], file_name: &str) -> Result<Read, ReadError> {
     let (bytes, transcoded) = text::without_byte_order_mark(bytes);
     let format = format::detect(&bytes, file_name)?;
+    interrupt::pulse();
     let mut read = match format {
         Format::Obj => obj::read(&bytes),
         Format::Off => off::read(&bytes),
@@ -99,6 +101,7 @@ pub fn read(bytes: &[u8], file_name: &str) -> Result<Read, ReadError> {
         Format::Vtp => vtp::read(&bytes),
         Format::Msh => msh::read(&bytes),
     }?;
+    interrupt::pulse();
     if transcoded {
         read.warnings.push(Oddity::Transcoded);
     }

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::assembly::NO_PART;
 use super::{Expected, Format, Found, Place, ReadError};
+use crate::interrupt;
 
 /// The text without its byte order mark, and whether it had to be brought from UTF-16.
 ///
@@ -122,6 +123,9 @@ impl<'a> Iterator for Lines<'a> {
         }
         let text = self.rest;
         let number = self.number + 1;
+        if number.is_multiple_of(1 << 16) {
+            interrupt::pulse();
+        }
         let comment = text[0] == b'#';
         let mut length = 0;
         loop {

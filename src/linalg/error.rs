@@ -1,5 +1,6 @@
 //! What can go wrong in a linear solve.
 
+use crate::interrupt::Interrupted;
 use crate::message::messages;
 use faer::sparse::FaerError;
 
@@ -32,6 +33,14 @@ messages! {
             /// Number of rows.
             n: usize,
         },
+        /// The work was [given up](crate::interrupt).
+        Interrupted,
+    }
+}
+
+impl From<Interrupted> for LinalgError {
+    fn from(_: Interrupted) -> Self {
+        Self::Interrupted
     }
 }
 

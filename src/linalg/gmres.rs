@@ -1,13 +1,15 @@
 //! GMRES for systems that are known by their action only.
 
 use super::convergence::Convergence;
+use crate::interrupt;
 
 /// Solves `A x = b` by GMRES without restart, preconditioned from the right: the Krylov space of
 /// A P⁻¹, with modified Gram–Schmidt and Givens rotations (Saad & Schultz
 /// [SS86](crate::bibliography#ss86)).
 ///
 /// `apply` writes A v for a v; `precondition` replaces v by P⁻¹ v. Ends at `tolerance`
-/// relative to ‖b‖ or after `max_iterations`, which bounds the memory: a vector an iteration.
+/// relative to ‖b‖, after `max_iterations`, which bounds the memory, a vector an iteration, or when
+/// the work is [given up](crate::interrupt).
 /// Preconditioning from the right leaves the residual that of the system itself.
 pub fn gmres(
     mut apply: impl FnMut(&[f64], &mut [f64]),
@@ -33,6 +35,9 @@ pub fn gmres(
     let mut rhs = vec![size];
     info.relative_residual = 1.0;
     while info.relative_residual > tolerance && info.iterations < max_iterations {
+        if interrupt::check().is_err() {
+            break;
+        }
         let k = info.iterations;
         let mut z = basis[k].clone();
         precondition(&mut z);

@@ -3,6 +3,7 @@
 use super::entry::Entry;
 use super::error::LinalgError;
 use super::symbolic::Symbolic;
+use crate::interrupt;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltParams, LdltRegularization};
 use faer::sparse::linalg::cholesky::supernodal::{
@@ -91,8 +92,8 @@ impl Ldlt {
     /// Factors the matrix with these values, one a slot of the pattern. Allocates nothing.
     ///
     /// # Errors
-    /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`]; there is then no
-    /// factor until a later call succeeds.
+    /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`],
+    /// [`LinalgError::Interrupted`]; there is then no factor until a later call succeeds.
     ///
     /// # Panics
     /// If `values` has not one value a slot.
@@ -101,6 +102,7 @@ impl Ldlt {
         let n = symbolic.n();
         assert_eq!(values.len(), symbolic.slots.len(), "one value a slot");
         self.is_factored = false;
+        interrupt::check()?;
         for (entry, &slot) in self.matrix.iter_mut().zip(&symbolic.slots) {
             *entry = values[slot as usize];
         }

@@ -20,6 +20,7 @@
 use super::error::LinalgError;
 use super::pattern::Pattern;
 use super::symbolic::Symbolic;
+use crate::interrupt;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
@@ -179,7 +180,8 @@ impl Lu {
     ///
     /// # Errors
     /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`],
-    /// [`LinalgError::OutOfMemory`]; there is then no factor until a later call succeeds.
+    /// [`LinalgError::OutOfMemory`], [`LinalgError::Interrupted`]; there is then no factor until a
+    /// later call succeeds.
     ///
     /// # Panics
     /// If there are not two values a slot.
@@ -205,6 +207,7 @@ impl Lu {
         let mut updates = with_room(self.most_waiting, n)?;
         let mut waiting: Vec<u32> = Vec::new();
         for &s in &self.postorder {
+            interrupt::check()?;
             let front = &self.fronts[s as usize];
             let (size, width) = (front.size(), front.width);
             let below = &self.rows[front.below.clone()];
@@ -244,7 +247,9 @@ impl Lu {
                     }
                 }
             }
-            eliminate(&mut matrix, size, width).map_err(|k| LinalgError::ZeroPivot {
+            let eliminated = eliminate(&mut matrix, size, width);
+            interrupt::check()?;
+            eliminated.map_err(|k| LinalgError::ZeroPivot {
                 row: symbolic.order[front.begin + k] as usize,
             })?;
             let (columns, rest) = self.factor[front.offset..].split_at_mut(width * size);
@@ -368,10 +373,11 @@ fn check(symbolic: &Symbolic, values: &Unsymmetric) -> Result<(), LinalgError> {
 }
 
 /// Eliminates the first `width` columns of a dense matrix stored by columns; the rest becomes
-/// the Schur complement. Fails with the number of a pivot that is zero or not finite.
+/// the Schur complement, unless the work is given up. Fails with the number of a pivot that is zero
+/// or not finite.
 fn eliminate(matrix: &mut [f64], size: usize, width: usize) -> Result<(), usize> {
     let mut begin = 0;
-    while begin < width {
+    while begin < width && interrupt::check().is_ok() {
         let end = (begin + BLOCK).min(width);
         for k in begin..end {
             let (left, right) = matrix.split_at_mut((k + 1) * size);

@@ -3,6 +3,7 @@
 
 use super::pattern::Pattern;
 use super::vertex_cover::{Bipartite, minimum_vertex_cover};
+use crate::interrupt;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::linalg::amd;
 use faer::sparse::{FaerError, SymbolicSparseColMatRef};
@@ -120,8 +121,12 @@ struct Dissection<'a> {
 }
 
 impl Dissection<'_> {
-    /// Brings the vertices of a part into the order of elimination.
+    /// Brings the vertices of a part into the order of elimination; leaves them in any where the
+    /// work is given up.
     fn dissect(&mut self, vertices: &mut [u32]) -> Result<(), FaerError> {
+        if interrupt::check().is_err() {
+            return Ok(());
+        }
         if vertices.len() <= LEAF {
             return self.order_leaf(vertices);
         }

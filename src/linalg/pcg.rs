@@ -6,6 +6,7 @@
 use super::convergence::Convergence;
 use super::entry::Entry;
 use super::pattern::Pattern;
+use crate::interrupt;
 
 /// A system `A X = B` for one or more fields.
 #[derive(Clone, Copy)]
@@ -78,7 +79,8 @@ impl<T: Entry> Workspace<T> {
 /// and one product with A an iteration.
 ///
 /// Ends when the relative residual of every field is at most `tolerance`, after
-/// `max_iterations`, or when A or P turns out not to be positive definite. The caller compares the
+/// `max_iterations`, when A or P turns out not to be positive definite, or when the work is
+/// [given up](crate::interrupt). The caller compares the
 /// residual with the tolerance.
 pub fn conjugate_gradients<T: Entry>(
     system: LinearSystem<'_, T>,
@@ -106,7 +108,8 @@ pub fn conjugate_gradients<T: Entry>(
     loop {
         let size = reached.relative_residual;
         let is_done = size <= tolerance || !size.is_finite();
-        if is_done || reached.iterations == max_iterations {
+        let is_over = is_done || reached.iterations == max_iterations;
+        if is_over || interrupt::check().is_err() {
             return reached;
         }
 
@@ -172,7 +175,7 @@ pub(super) fn refine<T: Entry>(
     precondition(x);
     let mut size = system.residual(x, residual);
     for step in 0..max_steps {
-        if size <= tolerance {
+        if size <= tolerance || interrupt::check().is_err() {
             return step;
         }
         correction.copy_from_slice(residual);

@@ -8,6 +8,7 @@ use super::multigrid::Multigrid;
 use super::pattern::Pattern;
 use super::pcg::{LinearSystem, Workspace, conjugate_gradients, refine};
 use super::symbolic::Symbolic;
+use crate::interrupt;
 use glam::DVec3;
 use std::sync::Arc;
 use web_time::Instant;
@@ -133,6 +134,12 @@ impl Solver {
         self.factor_limit = bytes;
     }
 
+    /// Lets go of analysis, factor and hierarchy, which the next solve makes again as they were.
+    pub fn release(&mut self) {
+        (self.multigrid, self.symbolic, self.factor) = (None, None, None);
+        self.workspace = Workspace::default();
+    }
+
     /// Whether a factor, as far as it was looked at, would take more memory than it may: every
     /// solve then iterates, and the solution is the best of a thousand iterations.
     pub fn is_too_large_to_factor(&self) -> bool {
@@ -168,7 +175,7 @@ impl Solver {
     /// # Errors
     /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`],
     /// [`LinalgError::NonFiniteRightHandSide`], [`LinalgError::OutOfMemory`],
-    /// [`LinalgError::IndexOverflow`]; `x` is then of no use.
+    /// [`LinalgError::IndexOverflow`], [`LinalgError::Interrupted`]; `x` is then of no use.
     ///
     /// # Panics
     /// If a slice has the wrong length.
@@ -188,6 +195,7 @@ impl Solver {
         if let Some(row) = rhs.iter().position(|b| !b.is_finite()) {
             return Err(LinalgError::NonFiniteRightHandSide { row: row % n });
         }
+        interrupt::check()?;
         let start = Instant::now();
         self.workspace.resize(rhs.len());
         let mut info = SolveInfo::default();
@@ -196,6 +204,7 @@ impl Solver {
             self.iterate(values, rhs, x, tolerance, limit, &mut info)?
         };
         if !is_solved {
+            interrupt::check()?;
             self.symbolic()?;
             if self.is_too_large_to_factor() {
                 self.iterate(values, rhs, x, tolerance, MAX_ITERATIONS, &mut info)?;
@@ -206,6 +215,7 @@ impl Solver {
                 info = self.solve_directly(values, rhs, x, tolerance)?;
             }
         }
+        interrupt::check()?;
         // The residual an iteration keeps is only updated, and drifts.
         let system = LinearSystem {
             pattern: &self.pattern,
@@ -233,11 +243,15 @@ impl Solver {
         }
         let cycles = expected_iterations(tolerance) * multigrid.cycle_operations() as f64;
         let by_multigrid = FLOPS_PER_OPERATION * (multigrid.update_operations() as f64 + cycles);
+        // Looked at but half it would be taken for the choice.
+        let multigrid = self.multigrid.take();
         let symbolic = self.symbolic()?;
         let directly = symbolic.flops() + FLOPS_PER_ENTRY * symbolic.factor_len() as f64;
         let is_cheaper = by_multigrid < directly || self.is_too_large_to_factor();
-        if !is_cheaper {
-            (self.multigrid, self.edges) = (None, None);
+        if is_cheaper {
+            self.multigrid = multigrid;
+        } else {
+            self.edges = None;
         }
         Ok(is_cheaper)
     }
@@ -270,7 +284,9 @@ impl Solver {
     ) -> Result<bool, LinalgError> {
         let n = self.pattern.n();
         // Of a matrix that is at fault the factorisation tells in the caller's numbering.
-        if !matches!(self.multigrid()?.update(values), Ok(true)) {
+        let is_definite = matches!(self.multigrid()?.update(values), Ok(true));
+        interrupt::check()?;
+        if !is_definite {
             return Ok(false);
         }
         let Self {

@@ -3,6 +3,7 @@
 use super::error::LinalgError;
 use super::ordering::{Graph, minimum_degree, nested_dissection};
 use super::pattern::Pattern;
+use crate::interrupt;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::linalg::SymbolicSupernodalParams;
 use faer::sparse::linalg::cholesky::{simplicial, supernodal};
@@ -45,7 +46,8 @@ impl Symbolic {
     /// Of minimum degree and nested dissection the order with fewer operations is kept.
     ///
     /// # Errors
-    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
+    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`],
+    /// [`LinalgError::Interrupted`].
     ///
     /// # Panics
     /// If there are points but not one a row.
@@ -55,13 +57,12 @@ impl Symbolic {
             points.is_none_or(|points| points.len() == n),
             "one point a row"
         );
-        Self::try_analyse(pattern, points).map_err(|error| LinalgError::from_faer(error, n))
-    }
-
-    fn try_analyse(pattern: &Pattern, points: Option<&[DVec3]>) -> Result<Self, FaerError> {
+        let failed = |error| LinalgError::from_faer(error, n);
         let graph = Graph::new(pattern);
-        let best = Elimination::best(&graph, points)?;
-        Self::of(pattern, &graph, best)
+        interrupt::check()?;
+        let best = Elimination::best(&graph, points).map_err(failed)?;
+        interrupt::check()?;
+        Self::of(pattern, &graph, best).map_err(failed)
     }
 
     fn of(pattern: &Pattern, graph: &Graph, best: Elimination) -> Result<Self, FaerError> {
@@ -141,7 +142,8 @@ struct Elimination {
 }
 
 impl Elimination {
-    /// Of minimum degree and nested dissection the order with fewer operations.
+    /// Of minimum degree and nested dissection the order with fewer operations; any where the work
+    /// is given up.
     fn best(graph: &Graph, points: Option<&[DVec3]>) -> Result<Self, FaerError> {
         let mut best = Self::new(graph, minimum_degree(graph)?, Ordering::MinimumDegree)?;
         if let Some(points) = points.filter(|points| points.len() >= DISSECTION_FROM) {

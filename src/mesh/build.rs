@@ -9,6 +9,7 @@ use super::orient::orient;
 use super::repair::{clean_faces, drop_flat_components, drop_unused_vertices, split_vertices};
 use super::sides::{Side, paired_sides};
 use super::{Face, Halfedge, HalfedgeMesh, MeshError, Repair, Vertex};
+use crate::interrupt;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 
@@ -49,17 +50,25 @@ fn connected(soup: &PolygonSoup, turns_outward: bool) -> Result<Built, MeshError
     if faces.n_faces() == 0 {
         return Err(MeshError::NoFaces);
     }
+    interrupt::pulse();
     let sides = paired_sides(&faces)?;
+    interrupt::pulse();
     orient(&mut faces, &sides, turns_outward, &mut repairs);
     // Turning a face renumbers its corners.
+    interrupt::pulse();
     let sides = paired_sides(&faces)?;
+    interrupt::pulse();
     let origin = split_vertices(&mut faces, &sides, &mut repairs);
+    interrupt::pulse();
     drop_flat_components(&mut faces, &sides, &mut repairs);
     if faces.n_faces() == 0 {
         return Err(MeshError::NoFaces);
     }
+    interrupt::pulse();
     let soup_vertex = drop_unused_vertices(&mut faces, &origin, soup, &mut repairs);
+    interrupt::pulse();
     let sides = paired_sides(&faces)?;
+    interrupt::pulse();
     let mesh = connect(&faces, &sides);
     Ok(Built {
         mesh,

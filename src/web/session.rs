@@ -2,13 +2,20 @@
 //!
 //! Typed arrays given out are copies owned by JavaScript, safe to transfer.
 
-use crate::app::{AppError, Command, Fault, Session as Inner};
+use crate::app::{AppError, Command, Fault, Progress, Session as Inner};
 use crate::mesh::shape;
 use js_sys::Function;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::cell::Cell;
+use std::ops::ControlFlow;
 use std::rc::Rc;
+use std::time::Duration;
 use wasm_bindgen::prelude::*;
+use web_time::Instant;
+
+/// Least time between two calls of a callback for progress.
+const BETWEEN: Duration = Duration::from_millis(5);
 
 impl From<Fault> for JsValue {
     fn from(fault: Fault) -> Self {
@@ -79,16 +86,26 @@ impl Session {
         }
     }
 
-    /// Calls `callback(stage, share)` within long steps; anything else clears it.
+    /// Calls `callback(stage, share)` every few milliseconds within long work; where it returns true
+    /// a step is given up. Anything but a function clears it.
     #[wasm_bindgen(js_name = onProgress)]
     pub fn on_progress(&mut self, callback: JsValue) {
         self.0
             .set_progress(callback.dyn_into::<Function>().ok().map(|callback| {
+                let next = Cell::new(Instant::now());
                 let call = move |stage: &str, share: f64| {
+                    let now = Instant::now();
+                    if now < next.get() {
+                        return ControlFlow::Continue(());
+                    }
+                    next.set(now + BETWEEN);
                     // An exception in a progress bar must not end the step.
-                    let _ = callback.call2(&JsValue::NULL, &stage.into(), &share.into());
+                    match callback.call2(&JsValue::NULL, &stage.into(), &share.into()) {
+                        Ok(stops) if stops.is_truthy() => ControlFlow::Break(()),
+                        _ => ControlFlow::Continue(()),
+                    }
                 };
-                Rc::new(call) as Rc<dyn Fn(&str, f64)>
+                Rc::new(call) as Progress
             }));
     }
 

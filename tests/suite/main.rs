@@ -18,6 +18,7 @@ mod fitted_operators;
 mod flip_session;
 mod flips;
 mod history;
+mod interruption;
 mod io;
 mod library;
 mod linalg;

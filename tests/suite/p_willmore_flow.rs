@@ -106,7 +106,7 @@ impl Run {
     fn status(&self) -> Status {
         match &self.verdict {
             Decision::Stop(status, _) => *status,
-            Decision::GoOn => Status::Ready,
+            Decision::GoOn | Decision::GivenUp => Status::Ready,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The application without a browser.
 
 use std::cell::RefCell;
+use std::ops::ControlFlow;
 use std::rc::Rc;
 use umbilic::app::Session;
 use umbilic::energy::circle::Boundary;
@@ -312,6 +313,7 @@ fn progress_is_told_within_a_step() {
     session.set_progress(Some(Rc::new(move |stage: &str, share: f64| {
         assert!((0.0..=1.0).contains(&share));
         told.borrow_mut().push(stage.to_owned());
+        ControlFlow::Continue(())
     })));
     session.step().expect("a step");
     assert!(stages.borrow().iter().any(|s| s == "factor"), "{stages:?}");

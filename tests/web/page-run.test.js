@@ -24,6 +24,8 @@ import { obj, wavyTorus } from "./support/meshes.js";
 
 const site = useSite();
 
+/** @typedef {import("playwright-core").Page} Page */
+
 test("steps forwards and backwards, each press one, and back to the start", async () => {
   const { page, faults, close } = await site.open("sample=coarse-torus");
   const first = await energy(page);
@@ -210,6 +212,110 @@ test("a surface that is given other triangles on its way goes on in one clip", a
     assert.equal(await scrubber.getAttribute("aria-valuetext"), told);
   }
   assert.match(await surface(page), new RegExp(`step ${step - 1}, energy `));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+/**
+ * A large mesh, and what goes between the page and its worker: requests with their answers, and the
+ * steps of frames, each with the time. `atProgress` is done once in the middle of a long step.
+ * @param {Awaited<ReturnType<typeof site.blank>>} tab
+ */
+async function openLarge({ page }) {
+  await page.addInitScript(() => {
+    const self = /** @type {any} */ (globalThis);
+    self.said = [];
+    self.Worker = class extends Worker {
+      /** @param {any} message @param {any[]} rest */
+      postMessage(message, ...rest) {
+        const { id, name } = message;
+        if (name) self.said.push({ asked: name, id, at: performance.now() });
+        super.postMessage(message, ...rest);
+      }
+      /** @param {any} handler */
+      set onmessage(handler) {
+        super.onmessage = (event) => {
+          const { id, ok, type, state } = event.data;
+          const step = (state ?? ok?.state ?? ok)?.step;
+          self.said.push({ answered: id, type, step, at: performance.now() });
+          if (type === "progress") {
+            self.atProgress?.();
+            self.atProgress = null;
+          }
+          handler(event);
+        };
+      }
+    };
+  });
+  await page.goto(`${site.url}?msaa=1#sample=coarse-torus`);
+  await until(page, "Ready");
+  await openMesh(page, "large.obj", obj(wavyTorus(460, 230)));
+}
+
+/** @param {Page} page @returns {Promise<{ asked?: string, answered?: number, id?: number, type?: string, step?: number, at: number }[]>} */
+const saidIn = (page) => page.evaluate(() => /** @type {any} */ (globalThis).said);
+
+/**
+ * From a request in the middle of a step to its answer: milliseconds, and the steps of the frames
+ * that came between.
+ * @param {Page} page @param {string} name
+ */
+async function answerTo(page, name) {
+  const said = await saidIn(page);
+  const from = said.findIndex((one, n) => one.asked === name && said[n - 1].type === "progress");
+  const to = said.findIndex((one, n) => n > from && one.answered === said[from].id);
+  const before = said.slice(0, from).findLast((one) => one.type === "frame");
+  const between = said.slice(from, to).filter((one) => one.type === "frame");
+  return {
+    milliseconds: said[to].at - said[from].at,
+    before: before?.step,
+    steps: between.map((one) => one.step),
+    answer: said[to].step,
+  };
+}
+
+test("Pause is answered in the middle of a long step, which is taken again afterwards", async (t) => {
+  const tab = await site.blank();
+  const { page, faults, close } = tab;
+  await openLarge(tab);
+  await page.evaluate(() => {
+    /** @type {any} */ (globalThis).atProgress = () =>
+      /** @type {HTMLElement} */ (document.querySelector(".play")).click();
+  });
+  await button(page, "Play").click();
+  await until(page, /^(Ready|Paused at step)/);
+  const { milliseconds, before, steps, answer } = await answerTo(page, "pause");
+  t.diagnostic(`answered after ${milliseconds.toFixed(0)} ms`);
+  // The step that was in hand would have been the next.
+  assert.equal(answer, before);
+  assert.ok(steps.every((step) => step === before));
+  assert.equal(Number(await reading(page, "Step")), before);
+  // It was given up and not lost.
+  const later = await playAndPause(page, 1);
+  assert.ok(later > Number(before));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("an option is changed in the middle of a long step", async (t) => {
+  const tab = await site.blank();
+  const { page, faults, close } = tab;
+  await openLarge(tab);
+  await openTab(page, "Flow");
+  await page.evaluate(() => {
+    /** @type {any} */ (globalThis).atProgress = () => {
+      const flows = [...document.querySelectorAll("[role=option]")];
+      const other = flows.find((flow) => flow.textContent?.includes("p-Willmore"));
+      /** @type {HTMLElement} */ (other).click();
+    };
+  });
+  await button(page, "Play").click();
+  await until(page, /^Ready/);
+  const { milliseconds, before, steps, answer } = await answerTo(page, "pause");
+  t.diagnostic(`answered after ${milliseconds.toFixed(0)} ms`);
+  assert.equal(answer, before);
+  assert.ok(steps.every((step) => step === before));
+  await page.getByRole("option", { name: "p-Willmore", selected: true }).waitFor();
   assert.deepEqual(faults, []);
   await close();
 });

@@ -120,7 +120,7 @@ impl Session {
         let Some(before) = self.edits.0.pop() else {
             return Err(AppError::NothingToUndo.into());
         };
-        self.runner = Some(before.resume(self.progress.clone()));
+        self.runner = Some(before.resume());
         self.other_half = OtherHalf::default();
         self.settle_panes();
         self.loaded()

@@ -193,6 +193,10 @@ impl Replay {
         if let Some(report) = &report {
             session.view.add(report);
         }
+        if session.is_given_up {
+            self.tasks.push_front(Task::Steps { goal, is_over });
+            return Ok(());
+        }
         let state = session.state()?;
         // At an end there is none to take; asked again, a flow goes on with its budget anew.
         if report.is_none() && is_over {

@@ -99,9 +99,7 @@ impl Runner {
         let start = segment.start.as_ref().unwrap_or(&self.document.start);
         let options = self.effective(&segment.options, segment.is_pass);
         let [triangles, polygons] = self.meshes();
-        let mut flow = Engine::start(triangles, polygons, &mut start.clone(), options)?;
-        flow.set_progress(self.progress.clone());
-        Ok(flow)
+        Engine::start(triangles, polygons, &mut start.clone(), options)
     }
 
     pub(in crate::app) fn configured(&self) -> Option<Configured> {
@@ -178,7 +176,6 @@ impl Runner {
         };
         flow.set_clock(self.state.step, self.state.time);
         flow.extend_budget();
-        flow.set_progress(self.progress.clone());
         if is_second_thought {
             self.history.drop_future();
         }

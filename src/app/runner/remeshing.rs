@@ -18,8 +18,9 @@ use crate::app::segment::Segment;
 use crate::energy::p_willmore::integrated_power;
 use crate::flow::constraint::Kept;
 use crate::flow::options::{FlowOptions, Remeshing};
-use crate::flow::{Decision, Pass, Status, StepReport};
+use crate::flow::{Decision, FlowError, Pass, Status, StepReport};
 use crate::geometry::measure;
+use crate::interrupt;
 use crate::remesh::Mode;
 use crate::remesh::adaptive::{self, Kind, Soundness, Targets};
 use crate::soup::PolygonSoup;
@@ -117,7 +118,9 @@ impl Runner {
         };
         let mesh = self.triangles();
         let before = measure::min_angle_degrees(mesh, &self.x);
-        let Ok(made) = adaptive::pass(mesh, &self.x, kind, self.budget(), targets) else {
+        let made = adaptive::pass(mesh, &self.x, kind, self.budget(), targets);
+        interrupt::check().map_err(FlowError::from)?;
+        let Ok(made) = made else {
             return Ok(None);
         };
         // A mesh that is as good as it gets would be flipped to and fro, and the flow never rest.
@@ -145,7 +148,11 @@ impl Runner {
             }
         };
         engine.go_on_after_pass(checkpoint);
-        self.engine = Some(engine);
+        if let Some(mut before) = self.engine.replace(engine) {
+            // Not for what it weighs: the flow may have to go back there.
+            before.release();
+            self.aside = Some(before);
+        }
         self.engine_segment = Rc::clone(&self.segment);
         self.x = made.positions;
         let energy = self.state.objective;

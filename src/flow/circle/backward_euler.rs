@@ -10,6 +10,7 @@ use crate::energy::circle::angle::Smoothing;
 use crate::flow::options::Scheme;
 use crate::flow::step_size::sufficient_decrease;
 use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search, Warning};
+use crate::interrupt;
 use crate::linalg::{Method, Pattern, Solver};
 use glam::DVec3;
 
@@ -169,7 +170,7 @@ impl CircleFlow {
                 return Ok((y, true));
             }
             cost.iterations += 1;
-            cost.tell("newton", cost.iterations as f64 / MAX_NEWTON as f64);
+            interrupt::tell("newton", cost.iterations as f64 / MAX_NEWTON as f64);
             let problem = &mut self.problem;
             let newton = system.solve(problem, &y, smoothing, (mass, dt), &residual, cost)?;
             let d = match newton {

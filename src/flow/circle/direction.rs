@@ -4,6 +4,7 @@ use super::CircleFlow;
 use crate::flow::options::{Goal, Scheme};
 use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search, Warning};
 use crate::geometry::measure;
+use crate::interrupt;
 use crate::linalg::Method;
 use glam::DVec3;
 
@@ -76,7 +77,7 @@ impl CircleFlow {
         self.assemble(false, cost);
         let mass = self.mass(x);
         for halvings in 0..MAX_HALVINGS {
-            cost.tell("factor", 0.2);
+            interrupt::tell("factor", 0.2);
             let gradient = &self.evaluation.gradient;
             let d = self
                 .problem

@@ -7,6 +7,7 @@ use crate::flow::{Cost, FlowError, Move, Proposal, Search};
 use crate::linalg::Ldlt;
 use glam::DVec3;
 use std::collections::VecDeque;
+use std::rc::Rc;
 use std::sync::Arc;
 use web_time::Instant;
 
@@ -23,8 +24,17 @@ const FLATTENED: f64 = 0.9;
 /// What is known of the Hessian, from one iteration to the next.
 #[derive(Default)]
 pub(super) struct QuasiNewton {
-    pairs: VecDeque<Pair>,
-    preconditioner: Option<Ldlt>,
+    pub(super) model: Model,
+    /// The factor of a matrix: of that of the model, unless a step was given up meanwhile.
+    pub(super) preconditioner: Option<(Ldlt, Rc<Vec<f64>>)>,
+}
+
+/// All of it but the factor: a copy costs little.
+#[derive(Clone, Default)]
+pub(super) struct Model {
+    pairs: VecDeque<Rc<Pair>>,
+    /// Of the preconditioner.
+    matrix: Option<Rc<Vec<f64>>>,
     age: usize,
     smoothing: Option<Smoothing>,
     /// Whether the last move has not been accepted yet.
@@ -50,17 +60,18 @@ fn add_scaled(a: &mut [DVec3], s: f64, b: &[DVec3]) {
 impl QuasiNewton {
     /// −H ∇E by the two-loop recursion.
     fn direction(&mut self, gradient: Vec<DVec3>) -> Vec<DVec3> {
+        let pairs = &self.model.pairs;
         let mut d = gradient;
-        let mut alphas = Vec::with_capacity(self.pairs.len());
-        for pair in self.pairs.iter().rev() {
+        let mut alphas = Vec::with_capacity(pairs.len());
+        for pair in pairs.iter().rev() {
             let alpha = pair.rho * dot(&pair.s, &d);
             add_scaled(&mut d, -alpha, &pair.y);
             alphas.push(alpha);
         }
-        if let Some(preconditioner) = &mut self.preconditioner {
+        if let Some((preconditioner, _)) = &mut self.preconditioner {
             preconditioner.solve_in_place(&mut d);
         }
-        for (pair, alpha) in self.pairs.iter().zip(alphas.into_iter().rev()) {
+        for (pair, alpha) in pairs.iter().zip(alphas.into_iter().rev()) {
             let beta = pair.rho * dot(&pair.y, &d);
             add_scaled(&mut d, alpha - beta, &pair.s);
         }
@@ -78,16 +89,17 @@ impl CircleFlow {
         cost: &mut Cost,
     ) -> Result<Proposal, FlowError> {
         let smoothing = self.schedule.smoothing();
-        let model = &self.quasi_newton;
+        let model = &self.quasi_newton.model;
         if model.is_tried && model.age == 0 {
             self.quasi_newton = QuasiNewton::default();
             return Ok(Proposal::Nothing);
         }
         let is_stale = model.age >= REFRESH || model.smoothing != Some(smoothing);
-        if model.is_tried || is_stale || model.preconditioner.is_none() {
-            self.refresh(smoothing, cost)?;
+        if model.is_tried || is_stale || model.matrix.is_none() {
+            self.refresh(smoothing, cost);
         }
-        self.quasi_newton.is_tried = true;
+        self.factor_model(cost)?;
+        self.quasi_newton.model.is_tried = true;
         let watch = Instant::now();
         let gradient: Vec<DVec3> = self.problem.rows(&self.evaluation.gradient).collect();
         let d = self.quasi_newton.direction(gradient);
@@ -105,27 +117,38 @@ impl CircleFlow {
         ))))
     }
 
-    /// Factors M/dt + K₊ at the current positions and forgets the pairs.
-    fn refresh(&mut self, smoothing: Smoothing, cost: &mut Cost) -> Result<(), FlowError> {
+    /// Makes M/dt + K₊ at the current positions the model's matrix and forgets the pairs.
+    fn refresh(&mut self, smoothing: Smoothing, cost: &mut Cost) {
         self.assemble(true, cost);
-        let watch = Instant::now();
         let shift = 1.0 / (TAU * self.problem.h * self.problem.h);
         let mut values = self.problem.stiffness.clone();
         for &slot in self.problem.matrix.pattern().diagonal_slots() {
             values[slot as usize] += shift;
         }
-        let kept = self.quasi_newton.preconditioner.take();
-        let mut factor = match kept {
-            Some(factor) => factor,
+        self.quasi_newton.model = Model {
+            matrix: Some(Rc::new(values)),
+            smoothing: Some(smoothing),
+            ..Model::default()
+        };
+    }
+
+    /// Factors the model's matrix, unless that was done.
+    fn factor_model(&mut self, cost: &mut Cost) -> Result<(), FlowError> {
+        let Some(matrix) = &self.quasi_newton.model.matrix else {
+            return Ok(());
+        };
+        let watch = Instant::now();
+        let mut factor = match self.quasi_newton.preconditioner.take() {
+            Some(known) if Rc::ptr_eq(&known.1, matrix) => {
+                self.quasi_newton.preconditioner = Some(known);
+                return Ok(());
+            }
+            Some((factor, _)) => factor,
             None => Ldlt::new(Arc::clone(self.problem.solver.symbolic()?))?,
         };
-        factor.factor(&values)?;
+        factor.factor(matrix)?;
+        self.quasi_newton.preconditioner = Some((factor, Rc::clone(matrix)));
         cost.factor += watch.elapsed().as_secs_f64();
-        self.quasi_newton = QuasiNewton {
-            preconditioner: Some(factor),
-            smoothing: Some(smoothing),
-            ..QuasiNewton::default()
-        };
         Ok(())
     }
 
@@ -135,7 +158,7 @@ impl CircleFlow {
             return;
         }
         let slope = self.problem.dot(&self.trial.gradient, &step.d);
-        let model = &mut self.quasi_newton;
+        let model = &mut self.quasi_newton.model;
         model.is_tried = false;
         model.age += 1;
         if slope < FLATTENED * step.slope {
@@ -156,7 +179,7 @@ impl CircleFlow {
                 model.pairs.pop_front();
             }
             let rho = 1.0 / sy;
-            model.pairs.push_back(Pair { s, y, rho });
+            model.pairs.push_back(Rc::new(Pair { s, y, rho }));
         }
     }
 }

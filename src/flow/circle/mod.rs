@@ -95,6 +95,12 @@ pub struct CircleFlow {
 #[derive(Clone, Copy, Debug)]
 pub struct Memory(Schedule);
 
+/// What a step may change beside that.
+pub struct Learnt {
+    schedule: Schedule,
+    model: lbfgs::Model,
+}
+
 impl CircleFlow {
     /// Prepares the flow at positions `x`, which a harmonic pre-fill may change.
     ///
@@ -416,6 +422,25 @@ impl Flow for CircleFlow {
         }
         self.forget();
         self.quasi_newton = lbfgs::QuasiNewton::default();
+    }
+
+    fn learnt(&self) -> super::Learnt {
+        super::Learnt::Circle(Learnt {
+            schedule: self.schedule,
+            model: self.quasi_newton.model.clone(),
+        })
+    }
+
+    fn relearn(&mut self, learnt: super::Learnt) {
+        if let super::Learnt::Circle(Learnt { schedule, model }) = learnt {
+            (self.schedule, self.quasi_newton.model) = (schedule, model);
+        }
+        self.forget();
+    }
+
+    fn release(&mut self) {
+        self.problem.solver.release();
+        self.quasi_newton.preconditioner = None;
     }
 }
 

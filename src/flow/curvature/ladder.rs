@@ -6,6 +6,7 @@ use super::{CurvatureFlow, NEARLY_AT_REST};
 use crate::flow::options::Scheme;
 use crate::flow::{Cost, FlowError, Occasion, Phase, Warning};
 use glam::DVec3;
+use std::rc::Rc;
 
 /// A first update of the sixth-order flow longer than so many edges comes from a start too
 /// rough for it …
@@ -83,7 +84,7 @@ impl CurvatureFlow {
                     return Ok(None);
                 }
                 let start = self.start.clone();
-                self.reached = Some(x.to_vec());
+                self.reached = Some(Rc::new(x.to_vec()));
                 Ok(Some(
                     self.climb(Warning::BackToStart { steps: RUNGS }, Some(start)),
                 ))
@@ -105,7 +106,7 @@ impl CurvatureFlow {
 
     /// The flow's own law goes on from here.
     fn top_reached(&mut self, x: &[DVec3]) -> Phase {
-        self.top = Some(x.to_vec());
+        self.top = Some(Rc::new(x.to_vec()));
         self.known = None;
         self.last_whole = None;
         Phase {

@@ -118,11 +118,11 @@ pub struct CurvatureFlow {
     /// Largest |φ| of the last proposal, in mean edges.
     size: f64,
     /// A proposal that was made to see how long it is, with its step size.
-    known: Option<(f64, Move)>,
+    known: Option<(f64, Rc<Move>)>,
     /// Where the flow came to before it went back to the start, and where the ladder ended, if
     /// that is known.
-    reached: Option<Vec<DVec3>>,
-    top: Option<Vec<DVec3>>,
+    reached: Option<Rc<Vec<DVec3>>>,
+    top: Option<Rc<Vec<DVec3>>>,
     is_iterative: bool,
 }
 
@@ -131,6 +131,16 @@ pub struct CurvatureFlow {
 pub struct Memory {
     ladder: Ladder,
     last_whole: Option<f64>,
+}
+
+/// What a step may change beside that.
+pub struct Learnt {
+    memory: Memory,
+    size: f64,
+    known: Option<(f64, Rc<Move>)>,
+    reached: Option<Rc<Vec<DVec3>>>,
+    top: Option<Rc<Vec<DVec3>>>,
+    is_iterative: bool,
 }
 
 impl CurvatureFlow {
@@ -276,6 +286,13 @@ impl CurvatureFlow {
         known.unwrap_or_else(|| Curvatures::of(&self.mesh, x, &self.region))
     }
 
+    fn own_memory(&self) -> Memory {
+        Memory {
+            ladder: self.ladder,
+            last_whole: self.last_whole,
+        }
+    }
+
     fn forget(&mut self) {
         self.curvatures = None;
         self.known = None;
@@ -366,7 +383,7 @@ impl Flow for CurvatureFlow {
 
     fn propose(&mut self, x: &[DVec3], dt: f64, cost: &mut Cost) -> Result<Proposal, FlowError> {
         let step = match self.known.take() {
-            Some((known, step)) if known == dt => step,
+            Some((known, step)) if known == dt => Rc::unwrap_or_clone(step),
             _ => self.solve(x, dt, cost)?,
         };
         Ok(Proposal::Move(Box::new(step)))
@@ -499,10 +516,7 @@ impl Flow for CurvatureFlow {
     }
 
     fn memory(&self) -> super::Memory {
-        super::Memory::Curvature(Memory {
-            ladder: self.ladder,
-            last_whole: self.last_whole,
-        })
+        super::Memory::Curvature(self.own_memory())
     }
 
     fn recall(&mut self, memory: super::Memory) {
@@ -511,5 +525,30 @@ impl Flow for CurvatureFlow {
         }
         (self.reached, self.top) = (None, None);
         self.forget();
+    }
+
+    fn learnt(&self) -> super::Learnt {
+        super::Learnt::Curvature(Learnt {
+            memory: self.own_memory(),
+            size: self.size,
+            known: self.known.clone(),
+            reached: self.reached.clone(),
+            top: self.top.clone(),
+            is_iterative: self.is_iterative,
+        })
+    }
+
+    fn relearn(&mut self, learnt: super::Learnt) {
+        let super::Learnt::Curvature(learnt) = learnt else {
+            return;
+        };
+        self.recall(super::Memory::Curvature(learnt.memory));
+        (self.size, self.known) = (learnt.size, learnt.known);
+        (self.reached, self.top) = (learnt.reached, learnt.top);
+        self.is_iterative = learnt.is_iterative;
+    }
+
+    fn release(&mut self) {
+        self.system.release();
     }
 }

@@ -1,6 +1,7 @@
 //! Solving a step's system: directly, or for very many unknowns by GMRES.
 
 use crate::flow::{Cost, FlowError};
+use crate::interrupt;
 use crate::linalg::{LinalgError, Lu, Pattern, Symbolic, Unsymmetric, gmres};
 use glam::DVec3;
 use std::sync::Arc;
@@ -123,6 +124,7 @@ impl LinearSolver {
                         TOLERANCE,
                         MAX_ITERATIONS,
                     );
+                    interrupt::check()?;
                     quality.iterations += info.iterations;
                     phi.iter_mut().zip(correction).for_each(|(p, c)| *p += c);
                     rest = residual(system, &phi, rhs);
@@ -152,6 +154,7 @@ impl LinearSolver {
 /// of a flow of order k: ½(α − Δ)^(k/2) with α^(k/2) = 2/dt.
 fn preconditioner(system: &Equations<'_>, points: &[DVec3]) -> Result<Lu, LinalgError> {
     let (pattern, mut values) = (system.laplacian)();
+    interrupt::check()?;
     let alpha = (2.0 / system.dt).powf(1.0 / f64::from(system.power));
     let all = values.lower.iter_mut().chain(&mut values.upper);
     all.for_each(|v| *v = -*v);

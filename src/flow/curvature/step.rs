@@ -6,6 +6,7 @@ use super::{AT_REST, CAP, CONTRACTING, CurvatureFlow, SHORT, TOLERANCE, TOLERANC
 use crate::flow::{Cost, FlowError, Move, Search};
 use crate::geometry::measure;
 use glam::DVec3;
+use std::rc::Rc;
 
 impl CurvatureFlow {
     /// The move of step size dt.
@@ -17,7 +18,7 @@ impl CurvatureFlow {
     ) -> Result<Move, FlowError> {
         self.choose_law();
         let at = self.take_curvatures(x);
-        let solved = self.system.solve(&at, &self.region, x, dt, cost);
+        let solved = self.system.solve(&at, &self.region, &self.start, dt);
         let (mut phi, quality) = match solved {
             Ok(solved) => solved,
             Err(error) => {
@@ -71,7 +72,7 @@ impl CurvatureFlow {
     pub(super) fn whole_size(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<f64, FlowError> {
         let dt = self.full_dt();
         let step = self.solve(x, dt, cost)?;
-        self.known = Some((dt, step));
+        self.known = Some((dt, Rc::new(step)));
         Ok(self.size)
     }
 
@@ -97,7 +98,11 @@ impl CurvatureFlow {
     /// The best of the start, of where the flow came to without the ladder and of the ladder's
     /// end, where that is better than `x`: by more than a rest may lie above it, if `x` is one.
     pub(super) fn better_than(&self, x: &[DVec3], is_at_rest: bool) -> Option<Vec<DVec3>> {
-        let known = [Some(&self.start), self.reached.as_ref(), self.top.as_ref()];
+        let known = [
+            Some(&self.start),
+            self.reached.as_deref(),
+            self.top.as_deref(),
+        ];
         let tolerance = if is_at_rest {
             TOLERANCE_AT_REST
         } else {

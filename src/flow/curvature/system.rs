@@ -15,7 +15,8 @@ use super::law::Law;
 use super::region::Region;
 use super::solver::{Equations, LinearSolver, Quality};
 use super::velocity::Velocity;
-use crate::flow::{Cost, FlowError};
+use crate::flow::FlowError;
+use crate::interrupt;
 use crate::linalg::{Pattern, Unsymmetric};
 use crate::operator::FittedOperators;
 use glam::DVec3;
@@ -57,6 +58,12 @@ impl CurvatureSystem {
         }
     }
 
+    /// Lets go of the factor and what it takes to make it.
+    pub(super) fn release(&mut self) {
+        self.structure = None;
+        self.matrix = Unsymmetric::default();
+    }
+
     pub(super) fn law(&self) -> Law {
         self.law
     }
@@ -75,17 +82,17 @@ impl CurvatureSystem {
         Ok(values)
     }
 
-    /// φ at the free vertices.
+    /// φ at the free vertices. `start` has the positions of the run's start: the order of
+    /// elimination goes by them, so that it does not depend on when it was found.
     pub(super) fn solve(
         &mut self,
         at: &Curvatures,
         region: &Region,
-        x: &[DVec3],
+        start: &[DVec3],
         dt: f64,
-        cost: &Cost,
     ) -> Result<(Vec<f64>, Quality), FlowError> {
         let watch = web_time::Instant::now();
-        cost.tell("assemble", 0.1);
+        interrupt::tell("assemble", 0.1);
         let is_current =
             |(s, _): &(Structure, LinearSolver)| s.stencils.has_stencils_of(&at.operators);
         if !self.structure.as_ref().is_some_and(is_current) {
@@ -93,17 +100,19 @@ impl CurvatureSystem {
             self.structure = None;
             let structure =
                 Structure::new(&self.row_of_vertex, region, &at.operators, self.law.depth())?;
-            let points: Vec<DVec3> = region.free.iter().map(|&v| x[v as usize]).collect();
+            let points: Vec<DVec3> = region.free.iter().map(|&v| start[v as usize]).collect();
+            interrupt::check()?;
             let solver = LinearSolver::new(&structure.pattern, &points)?;
             self.matrix = Unsymmetric::zeros(&structure.pattern);
             self.structure = Some((structure, solver));
         }
         let rhs = self.assemble(at, region, dt)?;
+        interrupt::check()?;
         let mut quality = Quality {
             assemble: watch.elapsed().as_secs_f64(),
             ..Quality::default()
         };
-        cost.tell("solve", 0.3);
+        interrupt::tell("factor", 0.3);
         let Some((structure, solver)) = &mut self.structure else {
             return Ok((Vec::new(), quality));
         };
@@ -133,6 +142,9 @@ impl CurvatureSystem {
         };
         let mut work = vec![0.0; region.free.len()];
         for (row, &i) in region.free.iter().enumerate() {
+            if row.is_multiple_of(1024) {
+                interrupt::check()?;
+            }
             self.law.linearise(at, i as usize, &mut self.velocity)?;
             rhs.push(self.velocity.value(at, i as usize));
             add_row(
@@ -172,6 +184,9 @@ impl Structure {
         let mut is_seen = vec![NONE; row_of_vertex.len()];
         let mut reached: Vec<u32> = Vec::new();
         for &i in &region.free {
+            if i.is_multiple_of(1024) {
+                interrupt::check()?;
+            }
             reached.clear();
             reached.push(i);
             is_seen[i as usize] = i;
@@ -196,6 +211,7 @@ impl Structure {
             columns.extend(rows.filter(|&row| row != NONE));
             starts.push(columns.len() as u32);
         }
+        interrupt::check()?;
         let n = region.free.len();
         let pairs = (0..n).flat_map(|i| {
             let range = starts[i] as usize..starts[i + 1] as usize;
@@ -313,18 +329,13 @@ mod tests {
             for tau in [1e-4, 1.0] {
                 let dt = tau * region.length.powi(law.order());
                 let mut system = CurvatureSystem::new(law, &region);
-                let tell = Cost::default();
-                let (direct, quality) = system
-                    .solve(&at, &region, &x, dt, &tell)
-                    .expect("a solution");
+                let (direct, quality) = system.solve(&at, &region, &x, dt).expect("a solution");
                 assert!(quality.residual < 1e-9 && !quality.is_iterative);
                 let points: Vec<DVec3> = region.free.iter().map(|&v| x[v as usize]).collect();
                 if let Some((_, solver)) = &mut system.structure {
                     *solver = LinearSolver::Iterative(points);
                 }
-                let (iterated, quality) = system
-                    .solve(&at, &region, &x, dt, &tell)
-                    .expect("a solution");
+                let (iterated, quality) = system.solve(&at, &region, &x, dt).expect("a solution");
                 assert!(quality.is_iterative && quality.residual < 1e-5);
                 assert!(quality.iterations < 80, "{law:?}: {}", quality.iterations);
                 let size = direct.iter().fold(0.0, |a: f64, b| a.max(b.abs()));

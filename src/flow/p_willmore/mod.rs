@@ -449,6 +449,11 @@ impl Flow for PWillmoreFlow {
         }
         self.forget();
     }
+
+    fn release(&mut self) {
+        self.system.release();
+        self.regulariser = None;
+    }
 }
 
 /// The terms of Helfrich in the mesh's units, from options without a unit.

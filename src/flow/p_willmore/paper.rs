@@ -8,6 +8,7 @@ use crate::flow::options::FlowOptions;
 use crate::flow::refusal::farthest;
 use crate::flow::step_size::StepSize;
 use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search};
+use crate::interrupt;
 use glam::DVec3;
 use web_time::Instant;
 
@@ -56,7 +57,7 @@ impl PWillmoreFlow {
         }
         cost.assemble += watch.elapsed().as_secs_f64();
         self.next_volume = self.kept.next_volume(1.0);
-        cost.tell("newton", 0.1);
+        interrupt::tell("newton", 0.1);
         let watch = Instant::now();
         let (kept, volume) = (self.kept, self.next_volume);
         let (functional, scratch) = (&self.functional, &mut self.scratch);

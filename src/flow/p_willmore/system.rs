@@ -79,6 +79,12 @@ impl PWillmoreSystem {
         }
     }
 
+    /// See [`Solver::release`].
+    pub(super) fn release(&mut self) {
+        self.matrix = Vec::new();
+        self.solver.release();
+    }
+
     /// See [`Solver::is_too_large_to_factor`].
     pub(super) fn is_iterative(&self) -> bool {
         self.solver.is_too_large_to_factor()

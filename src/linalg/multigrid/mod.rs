@@ -20,6 +20,7 @@ mod rows;
 use super::error::LinalgError;
 use super::ordering::Graph;
 use super::pattern::Pattern;
+use crate::interrupt;
 use coarsest::Coarsest;
 use glam::{DVec3, Vec3A};
 use level::{Level, SWEEPS};
@@ -43,7 +44,8 @@ impl Multigrid {
     /// `edges` between them.
     ///
     /// # Errors
-    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`].
+    /// [`LinalgError::OutOfMemory`], [`LinalgError::IndexOverflow`],
+    /// [`LinalgError::Interrupted`].
     ///
     /// # Panics
     /// If there is not one point a row, or the edges are of another number of rows.
@@ -55,14 +57,18 @@ impl Multigrid {
         let mut a = Rows::of_pattern(pattern);
         let mut levels = Vec::new();
         while a.n() > DIRECT {
+            interrupt::check()?;
             let set = coarsening::independent_set(&graph);
             if set.len() as f64 > LEAST_COARSENING * a.n() as f64 {
                 break;
             }
             let numbers = coarsening::numbers(&set, a.n());
+            interrupt::check()?;
             let p = prolongation::prolongation(&graph, &points, &numbers, set.len());
+            interrupt::check()?;
             graph = coarsening::coarse_graph(&graph, &p);
             points = set.iter().map(|&i| points[i as usize]).collect();
+            interrupt::check()?;
             let level;
             (level, a) = Level::new(a, p);
             levels.push(level);
@@ -100,7 +106,7 @@ impl Multigrid {
     ///
     /// # Errors
     /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`], in the numbering of the
-    /// coarsest level.
+    /// coarsest level; [`LinalgError::Interrupted`].
     pub fn update(&mut self, values: &[f64]) -> Result<bool, LinalgError> {
         let diagonal = self.pattern.diagonal_slots().iter();
         let largest = diagonal
@@ -114,6 +120,7 @@ impl Multigrid {
         };
         finest.take(&self.pattern, values, largest.recip());
         for k in 0..self.levels.len() {
+            interrupt::check()?;
             let (finer, coarser) = self.levels.split_at_mut(k + 1);
             let coarse = match coarser.first_mut() {
                 Some(level) => &mut level.a,
@@ -151,18 +158,24 @@ impl Multigrid {
     }
 }
 
-/// A V-cycle from the first of the levels, whose right-hand side is there; answers the solution.
+/// A V-cycle from the first of the levels, whose right-hand side is there; answers the solution, or
+/// anything where the work is given up.
 fn cycle<'a>(levels: &'a mut [Level], coarsest: &'a mut Coarsest) -> &'a [Vec3A] {
     let Some((level, coarser)) = levels.split_first_mut() else {
         coarsest.solve();
         return &coarsest.field;
     };
     level.smooth_from_zero();
+    if interrupt::check().is_err() {
+        return &level.x;
+    }
     level.restrict(match coarser.first_mut() {
         Some(next) => &mut next.b,
         None => &mut coarsest.field,
     });
     level.correct(cycle(coarser, coarsest));
-    level.smooth_backwards();
+    if interrupt::check().is_ok() {
+        level.smooth_backwards();
+    }
     &level.x
 }

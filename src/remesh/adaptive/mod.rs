@@ -29,6 +29,7 @@ pub use restore::Targets;
 pub use soundness::{Soundness, alignment};
 
 use crate::geometry::measure;
+use crate::interrupt;
 use crate::mesh::HalfedgeMesh;
 use crate::message::messages;
 use draft::Draft;
@@ -122,7 +123,7 @@ messages! {
 /// `targets`, unless something is held.
 ///
 /// # Errors
-/// See [`RemeshError`].
+/// See [`RemeshError`]; any where the work is [given up](crate::interrupt).
 pub fn pass(
     mesh: &HalfedgeMesh,
     x: &[DVec3],
@@ -135,6 +136,7 @@ pub fn pass(
     let mut counts = Counts::default();
     for _ in 0..ROUNDS {
         round(&mut draft, kind, vertices, &mut counts);
+        interrupt::check().map_err(|_| RemeshError::Spoilt)?;
     }
     counts.flips += flip::to_delaunay(&mut draft);
     finished(&start, draft, Some(targets), counts)
@@ -202,9 +204,13 @@ fn checked(mesh: &HalfedgeMesh, x: &[DVec3], held: &[bool]) -> Result<Draft, Rem
 
 fn round(draft: &mut Draft, kind: Kind, vertices: usize, counts: &mut Counts) {
     draft.size = size::field(draft, kind, vertices);
+    interrupt::tell("remesh", 0.0);
     counts.splits += split::run(draft);
+    interrupt::pulse();
     counts.collapses += collapse::run(draft);
+    interrupt::pulse();
     counts.flips += flip::for_valence(draft) + flip::to_delaunay(draft);
+    interrupt::pulse();
     draft.compact();
     relax::run(draft);
     draft.normal = draft.normals();

@@ -37,7 +37,7 @@ use refine::{Smoothing, Target, refine};
 use std::ops::{ControlFlow, Range};
 
 /// Told a stage's name and the share done; breaking ends the fill.
-pub type FillProgress<'a> = &'a mut dyn FnMut(&str, f64) -> ControlFlow<()>;
+pub type FillProgress<'a> = &'a mut dyn FnMut(&'static str, f64) -> ControlFlow<()>;
 
 /// What is filled, and how finely.
 #[derive(Clone, Debug, PartialEq)]
@@ -174,7 +174,7 @@ pub fn fill(
     finish(old, jobs, notices)
 }
 
-fn tell(progress: FillProgress<'_>, stage: &str, share: f64) -> Result<(), FillError> {
+fn tell(progress: FillProgress<'_>, stage: &'static str, share: f64) -> Result<(), FillError> {
     match progress(stage, share) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(FillError::Cancelled),
@@ -434,7 +434,7 @@ fn draw_in(
     } = build(&soup)?;
     let n = jobs.len() as f64;
     for (done, (job, [free, _])) in jobs.iter_mut().zip(ranges).enumerate() {
-        tell(progress, "draw in", done as f64 / n)?;
+        tell(progress, "fill", done as f64 / n)?;
         let (order, lowered) = fair(&mesh, &mut positions, &free, passes, job.order)?;
         if order < job.order {
             (job.order, job.lowered) = (order, lowered);

@@ -138,6 +138,7 @@ linear-out-of-memory = die Zerlegung einer Matrix mit { $n } Zeilen passt nicht 
     .hint = Nehmen Sie ein gröberes Netz.
 linear-index-overflow = die Zerlegung einer Matrix mit { $n } Zeilen hat mehr Einträge, als sich zählen lassen
     .hint = Nehmen Sie ein gröberes Netz.
+linear-interrupted = die Arbeit wurde abgebrochen
 
 ## Füllen
 
