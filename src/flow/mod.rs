@@ -5,6 +5,7 @@
 //! and quality, collapse and extinction, warnings, how a run ends, and the report. Edge flips
 //! change connectivity and no position; they stand beside the flows ([`flips`]).
 
+mod accepted;
 mod access;
 pub mod boundary;
 pub mod bounds;

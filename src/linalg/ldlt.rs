@@ -2,15 +2,11 @@
 
 use super::entry::Entry;
 use super::error::LinalgError;
+use super::supernodal;
 use super::symbolic::Symbolic;
 use crate::interrupt;
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
-use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltParams, LdltRegularization};
-use faer::sparse::linalg::cholesky::supernodal::{
-    SupernodalLdltRef, factorize_supernodal_numeric_ldlt, factorize_supernodal_numeric_ldlt_scratch,
-};
-use faer::sparse::{FaerError, SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, Par, Spec};
+use faer::MatMut;
+use faer::sparse::FaerError;
 use std::sync::Arc;
 
 /// Signs of the eigenvalues, by Sylvester's law of inertia those of the pivots.
@@ -36,7 +32,8 @@ pub struct Ldlt {
     is_factored: bool,
     /// Permuted right-hand sides, column by column.
     columns: Vec<f64>,
-    scratch: MemBuffer,
+    /// What elimination and solving write to.
+    work: Vec<f64>,
 }
 
 impl Ldlt {
@@ -55,7 +52,7 @@ impl Ldlt {
             factor: zeroed(symbolic.factor_len())?,
             is_factored: false,
             columns: zeroed(3 * symbolic.n())?,
-            scratch: MemBuffer::try_new(scratch(&symbolic, 3))?,
+            work: zeroed(supernodal::work_len(&symbolic))?,
             symbolic,
         })
     }
@@ -68,12 +65,8 @@ impl Ldlt {
     pub fn reserve_columns(&mut self, n_columns: usize) -> Result<(), LinalgError> {
         let n = self.symbolic.n();
         if self.columns.len() < n * n_columns {
-            let grow = || {
-                let scratch = scratch(&self.symbolic, n_columns);
-                Ok((zeroed(n * n_columns)?, MemBuffer::try_new(scratch)?))
-            };
-            (self.columns, self.scratch) =
-                grow().map_err(|error| LinalgError::from_faer(error, n))?;
+            self.columns =
+                zeroed(n * n_columns).map_err(|error| LinalgError::from_faer(error, n))?;
         }
         Ok(())
     }
@@ -85,11 +78,12 @@ impl Ldlt {
 
     /// Bytes held besides the shared structure.
     pub fn allocated_bytes(&self) -> usize {
-        let numbers = self.matrix.capacity() + self.factor.capacity() + self.columns.capacity();
-        numbers * size_of::<f64>() + self.scratch.len()
+        let numbers = [&self.matrix, &self.factor, &self.columns, &self.work];
+        let numbers: usize = numbers.map(Vec::capacity).iter().sum();
+        numbers * size_of::<f64>()
     }
 
-    /// Factors the matrix with these values, one a slot of the pattern. Allocates nothing.
+    /// Factors the matrix with these values, one a slot of the pattern.
     ///
     /// # Errors
     /// [`LinalgError::ZeroPivot`], [`LinalgError::NonFiniteEntry`],
@@ -99,7 +93,6 @@ impl Ldlt {
     /// If `values` has not one value a slot.
     pub fn factor(&mut self, values: &[f64]) -> Result<Inertia, LinalgError> {
         let symbolic = &*self.symbolic;
-        let n = symbolic.n();
         assert_eq!(values.len(), symbolic.slots.len(), "one value a slot");
         self.is_factored = false;
         interrupt::check()?;
@@ -115,30 +108,14 @@ impl Ldlt {
                 column: symbolic.order[column] as usize,
             });
         }
-        let (starts, rows) = (&symbolic.column_starts, &symbolic.rows);
-        let structure = SymbolicSparseColMatRef::new_unsorted_checked(n, n, starts, None, rows);
-        factorize_supernodal_numeric_ldlt(
-            &mut self.factor,
-            SparseColMatRef::new(structure, &self.matrix),
-            LdltRegularization::default(),
-            &symbolic.supernodes,
-            Par::Seq,
-            MemStack::new(&mut self.scratch),
-            Spec::default(),
-        )
-        .map_err(|LdltError::ZeroPivot { index }| LinalgError::ZeroPivot {
-            row: symbolic.order[index] as usize,
-        })?;
+        supernodal::eliminate(symbolic, &self.matrix, &mut self.factor, &mut self.work)?;
         self.is_factored = true;
         Ok(self.inertia())
     }
 
     /// Counts the signs on the diagonals of the supernodes, where D is stored.
     fn inertia(&self) -> Inertia {
-        let factor = SupernodalLdltRef::new(&self.symbolic.supernodes, &self.factor);
-        let blocks =
-            (0..self.symbolic.supernodes.n_supernodes()).map(|s| factor.supernode(s).val());
-        let pivots = blocks.flat_map(|block| (0..block.ncols()).map(move |k| block[(k, k)]));
+        let pivots = supernodal::pivots(&self.symbolic, &self.factor);
         let negative = pivots.filter(|pivot| *pivot < 0.0).count();
         Inertia {
             positive: self.symbolic.n() - negative,
@@ -177,13 +154,7 @@ impl Ldlt {
                 field[i as usize].scatter(&mut columns, k);
             }
         }
-        let n_columns = columns.len() / n;
-        SupernodalLdltRef::new(&self.symbolic.supernodes, &self.factor).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(columns, n, n_columns),
-            Par::Seq,
-            MemStack::new(&mut self.scratch),
-        );
+        supernodal::solve(&self.symbolic, &self.factor, columns, &mut self.work);
         for (field, columns) in fields
             .chunks_exact_mut(n)
             .zip(columns.chunks_exact_mut(T::COLUMNS * n))
@@ -194,14 +165,6 @@ impl Ldlt {
             }
         }
     }
-}
-
-/// Scratch memory for a factorisation and for solving with that many columns.
-fn scratch(symbolic: &Symbolic, n_columns: usize) -> StackReq {
-    let supernodes = &symbolic.supernodes;
-    let parameters = Spec::<LdltParams, f64>::default();
-    factorize_supernodal_numeric_ldlt_scratch::<u32, f64>(supernodes, Par::Seq, parameters)
-        .or(supernodes.solve_in_place_scratch::<f64>(n_columns, Par::Seq))
 }
 
 /// That many zeros, or an error instead of the end of the program.

@@ -30,6 +30,7 @@ mod ordering;
 mod pattern;
 mod pcg;
 mod solver;
+mod supernodal;
 mod symbolic;
 mod vertex_cover;
 

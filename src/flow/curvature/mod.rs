@@ -29,6 +29,7 @@ mod gauge;
 mod ladder;
 mod law;
 mod mean_curvature;
+mod memory;
 mod region;
 mod solver;
 mod step;
@@ -37,6 +38,8 @@ mod system;
 mod velocity;
 mod warning;
 mod willmore;
+
+pub use memory::{Learnt, Memory};
 
 use super::bounds::lower_bounds;
 use super::options::{FlowOptions, Scheme};
@@ -121,23 +124,6 @@ pub struct CurvatureFlow {
     known: Option<(f64, Rc<Move>)>,
     /// Where the flow came to before it went back to the start, and where the ladder ended, if
     /// that is known.
-    reached: Option<Rc<Vec<DVec3>>>,
-    top: Option<Rc<Vec<DVec3>>>,
-    is_iterative: bool,
-}
-
-/// What the flow must remember beside the positions.
-#[derive(Clone, Copy, Debug)]
-pub struct Memory {
-    ladder: Ladder,
-    last_whole: Option<f64>,
-}
-
-/// What a step may change beside that.
-pub struct Learnt {
-    memory: Memory,
-    size: f64,
-    known: Option<(f64, Rc<Move>)>,
     reached: Option<Rc<Vec<DVec3>>>,
     top: Option<Rc<Vec<DVec3>>>,
     is_iterative: bool,
@@ -284,13 +270,6 @@ impl CurvatureFlow {
     fn take_curvatures(&mut self, x: &[DVec3]) -> Curvatures {
         let known = self.curvatures.take();
         known.unwrap_or_else(|| Curvatures::of(&self.mesh, x, &self.region))
-    }
-
-    fn own_memory(&self) -> Memory {
-        Memory {
-            ladder: self.ladder,
-            last_whole: self.last_whole,
-        }
     }
 
     fn forget(&mut self) {
@@ -520,32 +499,19 @@ impl Flow for CurvatureFlow {
     }
 
     fn recall(&mut self, memory: super::Memory) {
-        if let super::Memory::Curvature(Memory { ladder, last_whole }) = memory {
-            (self.ladder, self.last_whole) = (ladder, last_whole);
+        if let super::Memory::Curvature(memory) = memory {
+            self.recall_own(memory);
         }
-        (self.reached, self.top) = (None, None);
-        self.forget();
     }
 
     fn learnt(&self) -> super::Learnt {
-        super::Learnt::Curvature(Learnt {
-            memory: self.own_memory(),
-            size: self.size,
-            known: self.known.clone(),
-            reached: self.reached.clone(),
-            top: self.top.clone(),
-            is_iterative: self.is_iterative,
-        })
+        super::Learnt::Curvature(self.own_learnt())
     }
 
     fn relearn(&mut self, learnt: super::Learnt) {
-        let super::Learnt::Curvature(learnt) = learnt else {
-            return;
-        };
-        self.recall(super::Memory::Curvature(learnt.memory));
-        (self.size, self.known) = (learnt.size, learnt.known);
-        (self.reached, self.top) = (learnt.reached, learnt.top);
-        self.is_iterative = learnt.is_iterative;
+        if let super::Learnt::Curvature(learnt) = learnt {
+            self.relearn_own(learnt);
+        }
     }
 
     fn release(&mut self) {
