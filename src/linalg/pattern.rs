@@ -1,6 +1,7 @@
 //! Where a symmetric sparse matrix may be non-zero.
 
 use super::entry::Entry;
+use crate::interrupt;
 use std::ops::Range;
 
 /// Sparsity pattern of a symmetric matrix: its lower triangle by columns.
@@ -34,6 +35,7 @@ impl Pattern {
             total += std::mem::replace(start, total);
         }
 
+        interrupt::pulse();
         let mut next = starts.clone();
         let mut rows = vec![0; starts[n]];
         let mut push = |column: u32, row: u32| {
@@ -43,6 +45,7 @@ impl Pattern {
         (0..n as u32).for_each(|i| push(i, i));
         for_each_pair(cliques, push);
 
+        interrupt::pulse();
         // Sorts each column and moves it, without repetitions, onto the end of the last.
         let mut column_starts = Vec::with_capacity(n + 1);
         let mut end = 0;

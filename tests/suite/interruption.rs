@@ -5,9 +5,11 @@ use serde_json::{Value as Json, json};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::rc::Rc;
-use umbilic::app::{Arrangement, Compare, Origin, ScriptText, Session};
-use umbilic::flow::options::{FlowName, FlowOptions, Integrator, Remeshing, Scheme};
-use umbilic::flow::{StepReport, options::Goal};
+use umbilic::app::{Arrangement, Compare, Origin, Progress, ScriptText, Session};
+use umbilic::flow::options::{FlowName, FlowOptions, Goal, Integrator, Remeshing, Scheme};
+use umbilic::flow::{Decision, Driver, StepReport};
+use umbilic::interrupt;
+use umbilic::mesh::{build, shape};
 use umbilic::remesh::Mode;
 
 /// The same without times on a clock.
@@ -173,6 +175,47 @@ fn ends_and_changes_of_phase_are_the_same() {
         ..flowing(FlowName::Circle)
     };
     compare(|| opened("ellipsoid", &[("level", 3.0)], &limited), 6, 1.4);
+}
+
+/// A driver by itself, without a session around it.
+#[test]
+fn a_driver_goes_back_by_itself() {
+    let options = FlowOptions {
+        integrator: Integrator::Lbfgs,
+        ..flowing(FlowName::Circle)
+    };
+    let sample = shape::make("ellipsoid", &[("level".into(), 2.0)]).expect("a shape");
+    let built = build(&sample.soup).expect("a surface");
+    let mesh = Rc::new(built.mesh);
+    let begun = || {
+        let mut x = built.positions.clone();
+        let driver = Driver::start(&mesh, &mesh, &mut x, options.clone()).expect("a flow");
+        (driver, x)
+    };
+    let ((mut plain, mut x), (mut disturbed, mut y)) = (begun(), begun());
+    for step in 1..=12 {
+        plain.step(&mut x).expect("a step");
+        for nth in 1.. {
+            let left = Cell::new(nth);
+            let progress: Progress = Rc::new(move |_, _| {
+                left.set(left.get() - 1);
+                match left.get() {
+                    0 => ControlFlow::Break(()),
+                    _ => ControlFlow::Continue(()),
+                }
+            });
+            let before = y.clone();
+            let (report, decision) =
+                interrupt::observed(Some(progress), || disturbed.step(&mut y)).expect("no failure");
+            if report.is_some() {
+                break;
+            }
+            assert_eq!(decision, Decision::GivenUp);
+            assert_eq!(y, before);
+        }
+        assert_eq!(x, y, "step {step}");
+        assert_eq!(plain.dt(), disturbed.dt());
+    }
 }
 
 #[test]

@@ -39,6 +39,7 @@ impl CircleFlow {
             self.problem.assemble(&self.evaluation, projects, cost);
             self.is_assembled = true;
         }
+        interrupt::pulse();
     }
 
     /// (M/dt + K₊) Δx = −∇E with the projected K₊.

@@ -5,6 +5,7 @@ use super::PWillmoreFlow;
 use crate::flow::FlowError;
 use crate::flow::guard::turning;
 use crate::geometry::measure;
+use crate::interrupt;
 use crate::remesh::{Mode, Regulariser};
 use glam::DVec3;
 
@@ -43,6 +44,7 @@ impl PWillmoreFlow {
         self.functional.measure(y, &mut self.scratch);
         let directions = self.kept.mass_directions(&self.scratch);
         for share in SHARES {
+            interrupt::check()?;
             let mut trial: Vec<DVec3> = y.iter().zip(&v).map(|(y, v)| *y + share * *v).collect();
             if !self.project(&mut trial, &directions) {
                 continue;

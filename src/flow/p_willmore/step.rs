@@ -5,6 +5,7 @@ use crate::energy::p_willmore::Evaluation;
 use crate::flow::constraint::{dot, multipliers, project};
 use crate::flow::rules::Ceiling;
 use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search};
+use crate::interrupt;
 use glam::DVec3;
 use web_time::Instant;
 
@@ -41,6 +42,7 @@ impl PWillmoreFlow {
             self.system.assemble(self.functional.elements(), x, &c);
             self.is_assembled = true;
         }
+        interrupt::check()?;
         let is_leading = self.kept.is_leading();
         let longest = LEADING_TAU * self.scale.powf(self.options.p + 2.0);
         let is_asked = self.options.dt.is_some();
@@ -70,6 +72,7 @@ impl PWillmoreFlow {
         let mut solution = vec![DVec3::ZERO; rhs.len()];
         let info = self.system.solve(&e.mass, dt, &rhs, &mut solution)?;
         cost.add(&info);
+        interrupt::check()?;
         let directions = solution.split_off(n);
         let mut d = solution;
         if fixed_size {

@@ -2,6 +2,7 @@
 //! coordinates.
 
 use crate::flow::FlowError;
+use crate::interrupt;
 use crate::linalg::{Ldlt, Method, Pattern, SolveInfo, Solver};
 use crate::operator::{Elements, Laplacian};
 use glam::DVec3;
@@ -54,9 +55,11 @@ impl PWillmoreSystem {
         })
     }
 
-    /// Assembles the stiffness L diag(c) L at `x`; L where c is empty.
+    /// Assembles the stiffness L diag(c) L at `x`; L where c is empty. Some of it where the work is
+    /// given up.
     pub(super) fn assemble(&mut self, elements: &Elements, x: &[DVec3], c: &[f64]) {
         self.laplacian.assemble(elements, x);
+        interrupt::pulse();
         self.stiffness.fill(0.0);
         if c.is_empty() {
             let pattern = self.solver.pattern();
@@ -70,6 +73,9 @@ impl PWillmoreSystem {
         }
         let mut slots = self.slots.iter();
         for (i, c) in c.iter().enumerate() {
+            if i.is_multiple_of(4096) && interrupt::check().is_err() {
+                return;
+            }
             let row = self.laplacian.row(i);
             for (k, a) in row.iter().enumerate() {
                 for (b, &slot) in row[..=k].iter().zip(&mut slots) {

@@ -1,6 +1,7 @@
 //! The matrix of a coarser level, PᵀAP, into places that are found once.
 
 use super::rows::Rows;
+use crate::interrupt;
 
 const NONE: u32 = u32::MAX;
 
@@ -45,11 +46,22 @@ impl Galerkin {
     }
 }
 
-/// Where A B may be non-zero.
+/// Rows between two looks at whether to go on.
+const ROWS: usize = 1024;
+
+/// Where A B may be non-zero; nowhere from where the work is given up.
 fn structure(a: &Rows, b: &Rows, places: &mut [u32]) -> Rows {
     places.fill(NONE);
     let mut product = Rows::empty(b.n_columns);
+    let mut goes_on = true;
     for i in 0..a.n() {
+        if i.is_multiple_of(ROWS) {
+            goes_on = interrupt::check().is_ok();
+        }
+        if !goes_on {
+            product.end_row();
+            continue;
+        }
         let start = product.len();
         for &k in &a.columns[a.row(i)] {
             for &j in &b.columns[b.row(k as usize)] {
@@ -66,10 +78,13 @@ fn structure(a: &Rows, b: &Rows, places: &mut [u32]) -> Rows {
     product
 }
 
-/// Writes A B.
+/// Writes A B, or some of it where the work is given up.
 fn multiply(a: &Rows, b: &Rows, product: &mut Rows, places: &mut [u32]) {
     product.values.fill(0.0);
     for i in 0..a.n() {
+        if i.is_multiple_of(ROWS) && interrupt::check().is_err() {
+            return;
+        }
         let row = product.row(i);
         for (at, &j) in row.clone().zip(&product.columns[row]) {
             places[j as usize] = at as u32;

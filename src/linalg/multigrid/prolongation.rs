@@ -7,6 +7,7 @@
 
 use super::coarsening::NONE;
 use super::rows::Rows;
+use crate::interrupt;
 use crate::linalg::ordering::Graph;
 use crate::order;
 use glam::{DMat4, DVec3, DVec4};
@@ -24,7 +25,7 @@ const LEAST_WEIGHT: f64 = 1e-6;
 const FLATTENING: f64 = 3e-3;
 
 /// The weights, a row for each fine row: rows that stay take their own value, those without a
-/// coarse neighbour none. All others add up to one.
+/// coarse neighbour none, nor all from where the work is given up. All others add up to one.
 pub(super) fn prolongation(
     graph: &Graph,
     points: &[DVec3],
@@ -37,7 +38,15 @@ pub(super) fn prolongation(
         near: Vec::new(),
     };
     let mut rows = Rows::empty(n_coarse);
+    let mut goes_on = true;
     for i in 0..graph.n() as u32 {
+        if i.is_multiple_of(1024) {
+            goes_on = interrupt::check().is_ok();
+        }
+        if !goes_on {
+            rows.end_row();
+            continue;
+        }
         if numbers[i as usize] != NONE {
             rows.push(numbers[i as usize], 1.0);
             rows.end_row();

@@ -18,6 +18,7 @@
 mod preconditioner;
 
 use crate::energy::conformal::reference_angles;
+use crate::interrupt;
 use crate::linalg::{LinalgError, LinearSystem, Pattern, Workspace, conjugate_gradients};
 use crate::operator::Elements;
 use glam::{DMat3, DVec3};
@@ -189,6 +190,7 @@ impl Regulariser {
         epsilon: f64,
     ) -> Result<Vec<DVec3>, LinalgError> {
         let at_start = self.normals(x);
+        interrupt::check()?;
         let linear = self.solve(x, &at_start, epsilon, None)?;
         let scale = (self.area(x) / x.len() as f64).sqrt();
         let farthest = linear.iter().map(|v| v.length()).fold(0.0, f64::max);
@@ -211,6 +213,7 @@ impl Regulariser {
     ) -> Result<Vec<DVec3>, LinalgError> {
         let mut rhs = vec![DVec3::ZERO; x.len()];
         self.assemble(x, normals, &mut rhs);
+        interrupt::check()?;
         let factors = damping.map(|damping| {
             let factors = damping.iter().map(|extra| 1.0 + extra);
             let factors = factors.map(|f| if f.is_infinite() { PINNED } else { f });
@@ -257,6 +260,7 @@ impl Regulariser {
         let (tolerance, limit) = (TOLERANCE, MAX_ITERATIONS);
         let reached =
             conjugate_gradients(system, &mut v, precondition, tolerance, limit, workspace);
+        interrupt::check()?;
         self.iterations = reached.iterations;
         let mut v: Vec<DVec3> = v.chunks_exact(3).map(DVec3::from_slice).collect();
         // What is left of them is of the order of 1/PINNED.
@@ -268,7 +272,8 @@ impl Regulariser {
         Ok(v)
     }
 
-    /// K for these normals into `values`, and −K x into `rhs`.
+    /// K for these normals into `values`, and −K x into `rhs`; some of it where the work is given
+    /// up.
     ///
     /// At a quadrature point with normal n the block of corners i, j is
     /// a_ij (2I − n nᵀ) + c_ij n×, with a_ij = ŵ ⟨∇̂φ_i, ∇̂φ_j⟩ and c_ij = 2ŵ ∇̂φ_i × ∇̂φ_j:
@@ -281,6 +286,9 @@ impl Regulariser {
         let mut normal = normals.points.iter();
         let diagonal = self.pattern.diagonal_slots();
         for (e, corners) in self.elements.corners().enumerate() {
+            if e.is_multiple_of(4096) && interrupt::check().is_err() {
+                return;
+            }
             let mut blocks = [DMat3::ZERO; 6];
             let triangle = self.couplings[if shared { 0 } else { e }];
             for point in points {

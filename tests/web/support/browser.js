@@ -37,9 +37,13 @@ export async function openPage(browser, options = {}) {
   const page = await context.newPage();
   /** @type {string[]} */
   const faults = [];
-  /** @param {string} fault @param {string} url  the browser fetches the icon of a tab by itself, and drops it */
+  /**
+   * @param {string} fault
+   * @param {string} url  the browser fetches the icon of a tab by itself, and drops it; a worker
+   *   fetches a blob to see whether it was revoked
+   */
   const add = (fault, url) =>
-    /\/icon-[^/]*\.svg$/.test(url) || faults.push(`${fault} ${url}`.trim());
+    /\/icon-[^/]*\.svg$|^blob:/.test(url) || faults.push(`${fault} ${url}`.trim());
   page.on("pageerror", (error) => faults.push(`exception: ${error.message}`));
   page.on("crash", () => faults.push("the page crashed"));
   page.on("requestfailed", (request) => add("request failed:", request.url()));
