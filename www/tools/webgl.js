@@ -3,6 +3,7 @@
 // asks for it.
 
 import { spawn } from "node:child_process";
+import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { script } from "./process.js";
 import { buildQuickly } from "./wasm.js";
@@ -26,9 +27,12 @@ export const webglOnDemand = () => ({
   name: "webgl-on-demand",
   apply: "serve",
   enforce: "pre",
-  // It need not be there yet.
-  resolveId: (source, importer) =>
-    isViewer(source) && importer ? fileURLToPath(new URL(source, `file://${importer}`)) : null,
+  // It need not be there yet; vite looks at all sources before any is asked for.
+  resolveId(source, importer, options) {
+    if (!isViewer(source) || !importer) return null;
+    const { scan } = /** @type {{ scan?: boolean }} */ (options);
+    return scan ? { id: source, external: true } : path.resolve(path.dirname(importer), source);
+  },
   async load(id) {
     if (!isViewer(id)) return null;
     built ??= build();
