@@ -85,12 +85,12 @@ pub(super) fn eliminate(
     let mut waiting = Waiting::new(symbolic);
     // Row of the present supernode that a row of the matrix is.
     let mut place = vec![NONE; symbolic.n()];
-    for s in 0..supernodes.n_supernodes() {
+    for (s, &offset) in offsets.iter().take(supernodes.n_supernodes()).enumerate() {
         let begin = supernodes.supernode_begin()[s] as usize;
         let end = supernodes.supernode_end()[s] as usize;
         let below = supernodes.supernode(s).pattern();
         let (width, size) = (end - begin, end - begin + below.len());
-        let (before, rest) = factor.split_at_mut(offsets[s] as usize);
+        let (before, rest) = factor.split_at_mut(offset as usize);
         let block = &mut rest[..width * size];
         block.fill(0.0);
         let own = begin as u32..end as u32;
