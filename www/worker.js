@@ -45,9 +45,8 @@ let task = null;
 const TURN = 30;
 /** Where a step is not to go on; null where that cannot be told. @type {string | null} */
 let permit = null;
-/** Milliseconds between two looks at it, and times what one took: it is not to slow the step. */
+/** Milliseconds between two looks at it; more, up to five times as many, where one takes long. */
 const LOOK = 40;
-const RARELY = 10;
 let nextLook = 0;
 
 // A message to ourselves, so that the page's messages get their turn after every step;
@@ -326,7 +325,7 @@ function isRevoked() {
     return true;
   }
   const after = performance.now();
-  nextLook = after + Math.max(LOOK, RARELY * (after - before));
+  nextLook = after + Math.min(Math.max(LOOK, 10 * (after - before)), 5 * LOOK);
   return false;
 }
 
