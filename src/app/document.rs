@@ -253,6 +253,23 @@ mod tests {
     use super::*;
     use crate::message::Value;
 
+    #[test]
+    fn triangles_have_the_numbers_of_the_faces_that_they_were_cut_from() {
+        let points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 3 0.5 0\n";
+        let text = format!("{points}f 1 1 2\nf 1 2 3 4\nf 2 5 7 6 3\nf 5 1 2\n");
+        let Ok(document) = Document::from_file(text.as_bytes(), "a.obj") else {
+            panic!("refused");
+        };
+        let numbers = |document: &Document| document.numbers.faces.clone().map(|list| list.0);
+        // The file's first face has a corner twice and is gone.
+        assert_eq!(numbers(&document), Some(vec![1, 1, 2, 2, 2, 3]));
+        let flat = &document.warnings[2];
+        assert_eq!(&*flat.id, "notice-flat-triangles");
+        assert_eq!(flat.number("face"), Some(5.0));
+        let plain = document.numbers.plain(&document.polygons);
+        assert_eq!(plain.faces.map(|list| list.0), Some(vec![0, 0, 1, 1, 1, 2]));
+    }
+
     /// Two triangles that share their third vertex alone.
     #[test]
     fn vertices_of_a_file_are_numbered_as_its_format_numbers_them() {

@@ -163,3 +163,39 @@ pub(super) fn preview(memo: &Memo, mesh: &Rc<HalfedgeMesh>, x: &[DVec3]) -> Vec<
     memo.keep(mesh, x, mended);
     items
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::build;
+
+    #[test]
+    fn a_repair_that_was_told_is_made_once_and_only_of_the_same_surface() {
+        let x = [[0., 0.], [1., 0.], [0., 1.], [1., 0.], [0., 1.], [1., 1.]];
+        let x = x.map(|[a, b]| DVec3::new(a, b, 0.0)).to_vec();
+        let soup = PolygonSoup::from_faces(x.clone(), &[[0, 1, 2], [3, 5, 4]]);
+        let mesh = Rc::new(build(&soup).expect("a surface").mesh);
+        let memo = Memo::default();
+        let items = preview(&memo, &mesh, &x);
+        assert_eq!((items[0].kind, items[0].count), ("Welded", 2));
+        assert!(memo.0.borrow().is_some());
+        let known = memo.take(&mesh, &x).expect("repaired");
+        assert_eq!(known.items[0].count, 2);
+        assert!(memo.0.borrow().is_none());
+        // Of the surface that has moved, what was told is not true.
+        preview(&memo, &mesh, &x);
+        let mut moved = x.clone();
+        moved[5].z = 7.0;
+        let other = memo.take(&mesh, &moved).expect("repaired");
+        assert!(other.built.positions.contains(&moved[5]));
+        preview(&memo, &mesh, &x);
+        let same = Rc::new(HalfedgeMesh::clone(&mesh));
+        assert!(
+            memo.take(&same, &moved)
+                .expect("repaired")
+                .built
+                .positions
+                .contains(&moved[5])
+        );
+    }
+}

@@ -261,12 +261,27 @@ fn a_flow_starts_from_the_flipped_mesh_and_undo_brings_the_old_one_back() {
 }
 
 #[test]
-fn what_cannot_be_flipped_is_refused_and_the_flow_before_stays() {
-    let quads = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n";
+fn polygons_are_cut_into_triangles_that_are_flipped() {
+    // Over the longer diagonal of either square there is less area.
+    let quads = "v 0 0 0\nv 1 0 0\nv 1.1 1.1 1\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n";
     let mut s = Session::new();
     s.load(quads.as_bytes(), "quads.obj").expect("a mesh");
-    let refused = s.configure(options(Criterion::Area)).expect_err("quads");
-    assert_eq!(refused.kind, "NotTriangular");
+    s.configure(options(Criterion::Area)).expect("configured");
+    let flips = s.run(9).expect("runs");
+    let file = String::from_utf8(export(&s)).expect("text");
+    let mut t = Session::new();
+    t.load(quads.as_bytes(), "quads.obj").expect("a mesh");
+    let outcome = t.flip(&FlipOptions::default()).expect("flips");
+    assert_eq!(outcome.flips, flips);
+    let after = t.info().expect("a mesh");
+    assert_eq!((after.faces, after.vertices), (4, 6));
+    assert_eq!(String::from_utf8(export(&t)).expect("text"), file);
+    t.undo_edit().expect("undone");
+    assert_eq!(t.info().expect("a mesh").faces, 2);
+}
+
+#[test]
+fn what_cannot_be_flipped_is_refused_and_the_flow_before_stays() {
     let mut s = session("sampled-torus", &[]);
     s.configure(options(Criterion::Area)).expect("configured");
     let none = Arrangement {

@@ -115,7 +115,7 @@ function readers({ flows, scheme, goal, remesh }) {
  * @param {Row} row
  */
 function notes({ default: usual, kind, range, absent, flag }) {
-  if (kind === "vertices") return [`as the mesh file numbers them: OBJ from 1, others from 0; default ${absent}`];
+  if (kind === "vertices") return [`numbered as in the file, OBJ from 1; default ${absent}`];
   if (kind === "switch") return usual ? [`default; --no-${flag} for not`] : [];
   const isList = ["set", "numbers"].includes(kind);
   const value = isList ? absent : (usual ?? absent);

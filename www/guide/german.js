@@ -73,8 +73,8 @@ export const german = {
   "A scan with noise: a set amount of smoothing takes the noise and leaves the features.":
     "Ein Scan mit Rauschen: Eine feste Menge Glättung nimmt das Rauschen und lässt die Merkmale.",
   "What was found": "Was gefunden wurde",
-  "Under Surface you read what the mesh is: its counts, its holes, its smallest angle, whether it passes through itself, and what a repair would change. Where something can be done about it there is a button, and every change can be undone.":
-    "Unter Fläche steht, was das Netz ist: seine Anzahlen, seine Löcher, sein kleinster Winkel, ob es sich selbst durchdringt und was eine Reparatur ändern würde. Wo sich etwas tun lässt, gibt es einen Knopf, und jede Änderung lässt sich zurücknehmen.",
+  "Under Surface you read what the mesh is: its counts, its holes, its smallest angle, whether it passes through itself, and what a repair would change. Where something can be done about it there is a button, and every change can be undone. Vertices and faces have the numbers of your file, from 1 in OBJ and from 0 in other formats; <code>--free</code> and <code>--fixed</code> on the command line read them so.":
+    "Unter Fläche steht, was das Netz ist: seine Anzahlen, seine Löcher, sein kleinster Winkel, ob es sich selbst durchdringt und was eine Reparatur ändern würde. Wo sich etwas tun lässt, gibt es einen Knopf, und jede Änderung lässt sich zurücknehmen. Ecken und Facetten haben die Nummern der Datei, in OBJ von 1 an, in anderen Formaten von 0 an; <code>--free</code> und <code>--fixed</code> auf der Kommandozeile lesen sie so.",
   "Which flow": "Welcher Fluss",
   "You want": "Gewünscht",
   Take: "Zu nehmen",
