@@ -262,20 +262,25 @@ fn a_flow_starts_from_the_flipped_mesh_and_undo_brings_the_old_one_back() {
 
 #[test]
 fn polygons_are_cut_into_triangles_that_are_flipped() {
-    // Over the longer diagonal of either square there is less area.
-    let quads = "v 0 0 0\nv 1 0 0\nv 1.1 1.1 1\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n";
+    // Two that meet at the bottom of a long valley, which a flip across it fills.
+    let points = [
+        "-1 -.5 1", "0 -3 0", "0 3 0", "-1 .5 1", "1 -.5 1", "1 .5 1",
+    ];
+    let quads = format!("v {}\nf 1 2 3 4\nf 2 5 6 3\n", points.join("\nv "));
     let mut s = Session::new();
     s.load(quads.as_bytes(), "quads.obj").expect("a mesh");
     s.configure(options(Criterion::Area)).expect("configured");
-    let flips = s.run(9).expect("runs");
-    let file = String::from_utf8(export(&s)).expect("text");
+    assert!(s.run(9).expect("runs") > 0);
     let mut t = Session::new();
     t.load(quads.as_bytes(), "quads.obj").expect("a mesh");
-    let outcome = t.flip(&FlipOptions::default()).expect("flips");
-    assert_eq!(outcome.flips, flips);
+    let outcome = t.flip(&FlipOptions {
+        criterion: Criterion::Area,
+        ..FlipOptions::default()
+    });
+    assert!(outcome.expect("flips").flips > 0);
     let after = t.info().expect("a mesh");
     assert_eq!((after.faces, after.vertices), (4, 6));
-    assert_eq!(String::from_utf8(export(&t)).expect("text"), file);
+    assert_eq!(edges_of(&export(&t)), edges_of(&export(&s)));
     t.undo_edit().expect("undone");
     assert_eq!(t.info().expect("a mesh").faces, 2);
 }
