@@ -38,7 +38,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
                 match words.numbers() {
                     (0, _) => {}
                     // As most programs write it that write it at all.
-                    (1, [w, _, _, _]) if w == 1.0 => {}
+                    (1, [1.0, _, _, _]) => {}
                     (1, _) => fourth.count(place),
                     (3 | 4, [r, g, b, a]) if (r + g + b).is_finite() => {
                         assembly.colour(assembly.n_vertices() - 1, [r, g, b, a]);
