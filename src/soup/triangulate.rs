@@ -265,13 +265,18 @@ mod tests {
         let points = [[0., 0.], [4., 0.], [4., 4.], [0., 4.]];
         let hole = [[1., 1.], [1., 3.], [3., 3.], [3., 1.]];
         let x = plane(&[points, hole].concat());
-        let face = [0, 1, 2, 3, 0, 4, 5, 6, 7, 4];
-        let triangles = cut_bridged(&face, &x);
-        assert_eq!(triangles.len(), 8);
-        let up = vector_area(&face, &x);
-        assert!(triangles.iter().all(|t| area(*t, &x).dot(up) > 0.0));
-        let sum: f64 = triangles.iter().map(|t| area(*t, &x).length()).sum();
-        assert!((sum - 12.0).abs() < 1e-12);
+        // Straight on to a corner of the hole, and along one of its sides.
+        for face in [
+            [0, 1, 2, 3, 0, 4, 5, 6, 7, 4],
+            [1, 2, 3, 0, 1, 4, 5, 6, 7, 4],
+        ] {
+            let triangles = cut_bridged(&face, &x);
+            assert_eq!(triangles.len(), 8);
+            let up = vector_area(&face, &x);
+            assert!(triangles.iter().all(|t| area(*t, &x).dot(up) > 0.0));
+            let sum: f64 = triangles.iter().map(|t| area(*t, &x).length()).sum();
+            assert!((sum - 12.0).abs() < 1e-12);
+        }
         for none in [&[0, 1, 0, 2][..], &[0, 1, 2, 1], &[0, 1]] {
             assert!(cut_bridged(none, &x).is_empty());
         }
