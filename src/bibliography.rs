@@ -114,6 +114,9 @@
 //! ## P85
 //! U. Pinkall: *Regular homotopy classes of immersed surfaces*. Topology 24 (1985).
 //!
+//! ## OR98
+//! J. O'Rourke: *Computational Geometry in C*. Cambridge University Press 1998, second edition.
+//!
 //! ## S58
 //! S. Smale: *A classification of immersions of the two-sphere*. Transactions of the AMS 90
 //! (1958).

@@ -6,6 +6,8 @@
 
 mod triangulate;
 
+pub(crate) use triangulate::cut_bridged;
+
 use glam::DVec3;
 
 /// Red, green, blue and opacity from 0 to 1, as they are shown on a screen (sRGB).

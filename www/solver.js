@@ -280,7 +280,9 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     const { loaded, last } = scene;
     if (!loaded) throw { kind: "NoMesh", message: say("no-mesh-yet"), hint: "", detail: {} };
     const triangles = last?.triangles ?? loaded.triangles;
-    return plyOf(last?.exact ?? loaded.positions, loaded.shift, triangles);
+    // Other triangles may be of other vertices.
+    const colours = last?.triangles ? null : loaded.colours;
+    return plyOf(last?.exact ?? loaded.positions, loaded.shift, triangles, colours);
   }
 
   return {

@@ -1,6 +1,7 @@
 //! Colours that a file gives its vertices: no flow looks at them, and a file that is saved has them
 //! still.
 
+use crate::arrays::TypedArray;
 use crate::mesh::HalfedgeMesh;
 use crate::soup::{Colour, PolygonSoup};
 use std::collections::VecDeque;
@@ -32,6 +33,14 @@ impl Colours {
         match self {
             Self::Kept(list) => list,
             _ => &[],
+        }
+    }
+
+    /// The parts of each in a row, where there are any.
+    pub(super) fn numbers(&self) -> Option<TypedArray<f32>> {
+        match self {
+            Self::Kept(list) => Some(TypedArray(list.concat())),
+            _ => None,
         }
     }
 

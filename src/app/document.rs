@@ -5,11 +5,12 @@ use super::fault::Fault;
 use super::message::Notice;
 use super::numbers::{Numbers, first_of};
 use super::readings::Info;
-use super::repairs::{Mended, RepairItem, mend, preview};
+use super::repairs::{Memo, Mended, RepairItem, mend, preview};
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
 use crate::geometry::quality::flat_triangles;
 use crate::interrupt;
+use crate::io::Read;
 use crate::mesh::shape::Sample;
 use crate::mesh::{self, Built, HalfedgeMesh};
 use crate::message::{Message, Say};
@@ -45,47 +46,59 @@ pub(super) struct Document {
     pub(super) opened: Vec<RepairItem>,
     /// What a repair changed to make this of what was there before.
     pub(super) repaired: Vec<RepairItem>,
+    /// What a repair would make of it, as far as that is known.
+    pub(super) mended: Memo,
     /// Vertices to hold or to move, of a sample that suggests them.
     pub(super) fixed: Option<Vec<u32>>,
     /// See `fixed`.
     pub(super) free: Option<Vec<u32>>,
 }
 
-impl Document {
-    /// From a file.
-    pub(super) fn from_file(bytes: &[u8], file_name: &str) -> Result<Self, Fault> {
+/// What a file has.
+pub(super) enum Opened {
+    Surface(Document),
+    /// What is no surface, and why.
+    Broken(Read, Fault),
+}
+
+impl Opened {
+    pub(super) fn of(bytes: &[u8], file_name: &str) -> Result<Self, Fault> {
         let read = crate::io::read(bytes, file_name)?;
         let first = first_of(read.format);
         let mut built = match mesh::build(&read.soup) {
             Ok(built) => built,
-            Err(error) => {
-                let mut fault = Fault::from(error.counted_from(first));
-                if let Ok(mended) = mend(&read.soup, Weld::Auto) {
-                    fault.repairs = mended.items.into();
-                }
-                return Err(fault);
-            }
+            Err(error) => return Ok(Self::Broken(read, error.counted_from(first).into())),
         };
         let repairs = built.repairs.into_iter();
         built.repairs = repairs.map(|r| r.counted_from(first)).collect();
         let warnings = read.warnings.into_iter().map(Message::from).collect();
         let colours = Colours::of(&read.soup, &built.soup_vertex);
         let numbers = Numbers::of(&read.soup, first, &built);
-        let document = Self::of_built(stem(file_name), built, warnings)?;
-        Ok(Self {
+        let document = Document::of_built(stem(file_name), built, warnings)?;
+        Ok(Self::Surface(Document {
             colours,
             numbers,
             ..document
-        })
+        }))
+    }
+}
+
+impl Document {
+    /// From a file.
+    pub(super) fn from_file(bytes: &[u8], file_name: &str) -> Result<Self, Fault> {
+        match Opened::of(bytes, file_name)? {
+            Opened::Surface(document) => Ok(document),
+            Opened::Broken(read, mut fault) => {
+                if let Ok(mended) = mend(&read.soup, Weld::Auto) {
+                    fault.repairs = mended.items.into();
+                }
+                Err(fault)
+            }
+        }
     }
 
     /// From a file that is no surface until it is repaired.
-    pub(super) fn from_broken_file(
-        bytes: &[u8],
-        file_name: &str,
-        weld: Weld,
-    ) -> Result<Self, Fault> {
-        let read = crate::io::read(bytes, file_name)?;
+    pub(super) fn from_broken(read: Read, file_name: &str, weld: Weld) -> Result<Self, Fault> {
         let Mended { built, items, were } = mend(&read.soup, weld)?;
         let mut warnings: Vec<Message> = read.warnings.into_iter().map(Message::from).collect();
         warnings.extend(items.iter().map(|item| item.message.clone()));
@@ -99,7 +112,7 @@ impl Document {
             colours: Colours::of(&read.soup, &were),
             numbers: Numbers {
                 first: first_of(read.format),
-                ..Numbers::default()
+                ..document.numbers
             },
             ..document
         })
@@ -146,15 +159,16 @@ impl Document {
         frame.enter(&mut start);
         let document = Self {
             name: name.into(),
+            numbers: Numbers::default().plain(&polygons),
             polygons,
             triangles,
             frame,
             start,
             colours: Colours::default(),
-            numbers: Numbers::default(),
             warnings,
             opened,
             repaired: Vec::new(),
+            mended: Memo::default(),
             fixed: None,
             free: None,
         };
@@ -184,18 +198,9 @@ impl Document {
         let flat = flat_triangles(mesh, x);
         if let Some(f) = flat.first() {
             let vertices = mesh.triangle(*f).map(|v| v.0).to_vec();
-            // The face that it was cut from.
-            let is_whole = |face: &crate::mesh::Face| {
-                let corners: Vec<u32> = self.polygons.face_vertices(*face).map(|v| v.0).collect();
-                vertices.iter().all(|v| corners.contains(v))
-            };
-            let face = match self.polygons.is_triangular() {
-                true => *f,
-                false => self.polygons.faces().find(is_whole).unwrap_or(*f),
-            };
             let notice = Notice::FlatTriangles {
                 count: flat.len(),
-                face: face.0,
+                face: f.0,
                 vertices,
             };
             self.warnings.push(notice.into());
@@ -217,7 +222,7 @@ impl Document {
     /// Diagnosis at the start.
     pub(super) fn info(&self) -> Info {
         let mut repairs = self.opened.clone();
-        repairs.extend(preview(&self.polygons, &self.start));
+        repairs.extend(preview(&self.mended, &self.polygons, &self.start));
         interrupt::pulse();
         Info {
             repairs,
@@ -249,6 +254,24 @@ pub(super) fn triangulated(
 mod tests {
     use super::*;
     use crate::message::Value;
+
+    #[test]
+    fn triangles_have_the_numbers_of_the_faces_that_they_were_cut_from() {
+        let points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 3 0.5 0\n";
+        let text = format!("{points}f 1 1 2\nf 1 2 3 4\nf 2 5 7 6 3\nf 5 1 2\n");
+        let Ok(document) = Document::from_file(text.as_bytes(), "a.obj") else {
+            panic!("refused");
+        };
+        let numbers = |document: &Document| document.numbers.faces.clone().map(|list| list.0);
+        // The file's first face has a corner twice and is gone.
+        assert_eq!(numbers(&document), Some(vec![1, 1, 2, 2, 2, 3]));
+        let flat = document.warnings.iter();
+        let flat = flat.filter(|warning| &*warning.id == "notice-flat-triangles");
+        let faces: Vec<_> = flat.map(|warning| warning.number("face")).collect();
+        assert_eq!(faces, [Some(5.0)]);
+        let plain = document.numbers.plain(&document.polygons);
+        assert_eq!(plain.faces.map(|list| list.0), Some(vec![0, 0, 1, 1, 1, 2]));
+    }
 
     /// Two triangles that share their third vertex alone.
     #[test]

@@ -22,7 +22,7 @@ pub(super) enum Checkpoint {
 }
 
 impl Engine {
-    /// See [`Driver::start`]; edge flips take the faces of the file.
+    /// See [`Driver::start`]; edge flips are of triangles.
     pub(super) fn start(
         triangles: &Rc<HalfedgeMesh>,
         polygons: &Rc<HalfedgeMesh>,
@@ -30,7 +30,7 @@ impl Engine {
         options: FlowOptions,
     ) -> Result<Self, FlowError> {
         Ok(if options.flow == FlowName::Flips {
-            let flips = EdgeFlips::new(Rc::clone(polygons), x, &options)?;
+            let flips = EdgeFlips::new(Rc::clone(triangles), x, &options)?;
             Self::Flips(Box::new(flips))
         } else {
             Self::Flow(Box::new(Driver::start(triangles, polygons, x, options)?))

@@ -137,7 +137,7 @@ messages! {
         FlatTriangles {
             /// How many.
             count: usize,
-            /// The first; of a triangulated copy the face that it was cut from.
+            /// The first, by its number in the triangulated copy.
             face: u32,
             /// Its corners.
             vertices: Vec<u32>,

@@ -123,6 +123,8 @@ pub struct Loaded {
     /// What is added to positions for the file's coordinates; zero unless those lie far from the
     /// origin.
     pub shift: [f64; 3],
+    /// Red, green, blue and opacity of each vertex, from 0 to 1; null where the file has none.
+    pub colours: Option<TypedArray<f32>>,
     /// How the file numbers what sentences name.
     pub numbers: Numbers,
     /// Three corners a triangle.
@@ -148,6 +150,7 @@ impl Loaded {
             info: document.info(),
             positions: as_f32(&document.start).into(),
             shift: document.frame.shift.to_array(),
+            colours: document.colours.numbers(),
             numbers: document.numbers.clone(),
             triangles: document.triangles.triangle_indices().into(),
             wire_edges: document.polygons.edge_indices(false).into(),

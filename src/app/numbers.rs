@@ -3,7 +3,7 @@
 
 use crate::arrays::TypedArray;
 use crate::io::Format;
-use crate::mesh::Built;
+use crate::mesh::{Built, HalfedgeMesh};
 use crate::soup::PolygonSoup;
 use serde::Serialize;
 
@@ -15,7 +15,7 @@ pub struct Numbers {
     pub first: u32,
     /// For each vertex the file's, counted from 0; null where these are the same.
     pub vertices: Option<TypedArray<u32>>,
-    /// The same of faces.
+    /// For each triangle the file's face that it was cut from.
     pub faces: Option<TypedArray<u32>>,
 }
 
@@ -36,17 +36,27 @@ impl Numbers {
         Self {
             first,
             vertices: unless_plain(built.soup_vertex.clone()),
-            faces: unless_plain(faces(soup, built)),
+            faces: unless_plain(of_triangles(&built.mesh, faces(soup, built))),
         }
     }
 
-    /// Of a surface that is no longer the file's.
-    pub(super) fn plain(&self) -> Self {
+    /// Of a surface that is no longer the file's: its own faces, as a file would have them.
+    pub(super) fn plain(&self, polygons: &HalfedgeMesh) -> Self {
+        let own = (0..polygons.n_faces() as u32).collect();
         Self {
             first: self.first,
-            ..Self::default()
+            vertices: None,
+            faces: unless_plain(of_triangles(polygons, own)),
         }
     }
+}
+
+/// For each triangle that faces are cut into, the number of its face.
+fn of_triangles(polygons: &HalfedgeMesh, numbers: Vec<u32>) -> Vec<u32> {
+    let pieces = |f| polygons.face_vertices(f).count() - 2;
+    let all = polygons.faces().zip(numbers);
+    all.flat_map(|(f, number)| std::iter::repeat_n(number, pieces(f)))
+        .collect()
 }
 
 /// The file's face that each face is: the builder leaves some out, and keeps the order.

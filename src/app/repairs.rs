@@ -7,7 +7,9 @@ use crate::remesh::repair::{Change, Repaired, Weld, is_suspect, repair};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 use serde::Serialize;
+use std::cell::RefCell;
 use std::collections::HashMap;
+use std::rc::Rc;
 
 /// Vertices that are listed of one kind of change, at most.
 const MAX_PLACES: usize = 1000;
@@ -120,23 +122,80 @@ pub(super) fn mend(soup: &PolygonSoup, weld: Weld) -> Result<Mended, MeshError> 
     Ok(Mended { built, items, were })
 }
 
-/// What a repair of a surface would change, its vertices those of the surface as it is.
-pub(super) fn preview(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<RepairItem> {
-    let weld = Weld::Auto;
-    if !is_suspect(mesh, x, weld) {
-        return Vec::new();
-    }
-    let mended = mend(&mesh.to_soup(x), weld);
-    let Ok(Mended {
-        mut items, were, ..
-    }) = mended
-    else {
-        return Vec::new();
-    };
-    for item in &mut items {
-        for v in &mut item.vertices.0 {
-            *v = were[*v as usize];
+/// What the usual repair makes of a surface, kept for when it is asked for.
+#[derive(Clone, Default)]
+pub(super) struct Memo(Rc<RefCell<Option<Known>>>);
+
+struct Known {
+    mesh: Rc<HalfedgeMesh>,
+    x: Vec<DVec3>,
+    mended: Mended,
+}
+
+impl Memo {
+    /// A surface, repaired; taken from here if it is known.
+    pub(super) fn take(&self, mesh: &Rc<HalfedgeMesh>, x: &[DVec3]) -> Result<Mended, MeshError> {
+        let known = self.0.take();
+        match known.filter(|known| Rc::ptr_eq(&known.mesh, mesh) && known.x == x) {
+            Some(known) => Ok(known.mended),
+            None => mend(&mesh.to_soup(x), Weld::Auto),
         }
     }
+
+    fn keep(&self, mesh: &Rc<HalfedgeMesh>, x: &[DVec3], mended: Mended) {
+        let (mesh, x) = (Rc::clone(mesh), x.to_vec());
+        self.0.replace(Some(Known { mesh, x, mended }));
+    }
+}
+
+/// What a repair of a surface would change, its vertices those of the surface as it is.
+pub(super) fn preview(memo: &Memo, mesh: &Rc<HalfedgeMesh>, x: &[DVec3]) -> Vec<RepairItem> {
+    if !is_suspect(mesh, x, Weld::Auto) {
+        return Vec::new();
+    }
+    let Ok(mended) = memo.take(mesh, x) else {
+        return Vec::new();
+    };
+    let mut items = mended.items.clone();
+    for v in items.iter_mut().flat_map(|item| &mut item.vertices.0) {
+        *v = mended.were[*v as usize];
+    }
+    memo.keep(mesh, x, mended);
     items
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::build;
+
+    #[test]
+    fn a_repair_that_was_told_is_made_once_and_only_of_the_same_surface() {
+        let x = [[0., 0.], [1., 0.], [0., 1.], [1., 0.], [0., 1.], [1., 1.]];
+        let x = x.map(|[a, b]| DVec3::new(a, b, 0.0)).to_vec();
+        let soup = PolygonSoup::from_faces(x.clone(), &[[0, 1, 2], [3, 5, 4]]);
+        let mesh = Rc::new(build(&soup).expect("a surface").mesh);
+        let memo = Memo::default();
+        let items = preview(&memo, &mesh, &x);
+        assert_eq!((items[0].kind, items[0].count), ("Welded", 2));
+        assert!(memo.0.borrow().is_some());
+        let known = memo.take(&mesh, &x).expect("repaired");
+        assert_eq!(known.items[0].count, 2);
+        assert!(memo.0.borrow().is_none());
+        // Of the surface that has moved, what was told is not true.
+        preview(&memo, &mesh, &x);
+        let mut moved = x.clone();
+        moved[5].z = 7.0;
+        let other = memo.take(&mesh, &moved).expect("repaired");
+        assert!(other.built.positions.contains(&moved[5]));
+        preview(&memo, &mesh, &x);
+        let same = Rc::new(HalfedgeMesh::clone(&mesh));
+        assert!(
+            memo.take(&same, &moved)
+                .expect("repaired")
+                .built
+                .positions
+                .contains(&moved[5])
+        );
+    }
 }

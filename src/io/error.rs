@@ -147,7 +147,7 @@ messages! {
         Unsupported {
             /// `binary-off`, `nd-off` (of higher dimension), `vtk-data-set` (no surface),
             /// `vtk-compressor`, `msh-version`, `gltf-external` (parts in other files),
-            /// `gltf-draco`, `gltf-meshopt`, `gltf-sparse` or `gltf-version`.
+            /// `gltf-draco`, `gltf-meshopt` or `gltf-version`.
             what: &'static str,
         },
         /// A NUL byte in what should be text.
@@ -337,8 +337,10 @@ messages! {
         },
         /// The last solid of an STL file has no end.
         NoEnd,
-        /// The header of a binary STL file counts no triangles, and there are some.
+        /// The header of a binary STL file counts no triangles, or more than there are.
         Uncounted {
+            /// How many it counts.
+            announced: u64,
             /// How many were read, to the file's end.
             count: u64,
         },

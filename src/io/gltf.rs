@@ -2,9 +2,9 @@
 //! where its nodes put it.
 //!
 //! Source: "glTF 2.0 Specification", Khronos. Positions may be quantised (`KHR_mesh_quantization`);
-//! sparse accessors, Draco and meshopt are named and refused. The format splits vertices where a
-//! normal or a texture has a seam, and meshes by material: there vertices of a mesh at the same
-//! position are joined again.
+//! Draco and meshopt are named and refused. The format splits vertices where a
+//! normal or a texture has a seam, meshes by material, and, without indices, all triangles: there
+//! vertices of a mesh at the same position are joined again.
 
 mod asset;
 
@@ -169,8 +169,9 @@ impl<'a> Scene<'a> {
             name == b"NORMAL" || name == b"TANGENT" || name.starts_with(b"TEXCOORD")
         };
         let mut attributes = primitives.iter().filter_map(|one| one.get("attributes"));
-        let is_split =
-            primitives.len() > 1 || attributes.any(|of_one| of_one.members().any(splits));
+        let is_split = primitives.len() > 1
+            || attributes.any(|of_one| of_one.members().any(splits))
+            || primitives.iter().any(|one| one.get("indices").is_none());
         self.weld.forget();
         // Vertices of an accessor that several primitives share.
         let mut vertices = BTreeMap::new();

@@ -37,6 +37,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
                 assembly.vertex(words.point()?, place)?;
                 match words.numbers() {
                     (0, _) => {}
+                    // As most programs write it that write it at all.
+                    (1, [1.0, _, _, _]) => {}
                     (1, _) => fourth.count(place),
                     (3 | 4, [r, g, b, a]) if (r + g + b).is_finite() => {
                         assembly.colour(assembly.n_vertices() - 1, [r, g, b, a]);
@@ -192,7 +194,11 @@ mod tests {
             ]
         );
         let first = Place::Line { line: 1 };
-        assert_eq!(read.warnings, [Oddity::FourthNumbers { count: 2, first }]);
+        assert_eq!(read.warnings, [Oddity::FourthNumbers { count: 1, first }]);
+        assert_eq!(
+            of("v 1 2 3 1.000\nv 4 5 6 1\nv 7 8 9 1\nf 1 2 3\n").warnings,
+            []
+        );
         let rest =
             "g a\ng b\nusemtl c\nvt 0 0\nv 0 0 0 .1 .2\nv 1 0 0 1 x 1\nv 0 1 0\nf 1/1 2/1 3/1\n";
         let what = vec![

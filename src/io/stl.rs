@@ -49,10 +49,12 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
         Some(count) => u64::from(count),
         None => return Err(cut_short(0, HEADER as u64)),
     };
-    // Some programs write their triangles as a stream and never come back to the header.
+    // Some programs write their triangles as a stream and never come back to the header, which
+    // then counts none, or too many.
     let whole = (bytes.len() - HEADER) / TRIANGLE;
-    let is_uncounted =
-        announced == 0 && whole > 0 && (bytes.len() - HEADER).is_multiple_of(TRIANGLE);
+    let is_uncounted = (announced == 0 || announced > whole as u64)
+        && whole > 0
+        && (bytes.len() - HEADER).is_multiple_of(TRIANGLE);
     let count = if is_uncounted {
         whole as u64
     } else {
@@ -91,7 +93,7 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
     }
     let mut read = weld.assembly.finish(Format::Stl)?;
     if is_uncounted {
-        read.warnings.push(Oddity::Uncounted { count });
+        read.warnings.push(Oddity::Uncounted { announced, count });
     }
     let extra = triangles.len() as u64 - needed;
     if extra > 0 {
@@ -287,7 +289,15 @@ mod tests {
         uncounted[80..84].fill(0);
         let read = read_binary(&uncounted).unwrap();
         assert_eq!(read.soup.n_faces(), 2);
-        assert_eq!(read.warnings, [Oddity::Uncounted { count: 2 }]);
+        let said = |announced, count| [Oddity::Uncounted { announced, count }];
+        assert_eq!(read.warnings, said(0, 2));
+        // As a stream, or cut after a whole triangle.
+        uncounted[80..84].fill(0xFF);
+        let read = read_binary(&uncounted).unwrap();
+        assert_eq!(read.warnings, said(u64::from(u32::MAX), 2));
+        let read = read_binary(&bytes[..134]).unwrap();
+        assert_eq!(read.soup.n_faces(), 1);
+        assert_eq!(read.warnings, said(2, 1));
         assert_eq!(
             read_binary(&binary("", &[])),
             Err(ReadError::NoFaces { vertices: 0 })

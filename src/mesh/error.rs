@@ -91,6 +91,12 @@ messages! {
             /// The number of the first face: 0, or 1 as a file counts.
             first: u32,
         },
+        /// Faces that pass a vertex twice, as where a bridge leads to a hole in them, were cut into
+        /// triangles.
+        BridgedFaces {
+            /// How many.
+            count: usize,
+        },
         /// Faces on the vertices of an earlier one were dropped.
         DuplicateFaces {
             /// How many.

@@ -4,10 +4,11 @@
 use super::error::Repair;
 use super::sides::{Side, face_adjacency, interior_edges};
 use crate::order;
-use crate::soup::PolygonSoup;
+use crate::soup::{PolygonSoup, cut_bridged};
 use glam::DVec3;
 
-/// Drops degenerate and duplicate faces.
+/// Drops degenerate and duplicate faces; one that has a hole, which a bridge leads to, is cut into
+/// triangles.
 pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> PolygonSoup {
     let mut clean = PolygonSoup {
         positions: soup.positions.clone(),
@@ -16,6 +17,7 @@ pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> Poly
     clean.corners.reserve(soup.corners.len());
     clean.face_starts.reserve(soup.n_faces());
     let (mut degenerate, mut first_degenerate) = (0usize, 0usize);
+    let mut bridged = 0;
     let mut corners: Vec<u32> = Vec::new();
     let mut sorted: Vec<u32> = Vec::new();
     for (f, face) in soup.faces().enumerate() {
@@ -28,7 +30,14 @@ pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> Poly
         sorted.clear();
         sorted.extend_from_slice(&corners);
         sorted.sort_unstable();
-        if corners.len() < 3 || sorted.windows(2).any(|w| w[0] == w[1]) {
+        let is_repeated = sorted.windows(2).any(|w| w[0] == w[1]);
+        if corners.len() < 3 || is_repeated {
+            let triangles = cut_bridged(&corners, &soup.positions);
+            if !triangles.is_empty() {
+                bridged += 1;
+                triangles.iter().for_each(|t| clean.push_face(t));
+                continue;
+            }
             if degenerate == 0 {
                 first_degenerate = f;
             }
@@ -43,6 +52,9 @@ pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> Poly
             face: first_degenerate,
             first: 0,
         });
+    }
+    if bridged > 0 {
+        repairs.push(Repair::BridgedFaces { count: bridged });
     }
     let duplicate = duplicate_faces(&clean);
     let n_duplicates = duplicate.iter().filter(|&&d| d).count();

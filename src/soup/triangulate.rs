@@ -1,29 +1,31 @@
 //! Polygons cut into triangles, the same way for pictures, flows, energies and files.
 //!
 //! A polygon that a fan covers is cut as people expect it: a quadrilateral along its shorter
-//! diagonal, a larger one from its first corner. One that is not convex is cut by ears in the
-//! plane of its vector area, so that no triangle leaves it.
+//! diagonal, a larger one from its first corner. Any other is cut by ears in the plane of its
+//! vector area, so that no triangle leaves it; and none is flat where that can be: a corner in the
+//! middle of a straight side would else put a chord along that side into both faces at it.
+
+mod ears;
 
 use super::PolygonSoup;
-use earcut::Earcut;
+use ears::Ears;
 use glam::DVec3;
 
+/// Twice the area over the square of the longest side, below which a triangle is flat: what is left
+/// of a straight side in six digits, and less than what a circle of a thousand corners has.
+const FLAT: f64 = 1e-5;
+
+/// The same where nothing else is to be had.
+const LEAST: f64 = 1e-12;
+
 /// Cuts polygons of one soup.
+#[derive(Default)]
 pub(super) struct Cutter {
-    ears: Earcut<f64>,
-    found: Vec<u32>,
+    ears: Ears,
     triangles: Vec<[u32; 3]>,
 }
 
 impl Cutter {
-    pub(super) fn new() -> Self {
-        Self {
-            ears: Earcut::new(),
-            found: Vec::new(),
-            triangles: Vec::new(),
-        }
-    }
-
     /// The triangles of a face, with its orientation; of fewer than three corners none.
     pub(super) fn cut(&mut self, face: &[u32], x: &[DVec3]) -> &[[u32; 3]] {
         self.triangles.clear();
@@ -52,31 +54,50 @@ impl Cutter {
 
     fn cut_large(&mut self, face: &[u32], x: &[DVec3]) {
         let up = vector_area(face, x);
-        let fan = face[1..].windows(2).map(|pair| [face[0], pair[0], pair[1]]);
-        self.triangles.extend(fan);
-        if self.triangles.iter().all(|t| is_inside(t, up, x)) {
+        let fan = || face[1..].windows(2).map(|pair| [face[0], pair[0], pair[1]]);
+        if !fan().all(|t| is_inside(&t, up, x)) && self.cut_ears(face, x) {
             return;
         }
-        let Some(normal) = up.try_normalize() else {
-            return;
+        // Of an outline that crosses itself too.
+        self.triangles.extend(fan());
+    }
+
+    /// Cuts by ears alone; a corner may be there twice, as where a bridge leads to a hole. False
+    /// where that is not possible.
+    fn cut_ears(&mut self, face: &[u32], x: &[DVec3]) -> bool {
+        let Some(normal) = vector_area(face, x).try_normalize() else {
+            return false;
         };
         let (u, v) = normal.any_orthonormal_pair();
-        let flat = face.iter().map(|&c| {
-            let p = x[c as usize] - x[face[0] as usize];
+        // A pair of unknown orientation.
+        let v = if u.cross(v).dot(normal) < 0.0 { -v } else { v };
+        let first = x[face[0] as usize];
+        let plane = |&c: &u32| {
+            let p = x[c as usize] - first;
             [p.dot(u), p.dot(v)]
-        });
-        self.ears.earcut(flat, &[], &mut self.found);
-        // Of an outline that crosses itself there are fewer: then the fan stays.
-        if self.found.len() != 3 * (face.len() - 2) {
-            return;
-        }
-        self.triangles.clear();
-        for ear in self.found.chunks_exact(3) {
-            let [a, b, c] = [ear[0], ear[1], ear[2]].map(|corner| face[corner as usize]);
-            let is_turned = area([a, b, c], x).dot(up) < 0.0;
+        };
+        self.ears.outline(face.iter().map(plane));
+        let found = [FLAT, LEAST].iter().any(|flat| self.ears.cut(*flat));
+        if found {
+            let corners = self.ears.found.iter();
             self.triangles
-                .push(if is_turned { [a, c, b] } else { [a, b, c] });
+                .extend(corners.map(|ear| ear.map(|corner| face[corner as usize])));
         }
+        found
+    }
+}
+
+/// The triangles of a face that has a corner twice, as where a bridge leads to a hole in it; none
+/// where it is no such face.
+pub(crate) fn cut_bridged(face: &[u32], x: &[DVec3]) -> Vec<[u32; 3]> {
+    let mut cutter = Cutter::default();
+    if !cutter.cut_ears(face, x) {
+        return Vec::new();
+    }
+    let is_whole = |[a, b, c]: &[u32; 3]| a != b && b != c && c != a;
+    match cutter.triangles.iter().all(is_whole) {
+        true => cutter.triangles,
+        false => Vec::new(),
     }
 }
 
@@ -95,16 +116,24 @@ fn area([a, b, c]: [u32; 3], x: &[DVec3]) -> DVec3 {
     0.5 * (b - a).cross(c - a)
 }
 
-/// Whether a triangle has the orientation of its polygon: of a fan or two, that none leaves it.
+/// Whether a triangle has the orientation of its polygon, and is not flat: of a fan or two, that
+/// none leaves it.
 fn is_inside(triangle: &[u32; 3], up: DVec3, x: &[DVec3]) -> bool {
-    area(*triangle, x).dot(up) >= 0.0
+    let [a, b, c] = triangle.map(|v| x[v as usize]);
+    let sides = [
+        a.distance_squared(b),
+        b.distance_squared(c),
+        c.distance_squared(a),
+    ];
+    let longest = sides.into_iter().fold(0.0, f64::max);
+    2.0 * area(*triangle, x).dot(up) > FLAT * longest * up.length()
 }
 
 impl PolygonSoup {
     /// The faces cut into triangles on their own corners, orientation and order kept; vertices
     /// keep their numbers.
     pub fn triangles(&self) -> Vec<[u32; 3]> {
-        let mut cutter = Cutter::new();
+        let mut cutter = Cutter::default();
         let mut all = Vec::with_capacity(self.corners.len().saturating_sub(2 * self.n_faces()));
         for face in self.faces() {
             all.extend_from_slice(cutter.cut(face, &self.positions));
@@ -188,6 +217,69 @@ mod tests {
             [r * cos, r * sin]
         });
         check(&star.collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn corners_of_a_straight_side_give_no_flat_triangle() {
+        // Of a square, of a U, and of a square whose every side has three, in six digits.
+        let square = [[0., 0.], [0.4, 0.], [1., 0.], [1., 1.], [0., 1.]];
+        check(&square);
+        check(&[[0., 0.], [0.4, 0.], [1., 0.], [0.4, 1.]]);
+        check(&[
+            [0., 0.],
+            [1.7, 0.],
+            [3., 0.],
+            [3., 3.],
+            [2., 3.],
+            [2., 2.],
+            [2., 1.],
+            [1.5, 1.],
+            [1., 1.],
+            [1., 3.],
+            [0., 3.],
+            [0., 1.3],
+        ]);
+        let along = |k: i32| {
+            let (side, step) = (k / 4, f64::from(k % 4) / 4.0);
+            let p = [[step, 0.], [1., step], [1. - step, 1.], [0., 1. - step]][side as usize];
+            let off = if k % 4 == 0 { 0.0 } else { 4e-7 };
+            // Outwards on two sides, inwards on the others.
+            [
+                p[0] - if side == 3 { off } else { 0.0 },
+                p[1] - if side == 0 { off } else { -off },
+            ]
+        };
+        let many: Vec<_> = (0..16).map(along).collect();
+        let x = plane(&many);
+        for turn in 0..16 {
+            let mut face: Vec<u32> = (0..16).collect();
+            face.rotate_left(turn);
+            let soup = PolygonSoup::from_faces(x.clone(), &[face]);
+            let least = |t: &[u32; 3]| 2.0 * area(*t, &x).length();
+            assert!(soup.triangles().iter().all(|t| least(t) > 1e-3));
+        }
+    }
+
+    #[test]
+    fn a_bridge_leads_to_a_hole() {
+        let points = [[0., 0.], [4., 0.], [4., 4.], [0., 4.]];
+        let hole = [[1., 1.], [1., 3.], [3., 3.], [3., 1.]];
+        let x = plane(&[points, hole].concat());
+        // Straight on to a corner of the hole, and along one of its sides.
+        for face in [
+            [0, 1, 2, 3, 0, 4, 5, 6, 7, 4],
+            [1, 2, 3, 0, 1, 4, 5, 6, 7, 4],
+        ] {
+            let triangles = cut_bridged(&face, &x);
+            assert_eq!(triangles.len(), 8);
+            let up = vector_area(&face, &x);
+            assert!(triangles.iter().all(|t| area(*t, &x).dot(up) > 0.0));
+            let sum: f64 = triangles.iter().map(|t| area(*t, &x).length()).sum();
+            assert!((sum - 12.0).abs() < 1e-12);
+        }
+        for none in [&[0, 1, 0, 2][..], &[0, 1, 2, 1], &[0, 1]] {
+            assert!(cut_bridged(none, &x).is_empty());
+        }
     }
 
     #[test]

@@ -10,7 +10,7 @@
 
 use crate::colours::{coloured, triangle_in_light};
 use crate::mesh::{cube, octahedron};
-use crate::{gltf, msh, three_mf, vtk, vtp};
+use crate::{gltf, msh, plain, three_mf, vtk, vtp};
 use std::time::{Duration, Instant};
 use umbilic::io::{self, Format};
 
@@ -58,10 +58,12 @@ fn seeds(format: Format) -> Vec<Vec<u8>> {
             .filter(|style| style.binary == (format == Format::Glb))
             .map(|style| gltf::file(&octahedron(), style, "", ""))
             .chain(in_light.into_iter().flatten())
+            .chain((format == Format::Glb).then(|| gltf::sparse([1, 4])))
             .collect(),
         _ => [soup, coloured(true, true), coloured(false, false)]
             .iter()
             .map(|soup| io::write(soup, format, "a comment").unwrap())
+            .chain(plain::variants(format))
             .collect(),
     }
 }

@@ -8,6 +8,7 @@ mod fuzz;
 mod gltf;
 mod mesh;
 mod msh;
+mod plain;
 mod round_trip;
 mod three_mf;
 mod vtk;

@@ -261,12 +261,32 @@ fn a_flow_starts_from_the_flipped_mesh_and_undo_brings_the_old_one_back() {
 }
 
 #[test]
-fn what_cannot_be_flipped_is_refused_and_the_flow_before_stays() {
-    let quads = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n";
+fn polygons_are_cut_into_triangles_that_are_flipped() {
+    // Two that meet at the bottom of a long valley, which a flip across it fills.
+    let points = [
+        "-1 -.5 1", "0 -3 0", "0 3 0", "-1 .5 1", "1 -.5 1", "1 .5 1",
+    ];
+    let quads = format!("v {}\nf 1 2 3 4\nf 2 5 6 3\n", points.join("\nv "));
     let mut s = Session::new();
     s.load(quads.as_bytes(), "quads.obj").expect("a mesh");
-    let refused = s.configure(options(Criterion::Area)).expect_err("quads");
-    assert_eq!(refused.kind, "NotTriangular");
+    s.configure(options(Criterion::Area)).expect("configured");
+    assert!(s.run(9).expect("runs") > 0);
+    let mut t = Session::new();
+    t.load(quads.as_bytes(), "quads.obj").expect("a mesh");
+    let outcome = t.flip(&FlipOptions {
+        criterion: Criterion::Area,
+        ..FlipOptions::default()
+    });
+    assert!(outcome.expect("flips").flips > 0);
+    let after = t.info().expect("a mesh");
+    assert_eq!((after.faces, after.vertices), (4, 6));
+    assert_eq!(edges_of(&export(&t)), edges_of(&export(&s)));
+    t.undo_edit().expect("undone");
+    assert_eq!(t.info().expect("a mesh").faces, 2);
+}
+
+#[test]
+fn what_cannot_be_flipped_is_refused_and_the_flow_before_stays() {
     let mut s = session("sampled-torus", &[]);
     s.configure(options(Criterion::Area)).expect("configured");
     let none = Arrangement {

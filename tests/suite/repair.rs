@@ -3,7 +3,10 @@
 
 use crate::support::shared_folder;
 use std::fmt::Write as _;
-use umbilic::app::{Edit, Info, Loaded, Origin, RepairItem, RepairOptions, ScriptText, Session};
+use umbilic::app::{
+    Command, Edit, Info, Loaded, Origin, RepairItem, RepairOptions, ScriptText, Session,
+};
+use umbilic::flow::option::Values;
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::io::Format;
 use umbilic::message::Value;
@@ -705,4 +708,32 @@ fn a_triangle_without_area_is_named_as_the_file_numbers_it_and_stops_flows_truth
     }
     session.repair(RepairOptions::default()).expect("repaired");
     assert_eq!(session.loaded().expect("a mesh").numbers.vertices, None);
+}
+
+#[test]
+fn a_flow_that_finds_loose_triangles_only_offers_to_weld_them() {
+    let (cube, _) =
+        open(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+    let whole = cube.export(Format::Obj).expect("written");
+    let text = String::from_utf8(whole).expect("text");
+    let rows = |word: &str| -> Vec<String> {
+        let lines = text.lines().filter_map(|line| line.strip_prefix(word));
+        lines.map(str::to_owned).collect()
+    };
+    let (points, faces) = (rows("v "), rows("f "));
+    let mut loose = String::new();
+    for face in &faces {
+        for v in face.split_whitespace() {
+            let v: usize = v.parse().expect("a number");
+            writeln!(loose, "v {}", points[v - 1]).expect("text");
+        }
+        loose += "f -3 -2 -1\n";
+    }
+    let (mut s, info) = open(loose.as_bytes());
+    assert_eq!(info.components, 4);
+    let options = Values::default();
+    let fault = s.perform(Command::Configure { options });
+    let fault = fault.map(|_| ()).expect_err("all held");
+    assert_eq!(fault.kind, "NothingFree");
+    assert_eq!(fault.repairs.first().map(|item| item.kind), Some("Welded"));
 }

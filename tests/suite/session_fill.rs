@@ -310,6 +310,57 @@ fn holes_that_share_a_corner_are_two_and_the_outer_rim_stays_open() {
     }
 }
 
+/// A tube about the z-axis of so many rings, without some of its squares, as an OBJ file; `tip` is
+/// the radius at its end over that at its beginning.
+fn tube(rings: usize, length: f64, tip: f64, without: &[(usize, usize)]) -> Vec<u8> {
+    use std::fmt::Write as _;
+    const AROUND: usize = 16;
+    let mut text = String::new();
+    for i in 0..=rings {
+        let t = i as f64 / rings as f64;
+        let r = 1.0 + t * (tip - 1.0);
+        for j in 0..AROUND {
+            let (sin, cos) = (j as f64 * std::f64::consts::TAU / AROUND as f64).sin_cos();
+            writeln!(text, "v {} {} {}", r * cos, r * sin, length * t).expect("text");
+        }
+    }
+    for i in 0..rings {
+        for j in (0..AROUND).filter(|j| !without.contains(&(i, *j))) {
+            let v = |i: usize, j: usize| i * AROUND + j % AROUND + 1;
+            let corners = [v(i, j), v(i, j + 1), v(i + 1, j + 1), v(i + 1, j)];
+            let [a, b, c, d] = corners;
+            writeln!(text, "f {a} {b} {c} {d}").expect("text");
+        }
+    }
+    text.into_bytes()
+}
+
+#[test]
+fn the_mouths_of_a_tube_are_no_holes_and_a_missing_tip_is_one() {
+    let small = |bytes: &[u8]| {
+        let loops = opened(bytes).boundary_loops().expect("a mesh");
+        let lengths = loops.iter().map(|l| (l.small, l.length < 4.0));
+        lengths.collect::<Vec<_>>()
+    };
+    for (rings, length) in [(24, 6.5), (24, 12.0), (60, 40.0), (90, 90.0)] {
+        // Both ends are shorter than the diagonal of the box.
+        let whole = tube(rings, length, 1.0, &[]);
+        assert_eq!(small(&whole), [(false, false); 2], "{length}");
+        let found = small(&tube(rings, length, 1.0, &[(9, 3), (9, 4)]));
+        assert_eq!(
+            found.iter().filter(|l| l.0).count(),
+            1,
+            "{length}: {found:?}"
+        );
+        assert!(found.contains(&(true, length < 40.0)) || length >= 40.0);
+    }
+    // A spike without its tip: the wide end is a mouth, and the narrow one is to be closed.
+    assert_eq!(
+        small(&tube(60, 20.0, 0.05, &[])),
+        [(false, false), (true, true)]
+    );
+}
+
 #[test]
 fn an_outer_rim_is_filled_only_when_it_is_chosen() {
     for (name, loops) in [("disk", 1), ("hemisphere", 1), ("monkey-saddle", 1)] {

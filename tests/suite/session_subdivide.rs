@@ -67,15 +67,13 @@ fn what_is_free_on_the_finer_mesh_is_what_moved_on_the_coarser() {
 }
 
 #[test]
-fn a_mesh_with_quads_is_refused_and_stays() {
+fn polygons_are_cut_into_triangles_that_are_divided() {
     let mut s = Session::new();
     let quad = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
     s.load(quad, "quad.obj").expect("a mesh");
-    let before = s.loaded().expect("a mesh");
-    let fault = s
-        .subdivide(SubdivideOptions::default())
-        .expect_err("refused");
-    assert_eq!(fault.kind, "NotATriangle");
-    assert_eq!(s.loaded().expect("a mesh"), before);
-    assert!(!s.can_undo_edit());
+    s.subdivide(SubdivideOptions::default()).expect("divided");
+    let info = s.info().expect("a mesh");
+    assert_eq!((info.faces, info.vertices), (8, 9));
+    s.undo_edit().expect("undone");
+    assert_eq!(s.info().expect("a mesh").faces, 1);
 }

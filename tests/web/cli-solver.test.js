@@ -180,6 +180,41 @@ test("flow: --fixed holds its vertices, --free all others", () => {
   }
 });
 
+test("flow: --fixed names vertices by the numbers that they have in the file", () => {
+  const { out } = umbilic(["shape", "bumpy-sphere", "--level", "1", "--out", file("plain.obj")]);
+  assert.match(out, /42 vertices/);
+  // A vertex of no face before all others.
+  const text = readFileSync(file("plain.obj"), "utf8");
+  const shifted = text.replace(/^f .*/gm, (line) =>
+    line.replace(/\d+/g, (n) => `${Number(n) + 1}`),
+  );
+  writeFileSync(file("numbered.obj"), `v 9 9 9\n${shifted}`);
+  const line = ["flow", file("numbered.obj"), "--steps", "2", "--out", file("end.off")];
+  const start = text.match(/^v .*/gm)?.map((row) => row.slice(2).split(" ").map(Number)) ?? [];
+  writeFileSync(file("chosen.json"), "[2, 5, 43]");
+  json([...line, "--fixed", file("chosen.json")]);
+  const kept = vertices("end.off").map((p, v) => p.every((x, i) => x === start[v][i]));
+  const held = kept.flatMap((is, v) => (is ? [v] : []));
+  assert.deepEqual(held, [0, 3, 41]);
+  for (const none of [0, 1, 44]) {
+    writeFileSync(file("chosen.json"), JSON.stringify([none]));
+    const { exit, log } = umbilic([...line, "--fixed", file("chosen.json")]);
+    assert.equal(exit, 3);
+    assert.match(log, new RegExp(`no vertex ${none}`));
+  }
+});
+
+test("flips: quadrilaterals are cut into triangles, with a word", () => {
+  const quads =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n" +
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  writeFileSync(file("cube.obj"), quads);
+  const found = json(["flips", file("cube.obj"), "--out", file("flipped.off")]);
+  assert.deepEqual(found.warningIds, ["notice-polygons"]);
+  assertNear(found.after.area, 6, 1e-12);
+  assert.match(readFileSync(file("flipped.off"), "utf8"), /^8 12 /m);
+});
+
 test("shape --selection: a list that flow takes", () => {
   const line = ["--out", file("hole.obj"), "--selection", file("hole.json")];
   const { vertices } = json(["shape", "six-sided-hole", ...line]);

@@ -104,13 +104,30 @@ test("the page's own copy is to the bit what the solver writes, far from the ori
     perform(session, "configure", { options: {} });
     perform(session, "step");
     const { exact } = session.frame();
-    const own = plyOf(exact, shift, triangles);
+    const own = plyOf(exact, shift, triangles, null);
     const body = (/** @type {Uint8Array} */ file) =>
       Buffer.from(file.subarray(Buffer.from(file).indexOf("end_header\n") + 11));
     assert.ok(body(own).equals(body(perform(session, "export", { format: "ply" }))), `at ${far}`);
     assert.equal(shift[0] !== 0, far !== 0);
     session.free();
   }
+});
+
+test("the page's own copy has the colours of the file", async () => {
+  const { Session } = await loadSolver();
+  const session = new Session();
+  const ball = wavyTorus(12, 8);
+  const text = obj(ball).replace(/^v .*/gm, (line, at) => `${line} 0.2 0.4 ${at % 2}`);
+  const bytes = new TextEncoder().encode(text);
+  const { positions, shift, triangles, colours } = perform(session, "load", {
+    bytes,
+    name: "a.obj",
+  });
+  assert.equal(colours?.length, 4 * 96);
+  const own = plyOf(positions, shift, triangles, colours);
+  const again = perform(session, "load", { bytes: own, name: "own.ply" });
+  assert.deepEqual(again.colours, colours);
+  session.free();
 });
 
 test("an export that a crash meets is of the page's own copy", async () => {

@@ -64,10 +64,11 @@ const flips = command({
     ...out,
     history: { value: "FILE.csv", written: true, help: "every flip: edge, reduction, area, W" },
   },
-  run({ session, asked, values }) {
+  run({ session, asked, values, loaded }) {
     const options = { ...asked, history: values.history !== undefined };
     const { history, ...result } = orExit(3, () => perform(session, "flip", { options }));
-    return { result, files: { history: () => history ?? "" } };
+    const { warnings } = loaded.info;
+    return { result: inWords({ ...result, warnings }), files: { history: () => history ?? "" } };
   },
 });
 

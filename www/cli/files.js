@@ -82,8 +82,26 @@ export function readSelection(file, key) {
   }
   const list = Array.isArray(content) ? content : content?.[key];
   if (Array.isArray(list) && list.every((v) => Number.isInteger(v) && v >= 0)) return list;
-  const hint = `Write [0, 1, 2] or {"${key}": [0, 1, 2]}; vertices count from 0.`;
+  const hint = `Write [1, 2] or {"${key}": [1, 2]}, with the numbers of the mesh file: OBJ counts from 1, others from 0.`;
   throw new Failure(3, "BadSelection", `${file} holds no list of vertex numbers.`, hint);
+}
+
+/**
+ * The vertices that a mesh file gives these numbers: all copies of one that was split.
+ * @param {Iterable<number>} chosen
+ * @param {import("../generated/types.js").Numbers} numbers
+ * @returns {number[]}
+ */
+export function numbered(chosen, { first, vertices }) {
+  /** @type {Map<number, number[]>} */
+  const places = new Map();
+  for (const [v, n] of vertices?.entries() ?? []) places.set(n, [...(places.get(n) ?? []), v]);
+  return [...chosen].flatMap((number) => {
+    const found = vertices ? places.get(number - first) : [number - first];
+    if (found && number >= first) return found;
+    const hint = `Vertices have the numbers of the mesh file, from ${first} on; one that no face uses is none.`;
+    throw new Failure(3, "BadSelection", `The mesh has no vertex ${number}.`, hint);
+  });
 }
 
 /** @param {string} file */

@@ -8,7 +8,7 @@ import { isOver, perform } from "../session.js";
 import { say } from "../words.js";
 import { command, out } from "./command.js";
 import { isRefusal, orExit, usage } from "./failure.js";
-import { readSelection } from "./files.js";
+import { numbered, readSelection } from "./files.js";
 import { flagsOf, readFlags, typed } from "./options.js";
 import { format, inWords } from "./text.js";
 
@@ -105,8 +105,12 @@ export const flow = command({
     }
     return readFlags("flow", words);
   },
-  run({ session, asked, values, io }) {
-    orExit(3, () => perform(session, "configure", { options: asked }));
+  run({ session, asked, values, io, loaded }) {
+    const options = { ...asked };
+    for (const name of ["free", "fixed"]) {
+      if (asked[name]) options[name] = numbered(asked[name], loaded.numbers);
+    }
+    orExit(3, () => perform(session, "configure", { options }));
     const { p, boundary } = asked;
     const energies = { ...(p !== undefined && { p: [p] }), ...(boundary && { boundary }) };
     const readings = () => ({

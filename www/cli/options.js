@@ -115,8 +115,9 @@ function readers({ flows, scheme, goal, remesh }) {
  * @param {Row} row
  */
 function notes({ default: usual, kind, range, absent, flag }) {
+  if (kind === "vertices") return [`numbered as in the file, OBJ from 1; default ${absent}`];
   if (kind === "switch") return usual ? [`default; --no-${flag} for not`] : [];
-  const isList = ["set", "numbers", "vertices"].includes(kind);
+  const isList = ["set", "numbers"].includes(kind);
   const value = isList ? absent : (usual ?? absent);
   const isLimited = kind === "number" && range && range.low > -1e4;
   return [...(value === null ? [] : [`default ${value}`]), ...(isLimited ? [limits(range)] : [])];

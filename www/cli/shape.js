@@ -4,7 +4,7 @@
 import { perform } from "../session.js";
 import { command } from "./command.js";
 import { orExit, usage } from "./failure.js";
-import { writtenHelp } from "./files.js";
+import { formatOf, writtenHelp } from "./files.js";
 import { parse } from "./options.js";
 import { loadSolver } from "./solver.js";
 import { format, table } from "./text.js";
@@ -25,7 +25,7 @@ const shapeWith = (parameters) =>
       selection: {
         value: "FILE.json",
         written: true,
-        help: "the vertices that a flow should hold or move, if any",
+        help: "the vertices that a flow should hold or move, if any, by their numbers in the mesh",
       },
       list: { help: "all shapes and their parameters" },
       ...Object.fromEntries(
@@ -44,7 +44,12 @@ const shapeWith = (parameters) =>
       const { vertices, faces } = sample.info;
       const lists = { free: sample.free, fixed: sample.fixed };
       const selection = () => {
-        const plain = Object.entries(lists).map(([key, list]) => [key, list && Array.from(list)]);
+        // As the file that is written counts.
+        const first = Number(formatOf(values.out) === "obj");
+        const plain = Object.entries(lists).map(([key, list]) => [
+          key,
+          list && Array.from(list, (v) => v + first),
+        ]);
         return `${JSON.stringify(Object.fromEntries(plain))}\n`;
       };
       const text = `${values.out}: ${vertices} vertices, ${faces} faces\n`;

@@ -1393,6 +1393,10 @@ positions: Float32Array,
  */
 shift: [number, number, number], 
 /**
+ * Red, green, blue and opacity of each vertex, from 0 to 1; null where the file has none.
+ */
+colours: Float32Array | null, 
+/**
  * How the file numbers what sentences name.
  */
 numbers: Numbers, 
@@ -1630,7 +1634,7 @@ first: number,
  */
 vertices: Uint32Array | null, 
 /**
- * The same of faces.
+ * For each triangle the file's face that it was cut from.
  */
 faces: Uint32Array | null, };
 

@@ -47,7 +47,7 @@ impl Runner {
 
     /// Repair of the surface as it is, where that would change anything.
     pub(super) fn can_repair(&self) -> Option<Remedy> {
-        let changes = preview(&self.document.polygons, &self.x);
+        let changes = preview(&self.document.mended, &self.document.polygons, &self.x);
         (!changes.is_empty()).then(Remedy::repair)
     }
 

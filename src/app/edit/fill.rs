@@ -137,7 +137,7 @@ impl Runner {
         said.extend(outcome.warnings.iter().cloned());
         let document = Document {
             colours: document.colours.spread(&polygons),
-            numbers: document.numbers.plain(),
+            numbers: document.numbers.plain(&polygons),
             triangles: triangulated(&polygons, &positions)?,
             polygons,
             start: positions,

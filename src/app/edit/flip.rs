@@ -4,7 +4,6 @@ use super::options::FlipOptions;
 use crate::app::document::Document;
 use crate::app::fault::Fault;
 use crate::app::runner::Runner;
-use crate::flow::FlowError;
 use crate::mesh::HalfedgeMesh;
 use crate::remesh::flips::{Flip, FlipOptimiser};
 use serde::Serialize;
@@ -40,17 +39,13 @@ pub struct FlipOutcome {
 }
 
 impl Runner {
-    /// A document with its connectivity optimised, which starts at the positions as they are.
+    /// A document with its connectivity, cut into triangles, optimised, which starts at the positions as they are.
     pub(in crate::app) fn flipped(
         &self,
         options: &FlipOptions,
     ) -> Result<(Document, FlipOutcome), Fault> {
         let present = self.present();
-        let mesh = &present.polygons;
-        if let Some((face, corners)) = first_polygon(mesh) {
-            return Err(FlowError::NotTriangular { face, corners }.into());
-        }
-        let copy = HalfedgeMesh::clone(mesh);
+        let copy = HalfedgeMesh::clone(&present.triangles);
         let x = Rc::new(self.x.clone());
         let mut optimiser =
             FlipOptimiser::new(copy, Rc::clone(&x), options.criterion, options.guard_folds);
@@ -76,12 +71,6 @@ impl Runner {
         };
         Ok((document, outcome))
     }
-}
-
-fn first_polygon(mesh: &HalfedgeMesh) -> Option<(u32, usize)> {
-    mesh.faces()
-        .map(|f| (f.0, mesh.face_vertices(f).count()))
-        .find(|(_, corners)| *corners != 3)
 }
 
 fn history(made: &[Flip]) -> String {

@@ -54,7 +54,7 @@ impl Runner {
             document.polygons = Rc::clone(mesh);
             document.triangles = Rc::clone(mesh);
             document.colours = self.colours();
-            document.numbers = document.numbers.plain();
+            document.numbers = document.numbers.plain(mesh);
         }
         document
     }

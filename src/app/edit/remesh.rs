@@ -113,11 +113,11 @@ impl Runner {
         let (free, fixed) = (free.then(|| chosen(false)), fixed.then(|| chosen(true)));
         let made = Rc::new(made);
         let document = Document {
+            numbers: present.numbers.plain(&made),
             polygons: Rc::clone(&made),
             triangles: made,
             start: positions,
             colours: present.colours.dropped(),
-            numbers: present.numbers.plain(),
             free,
             fixed,
             ..present

@@ -1,13 +1,13 @@
 //! Repair: what keeps a file, or the surface at hand, from being a whole surface.
 
 use super::options::RepairOptions;
-use crate::app::document::{Document, triangulated};
+use crate::app::document::{Document, Opened, triangulated};
 use crate::app::fault::Fault;
 use crate::app::provenance::{Edit, EditRecord};
 use crate::app::repairs::{Mended, mend, preview};
 use crate::app::runner::Runner;
 use crate::app::{Loaded, Session};
-use crate::remesh::repair::is_suspect;
+use crate::remesh::repair::{Weld, is_suspect};
 use std::rc::Rc;
 
 impl Runner {
@@ -17,7 +17,11 @@ impl Runner {
         if !is_suspect(&document.polygons, &self.x, options.weld) {
             return Ok(None);
         }
-        let mended = mend(&document.polygons.to_soup(&self.x), options.weld)?;
+        let mesh = &document.polygons;
+        let mended = match options.weld {
+            Weld::Auto => document.mended.take(mesh, &self.x)?,
+            weld => mend(&mesh.to_soup(&self.x), weld)?,
+        };
         let Mended { built, items, were } = mended;
         if items.is_empty() {
             return Ok(None);
@@ -38,10 +42,10 @@ impl Runner {
         warnings.extend(items.iter().map(|item| item.message.clone()));
         let repaired = Document {
             triangles: triangulated(&polygons, &built.positions)?,
+            numbers: document.numbers.plain(&polygons),
             polygons,
             start: built.positions,
             colours: document.colours.carried(&were),
-            numbers: document.numbers.plain(),
             free: chosen(&self.options().free),
             fixed: chosen(&self.options().fixed),
             warnings,
@@ -54,8 +58,10 @@ impl Runner {
 }
 
 /// Refusals of a surface that a repair may help against.
-const MENDABLE: [&str; 7] = [
+const MENDABLE: [&str; 8] = [
     "NotClosed",
+    // Of loose triangles all vertices are boundary.
+    "NothingFree",
     "NotOriented",
     "NotOrientable",
     "ZeroLengthEdge",
@@ -70,7 +76,8 @@ impl Session {
         if let Some(runner) = &self.runner
             && MENDABLE.contains(&fault.kind)
         {
-            fault.repairs = preview(runner.polygons(), &runner.x).into();
+            let present = runner.present();
+            fault.repairs = preview(&present.mended, &present.polygons, &present.start).into();
         }
         fault
     }
@@ -100,18 +107,18 @@ impl Session {
         file_name: &str,
         options: RepairOptions,
     ) -> Result<Loaded, Fault> {
-        match Document::from_file(bytes, file_name) {
-            Ok(document) => {
+        match Opened::of(bytes, file_name)? {
+            Opened::Surface(document) => {
                 let opened = document.opened.clone();
                 self.open(document)?;
                 self.repair(options)?;
                 let runner = self.runner_mut()?;
                 runner.document.repaired.splice(0..0, opened);
             }
-            Err(fault) if fault.repairs.is_empty() => return Err(fault),
-            Err(_) => {
-                let document = Document::from_broken_file(bytes, file_name, options.weld)?;
-                self.open(document)?;
+            Opened::Broken(read, fault) => {
+                // What it is refused for is the reason to repair it.
+                let document = Document::from_broken(read, file_name, options.weld);
+                self.open(document.map_err(|_| fault)?)?;
                 self.runner_mut()?.origin = Some(vec![EditRecord {
                     flow: None,
                     path: Vec::new(),

@@ -1,7 +1,7 @@
 //! Subdivision as an edit: finer faces, of the same surface or of a smoother one.
 
 use super::options::{SubdivideOptions, SubdivisionScheme};
-use crate::app::document::{Document, triangulated};
+use crate::app::document::Document;
 use crate::app::fault::Fault;
 use crate::app::message::AppError;
 use crate::app::provenance::Edit;
@@ -35,10 +35,10 @@ fn refined(
 }
 
 impl Runner {
-    /// A document with each face divided into four.
+    /// A document with each triangle divided into four.
     fn subdivided(&self, options: SubdivideOptions) -> Result<(Document, ()), Fault> {
         let document = self.present();
-        let n_faces = 4 * document.polygons.n_faces();
+        let n_faces = 4 * document.triangles.n_faces();
         if n_faces > MAX_FACES {
             let error = AppError::TooManyFaces {
                 faces: n_faces,
@@ -46,13 +46,13 @@ impl Runner {
             };
             return Err(error.into());
         }
-        let soup = document.polygons.to_soup(&document.start);
+        let soup = document.triangles.to_soup(&document.start);
         let parents = subdivide::parents(&soup)?;
         let finer = match options.scheme {
             SubdivisionScheme::Linear => subdivide::linear(&soup)?,
             SubdivisionScheme::Loop => subdivide::loop_scheme(&soup)?,
         };
-        let polygons: Rc<HalfedgeMesh> = Rc::new(mesh::build_as_given(&finer)?.mesh);
+        let triangles: Rc<HalfedgeMesh> = Rc::new(mesh::build_as_given(&finer)?.mesh);
         let n_old = document.start.len();
         let of = |list: &Option<Vec<u32>>, belongs: fn(bool, bool) -> bool| {
             list.as_deref()
@@ -63,9 +63,9 @@ impl Runner {
         let fixed = of(&self.options().fixed, |a, b| a && b);
         let document = Document {
             colours: document.colours.refined(&parents),
-            numbers: document.numbers.plain(),
-            triangles: triangulated(&polygons, &finer.positions)?,
-            polygons,
+            numbers: document.numbers.plain(&triangles),
+            polygons: Rc::clone(&triangles),
+            triangles,
             start: finer.positions,
             free,
             fixed,
@@ -80,8 +80,7 @@ impl Session {
     /// or free stays so. [`undo_edit`](Self::undo_edit) undoes it.
     ///
     /// # Errors
-    /// Meshes with faces other than triangles, edges of more than two faces, and meshes that
-    /// would become too large; the mesh stays as it was.
+    /// Meshes that would become too large; the mesh stays as it was.
     pub fn subdivide(&mut self, options: SubdivideOptions) -> Result<Loaded, Fault> {
         self.edit(Edit::Subdivide(options), |runner| {
             runner.subdivided(options)

@@ -30,8 +30,14 @@ pub(super) struct Numbers<'a> {
     /// Whole numbers stand for fractions of the largest.
     is_normalised: bool,
     stride: usize,
-    bytes: &'a [u8],
+    bytes: Cow<'a, [u8]>,
     pub(super) place: Place,
+}
+
+/// Rows of bytes in a buffer.
+struct Rows<'a> {
+    stride: usize,
+    bytes: &'a [u8],
 }
 
 impl Numbers<'_> {
@@ -183,11 +189,71 @@ impl<'a> Asset<'a> {
         let accessor = number.index().and_then(|index| self.accessors.get(index));
         let accessor = *accessor.ok_or_else(|| self.wrong(Some(number), "accessors"))?;
         let wrong = |name| self.wrong(Some(accessor), name);
-        let refused = |what| Err(ReadError::Unsupported { what });
-        if accessor.get("sparse").is_some() {
-            return refused("gltf-sparse");
+        let scalar = self.scalar(accessor)?;
+        let width = match accessor.get("type").and_then(Json::string).as_deref() {
+            Some(b"SCALAR") => 1,
+            Some(b"VEC3") => 3,
+            Some(b"VEC4") => 4,
+            _ => return Err(wrong("type")),
+        };
+        let count = |of: Json<'a>| {
+            let count = of.get("count").and_then(Json::index);
+            count.ok_or_else(|| self.wrong(Some(of), "count"))
+        };
+        let size = width * scalar.size();
+        let rows = self.rows(accessor, primitive, count(accessor)?, size)?;
+        let mut numbers = Numbers {
+            width,
+            count: count(accessor)?,
+            scalar,
+            is_normalised: accessor.get("normalized").is_some_and(Json::is_true),
+            stride: rows.stride,
+            bytes: Cow::Borrowed(rows.bytes),
+            place: self.place(accessor),
+        };
+        // Rows in the place of some of these.
+        if let Some(sparse) = accessor.get("sparse") {
+            let part = |name| sparse.get(name).ok_or_else(|| wrong(name));
+            let (at, values) = (part("indices")?, part("values")?);
+            let which = self.scalar(at)?;
+            let n = count(sparse)?;
+            let listed = self.rows(at, primitive, n, which.size())?;
+            let others = self.rows(values, primitive, n, size)?;
+            let bytes = numbers.bytes.to_mut();
+            for k in 0..n {
+                let row = which.read(&listed.bytes[k * listed.stride..], false) as usize;
+                let to = row.saturating_mul(numbers.stride);
+                let place = bytes.get_mut(to..to.saturating_add(size));
+                let place = place.ok_or_else(|| self.wrong(Some(at), "indices"))?;
+                place.copy_from_slice(&others.bytes[k * others.stride..][..size]);
+            }
         }
-        let Some(view) = accessor.get("bufferView") else {
+        Ok(numbers)
+    }
+
+    fn scalar(&self, of: Json<'a>) -> Result<Scalar, ReadError> {
+        Ok(match of.get("componentType").and_then(Json::index) {
+            Some(5120) => Scalar::I8,
+            Some(5121) => Scalar::U8,
+            Some(5122) => Scalar::I16,
+            Some(5123) => Scalar::U16,
+            Some(5125) => Scalar::U32,
+            Some(5126) => Scalar::F32,
+            _ => return Err(self.wrong(Some(of), "componentType")),
+        })
+    }
+
+    /// So many rows of so many bytes each, of the buffer view that something names.
+    fn rows(
+        &self,
+        of: Json<'a>,
+        primitive: Json<'a>,
+        count: usize,
+        size: usize,
+    ) -> Result<Rows<'_>, ReadError> {
+        let refused = |what| Err(ReadError::Unsupported { what });
+        let wrong = |name| self.wrong(Some(of), name);
+        let Some(view) = of.get("bufferView") else {
             let extensions = primitive.get("extensions");
             let draco = extensions.and_then(|all| all.get("KHR_draco_mesh_compression"));
             return draco.map_or_else(|| Err(wrong("bufferView")), |_| refused("gltf-draco"));
@@ -205,31 +271,13 @@ impl<'a> Asset<'a> {
         let Some(buffer) = buffer.ok_or_else(|| self.wrong(Some(view), "buffer"))? else {
             return refused("gltf-external");
         };
-        let scalar = match accessor.get("componentType").and_then(Json::index) {
-            Some(5120) => Scalar::I8,
-            Some(5121) => Scalar::U8,
-            Some(5122) => Scalar::I16,
-            Some(5123) => Scalar::U16,
-            Some(5125) => Scalar::U32,
-            Some(5126) => Scalar::F32,
-            _ => return Err(wrong("componentType")),
-        };
-        let width = match accessor.get("type").and_then(Json::string).as_deref() {
-            Some(b"SCALAR") => 1,
-            Some(b"VEC3") => 3,
-            Some(b"VEC4") => 4,
-            _ => return Err(wrong("type")),
-        };
-        let count = accessor.get("count").and_then(Json::index);
-        let count = count.ok_or_else(|| wrong("count"))?;
-        let size = width * scalar.size();
         let stride = match view.get("byteStride").and_then(Json::index) {
             None | Some(0) => size,
             Some(stride) if stride >= size => stride,
             Some(_) => return Err(self.wrong(Some(view), "byteStride")),
         };
         let offset = |of: Json<'a>| of.get("byteOffset").and_then(Json::index).unwrap_or(0);
-        let start = offset(view).saturating_add(offset(accessor));
+        let start = offset(view).saturating_add(offset(of));
         let length = match count {
             0 => 0,
             _ => (count - 1).saturating_mul(stride).saturating_add(size),
@@ -243,14 +291,6 @@ impl<'a> Asset<'a> {
             needed: length as u64,
             available: buffer.len().saturating_sub(start),
         })?;
-        Ok(Numbers {
-            width,
-            count,
-            scalar,
-            is_normalised: accessor.get("normalized").is_some_and(Json::is_true),
-            stride,
-            bytes,
-            place: self.place(accessor),
-        })
+        Ok(Rows { stride, bytes })
     }
 }

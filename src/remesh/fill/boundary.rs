@@ -1,6 +1,8 @@
 //! Boundary loops, and what the surface around them forbids.
 
 use super::error::FillError;
+use super::notice::total_curvature;
+use crate::geometry::measure;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use crate::order;
 use glam::DVec3;
@@ -13,6 +15,15 @@ const SAME_PLACE: f64 = 1e-9;
 /// A loop is small where it is no longer than so many times the diagonal of its component's
 /// bounding box: a circle of a third of it. The outer rim of a sheet is twice and more as long.
 const SMALL: f64 = 1.0;
+
+/// What continues a surface over the end of a tube is a hemisphere, ∫K = 2π; over a hole it bends
+/// as the surface around does. A loop that asks for more than this, half of that, is the mouth of
+/// something, and no hole, where it is not tiny.
+const MOUTH: f64 = std::f64::consts::PI;
+
+/// A mouth whose length squared is below this share of the area of its component is taken for a
+/// hole nevertheless: a tip that is missing, of a finger and not of a tube.
+const TIP: f64 = 1.0 / 64.0;
 
 /// A boundary loop; it has as many edges as vertices.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,7 +95,7 @@ fn of_part(part: &[[u32; 2]], x: &[DVec3]) -> BoundaryLoop {
     }
 }
 
-/// The loops that are holes and no outer rims, by their length.
+/// The loops that are holes, and no outer rims or mouths of tubes.
 pub fn small_loops(mesh: &HalfedgeMesh, x: &[DVec3], all: &[BoundaryLoop]) -> Vec<usize> {
     let (component, count) = mesh.components();
     let mut boxes = vec![(DVec3::INFINITY, DVec3::NEG_INFINITY); count];
@@ -92,14 +103,25 @@ pub fn small_loops(mesh: &HalfedgeMesh, x: &[DVec3], all: &[BoundaryLoop]) -> Ve
         let (low, high) = &mut boxes[*c as usize];
         (*low, *high) = (low.min(*p), high.max(*p));
     }
-    let is_small = |index: &usize| {
-        let BoundaryLoop {
-            vertices, length, ..
-        } = &all[*index];
-        let (low, high) = boxes[component[vertices[0] as usize] as usize];
-        *length <= SMALL * low.distance(high)
+    let component_of = |index: usize| component[all[index].vertices[0] as usize] as usize;
+    let is_short = |index: &usize| {
+        let (low, high) = boxes[component_of(*index)];
+        all[*index].length <= SMALL * low.distance(high)
     };
-    (0..all.len()).filter(is_small).collect()
+    let mut small: Vec<usize> = (0..all.len()).filter(is_short).collect();
+    let mut areas = vec![0.0; if small.is_empty() { 0 } else { count }];
+    if !small.is_empty() {
+        for f in mesh.faces() {
+            let of = mesh.face_vertices(f).next();
+            let of = of.map_or(0, |v| component[v.index()] as usize);
+            areas[of] += measure::face_vector_area(mesh, x, f).length();
+        }
+    }
+    small.retain(|&index| {
+        all[index].length.powi(2) <= TIP * areas[component_of(index)]
+            || total_curvature(&Rim::new(mesh, all, vec![index]).angles(mesh, x)) <= MOUTH
+    });
+    small
 }
 
 /// Refuses a loop of which two vertices that are not neighbours lie in the same place.

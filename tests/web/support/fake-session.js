@@ -62,7 +62,7 @@ export class FakeSession {
       const values = { a: 3, b: 4, faces: [0, 1, 2], others: 0 };
       throw refusal("NonManifoldEdge", "mesh-non-manifold-edge", values);
     }
-    return { name, info };
+    return { name, info, numbers: { first: 0, vertices: null, faces: null } };
   }
 
   selfIntersections() {

@@ -74,7 +74,7 @@ notice-polygons = Das Netz hat { $count ->
 } mit mehr als drei Ecken: { $kept ->
     [p-willmore] Der p-Willmore-Fluss behält sie, andere Flüsse arbeiten auf einer triangulierten Kopie
    *[none] Flüsse arbeiten auf einer triangulierten Kopie
-}; Dateien werden mit den ursprünglichen Facetten geschrieben.
+}; Dateien werden mit den ursprünglichen Facetten geschrieben, nach Kantenflips mit Dreiecken.
 notice-flat-triangles = Das Netz hat { $count ->
     [one] { $count } Dreieck
    *[other] { $count } Dreiecke

@@ -70,7 +70,6 @@ read-unsupported = Dateien der Art { $what ->
     [gltf-external] glTF mit Daten in anderen Dateien
     [gltf-draco] glTF, durch Draco komprimiert,
     [gltf-meshopt] glTF, durch meshopt komprimiert,
-    [gltf-sparse] glTF mit dünn besetzten Feldern (sparse)
     [binary-off] binäres OFF
    *[nd-off] höherdimensionales OFF
 } lassen sich nicht lesen
@@ -125,7 +124,10 @@ oddity-bytes-left = { $count ->
    *[other] { $count } Bytes nach dem letzten Dreieck blieben
 } unbeachtet.
 oddity-no-end = Der letzte Körper hat kein Ende; vielleicht bricht die Datei ab.
-oddity-uncounted = Der Kopf zählt keine Dreiecke; bis zum Ende der Datei wurden { $count } gelesen.
+oddity-uncounted = Der Kopf zählt { $announced ->
+    [0] keine Dreiecke; bis zum Ende der Datei wurden { $count } gelesen.
+   *[other] { $announced } Dreiecke; gelesen wurden die { $count }, die die Datei hat.
+}
 oddity-fourth-numbers = { $count } Ecken haben eine vierte Zahl, zuerst bei { $first }; sie blieb unbeachtet.
 oddity-other-cells = Punkte, Linien und Körper gehören zu keiner Fläche und wurden übergangen: { $count }, zuerst bei { $first }.
 oddity-seams-joined = { $count ->

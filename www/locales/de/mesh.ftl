@@ -29,6 +29,10 @@ repair-degenerate-faces = Weggelassen: { $count ->
     [1] {""} (ab 1 gezählt, wie in der Datei)
    *[other] {""}
 }.
+repair-bridged-faces = In Dreiecke zerlegt: { $count ->
+    [one] { $count } Facette, die eine Ecke zweimal hat
+   *[other] { $count } Facetten, die eine Ecke zweimal haben
+}, wie um ein Loch.
 repair-duplicate-faces = Weggelassen: { $count ->
     [one] { $count } Facette
    *[other] { $count } Facetten
@@ -151,7 +155,7 @@ fill-touching-loop = Randkurve { $index } berührt sich selbst: Die Ecken { VERT
 fill-no-small-loops = { $loops ->
     [one] die Randkurve ist
    *[other] die { $loops } Randkurven sind
-} zu lang für ein Loch: Der äußere Rand eines Blatts bleibt offen, solange er nicht gewählt wird
+} kein kleines Loch: Der äußere Rand eines Blatts und die Mündung einer Röhre bleiben offen, solange sie nicht gewählt werden
     .hint = Verlangen Sie alle Randkurven, oder einige mit ihren Nummern.
 fill-no-room = an Randkurve { $index } ist kein Platz für einen Flicken: Er fiele auf Facetten, die es schon gibt
     .hint = Lassen Sie die Randkurve offen, oder löschen Sie die Facetten um sie.

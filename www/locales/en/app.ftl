@@ -74,7 +74,7 @@ notice-polygons = The mesh has { $count ->
 } of more than three corners: { $kept ->
     [p-willmore] the p-Willmore flow keeps them, other flows work on a triangulated copy
    *[none] flows work on a triangulated copy
-}; files are written with the original faces.
+}; files are written with the original faces, after edge flips with triangles.
 notice-flat-triangles = The mesh has { $count ->
     [one] { $count } triangle
    *[other] { $count } triangles

@@ -70,7 +70,6 @@ read-unsupported = { $what ->
     [gltf-external] glTF with its data in other files: such
     [gltf-draco] Draco-compressed glTF
     [gltf-meshopt] meshopt-compressed glTF
-    [gltf-sparse] glTF with sparse accessors: such
     [binary-off] binary OFF
    *[nd-off] higher-dimensional OFF
 } files cannot be read
@@ -125,7 +124,10 @@ oddity-bytes-left = { $count ->
    *[other] { $count } bytes after the last triangle were
 } left aside.
 oddity-no-end = The last solid has no end; the file may be cut short.
-oddity-uncounted = The header counts no triangles; { $count } were read, to the end of the file.
+oddity-uncounted = The header counts { $announced ->
+    [0] no triangles; { $count } were read, to the end of the file.
+   *[other] { $announced } triangles; the { $count } that the file has were read.
+}
 oddity-fourth-numbers = { $count } vertices have a fourth number, the first at { $first }; it was left aside.
 oddity-other-cells = Points, lines and volumes are no part of a surface and were skipped: { $count }, the first at { $first }.
 oddity-seams-joined = { $count ->

@@ -29,6 +29,10 @@ repair-degenerate-faces = Dropped { $count ->
     [1] {""} (counted from 1, as in the file)
    *[other] {""}
 }.
+repair-bridged-faces = Cut { $count ->
+    [one] { $count } face that passes a vertex twice
+   *[other] { $count } faces that pass a vertex twice
+}, as around a hole, into triangles.
 repair-duplicate-faces = Dropped { $count ->
     [one] { $count } face
    *[other] { $count } faces
@@ -157,7 +161,7 @@ fill-touching-loop = boundary loop { $index } touches itself: vertices { VERTEX(
 fill-no-small-loops = { $loops ->
     [one] the boundary loop is
    *[other] the { $loops } boundary loops are
-} too long to be a hole: the outer rim of a sheet is left open unless chosen
+} no small hole: the outer rim of a sheet and the mouth of a tube are left open unless chosen
     .hint = Ask for all loops, or for some by their numbers.
 fill-no-room = there is no room for a patch at boundary loop { $index }: it would fall onto faces that are there
     .hint = Leave the loop open, or delete the faces around it.

@@ -1,0 +1,200 @@
+//! The same tetrahedron in OBJ, PLY, OFF and STL as other programs write it, each in a way of its
+//! own.
+
+use crate::mesh::ordered;
+use glam::DVec3;
+use umbilic::io::{self, Format};
+use umbilic::mesh;
+
+const CORNERS: [[f32; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]];
+const FACES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+
+/// Files of a format; none of one that other tests write.
+pub(crate) fn variants(format: Format) -> Vec<Vec<u8>> {
+    match format {
+        Format::Obj => obj(),
+        Format::Ply => ply(),
+        Format::Off => off(),
+        Format::Stl => stl(),
+        Format::StlAscii => vec![ascii_stl()],
+        _ => Vec::new(),
+    }
+}
+
+fn obj() -> Vec<Vec<u8>> {
+    let texts = [
+        // Relative numbers, continued lines, a weight that is one.
+        "v 0 0 0 1\nv 1 0 0 1.0\nv 0 1 0 1\nv 0 0 1 1\nf -4 -2 -3\nf 1 \\ \n 2 4\nf 2 3 \\\n4\nf 1 4 3\n",
+        // All slashes, groups, what is no surface, ends of lines of another system.
+        "mtllib a b.mtl\r\no one\r\nv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nv 0 0 1\r\nvt 0 0\r\nvn 0 0 1\r\n\
+         g a b\r\nusemtl red\r\ns 1\r\nf 1/1 3/1 2/1\r\nf 1/1/1 2/1/1 4/1/1\r\ng c\r\nf 2//1 3//1 4//1\r\n\
+         f 1 4 3\r\nl 1 2 3\r\np 1\r\n",
+        // Colours, numbers with exponents, a comment at the end of a line, no last line end.
+        "\tv 0 0 0 .1 .2 .3\nv 1e0 0 0 0 1 0\nv 0 +1.0E+00 0 1 0 0\nv 0 0 1. 0 0 1\n\nf 1 3 2 # base\n\
+         f 1 2 4\nf 2 3 4\nf 1 4 3",
+        // Polygons: one with corners on its sides, one with a bridge to a hole in it.
+        "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 2 0 0\nv 4 2 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nv 2 2 5\n\
+         f 1 5 2 6 3 4 1 7 8 9 10 7\nf 7 10 11\nf 10 9 11\nf 9 8 11\nf 8 7 11\n",
+    ];
+    texts.map(|text| text.as_bytes().to_vec()).into()
+}
+
+fn ply() -> Vec<Vec<u8>> {
+    let head = |format: &str, elements: &str| {
+        format!("ply\nformat {format} 1.0\ncomment by hand\nobj_info none\n{elements}end_header\n")
+            .into_bytes()
+    };
+    let vertices = "element vertex 4\nproperty list uchar int tags\nproperty double x\n\
+        property double y\nproperty double z\nproperty uchar quality\n";
+    let faces = "element face 4\nproperty uchar flags\nproperty list ushort uint vertex_index\n\
+        property list uchar float texcoord\n";
+    let strips = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+        element tristrips 1\nproperty list int int vertex_indices\n";
+    let mut all = Vec::new();
+    for big in [false, true] {
+        let name = if big {
+            "binary_big_endian"
+        } else {
+            "binary_little_endian"
+        };
+        // Faces first, an element of no interest between.
+        let edges = "element edge 1\nproperty int vertex1\nproperty int vertex2\n";
+        let mut bytes = head(name, &format!("{faces}{edges}{vertices}"));
+        for face in FACES {
+            bytes.push(7);
+            bytes.extend(ordered(3_u16.to_le_bytes(), big));
+            face.iter()
+                .for_each(|v| bytes.extend(ordered(v.to_le_bytes(), big)));
+            bytes.push(2);
+            bytes.extend([0; 8]);
+        }
+        bytes.extend([0; 8]);
+        for corner in CORNERS {
+            bytes.push(1);
+            bytes.extend([9; 4]);
+            let parts = corner.iter();
+            parts.for_each(|x| bytes.extend(ordered(f64::from(*x).to_le_bytes(), big)));
+            bytes.push(200);
+        }
+        all.push(bytes);
+        let mut bytes = head(name, strips);
+        for x in CORNERS.as_flattened() {
+            bytes.extend(ordered(x.to_le_bytes(), big));
+        }
+        bytes.extend(ordered(9_i32.to_le_bytes(), big));
+        for v in [0_i32, 2, 1, 3, 0, 2, -1, 1, 1] {
+            bytes.extend(ordered(v.to_le_bytes(), big));
+        }
+        all.push(bytes);
+    }
+    let mut text = String::from_utf8(head("ascii", &format!("{vertices}{faces}"))).unwrap();
+    for [x, y, z] in CORNERS {
+        text += &format!("2 5 6 {x} {y} {z} 100\n");
+    }
+    for [a, b, c] in FACES {
+        text += &format!("1 3 {a} {b} {c} 2 0.5 0.25\n");
+    }
+    all.push(text.replace('\n', "\r\n").into_bytes());
+    all
+}
+
+fn off() -> Vec<Vec<u8>> {
+    let body = |vertex: &str, face: &str| {
+        let points = CORNERS.map(|[x, y, z]| format!("{x} {y} {z}{vertex}\n"));
+        let faces = FACES.map(|[a, b, c]| format!("3 {a} {b} {c}{face}\n"));
+        points.concat() + &faces.concat()
+    };
+    let heads = [
+        ("OFF4 4 6\n", "", " 7"),
+        ("OFF 4 4 0\n", "", " 255 0 0"),
+        ("# a\nOFF\n# b\n\n4 4 6 # c\n", "", ""),
+        ("COFF\n4 4 0\n", " .1 .5 .25 1", ""),
+        ("NOFF\n4 4 0\n", " 0 0 1", " .1 .2 .3 1"),
+        ("STCNOFF\n4 4 0\n", " 0 0 1 10 20 30 255 .5 .5", ""),
+    ];
+    let all = heads.map(|(head, vertex, face)| format!("{head}{}", body(vertex, face)));
+    all.map(String::into_bytes).into()
+}
+
+fn stl() -> Vec<Vec<u8>> {
+    [
+        ("exported", 4_u32),
+        ("solid binary", 4),
+        ("a stream", 0),
+        ("a stream", u32::MAX),
+    ]
+    .map(|(head, count)| {
+        let mut bytes = head.as_bytes().to_vec();
+        bytes.resize(80, 0);
+        bytes.extend(count.to_le_bytes());
+        for face in FACES {
+            bytes.extend([0; 12]);
+            let corners = face.iter().flat_map(|v| CORNERS[*v as usize]);
+            corners.for_each(|x| bytes.extend(x.to_le_bytes()));
+            bytes.extend([0, 0x80]);
+        }
+        bytes
+    })
+    .into()
+}
+
+fn ascii_stl() -> Vec<u8> {
+    let mut text = String::from("\nsolid one part\n");
+    for (n, face) in FACES.iter().enumerate() {
+        if n == 2 {
+            text += "endsolid one part\nSOLID two\n";
+        }
+        text += "\tfacet normal nan 0 1e0\n\t outer loop\n";
+        for v in face {
+            let [x, y, z] = CORNERS[*v as usize];
+            text += &format!("\t\tVERTEX {x:e} {y} {z}\n");
+        }
+        text += "endloop\nendfacet\n";
+    }
+    text += "endsolid\n";
+    text.into_bytes()
+}
+
+#[test]
+fn all_ways_to_write_a_tetrahedron_read_as_one() {
+    let formats = [
+        Format::Obj,
+        Format::Ply,
+        Format::Off,
+        Format::Stl,
+        Format::StlAscii,
+    ];
+    for format in formats {
+        for (n, bytes) in variants(format).iter().enumerate() {
+            let of = format!("{format:?} {n}");
+            let read =
+                io::read(bytes, "").or_else(|_| io::read(bytes, &format!("a.{}", format.name())));
+            let read = read.unwrap_or_else(|error| panic!("{of}: {error}"));
+            let built = mesh::build(&read.soup).unwrap_or_else(|error| panic!("{of}: {error}"));
+            if (format, n) == (Format::Obj, 3) {
+                // The base with its hole, and a tip over the hole: an open surface of one loop.
+                assert_eq!(built.mesh.boundary_loops().count(), 1, "{of}");
+                let area = umbilic::geometry::measure::area(&built.mesh, &built.positions);
+                assert!(
+                    (area - (12.0 + 4.0 * 26_f64.sqrt())).abs() < 1e-12,
+                    "{of}: {area}"
+                );
+                continue;
+            }
+            assert!(built.mesh.is_closed(), "{of}");
+            assert_eq!(
+                (built.positions.len(), built.mesh.n_faces()),
+                (4, 4),
+                "{of}"
+            );
+            let volume = umbilic::geometry::measure::volume(&built.mesh, &built.positions);
+            assert_eq!(volume.map(|v| (6.0 * v).round()), Some(1.0), "{of}");
+            assert!(
+                built
+                    .positions
+                    .contains(&DVec3::ONE.with_y(0.0).with_x(0.0)),
+                "{of}"
+            );
+        }
+    }
+}
