@@ -11,11 +11,10 @@ import { say } from "../words.js";
 
 /** Most points of a line: as many as there are pixels to tell them apart. */
 const MOST = 600;
-/** Ticks with a number keep this much of the width between them, on a desk and on a phone. */
-const APART = { wide: 0.06, narrow: 0.13 };
+/** Ticks with a number keep this much of the width between them, with little, some and much room. */
+const APART = [0.22, 0.13, 0.06];
 /** The first and the last have a word, which takes more. */
 const WORD = 1.6;
-const narrow = globalThis.matchMedia?.("(max-width: 699px)");
 const [WIDTH, TOP, BOTTOM] = [1000, 6, 82];
 
 /** What a curve shows of a step. @param {Point} point */
@@ -28,22 +27,28 @@ export function thinned(points) {
 }
 
 /**
- * The steps that have a number below the curve.
+ * The steps that have a number below the curve, and how much room that takes: 0, 1, 2.
  * @param {readonly Point[]} points @param {number} total
- * @returns {Point[]}
+ * @returns {[Point, number][]}
  */
 export function labelled(points, total) {
   const last = points.at(-1);
   if (!last || points.length < 2) return [];
-  const apart = narrow?.matches ? APART.narrow : APART.wide;
-  /** @type {Point[]} */
-  const chosen = [points[0]];
-  for (const point of points) {
-    const far = (point.sum - (chosen.at(-1)?.sum ?? 0)) / total;
-    const isFar = far >= (chosen.length === 1 ? WORD * 0.75 : 1) * apart;
-    if (isFar && (total - point.sum) / total >= WORD * apart) chosen.push(point);
+  /** @type {[Point, number][]} */
+  const chosen = [
+    [points[0], 0],
+    [last, 0],
+  ];
+  for (const [room, apart] of APART.entries()) {
+    for (const point of points) {
+      const isFree = chosen.every(([other], n) => {
+        const far = Math.abs(point.sum - other.sum) / total;
+        return far >= apart * [WORD * 0.75, WORD, 1][Math.min(n, 2)];
+      });
+      if (isFree) chosen.push([point, room]);
+    }
   }
-  return [...chosen, last];
+  return chosen.sort(([a], [b]) => a.sum - b.sum);
 }
 
 /** The end of the energy axis. @param {readonly Point[]} points */
@@ -127,8 +132,8 @@ export function curve(page) {
         ${ticks.map((point) => svg`<line class="tick" x1=${at(point)[0]} x2=${at(point)[0]} y1=${BOTTOM + 1} y2=${BOTTOM + 5} />`)}
       </svg>
       <i class="head" .style=${`--x:${(x / WIDTH) * 100}%;--y:${y}%`}></i>
-      ${labelled(points, total).map((point, n, all) =>
-        label(point, total, n === 0 ? "first" : n === all.length - 1 ? "last" : ""),
+      ${labelled(points, total).map(([point, room], n, all) =>
+        label(point, total, n === 0 ? "first" : n === all.length - 1 ? "last" : `room-${room}`),
       )}
     </div>
   </div>`;

@@ -136,8 +136,8 @@ function energy(page) {
   const shown = page.shown();
   const label =
     !shown || shown.step === 0
-      ? say("energy-of", { symbol: symbol(s) })
-      : say("energy-at", { symbol: symbol(s), step: shown.step });
+      ? symbol(s)
+      : say("energy-was", { symbol: symbol(s), energy: formatBeside(first, first) });
   return html`<div class="energy"><b>${formatBeside(shown?.energy, first)}</b><span>${label}</span></div>`;
 }
 
