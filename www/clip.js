@@ -36,19 +36,12 @@ export const secondsOf = (steps) => (steps < 6 ? 6 : steps > 60 ? 10 : 8);
 
 /** @param {Float32Array} p  root mean square distance from the middle */
 function sizeOf(p) {
-  let variance = 0;
-  for (let axis = 0; axis < 3; axis += 1) {
-    let [sum, squares] = [0, 0];
-    // Not far from the middle, whose square would drown the rest.
-    const near = p[axis];
-    for (let i = axis; i < p.length; i += 3) {
-      sum += p[i] - near;
-      squares += (p[i] - near) ** 2;
-    }
-    const count = p.length / 3;
-    variance += squares / count - (sum / count) ** 2;
-  }
-  return Math.sqrt(variance) || 1;
+  const count = p.length / 3;
+  const middle = [0, 0, 0];
+  for (let i = 0; i < p.length; i += 1) middle[i % 3] += p[i] / count;
+  let sum = 0;
+  for (let i = 0; i < p.length; i += 1) sum += (p[i] - middle[i % 3]) ** 2;
+  return Math.sqrt(sum / count) || 1;
 }
 
 /** Unit normal and first side of a triangle, before and after. */

@@ -95,6 +95,28 @@ test("there is one Play, the space bar plays, and nothing lies over the surface"
   await close();
 });
 
+test("an option over decades has a slider, which the field follows", async () => {
+  const { page, close } = await site.open("sample=bumpy-sphere&goal=smooth", desk);
+  await openTab(page, "Flow");
+  const slider = page.getByRole("slider", { name: /^Smooth away detail/ });
+  const field = page.getByRole("spinbutton", { name: /^Smooth away detail/ });
+  assert.equal(await field.inputValue(), "4");
+  // Four mean edge lengths lie in the middle of the decades about them, as far as these are allowed.
+  const [least, most] = await slider.evaluate((one) => {
+    const { min, max } = /** @type {HTMLInputElement} */ (one);
+    return [10 ** Number(min), 10 ** Number(max)];
+  });
+  assert.ok(Math.abs(least - 0.1) < 1e-9 && Math.abs(most - 400) < 1e-6, `${least} to ${most}`);
+  await slider.fill("2");
+  assert.equal(await field.inputValue(), "100");
+  await page.waitForFunction(() => /detail=100/.test(location.hash));
+  await field.fill("40");
+  await field.press("Enter");
+  await page.waitForFunction(() => /detail=40/.test(location.hash));
+  assert.ok(Math.abs(Number(await slider.inputValue()) - 1.6) < 0.006);
+  await close();
+});
+
 for (const [width, height] of [
   [844, 390],
   [667, 375],

@@ -62,6 +62,32 @@ export function topOf(points) {
 const heightOf = (energy, most) =>
   BOTTOM - ((BOTTOM - TOP) * Math.min(Math.max(energy, 0), most)) / most;
 
+/** Joined by straight lines. @param {readonly (readonly number[])[]} list */
+export const pathOf = (list) =>
+  `M${list.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
+
+/** How a place on the curve is chosen by a pointer. @param {Page} page */
+export function scrubbing(page) {
+  /** @param {PointerEvent} event @param {boolean} isOn */
+  function to({ clientX, currentTarget }, isOn) {
+    const { left, width } = /** @type {Element} */ (currentTarget).getBoundingClientRect();
+    const share = Math.min(Math.max((clientX - left) / width, 0), 1);
+    if (isOn) page.run.scrub(share * page.lead.clip.total);
+  }
+  return {
+    /** @param {PointerEvent} event */
+    press(event) {
+      if (page.lead.clip.points.length < 2) return;
+      /** @type {Element} */ (event.currentTarget).setPointerCapture(event.pointerId);
+      to(event, true);
+    },
+    /** @param {PointerEvent} event */
+    move: (event) =>
+      to(event, /** @type {Element} */ (event.currentTarget).hasPointerCapture(event.pointerId)),
+    release: () => page.run.scrubbed(),
+  };
+}
+
 /** @param {Page} page */
 export function curve(page) {
   page.player.tick.value;
@@ -73,8 +99,6 @@ export function curve(page) {
   const some = thinned(points);
   /** @param {Point} point */
   const at = (point) => [(point.sum / total) * WIDTH, heightOf(energyOf(point), most)];
-  const line = (/** @type {number[][]} */ list) =>
-    `M${list.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
   if (points.length === 0 || (points.length < 2 && !s.running)) {
     return html`<div class="curve"><p class="empty">${say("curve-empty")}</p></div>`;
   }
@@ -85,21 +109,11 @@ export function curve(page) {
   const y = b ? at(a)[1] + share * (at(b)[1] - at(a)[1]) : a ? at(a)[1] : BOTTOM;
   const played = [...whole.filter(([left]) => left < x), [x, y]];
   const under = (/** @type {number[][]} */ list) =>
-    `${line(list)}L${list[list.length - 1][0].toFixed(1)} ${BOTTOM}L0 ${BOTTOM}Z`;
+    `${pathOf(list)}L${list[list.length - 1][0].toFixed(1)} ${BOTTOM}L0 ${BOTTOM}Z`;
   const { step, pass } = page.shown() ?? { step: 0, pass: undefined };
   const ticks = points.length > 200 ? [] : points;
 
-  /** @param {PointerEvent} event */
-  function drag(event) {
-    const box = /** @type {Element} */ (event.currentTarget).getBoundingClientRect();
-    page.run.scrub(Math.min(Math.max((event.clientX - box.left) / box.width, 0), 1) * total);
-  }
-  /** @param {PointerEvent} event */
-  function press(event) {
-    if (points.length < 2) return;
-    /** @type {Element} */ (event.currentTarget).setPointerCapture(event.pointerId);
-    drag(event);
-  }
+  const scrub = scrubbing(page);
   /** @param {KeyboardEvent} event */
   function key(event) {
     /** @type {Record<string, () => unknown>} */
@@ -119,15 +133,11 @@ export function curve(page) {
     <div class="plot" role="slider" tabindex="0" aria-label=${say("history")} aria-valuemin=${points[0]?.state.step ?? 0}
       aria-valuemax=${points.at(-1)?.state.step ?? 0} aria-valuenow=${step}
       aria-valuetext=${pass ? remeshed(step, pass) : say("clause-step", { step })}
-      @pointerdown=${press} @keydown=${key}
-      @pointermove=${(/** @type {PointerEvent} */ event) =>
-        /** @type {Element} */ (event.currentTarget).hasPointerCapture(event.pointerId) &&
-        drag(event)}
-      @lostpointercapture=${() => page.run.scrubbed()}>
+      @keydown=${key} @pointerdown=${scrub.press} @pointermove=${scrub.move} @lostpointercapture=${scrub.release}>
       <svg viewBox="0 0 ${WIDTH} 100" preserveAspectRatio="none" aria-hidden="true">
         <line class="base" x1="0" x2=${WIDTH} y1=${BOTTOM} y2=${BOTTOM} />
         <path class="computed area" d=${under(whole)} /><path class="played area" d=${under(played)} />
-        <path class="computed" d=${line(whole)} /><path class="played" d=${line(played)} />
+        <path class="computed" d=${pathOf(whole)} /><path class="played" d=${pathOf(played)} />
         ${branches(page)}${passes(points, total, most)}
         ${ticks.map((point) => svg`<line class="tick" x1=${at(point)[0]} x2=${at(point)[0]} y1=${BOTTOM + 1} y2=${BOTTOM + 5} />`)}
       </svg>

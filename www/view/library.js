@@ -1,6 +1,7 @@
 // @ts-check
 // The library: samples and figures of the papers together, by what happens to them.
 
+import "../style/library.css";
 import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
 import { figures, samples } from "../generated/library.js";
