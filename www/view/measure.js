@@ -116,7 +116,11 @@ function readings(page) {
 }
 
 /** Of what is shown: it stays while the display moves from one true step to the next. */
-let binned = { of: new Float32Array(), range: /** @type {readonly number[]} */ ([]), shares: [0] };
+let binned = {
+  of: /** @type {Float32Array} */ (new Float32Array()),
+  range: /** @type {readonly number[]} */ ([]),
+  shares: [0],
+};
 
 /** @param {Page} page */
 function spread(page) {

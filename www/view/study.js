@@ -69,17 +69,9 @@ function end() {
 
 /** A solver that the flow on screen knows nothing of. @param {(reason: string) => void} onCrashed */
 export function solverAside(onCrashed) {
-  const nothingTold = () => {};
-  return createSolver({
-    ...{
-      onReady: nothingTold,
-      onFrame: nothingTold,
-      onStopped: nothingTold,
-      onProgress: nothingTold,
-      onSilent: nothingTold,
-    },
-    onCrashed,
-  });
+  const deaf = () => {};
+  const [onReady, onFrame, onStopped, onProgress, onSilent] = Array(5).fill(deaf);
+  return createSolver({ onReady, onFrame, onStopped, onProgress, onSilent, onCrashed });
 }
 
 /** @param {Page} page */
