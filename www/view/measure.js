@@ -2,6 +2,7 @@
 // The tab of numbers: readings, what the figure of a paper says, the histogram, and what is
 // looked at more closely.
 
+import "../style/measure.css";
 import { html, nothing, svg } from "lit-html";
 import { figureTitle, sayFigure } from "../library.js";
 import { formatBeside, formatNumber, formatShort, formatSigned } from "../number.js";
