@@ -117,6 +117,24 @@ test("an option over decades has a slider, which the field follows", async () =>
   await close();
 });
 
+test("a picture of the library shows what becomes of it, but not where motion is reduced", async () => {
+  for (const reducedMotion of /** @type {const} */ (["no-preference", "reduce"])) {
+    const { page, close } = await site.open("sample=bumpy-sphere", { ...desk, reducedMotion });
+    await page.keyboard.press("/");
+    const [before, after] = await page.locator(".entry .two").first().locator("img").all();
+    const place = async () => [await before.boundingBox(), await after.boundingBox()];
+    const [left, right] = await place();
+    assert.ok(left && right && left.x + left.width <= right.x + 1, "beside each other");
+    await before.hover();
+    const [over, under] = await place();
+    const moves = reducedMotion === "no-preference";
+    assert.equal(over?.x === under?.x, moves, reducedMotion);
+    const running = await after.evaluate((picture) => picture.getAnimations().length);
+    assert.equal(running, moves ? 1 : 0, reducedMotion);
+    await close();
+  }
+});
+
 for (const [width, height] of [
   [844, 390],
   [667, 375],
