@@ -265,6 +265,7 @@ export function createStage(page, root, { samples, effects }) {
       const title = say("surface-pane", { name: letter(n), what });
       if (n > 0 && pane.canvas.ariaLabel !== title) pane.canvas.ariaLabel = title;
       pane.draw(s, one, style);
+      if (pane.lacks) draw();
     });
     const look = (s.preview ?? s.extras)?.look ?? null;
     const isTrue = page.player.motion.peek() === "still";
