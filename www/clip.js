@@ -44,6 +44,34 @@ function sizeOf(p) {
   return Math.sqrt(sum / count) || 1;
 }
 
+/** Unit normal and first side of a triangle, before and after. */
+const before = new Float64Array(6);
+const after = new Float64Array(6);
+
+/**
+ * Nothing is made anew here: it is done for thousands of triangles at each step.
+ * @param {Float32Array} p @param {number} i @param {number} j @param {number} k  its corners
+ * @param {Float64Array} out  unit normal, and first side
+ */
+function measure(p, i, j, k, out) {
+  const ux = p[j] - p[i];
+  const uy = p[j + 1] - p[i + 1];
+  const uz = p[j + 2] - p[i + 2];
+  const vx = p[k] - p[i];
+  const vy = p[k + 1] - p[i + 1];
+  const vz = p[k + 2] - p[i + 2];
+  const x = uy * vz - uz * vy;
+  const y = uz * vx - ux * vz;
+  const z = ux * vy - uy * vx;
+  const length = Math.sqrt(x * x + y * y + z * z) || 1;
+  out[0] = x / length;
+  out[1] = y / length;
+  out[2] = z / length;
+  out[3] = ux;
+  out[4] = uy;
+  out[5] = uz;
+}
+
 /**
  * The visible change between two surfaces of the same triangles: the root mean square of the
  * displacement along the normal over the size, and half of that of the turn of the unit normals.
@@ -56,27 +84,24 @@ export function changeOf(a, b, triangles, size) {
   const stride = 3 * Math.max(1, Math.floor(triangles.length / 3 / SAMPLED));
   let [count, moved, turned] = [0, 0, 0];
   let isSharp = false;
-  /** @param {Float32Array} p @param {number} i @param {number} j @param {number} k */
-  const normal = (p, i, j, k) => {
-    const [ux, uy, uz] = [p[j] - p[i], p[j + 1] - p[i + 1], p[j + 2] - p[i + 2]];
-    const [vx, vy, vz] = [p[k] - p[i], p[k + 1] - p[i + 1], p[k + 2] - p[i + 2]];
-    const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const length = Math.sqrt(x * x + y * y + z * z) || 1;
-    return [x / length, y / length, z / length, ux, uy, uz];
-  };
+  const [m, n] = [before, after];
   for (let t = 0; t + 2 < triangles.length; t += stride) {
-    const [i, j, k] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const m = normal(a, i, j, k);
-    const n = normal(b, i, j, k);
+    const i = 3 * triangles[t];
+    const j = 3 * triangles[t + 1];
+    const k = 3 * triangles[t + 2];
+    measure(a, i, j, k, m);
+    measure(b, i, j, k, n);
     let along = 0;
+    let [dot, mm, nn] = [0, 0, 0];
     for (let c = 0; c < 3; c += 1) {
       along += (b[i + c] - a[i + c] + b[j + c] - a[j + c] + b[k + c] - a[k + c]) * m[c];
       turned += (n[c] - m[c]) ** 2;
+      dot += m[c + 3] * n[c + 3];
+      mm += m[c + 3] ** 2;
+      nn += n[c + 3] ** 2;
     }
     moved += (along / 3) ** 2;
-    const dot = m[3] * n[3] + m[4] * n[4] + m[5] * n[5];
-    const lengths = Math.hypot(m[3], m[4], m[5]) * Math.hypot(n[3], n[4], n[5]);
-    if (dot < COS_40 * lengths) isSharp = true;
+    if (dot < COS_40 * Math.sqrt(mm * nn)) isSharp = true;
     count += 1;
   }
   if (count === 0) return { change: 0, isSharp: false };

@@ -2,9 +2,10 @@
 // Every action by name, with its keys. What a key does is said here and nowhere else.
 
 /** @import { Page } from "./actions.js" */
-/** @import { Tab } from "./store.js" */
 
 import { colours } from "./options.js";
+import { speeds } from "./player.js";
+import { tabs, tools } from "./store.js";
 import { say } from "./words.js";
 
 /** Keys that are not called as what they write. */
@@ -17,7 +18,6 @@ export const keyName = (key) => (named.includes(key) ? say(`key-${key}`) : key.t
 
 /** @param {Page} page @param {number} by */
 function faster(page, by) {
-  const speeds = [0.25, 0.5, 1, 2, 4];
   const at = speeds.indexOf(page.player.speed.peek()) + by;
   page.run.speed(speeds[Math.min(Math.max(at, 0), speeds.length - 1)]);
 }
@@ -30,9 +30,6 @@ function nextColour(page) {
 
 /** @param {Page} page */
 const toEnd = (page) => page.run.seek(page.lead.clip.last?.state.step ?? 0);
-
-/** @param {Tab} tab @returns {(page: Page) => unknown} */
-const open = (tab) => (page) => page.turn(tab);
 
 /** @param {keyof import("./store.js").View} name @returns {(page: Page) => unknown} */
 const flip = (name) => (page) => page.run.view({ [name]: !page.get().view[name] });
@@ -50,11 +47,11 @@ export const commands = [
   { id: "plot", keys: ["e"], act: (page) => page.patch({ dialog: "plot" }) },
   { id: "library", keys: ["/"], act: (page) => page.patch({ dialog: "library" }) },
   { id: "open", keys: ["o"], act: (page) => page.chooseFile() },
-  { id: "surface", keys: ["1"], act: open("surface") },
-  { id: "flow", keys: ["2"], act: open("flow") },
-  { id: "measure", keys: ["3"], act: open("measure") },
-  { id: "compare", keys: ["4"], act: open("compare") },
-  { id: "share", keys: ["5"], act: open("share") },
+  ...tabs.map((id, n) => ({
+    id,
+    keys: [`${n + 1}`],
+    act: (/** @type {Page} */ page) => page.turn(id),
+  })),
   { id: "colour", keys: ["c"], act: nextColour },
   { id: "wireframe", keys: ["m"], act: flip("wireframe") },
   { id: "fit", keys: ["v"], act: (page) => page.stage.fit() },
@@ -63,11 +60,7 @@ export const commands = [
   { id: "undo", keys: ["ctrl-z"], act: (page) => page.edit.undo() },
   { id: "commands", keys: ["ctrl-k"], act: (page) => page.patch({ dialog: "commands" }) },
   { id: "help", keys: ["?"], act: (page) => page.patch({ dialog: "help" }) },
-  { id: "paint", keys: [], act: (page) => page.tool("paint") },
-  { id: "fill", keys: [], act: (page) => page.tool("fill") },
-  { id: "subdivide", keys: [], act: (page) => page.tool("subdivide") },
-  { id: "remesh", keys: [], act: (page) => page.tool("remesh") },
-  { id: "invert", keys: [], act: (page) => page.tool("invert") },
+  ...tools.map((id) => ({ id, keys: [], act: (/** @type {Page} */ page) => page.tool(id) })),
   { id: "repair", keys: [], act: (page) => page.edit.repair() },
   { id: "regularise", keys: [], act: (page) => page.edit.regularise() },
   { id: "adopt", keys: [], act: (page) => page.edit.adopt() },

@@ -14,6 +14,8 @@ const HEAD_START = { steps: 3, milliseconds: 300 };
 const EASE = 0.2;
 /** Steps a second where motion is reduced. */
 const CALM_RATE = 2;
+/** Clip seconds a second. */
+export const speeds = [0.25, 0.5, 1, 2, 4];
 /** Seconds between two pictures that count: a window in the background plays on from where it was. */
 const LONGEST = 0.25;
 

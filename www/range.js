@@ -14,18 +14,13 @@ export function roundedUp(value) {
 }
 
 /**
- * From the 2nd to the 98th percentile of the values, rounded outwards; about 0 where they are
- * signed, from 0 where they are not.
- * @param {Pick<Field, "values" | "signed">} field
+ * The robust range of a field rounded outwards: about 0 where values are signed, else from 0.
+ * @param {Pick<Field, "high" | "signed">} field
  * @returns {[number, number]}
  */
-export function rangeOf({ values, signed }) {
-  const sorted = values.filter(Number.isFinite).sort();
-  const at = (/** @type {number} */ share) => sorted[Math.round(share * (sorted.length - 1))] ?? 0;
-  const [low, high] = [at(0.02), at(0.98)];
-  const most = signed ? Math.max(Math.abs(low), Math.abs(high)) : high;
-  const end = most > 0 && Number.isFinite(most) ? roundedUp(most) : 1;
-  return signed ? [-end, end] : [0, end];
+export function rangeOf({ high, signed }) {
+  const end = high > 0 ? roundedUp(high) : 1;
+  return [signed ? -end : 0, end];
 }
 
 /**

@@ -10,8 +10,10 @@ import { defaults, plainArrangement } from "./options.js";
 /** @import { Options } from "./options.js" */
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'failed'} Phase */
-/** @typedef {"surface" | "flow" | "measure" | "compare" | "share"} Tab */
-/** @typedef {"paint" | "fill" | "subdivide" | "remesh" | "invert" | "pick" | "edge"} Mode */
+export const tabs = /** @type {const} */ (["surface", "flow", "measure", "compare", "share"]);
+/** @typedef {typeof tabs[number]} Tab */
+export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remesh", "invert"]);
+/** @typedef {typeof tools[number] | "pick" | "edge"} Mode */
 
 /** What a surface is coloured by.
  * @typedef {import("./generated/types.js").FieldName | "none"} FieldName

@@ -315,11 +315,9 @@ class SurfaceView {
    * @param {{ clientX: number, clientY: number }} event
    * @returns {number[] | null} the point of the surface there, and the size of a CSS pixel
    */
-  pick({ clientX, clientY }) {
-    const box = this.#canvas.getBoundingClientRect();
-    const scale = this.#size.width / Math.max(this.#canvas.clientWidth, 1);
-    const hit = this.#viewer?.pick((clientX - box.left) * scale, (clientY - box.top) * scale);
-    return hit ? [hit[0], hit[1], hit[2], hit[3] * scale] : null;
+  pick(event) {
+    const hit = this.#viewer?.pick(...this.#pixelOf(event));
+    return hit ? [hit[0], hit[1], hit[2], hit[3] * this.#scale] : null;
   }
 
   /**
@@ -327,11 +325,15 @@ class SurfaceView {
    * @param {Uint32Array} ends  two vertices an edge
    * @returns {number | null} which of the edges is seen next to the pointer
    */
-  nearestEdge({ clientX, clientY }, ends) {
-    const box = this.#canvas.getBoundingClientRect();
-    const scale = this.#size.width / Math.max(this.#canvas.clientWidth, 1);
-    const [x, y] = [(clientX - box.left) * scale, (clientY - box.top) * scale];
-    return this.#viewer?.nearestEdge(ends, x, y, CLICK_REACH * scale) ?? null;
+  nearestEdge(event, ends) {
+    const reach = CLICK_REACH * this.#scale;
+    return this.#viewer?.nearestEdge(ends, ...this.#pixelOf(event), reach) ?? null;
+  }
+
+  /** @param {{ clientX: number, clientY: number }} event @returns {[number, number]} */
+  #pixelOf({ clientX, clientY }) {
+    const { left, top } = this.#canvas.getBoundingClientRect();
+    return [(clientX - left) * this.#scale, (clientY - top) * this.#scale];
   }
 
   /**
@@ -421,25 +423,6 @@ class SurfaceView {
   /** Whether the canvas is another one than it was opened on. */
   get isMoved() {
     return this.#drawnOn !== this.#canvas;
-  }
-
-  /** What is drawn beyond surface and lines: "none", "shadow", or "occlusion" as well. */
-  get effects() {
-    return this.#viewer?.effects() ?? "none";
-  }
-
-  /** What the graphics adapter calls itself, often nothing. */
-  get adapter() {
-    return this.#viewer?.adapter() ?? "";
-  }
-
-  /** What assistive technology reads for the picture. */
-  get description() {
-    return this.#canvas.getAttribute("aria-label") ?? "";
-  }
-
-  set description(text) {
-    this.#canvas.setAttribute("aria-label", text);
   }
 
   /** Lets go of canvas, listeners and graphics memory. */
@@ -544,8 +527,7 @@ class SurfaceView {
 
   #putStyle() {
     const { lineWidth = 1 } = this.#style;
-    const pixels = this.#size.width / Math.max(this.#canvas.clientWidth, 1);
-    this.#viewer?.setStyle({ ...this.#style, lineWidth: lineWidth * pixels });
+    this.#viewer?.setStyle({ ...this.#style, lineWidth: lineWidth * this.#scale });
   }
 
   /** @param {Drawable} mesh */

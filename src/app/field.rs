@@ -136,6 +136,27 @@ fn robust_range(values: &[f64], signed: bool) -> (f64, f64) {
     if high > low {
         (low, high)
     } else {
-        (low, low + low.abs().max(1.0) * 1e-6)
+        (low, low + 1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn outliers_are_left_out_of_the_range_and_it_is_never_empty() {
+        let mut values: Vec<f64> = (0..1000).map(|n| f64::from(n) / 999.0 - 0.2).collect();
+        values[999] = 500.0;
+        values[3] = f64::NAN;
+        let (low, high) = robust_range(&values, false);
+        assert!(
+            (low + 0.18).abs() < 2e-3 && (high - 0.78).abs() < 2e-3,
+            "{low} {high}"
+        );
+        assert_eq!(robust_range(&values, true), (-high, high));
+        assert_eq!(robust_range(&[0.0; 4], true), (-1.0, 1.0));
+        assert_eq!(robust_range(&[0.0; 4], false), (0.0, 1.0));
+        assert_eq!(robust_range(&[f64::NAN], false), (0.0, 1.0));
     }
 }

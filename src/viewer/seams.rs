@@ -11,9 +11,12 @@
 /// appended after the first `n_vertices`, the vertex it copies. Empty for a consistently
 /// wound mesh, which is left untouched.
 ///
-/// Sorts the edges once: `O(n log n)`. Non-manifold edges count as a seam when two of
-/// their triangles run along them in the same direction.
+/// `O(n)` where there is no seam; else the edges are sorted. Non-manifold edges count as a seam
+/// when two of their triangles run along them in the same direction.
 pub fn split_seams(n_vertices: usize, triangles: &mut [u32]) -> Vec<u32> {
+    if is_wound_consistently(n_vertices, triangles) {
+        return Vec::new();
+    }
     let mut edges: Vec<(u32, u32, u32)> = (0..triangles.len())
         .map(|corner| {
             let (a, b) = (triangles[corner], triangles[next(corner)]);
@@ -32,10 +35,6 @@ pub fn split_seams(n_vertices: usize, triangles: &mut [u32]) -> Vec<u32> {
             on_seam[edge[0].1 as usize] = true;
         }
     }
-    if !on_seam.contains(&true) {
-        return Vec::new();
-    }
-
     // Corners of one vertex belong to one fan when a chain of consistent edges joins them.
     let mut fans = Fans((0..triangles.len() as u32).collect());
     for edge in shared() {
@@ -69,6 +68,33 @@ pub fn split_seams(n_vertices: usize, triangles: &mut [u32]) -> Vec<u32> {
         triangles[corner] = *home;
     }
     copies
+}
+
+/// Whether no two triangles run along an edge in the same direction: among the ends of the sides
+/// that leave a vertex there are no two alike.
+fn is_wound_consistently(n_vertices: usize, triangles: &[u32]) -> bool {
+    // Where the ends of each vertex begin, and after the last; then filled from behind.
+    let mut starts = vec![0u32; n_vertices + 1];
+    for &vertex in triangles {
+        starts[vertex as usize] += 1;
+    }
+    let mut sum = 0;
+    for start in &mut starts {
+        sum += *start;
+        *start = sum;
+    }
+    let mut ends = vec![0u32; triangles.len()];
+    for (corner, &vertex) in triangles.iter().enumerate() {
+        let place = &mut starts[vertex as usize];
+        *place -= 1;
+        ends[*place as usize] = triangles[next(corner)];
+    }
+    // Vertex from which a side was last seen to lead here.
+    let mut from = vec![u32::MAX; n_vertices];
+    (0..).zip(starts.windows(2)).all(|(vertex, span)| {
+        let mut ends = ends[span[0] as usize..span[1] as usize].iter();
+        ends.all(|&end| std::mem::replace(&mut from[end as usize], vertex) != vertex)
+    })
 }
 
 /// The corner after this one in its triangle.

@@ -40,7 +40,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     await look("tool");
     await page.keyboard.press("Escape");
     await button(page, "Why?").click();
-    await page.getByRole("region", { name: "Why does it stand so?" }).waitFor();
+    await page.getByRole("region", { name: "Why did it stop?" }).waitFor();
     await look("why");
     await page.keyboard.press("Escape");
     for (const key of ["/", "?", "e", "Control+k"]) {

@@ -162,7 +162,7 @@ test("Why? says what is the matter and offers what helps", async () => {
   await button(page, "Step").click();
   await until(page, /^(Paused|Stalled|Failed|Converged)/);
   await button(page, "Why?").click();
-  const card = page.getByRole("region", { name: "Why does it stand so?" });
+  const card = page.getByRole("region", { name: "Why did it stop?" });
   await card.waitFor();
   assert.ok(((await card.locator("#why-sentence").textContent()) ?? "").length > 20);
   assert.ok((await card.getByRole("button").count()) >= 2);

@@ -1,8 +1,9 @@
 // @ts-check
-// `npm run bench`: the Rust benchmarks, then the command line's tables.
+// `npm run bench`: the Rust benchmarks, the command line's tables, and tasks of the page.
 
 import { prerequisites } from "./prerequisites.js";
 import { run, runNode, say, script } from "./process.js";
+import { buildSite } from "./site.js";
 import { buildWasm } from "./wasm.js";
 
 await script(() => {
@@ -12,4 +13,7 @@ await script(() => {
   buildWasm();
   say("A step of the circle-angle flow in wasm");
   runNode(["www/cli.js", "bench", "--table", "circle", ...process.argv.slice(2)]);
+  say("How long the page does not answer");
+  buildSite();
+  runNode(["tests/web/responsiveness.js"]);
 });

@@ -5,6 +5,7 @@ import { html, nothing } from "lit-html";
 import { figures } from "../generated/library.js";
 import { remember } from "../language.js";
 import { isOver } from "../session.js";
+import { statusText } from "../status.js";
 import { say } from "../words.js";
 import { button, close, icon } from "./parts.js";
 import { pictureOf } from "./pictures.js";
@@ -35,7 +36,7 @@ function welcome(page) {
       (
         id,
       ) => html`<button type="button" class="starter" @click=${leave(() => page.open.sample(id))}>
-        <span class="thumb">${pictureOf(id)}</span>${say(`starter-${id}`)}<small>${say(`starter-${id}.small`)}</small></button>`,
+        <span class="thumb">${pictureOf(`${id}-after`)}</span>${say(`starter-${id}`)}<small>${say(`starter-${id}.small`)}</small></button>`,
     )}<button type="button" class="starter" @click=${leave(() => page.chooseFile())}>
         <span class="thumb">${icon("open")}</span>${say("starter-own")}<small>${say("starter-own.small")}</small></button>
     </div></section>`;
@@ -48,9 +49,13 @@ function onwards(page) {
   return [
     next
       ? button(say("next-figure"), () => page.open.figure(next), { kind: "small primary" })
-      : button(say("starter-vesicle"), () => page.open.sample("vesicle"), {
-          kind: "small primary",
-        }),
+      : button(
+          say("next-sample", { name: say("starter-vesicle") }),
+          () => page.open.sample("vesicle"),
+          {
+            kind: "small primary",
+          },
+        ),
     button(
       say("what-measures"),
       () => page.patch({ tab: "measure", section: "equation", why: null }),
@@ -66,7 +71,10 @@ function why(page) {
   const { diagnosis } = shown;
   const arrived =
     reading && isOver(reading.status) && reading.message
-      ? say(reading.message)
+      ? say("why-ended", {
+          ended: statusText(page.state.value, reading, false),
+          reason: reading.message,
+        })
       : say("nothing-wrong");
   const elements = diagnosis
     ? diagnosis.vertices.length + diagnosis.faces.length + diagnosis.edges.length

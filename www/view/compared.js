@@ -4,6 +4,7 @@
 import { html, nothing, svg } from "lit-html";
 import { formatNumber } from "../number.js";
 import { say } from "../words.js";
+import { pathOf, scrubbing } from "./curve.js";
 
 /** @import { Page } from "../actions.js" */
 
@@ -43,24 +44,13 @@ export function comparedCurve(page) {
     lockstep === "progress" || !here
       ? lead.u / (lead.clip.total || 1)
       : (here[lockstep] + share * (next[lockstep] - here[lockstep])) / furthest;
-  /** @param {PointerEvent} event */
-  function drag(event) {
-    const box = /** @type {Element} */ (event.currentTarget).getBoundingClientRect();
-    page.run.scrub(
-      Math.min(Math.max((event.clientX - box.left) / box.width, 0), 1) * lead.clip.total,
-    );
-  }
+  const scrub = scrubbing(page);
   return html`<div class="curve compared"><span class="most" aria-hidden="true">${formatNumber(100 * most, 3)} %</span><span class="least" aria-hidden="true">${formatNumber(100 * foot, 2)} %</span>
     <div class="plot" role="slider" tabindex="0" aria-label=${say("history")} aria-valuemin="0" aria-valuemax="100" aria-valuenow=${Math.round(100 * head)}
-      @pointerdown=${(/** @type {PointerEvent} */ event) => {
-        /** @type {Element} */ (event.currentTarget).setPointerCapture(event.pointerId);
-        drag(event);
-      }}
-      @pointermove=${(/** @type {PointerEvent} */ event) => /** @type {Element} */ (event.currentTarget).hasPointerCapture(event.pointerId) && drag(event)}
-      @lostpointercapture=${() => page.run.scrubbed()}>
+      @pointerdown=${scrub.press} @pointermove=${scrub.move} @lostpointercapture=${scrub.release}>
     <svg viewBox="0 0 ${WIDTH} 100" preserveAspectRatio="none" aria-hidden="true">
       <line class="base" x1="0" x2=${WIDTH} y1=${BOTTOM} y2=${BOTTOM} />
-      ${shares.map((points, n) => (points.length < 2 ? nothing : svg`<path class="pane-${n}" d="M${points.map(([x, value]) => `${x.toFixed(1)} ${y(value).toFixed(1)}`).join("L")}" />`))}
+      ${shares.map((points, n) => (points.length < 2 ? nothing : svg`<path class="pane-${n}" d=${pathOf(points.map(([x, value]) => [x, y(value)]))} />`))}
     </svg><i class="head line" .style=${`--x:${100 * head}%;--y:0%`}></i>
     <span class="step first" aria-hidden="true" .style=${"--x:0%"}>${say("start")}</span>
     <span class="step last" aria-hidden="true" .style=${"--x:100%"}>${say(`axis-${lockstep}`)}</span></div></div>`;

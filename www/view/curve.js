@@ -11,11 +11,10 @@ import { say } from "../words.js";
 
 /** Most points of a line: as many as there are pixels to tell them apart. */
 const MOST = 600;
-/** Ticks with a number keep this much of the width between them, on a desk and on a phone. */
-const APART = { wide: 0.06, narrow: 0.13 };
+/** Ticks with a number keep this much of the width between them, with little, some and much room. */
+const APART = [0.22, 0.13, 0.06];
 /** The first and the last have a word, which takes more. */
 const WORD = 1.6;
-const narrow = globalThis.matchMedia?.("(max-width: 699px)");
 const [WIDTH, TOP, BOTTOM] = [1000, 6, 82];
 
 /** What a curve shows of a step. @param {Point} point */
@@ -28,22 +27,28 @@ export function thinned(points) {
 }
 
 /**
- * The steps that have a number below the curve.
+ * The steps that have a number below the curve, and how much room that takes: 0, 1, 2.
  * @param {readonly Point[]} points @param {number} total
- * @returns {Point[]}
+ * @returns {[Point, number][]}
  */
 export function labelled(points, total) {
   const last = points.at(-1);
   if (!last || points.length < 2) return [];
-  const apart = narrow?.matches ? APART.narrow : APART.wide;
-  /** @type {Point[]} */
-  const chosen = [points[0]];
-  for (const point of points) {
-    const far = (point.sum - (chosen.at(-1)?.sum ?? 0)) / total;
-    const isFar = far >= (chosen.length === 1 ? WORD * 0.75 : 1) * apart;
-    if (isFar && (total - point.sum) / total >= WORD * apart) chosen.push(point);
+  /** @type {[Point, number][]} */
+  const chosen = [
+    [points[0], 0],
+    [last, 0],
+  ];
+  for (const [room, apart] of APART.entries()) {
+    for (const point of points) {
+      const isFree = chosen.every(([other], n) => {
+        const far = Math.abs(point.sum - other.sum) / total;
+        return far >= apart * [WORD * 0.75, WORD, 1][Math.min(n, 2)];
+      });
+      if (isFree) chosen.push([point, room]);
+    }
   }
-  return [...chosen, last];
+  return chosen.sort(([a], [b]) => a.sum - b.sum);
 }
 
 /** The end of the energy axis. @param {readonly Point[]} points */
@@ -57,6 +62,32 @@ export function topOf(points) {
 const heightOf = (energy, most) =>
   BOTTOM - ((BOTTOM - TOP) * Math.min(Math.max(energy, 0), most)) / most;
 
+/** Joined by straight lines. @param {readonly (readonly number[])[]} list */
+export const pathOf = (list) =>
+  `M${list.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
+
+/** How a place on the curve is chosen by a pointer. @param {Page} page */
+export function scrubbing(page) {
+  /** @param {PointerEvent} event @param {boolean} isOn */
+  function to({ clientX, currentTarget }, isOn) {
+    const { left, width } = /** @type {Element} */ (currentTarget).getBoundingClientRect();
+    const share = Math.min(Math.max((clientX - left) / width, 0), 1);
+    if (isOn) page.run.scrub(share * page.lead.clip.total);
+  }
+  return {
+    /** @param {PointerEvent} event */
+    press(event) {
+      if (page.lead.clip.points.length < 2) return;
+      /** @type {Element} */ (event.currentTarget).setPointerCapture(event.pointerId);
+      to(event, true);
+    },
+    /** @param {PointerEvent} event */
+    move: (event) =>
+      to(event, /** @type {Element} */ (event.currentTarget).hasPointerCapture(event.pointerId)),
+    release: () => page.run.scrubbed(),
+  };
+}
+
 /** @param {Page} page */
 export function curve(page) {
   page.player.tick.value;
@@ -68,8 +99,6 @@ export function curve(page) {
   const some = thinned(points);
   /** @param {Point} point */
   const at = (point) => [(point.sum / total) * WIDTH, heightOf(energyOf(point), most)];
-  const line = (/** @type {number[][]} */ list) =>
-    `M${list.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
   if (points.length === 0 || (points.length < 2 && !s.running)) {
     return html`<div class="curve"><p class="empty">${say("curve-empty")}</p></div>`;
   }
@@ -80,21 +109,11 @@ export function curve(page) {
   const y = b ? at(a)[1] + share * (at(b)[1] - at(a)[1]) : a ? at(a)[1] : BOTTOM;
   const played = [...whole.filter(([left]) => left < x), [x, y]];
   const under = (/** @type {number[][]} */ list) =>
-    `${line(list)}L${list[list.length - 1][0].toFixed(1)} ${BOTTOM}L0 ${BOTTOM}Z`;
+    `${pathOf(list)}L${list[list.length - 1][0].toFixed(1)} ${BOTTOM}L0 ${BOTTOM}Z`;
   const { step, pass } = page.shown() ?? { step: 0, pass: undefined };
   const ticks = points.length > 200 ? [] : points;
 
-  /** @param {PointerEvent} event */
-  function drag(event) {
-    const box = /** @type {Element} */ (event.currentTarget).getBoundingClientRect();
-    page.run.scrub(Math.min(Math.max((event.clientX - box.left) / box.width, 0), 1) * total);
-  }
-  /** @param {PointerEvent} event */
-  function press(event) {
-    if (points.length < 2) return;
-    /** @type {Element} */ (event.currentTarget).setPointerCapture(event.pointerId);
-    drag(event);
-  }
+  const scrub = scrubbing(page);
   /** @param {KeyboardEvent} event */
   function key(event) {
     /** @type {Record<string, () => unknown>} */
@@ -114,21 +133,17 @@ export function curve(page) {
     <div class="plot" role="slider" tabindex="0" aria-label=${say("history")} aria-valuemin=${points[0]?.state.step ?? 0}
       aria-valuemax=${points.at(-1)?.state.step ?? 0} aria-valuenow=${step}
       aria-valuetext=${pass ? remeshed(step, pass) : say("clause-step", { step })}
-      @pointerdown=${press} @keydown=${key}
-      @pointermove=${(/** @type {PointerEvent} */ event) =>
-        /** @type {Element} */ (event.currentTarget).hasPointerCapture(event.pointerId) &&
-        drag(event)}
-      @lostpointercapture=${() => page.run.scrubbed()}>
+      @keydown=${key} @pointerdown=${scrub.press} @pointermove=${scrub.move} @lostpointercapture=${scrub.release}>
       <svg viewBox="0 0 ${WIDTH} 100" preserveAspectRatio="none" aria-hidden="true">
         <line class="base" x1="0" x2=${WIDTH} y1=${BOTTOM} y2=${BOTTOM} />
         <path class="computed area" d=${under(whole)} /><path class="played area" d=${under(played)} />
-        <path class="computed" d=${line(whole)} /><path class="played" d=${line(played)} />
+        <path class="computed" d=${pathOf(whole)} /><path class="played" d=${pathOf(played)} />
         ${branches(page)}${passes(points, total, most)}
         ${ticks.map((point) => svg`<line class="tick" x1=${at(point)[0]} x2=${at(point)[0]} y1=${BOTTOM + 1} y2=${BOTTOM + 5} />`)}
       </svg>
       <i class="head" .style=${`--x:${(x / WIDTH) * 100}%;--y:${y}%`}></i>
-      ${labelled(points, total).map((point, n, all) =>
-        label(point, total, n === 0 ? "first" : n === all.length - 1 ? "last" : ""),
+      ${labelled(points, total).map(([point, room], n, all) =>
+        label(point, total, n === 0 ? "first" : n === all.length - 1 ? "last" : `room-${room}`),
       )}
     </div>
   </div>`;

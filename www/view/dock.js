@@ -4,6 +4,7 @@
 import { html, nothing } from "lit-html";
 import { letter } from "../comparison.js";
 import { formatBeside } from "../number.js";
+import { speeds } from "../player.js";
 import { clause, isTrouble, statusText, symbol } from "../status.js";
 import { say } from "../words.js";
 import { comparedCurve } from "./compared.js";
@@ -11,9 +12,6 @@ import { curve } from "./curve.js";
 import { button, icon, iconButton } from "./parts.js";
 
 /** @import { Page } from "../actions.js" */
-
-/** Speeds, in clip seconds a second. */
-export const speeds = [0.25, 0.5, 1, 2, 4];
 
 /** What stands in the line after the status: the newest that is to be read, or a clause. @param {Page} page */
 function line(page) {
@@ -136,8 +134,8 @@ function energy(page) {
   const shown = page.shown();
   const label =
     !shown || shown.step === 0
-      ? say("energy-of", { symbol: symbol(s) })
-      : say("energy-at", { symbol: symbol(s), step: shown.step });
+      ? symbol(s)
+      : say("energy-was", { symbol: symbol(s), energy: formatBeside(first, first) });
   return html`<div class="energy"><b>${formatBeside(shown?.energy, first)}</b><span>${label}</span></div>`;
 }
 

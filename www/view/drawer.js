@@ -2,6 +2,7 @@
 // The rail of tabs and the drawer of the one that is open.
 
 import { html, nothing } from "lit-html";
+import { tabs } from "../store.js";
 import { say } from "../words.js";
 import { close, icon, lazy } from "./parts.js";
 import { handle, isTall } from "./sheet.js";
@@ -17,8 +18,6 @@ const contents = {
   compare: lazy(() => import("./compare.js").then(({ compare }) => compare)),
   share: lazy(() => import("./share.js").then(({ share }) => share)),
 };
-
-export const tabs = /** @type {readonly Tab[]} */ (Object.keys(contents));
 
 /** Opens a tab, or shuts it. @param {Page} page @param {Tab} tab */
 export function turn(page, tab) {

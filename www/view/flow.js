@@ -62,6 +62,27 @@ function automatic(page, name) {
 }
 
 /**
+ * A slider over the decades about what is usual, which says in the field where it is.
+ * @param {Row} row @param {string} label @param {number} value @param {(now: number) => unknown} set
+ */
+function slider({ default: usual, range }, label, value, set) {
+  if (typeof usual !== "number" || usual <= 0 || !range || (range.low <= 0 && !range.lowOpen))
+    return nothing;
+  const [low, high] = [Math.max(range.low, usual / 100), Math.min(range.high, usual * 100)];
+  if (high < 100 * low) return nothing;
+  /** @param {any} event */
+  const at = ({ target }) => {
+    const number = 10 ** target.valueAsNumber;
+    return range.whole ? Math.round(number) : Number(number.toPrecision(2));
+  };
+  return html`<input type="range" class="decades" aria-label=${label} aria-valuetext=${formatShort(value)}
+    min=${Math.log10(low)} max=${Math.log10(high)} step="0.01" .value=${String(Math.log10(value))}
+    @input=${(/** @type {any} */ event) => {
+      event.target.closest(".field").querySelector("[type=number]").value = at(event);
+    }} @change=${(/** @type {any} */ event) => set(at(event))} />`;
+}
+
+/**
  * @param {Page} page @param {Row} row @param {Options} options
  * @param {(change: any) => unknown} change  of options, or of how edge flips are shown
  */
@@ -104,7 +125,7 @@ export function field(page, row, options, change) {
       placeholder=${absent === null ? nothing : automatic(page, name)}
       .value=${value === null ? "" : formatShort(value, 6)} @change=${type} />
       ${unit ? html`<span class="unit">${say("unit", { unit, kind: unit.split(" ")[0] })}</span>` : nothing}</span>
-    <p class="hint">${hint}</p></div>`;
+    ${value === null ? nothing : slider(row, label, value, set)}<p class="hint">${hint}</p></div>`;
 }
 
 /** The fields that what runs reads. @param {Page} page @param {Options} options @param {boolean} basic */

@@ -1,12 +1,13 @@
 // @ts-check
 // The library: samples and figures of the papers together, by what happens to them.
 
+import "../style/library.css";
 import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
 import { figures, samples } from "../generated/library.js";
 import { firsts, sampleName, sayFigure, shelves } from "../library.js";
 import { say } from "../words.js";
-import { button, close, icon, idOf, keycap } from "./parts.js";
+import { button, close, icon, idOf, into, keycap } from "./parts.js";
 import { addressOf, pictureOf } from "./pictures.js";
 
 /** @import { Page } from "../actions.js" */
@@ -69,15 +70,11 @@ export function library(page) {
   const found = all.filter((item) => matches(item, wanted));
   const shown = shelves.filter((id) => filter.value === "all" || filter.value === id);
   const chip = (/** @type {string} */ id) =>
-    html`<button type="button" class="button chip" aria-pressed=${String(filter.value === id)} @click=${() => {
-      filter.value = id;
-    }}>${say(`shelf-${id}`)}</button>`;
+    html`<button type="button" class="button chip" aria-pressed=${String(filter.value === id)} @click=${() => into(filter)(id)}>${say(`shelf-${id}`)}</button>`;
   return html`<header><h2 id="library-heading">${say("library")}</h2>
       <label class="search" for=${idOf("library-search")}>${icon("search")}<span class="visually-hidden">${say("search")}</span>
         <input id=${idOf("library-search")} type="search" placeholder=${say("search-hint")} .value=${search.value}
-          @input=${(/** @type {any} */ { target }) => {
-            search.value = target.value;
-          }} />${keycap("/")}</label>
+          @input=${(/** @type {any} */ { target }) => into(search)(target.value)} />${keycap("/")}</label>
       <span class="space"></span>
       ${button(say("open-mesh"), () => page.chooseFile(), { icon: "open" })}
       ${close(() => page.patch({ dialog: null }))}</header>

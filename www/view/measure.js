@@ -2,6 +2,7 @@
 // The tab of numbers: readings, what the figure of a paper says, the histogram, and what is
 // looked at more closely.
 
+import "../style/measure.css";
 import { html, nothing, svg } from "lit-html";
 import { figureTitle, sayFigure } from "../library.js";
 import { formatBeside, formatNumber, formatShort, formatSigned } from "../number.js";
@@ -115,13 +116,23 @@ function readings(page) {
   return html`${table(say("readings"), rows)}${options.flow === "circle" ? html`<p class="hint">${say("what-w-says")}</p>` : nothing}`;
 }
 
+/** Of what is shown: it stays while the display moves from one true step to the next. */
+let binned = {
+  of: /** @type {Float32Array} */ (new Float32Array()),
+  range: /** @type {readonly number[]} */ ([]),
+  shares: [0],
+};
+
 /** @param {Page} page */
 function spread(page) {
   page.player.tick.value;
   const { range, colour } = page.state.value;
   const field = page.lead.clip.surface(page.lead.u)?.field;
   if (!field || !range || field.name !== colour) return nothing;
-  const shares = histogram(field.values, range, BINS);
+  const { values: of } = field;
+  if (binned.of !== of || binned.range !== range)
+    binned = { of, range, shares: histogram(of, range, BINS) };
+  const { shares } = binned;
   const most = Math.max(...shares, 1e-9);
   const colours = page.stage.colours(field.signed, BINS);
   const rgb = (/** @type {number} */ n) =>

@@ -46,6 +46,8 @@ const isSame = (a, b) =>
 export class PaneView {
   /** @type {Viewer | null} */
   viewer = null;
+  /** Whether another step is to be sent, with the next picture. */
+  lacks = false;
   #isGone = false;
   /** @type {Has} */
   #has = {};
@@ -87,6 +89,7 @@ export class PaneView {
   draw(s, shown, style) {
     const { viewer } = this;
     const has = this.#has;
+    this.lacks = false;
     if (!viewer || shown.steps[0]?.positions.length !== shown.drawable.positions.length) return;
     if (JSON.stringify(style) !== has.style) {
       has.style = JSON.stringify(style);
@@ -124,10 +127,15 @@ export class PaneView {
       this.#steps = [first];
       known.length = 1;
     }
-    for (const step of steps.slice(known.length)) {
+    let sent = known.length;
+    // What is after the next step bends the way to it little: a large surface at a time.
+    while (sent < steps.length && !(sent > known.length && steps[sent - 1].time > time)) {
+      const step = steps[sent];
       viewer.addStep({ ...step, field: coloured(step), time: step.time - this.#zero });
       this.#steps = [...this.#steps, step].slice(-HELD_STEPS);
+      sent += 1;
     }
+    this.lacks = sent < steps.length;
     viewer.setTime(time - this.#zero);
   }
 

@@ -83,6 +83,11 @@ export function idOf(name) {
   return idOf(name);
 }
 
+/** Puts what is chosen into a signal. @template T @param {{ value: T }} signal @returns {(value: T) => void} */
+export const into = (signal) => (value) => {
+  signal.value = value;
+};
+
 /** @typedef {{ id: string, label: string }} Choice */
 
 /**
@@ -165,11 +170,8 @@ export const grid = (name, heads, rows) =>
 /** What of the program stands in words. @param {string} key */
 export const keycap = (key) => html`<kbd>${key}</kbd>`;
 
-/** @param {string} label @param {() => unknown} act @returns {TemplateResult} */
-export const closeButton = (label, act) => iconButton("close", label, act);
-
-/** Closes the part at hand. @param {() => unknown} act */
-export const close = (act) => closeButton(say("close"), act);
+/** Closes the part at hand. @param {() => unknown} act @returns {TemplateResult} */
+export const close = (act) => iconButton("close", say("close"), act);
 
 /**
  * A view that is fetched when it is first shown, or before by `fetch`: the first picture does not
@@ -182,9 +184,7 @@ export function lazy(load) {
   /** @type {Promise<void> | null} */
   let asked = null;
   const fetch = () => {
-    asked ??= load().then((loaded) => {
-      view.value = loaded;
-    });
+    asked ??= load().then(into(view));
     return asked;
   };
   /** @param {import("../actions.js").Page} page @returns {unknown} */

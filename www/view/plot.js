@@ -7,8 +7,8 @@ import { letter } from "../comparison.js";
 import { formatShort } from "../number.js";
 import { symbol } from "../status.js";
 import { say } from "../words.js";
-import { thinned } from "./curve.js";
-import { segmented, select } from "./parts.js";
+import { pathOf, thinned } from "./curve.js";
+import { into, segmented, select } from "./parts.js";
 
 /** @import { Page } from "../actions.js" */
 /** @import { Point } from "../clip.js" */
@@ -83,8 +83,6 @@ export function plot(page) {
     BOTTOM - ((BOTTOM - GAP) * (f(value) - f(low))) / (f(high) - f(low) || 1);
   const x = (/** @type {number} */ value) =>
     LEFT + ((WIDTH - LEFT - GAP) * (value - left)) / (right - left || 1);
-  const path = (/** @type {number[][]} */ list) =>
-    `M${list.map(([a, b]) => `${x(a).toFixed(1)} ${y(b).toFixed(1)}`).join("L")}`;
   const shown = page.shown();
   const here = shown && (abscissa.value === "time" ? shown.time : shown.step);
   const names = Object.keys(quantities).map((id) => ({
@@ -93,16 +91,12 @@ export function plot(page) {
   }));
   const scales = ["auto", "log", "linear"].map((id) => ({ id, label: say(`scale-${id}`) }));
   return html`<div class="row plot-options">
-      ${select(say("quantity"), names, quantity.value, (id) => {
-        quantity.value = id;
-      })}
+      ${select(say("quantity"), names, quantity.value, into(quantity))}
       ${segmented(
         say("against"),
         ["step", "time"].map((id) => ({ id, label: say(`against-${id}`) })),
         abscissa.value,
-        (id) => {
-          abscissa.value = id;
-        },
+        into(abscissa),
       )}
       ${segmented(say("scale"), scales, s.view.scale, (id) => page.run.view({ scale: /** @type {any} */ (id) }))}
     </div>
@@ -110,7 +104,7 @@ export function plot(page) {
       ${ticksOf(low, high, isLog).map((tick) => svg`<line class="grid" x1=${LEFT} x2=${WIDTH - GAP} y1=${y(tick)} y2=${y(tick)} /><text x=${LEFT - 8} y=${y(tick) + 4} text-anchor="end">${formatShort(tick)}</text>`)}
       ${ticksOf(left, right, false).map((tick) => svg`<text x=${x(tick)} y=${BOTTOM + 20} text-anchor="middle">${formatShort(tick)}</text>`)}
       <line class="axis" x1=${LEFT} x2=${WIDTH - GAP} y1=${BOTTOM} y2=${BOTTOM} />
-      ${lines.map((list, n) => (list.length < 2 ? nothing : svg`<path class="pane-${n}" d=${path(list)} /><text class="pane-${n}" x=${x(list[list.length - 1][0])} y=${y(list[list.length - 1][1]) - 8} text-anchor="end">${lines.length > 1 ? letter(n) : ""}</text>`))}
+      ${lines.map((list, n) => (list.length < 2 ? nothing : svg`<path class="pane-${n}" d=${pathOf(list.map(([a, b]) => [x(a), y(b)]))} /><text class="pane-${n}" x=${x(list[list.length - 1][0])} y=${y(list[list.length - 1][1]) - 8} text-anchor="end">${lines.length > 1 ? letter(n) : ""}</text>`))}
       ${here === null || here === undefined ? nothing : svg`<line class="here" x1=${x(here)} x2=${x(here)} y1=${GAP} y2=${BOTTOM} />`}
     </svg>`;
 }

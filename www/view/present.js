@@ -11,7 +11,7 @@ import { formatBeside } from "../number.js";
 import { isTrouble, sceneTitle, symbol } from "../status.js";
 import { say } from "../words.js";
 import { starters } from "./cards.js";
-import { energyOf, thinned, topOf } from "./curve.js";
+import { energyOf, pathOf, thinned, topOf } from "./curve.js";
 
 /** @import { Page } from "../actions.js" */
 
@@ -116,11 +116,9 @@ function line(page) {
   const { index, share } = page.lead.clip.at(page.lead.u);
   const [a, b] = [points[index], points[index + 1] ?? points[index]];
   const y = 140 - (128 * Math.max(energyOf(a) + share * (energyOf(b) - energyOf(a)), 0)) / most;
-  const path = (/** @type {number[][]} */ some) =>
-    `M${some.map((at) => at.map((one) => one.toFixed(1)).join(" ")).join("L")}`;
   return html`<svg class="present-line" viewBox="0 0 600 150" aria-hidden="true">
-    <line x1="0" x2="600" y1="140" y2="140" /><path class="computed" d=${path(list)} />
-    <path class="played" d=${path([...list.filter(([left]) => left < x), [x, y]])} /><circle cx=${x} cy=${y} r="9" /></svg>`;
+    <line x1="0" x2="600" y1="140" y2="140" /><path class="computed" d=${pathOf(list)} />
+    <path class="played" d=${pathOf([...list.filter(([left]) => left < x), [x, y]])} /><circle cx=${x} cy=${y} r="9" /></svg>`;
 }
 
 /** @param {Page} page */

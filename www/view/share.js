@@ -7,7 +7,7 @@ import { formats, named, savedMeshes } from "../options.js";
 import { elementCode, iframeCode, pageAddress, sayLack, sizes } from "../share.js";
 import { sceneTitle } from "../status.js";
 import { say } from "../words.js";
-import { button, idOf, section, select } from "./parts.js";
+import { button, idOf, into, section, select } from "./parts.js";
 
 /** @import { Page } from "../actions.js" */
 
@@ -89,9 +89,7 @@ export function share(page) {
     <p class="hint">${say("share-hint", { name: sceneTitle(source) })}</p>
     ${button(say("copy-link"), () => copyLink(page).catch(page.report), { kind: "primary" })}
     <hr />
-    ${select(say("save-as"), named(formats, "save-as"), format.value, (id) => {
-      format.value = id;
-    })}
+    ${select(say("save-as"), named(formats, "save-as"), format.value, into(format))}
     ${button(say("download"), () => page.save.file(format.value), { icon: "share" })}
     <hr />
     <h3>${say("film")}</h3>
@@ -104,16 +102,12 @@ export function share(page) {
       "embed",
       say("embed"),
       () => html`
-      ${select(say("embed-as"), tools, embedAs.value, (id) => {
-        embedAs.value = id;
-      })}
+      ${select(say("embed-as"), tools, embedAs.value, into(embedAs))}
       ${select(
         say("embed-size"),
         sizes.map((id) => ({ id, label: id })),
         embedSize.value,
-        (id) => {
-          embedSize.value = id;
-        },
+        into(embedSize),
       )}
       ${button(say("copy-code"), () => copyCode(page).catch(page.report))}`,
     )}

@@ -6,7 +6,7 @@ import { distances, letter, sayChange } from "../comparison.js";
 import { formatNumber } from "../number.js";
 import { choiceLabel, flowLabel, rowOf } from "../options.js";
 import { overlayOf } from "../overlay.js";
-import { rangeOf, roundedUp } from "../range.js";
+import { roundedUp } from "../range.js";
 import { rim } from "../selection.js";
 import { surfaceLabel, symbol } from "../status.js";
 import { isDark } from "../store.js";
@@ -265,6 +265,7 @@ export function createStage(page, root, { samples, effects }) {
       const title = say("surface-pane", { name: letter(n), what });
       if (n > 0 && pane.canvas.ariaLabel !== title) pane.canvas.ariaLabel = title;
       pane.draw(s, one, style);
+      if (pane.lacks) draw();
     });
     const look = (s.preview ?? s.extras)?.look ?? null;
     const isTrue = page.player.motion.peek() === "still";
@@ -327,11 +328,6 @@ export function createStage(page, root, { samples, effects }) {
     },
     /** @param {boolean} signed @param {number} count @returns {Uint8Array} rgb */
     colours: (signed, count) => first.viewer?.colourBar(signed, count) ?? new Uint8Array(),
-    /** Colours of this step alone. */
-    fitRange() {
-      const field = page.lead.clip.surface(page.lead.u)?.field;
-      if (field) page.run.range(rangeOf(field));
-    },
   };
 }
 

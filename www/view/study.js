@@ -9,7 +9,7 @@ import { samples } from "../generated/library.js";
 import { formatNumber } from "../number.js";
 import { createSolver } from "../solver.js";
 import { say } from "../words.js";
-import { button, grid, select } from "./parts.js";
+import { button, grid, into, select } from "./parts.js";
 
 /** @import { StudyOptions, StudyReport, Trend } from "../generated/types.js" */
 /** @import { Page } from "../actions.js" */
@@ -69,17 +69,9 @@ function end() {
 
 /** A solver that the flow on screen knows nothing of. @param {(reason: string) => void} onCrashed */
 export function solverAside(onCrashed) {
-  const nothingTold = () => {};
-  return createSolver({
-    ...{
-      onReady: nothingTold,
-      onFrame: nothingTold,
-      onStopped: nothingTold,
-      onProgress: nothingTold,
-      onSilent: nothingTold,
-    },
-    onCrashed,
-  });
+  const deaf = () => {};
+  const [onReady, onFrame, onStopped, onProgress, onSilent] = Array(5).fill(deaf);
+  return createSolver({ onReady, onFrame, onStopped, onProgress, onSilent, onCrashed });
 }
 
 /** @param {Page} page */
@@ -155,9 +147,7 @@ export function study(page) {
     ...(source?.kind === "sample" ? [{ id: "shape", label: say("study-sample") }] : []),
     { id: "surface", label: say("study-surface") },
   ];
-  return html`${select(say("study-of"), choices, subject.value, (id) => {
-    subject.value = id;
-  })}
+  return html`${select(say("study-of"), choices, subject.value, into(subject))}
     ${solver.value ? button(say("study-cancel"), end, { kind: "small" }) : button(say("study-run"), () => run(page), { kind: "small primary" })}
     <p class="hint" role="note">${said.value}</p>${result.value ? shown(result.value) : nothing}`;
 }

@@ -7,7 +7,7 @@ import { html, nothing } from "lit-html";
 import { formatNumber } from "../number.js";
 import { grown, painted } from "../selection.js";
 import { say } from "../words.js";
-import { button, idOf, keycap } from "./parts.js";
+import { button, idOf, into, keycap } from "./parts.js";
 
 /** @import { LoopInfo, InversionReport } from "../generated/types.js" */
 /** @import { Page } from "../actions.js" */
@@ -48,6 +48,14 @@ export function nearestVertex(positions, [x, y, z]) {
 
 /** @param {readonly number[]} vertices  of a loop, in order @returns {number[]} two ends an edge */
 const edgesOf = (vertices) => vertices.flatMap((v, n) => [v, vertices[(n + 1) % vertices.length]]);
+
+/**
+ * A number of vertices, or what is usual.
+ * @param {string} label @param {{ value: number | null }} to @param {number} least @param {string} usual
+ */
+const atMost = (label, to, least, usual) =>
+  html`<label class="inline">${label} <input class="short" type="number" min=${least} step="1" placeholder=${usual}
+    @change=${(/** @type {any} */ { target }) => into(to)(target.value === "" ? null : target.valueAsNumber)} /></label>`;
 
 /** @param {Page} page */
 export function createTools(page) {
@@ -295,18 +303,13 @@ export function createTools(page) {
   const bars = {
     paint: () => html`
       ${[true, false].map((value) =>
-        button(
-          say(value ? "paint-free" : "paint-hold"),
-          () => {
-            frees.value = value;
-          },
-          { kind: "small", pressed: frees.value === value },
-        ),
+        button(say(value ? "paint-free" : "paint-hold"), () => into(frees)(value), {
+          kind: "small",
+          pressed: frees.value === value,
+        }),
       )}
       <label class="inline">${say("brush-size")} <input type="range" min="6" max="80" .value=${String(radius.value)}
-        @input=${(/** @type {any} */ { target }) => {
-          radius.value = target.valueAsNumber;
-        }} /></label>
+        @input=${(/** @type {any} */ { target }) => into(radius)(target.valueAsNumber)} /></label>
       ${button(say("grow"), () => spread(0), small)}${button(say("shrink"), () => spread(1), small)}
       ${(page.state.value.mesh?.info.boundaryLoops ?? 0) > 0 ? button(say("hold-boundary"), holdBoundary, small) : nothing}
       <span class="hint">${say("region-count", { free: free.value, all: held.length })}</span>
@@ -334,18 +337,12 @@ export function createTools(page) {
         ${count > 1 ? button(say("bridge"), () => fill([...chosen.value], true), small) : nothing}
         ${some ? button(say("fill-small", { count: holes }), () => fill("small"), { kind: count > 0 ? "small" : "small primary" }) : nothing}
         ${button(say("fill-all", { count: all }), () => fill("all"), { kind: count > 0 || some ? "small" : "small primary" })}
-        <label class="inline">${say("most-vertices")} <input class="short" type="number" min="1" step="1" placeholder=${say("automatic")}
-          @change=${(/** @type {any} */ { target }) => {
-            most.value = target.value === "" ? null : target.valueAsNumber;
-          }} /></label>`;
+        ${atMost(say("most-vertices"), most, 1, say("automatic"))}`;
     },
     remesh: () => {
       const wanted = { vertices: budget.value };
       return html`
-      <label class="inline">${say("remesh-number")} <input class="short" type="number" min="4" step="1" placeholder=${String(page.state.value.mesh?.info.vertices ?? "")}
-        @change=${(/** @type {any} */ { target }) => {
-          budget.value = target.value === "" ? null : target.valueAsNumber;
-        }} /></label>
+      ${atMost(say("remesh-number"), budget, 4, String(page.state.value.mesh?.info.vertices ?? ""))}
       ${button(say("remesh-adaptive"), () => page.edit.remesh({ kind: "adaptive", ...wanted }), { kind: "small primary" })}
       ${button(say("remesh-isotropic"), () => page.edit.remesh({ kind: "isotropic", ...wanted }), small)}`;
     },

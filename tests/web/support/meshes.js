@@ -44,3 +44,19 @@ export function ply({ positions, triangles }) {
     ...triangles.map((t) => `3 ${t.join(" ")}\n`),
   ].join("");
 }
+
+/** Binary PLY, as scanners write it. @param {ReturnType<typeof wavyTorus>} mesh */
+export function binaryPly({ positions, triangles }) {
+  const head = [
+    "ply\nformat binary_little_endian 1.0\n",
+    `element vertex ${positions.length}\nproperty float x\nproperty float y\nproperty float z\n`,
+    `element face ${triangles.length}\nproperty list uchar int vertex_indices\nend_header\n`,
+  ].join("");
+  const faces = Buffer.alloc(13 * triangles.length);
+  for (const [n, triangle] of triangles.entries()) {
+    faces[13 * n] = 3;
+    for (const [k, vertex] of triangle.entries()) faces.writeInt32LE(vertex, 13 * n + 1 + 4 * k);
+  }
+  const points = Buffer.from(Float32Array.from(positions.flat()).buffer);
+  return Buffer.concat([Buffer.from(head), points, faces]);
+}

@@ -89,3 +89,12 @@ found-gap = Ein Spalt
 weld-length = Länge
 weld = Verschweißen
 counted-from = ab { $first } gezählt
+
+# Why it stands where it does.
+why-heading = Warum hat es angehalten?
+why-show = Zeigen
+nothing-wrong = Alles in Ordnung. Es wurde angehalten, und Abspielen geht von hier weiter.
+next-figure = Nächste Abbildung
+what-measures = Was die Energie misst
+why-ended = { $ended }: { $reason }.
+next-sample = Weiter: { $name }

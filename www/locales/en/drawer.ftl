@@ -89,3 +89,12 @@ found-gap = A gap
 weld-length = Length
 weld = Weld
 counted-from = counted from { $first }
+
+# Why it stands where it does.
+why-heading = Why did it stop?
+why-show = Show it
+nothing-wrong = Nothing is wrong. It was paused, and Play goes on from here.
+next-figure = Next figure
+what-measures = What the energy measures
+why-ended = { $ended }: { $reason }.
+next-sample = Next: { $name }
