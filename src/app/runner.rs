@@ -24,6 +24,7 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::flips::EdgeFlips;
 use crate::flow::options::FlowOptions;
+use crate::flow::spec::{self, Family};
 use crate::flow::{Decision, FlowError, Pass, Progress, Status, StepReport, p_willmore};
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
@@ -317,6 +318,10 @@ impl Runner {
 
     fn end(&mut self, decision: Decision) {
         if let Decision::Stop(status, why) = decision {
+            let is_read = spec::of(self.options().flow).family == Family::PWillmore;
+            if is_read && self.polygons().is_triangular() {
+                self.state.soundness = self.soundness();
+            }
             self.state.status = status;
             self.state.message = Some(why.into());
         }
@@ -366,6 +371,7 @@ impl Runner {
                 reduced_volume: report.reduced_volume,
                 flips: report.flips.clone(),
                 pass,
+                soundness: report.soundness.or(self.state.soundness),
                 can_step_back: true,
                 ..State::default()
             };

@@ -102,6 +102,8 @@ pub struct PWillmoreFlow {
     /// Whether the start is not below it already, as on a mesh too coarse to be judged by it.
     is_resolved: bool,
     kept: Kept,
+    /// Whether moves are along the normals alone, as the gradient that they follow is.
+    is_normal: bool,
     /// Integrals and derivatives at the present positions.
     evaluation: Evaluation,
     is_evaluated: bool,
@@ -117,7 +119,10 @@ pub struct PWillmoreFlow {
 
 /// What the flow must remember beside the positions.
 #[derive(Clone, Copy, Debug)]
-pub struct Memory(Kept);
+pub struct Memory {
+    kept: Kept,
+    is_normal: bool,
+}
 
 impl PWillmoreFlow {
     /// Prepares the flow at positions `x`, which a perturbation may change.
@@ -178,6 +183,7 @@ impl PWillmoreFlow {
             functional,
             system,
             regulariser: None,
+            is_normal: false,
             evaluation,
             is_evaluated: false,
             is_assembled: false,
@@ -341,12 +347,27 @@ impl Flow for PWillmoreFlow {
 
     /// While a volume is led, steps are short: given time, an oblate vesicle would turn over
     /// into a prolate one.
+    ///
+    /// Near rest what a smoothed move slides vertices by can raise the energy by more than it
+    /// lowers it along the normals. Moves along these alone are shorter, but surely descend.
     fn next_phase(
         &mut self,
-        _x: &[DVec3],
+        x: &[DVec3],
         occasion: &Occasion,
-        _cost: &mut Cost,
+        cost: &mut Cost,
     ) -> Result<Option<Phase>, FlowError> {
+        if matches!(occasion, Occasion::Stuck { is_guarded, .. } if !is_guarded)
+            && !self.is_normal
+            && !self.is_paper()
+            && self.options.p == 2.0
+            && self.stationarity(x, cost)? > 1.0
+        {
+            self.is_normal = true;
+            return Ok(Some(Phase {
+                raises_step_size: true,
+                ..Phase::default()
+            }));
+        }
         let arrives = matches!(occasion, Occasion::Accepted { .. }) && self.kept.has_arrived();
         Ok(arrives.then(|| Phase {
             resets_functional: true,
@@ -440,12 +461,15 @@ impl Flow for PWillmoreFlow {
     }
 
     fn memory(&self) -> super::Memory {
-        super::Memory::PWillmore(Memory(self.kept))
+        super::Memory::PWillmore(Memory {
+            kept: self.kept,
+            is_normal: self.is_normal,
+        })
     }
 
     fn recall(&mut self, memory: super::Memory) {
-        if let super::Memory::PWillmore(Memory(kept)) = memory {
-            self.kept = kept;
+        if let super::Memory::PWillmore(Memory { kept, is_normal }) = memory {
+            (self.kept, self.is_normal) = (kept, is_normal);
         }
         self.forget();
     }

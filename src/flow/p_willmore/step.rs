@@ -70,6 +70,13 @@ impl PWillmoreFlow {
         let mut solution = vec![DVec3::ZERO; rhs.len()];
         let info = self.system.solve(&e.mass, dt, &rhs, &mut solution)?;
         cost.add(&info);
+        if self.is_normal {
+            let normals = self.evaluation.volume_gradient.iter().cycle();
+            for (d, n) in solution.iter_mut().zip(normals) {
+                let n = n.normalize_or_zero();
+                *d = d.dot(n) * n;
+            }
+        }
         let directions = solution.split_off(n);
         let mut d = solution;
         if fixed_size {
