@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { serviceWorker } from "./tools/service-worker.js";
+import { webglOnDemand } from "./tools/webgl.js";
 
 /** Indentation and comments are for whoever reads the source. */
 const compactHtml = {
@@ -42,6 +43,7 @@ export default defineConfig({
   plugins: [
     compactHtml,
     compactWords,
+    webglOnDemand(),
     serviceWorker(fileURLToPath(new URL("service-worker.js", import.meta.url))),
   ],
   build: {

@@ -34,7 +34,11 @@ const MOST_OWED = 4;
 const PATIENCE = 500;
 let nextProgress = 0;
 let nextLife = 0;
-/** What is done a piece at a time; whatever begins a run ends it. @type {{ end: () => unknown } | null} */
+/**
+ * What is done a piece at a time; whatever begins a run ends it, and for whatever else is asked
+ * meanwhile it stands aside.
+ * @type {{ end: () => unknown, aside: () => unknown } | null}
+ */
 let task = null;
 /** Milliseconds between two looks at the messages, where pieces are short. */
 const TURN = 30;
@@ -86,21 +90,22 @@ function endTask() {
   end();
 }
 
-/** Shows every stored step of the path, and goes back to where it stood. */
+/** Shows every stored step of the path. What is asked between two of them is of where it stood. */
 async function stored() {
   endTask();
   const { at, start } = perform(session, "timeline");
-  const end = () => perform(session, "seek", { step: at });
+  const back = () => perform(session, "seek", { step: at });
   /** @type {number | null} */
   let next = start;
-  const done = await inTurns(() => {
+  const piece = () => {
     if (next === null) return true;
     perform(session, "seek", { step: next });
     frame(true);
     ({ next } = perform(session, "timeline"));
     return null;
-  }, end);
-  if (done) end();
+  };
+  const done = await inTurns(piece, { end: back, aside: back });
+  if (done) back();
   return done !== null;
 }
 
@@ -108,12 +113,14 @@ async function stored() {
  * Does pieces of work, letting messages in after each.
  * @template T
  * @param {() => T | null} piece  null until it is the last
- * @param {() => unknown} [end]   what is to be done where something else comes first
+ * @param {NonNullable<typeof task>} [begun]  what is to be done where something else comes first
  * @returns {Promise<T | null>} null where something else came first
  */
-async function inTurns(piece, end = () => perform(session, "cancelReplay")) {
+async function inTurns(
+  piece,
+  begun = { end: () => perform(session, "cancelReplay"), aside: () => {} },
+) {
   const { port1, port2 } = new MessageChannel();
-  const begun = { end };
   task = begun;
   try {
     while (task === begun) {
@@ -264,6 +271,7 @@ function answer({ id, name, fields, run: number, shown }) {
     endTask();
   }
   try {
+    task?.aside();
     const ok = Object.hasOwn(own, name)
       ? own[name](fields)
       : perform(session, /** @type {CommandName} */ (name), fields);

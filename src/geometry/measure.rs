@@ -130,7 +130,7 @@ fn least_tangent(mesh: &HalfedgeMesh, x: &[DVec3], f: Face) -> f64 {
     };
     mesh.cycle(mesh.halfedge_of_face(f))
         .map(tangent)
-        .fold(f64::INFINITY, f64::min)
+        .fold(f64::INFINITY, |a, b| if b < a { b } else { a })
 }
 
 fn angle_of(tangent: f64) -> f64 {

@@ -2,12 +2,15 @@
 // The guide: three pages to read, each with a surface that runs, in two languages.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { german } from "../../www/guide/german.js";
 import { useSite } from "./support/app.js";
 import { accessibilityFaults } from "./support/axe.js";
 
 const site = useSite();
+const german = JSON.parse(
+  readFileSync(new URL("../../www/locales/de/guide.json", import.meta.url), "utf8"),
+);
 
 for (const [name, title] of [
   ["first-look", "A first look"],

@@ -1,9 +1,10 @@
 // @ts-check
 // Random walks over the page: whatever was pressed in whatever order, the energy shown is that of
-// the mesh that Download gives, and nothing fails on the way. UMBILIC_WALK=10x1000 walks from ten
-// seeds, a thousand actions each.
+// the mesh that Download gives, nothing fails on the way, and what the page holds in memory does not
+// grow. UMBILIC_WALK=10x1000 walks from ten seeds, a thousand actions each.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { loadSolver } from "../../www/cli/solver.js";
 import { samples } from "../../www/generated/library.js";
@@ -222,6 +223,29 @@ function energyOf(file, hash) {
   }
 }
 
+/**
+ * Megabytes of its own that the process of a page and its worker holds, after collecting garbage;
+ * where the system tells.
+ * @param {import("playwright-core").Page} page
+ */
+async function held(page) {
+  await page.requestGC();
+  const session = await site.browser.newBrowserCDPSession();
+  const { processInfo } = await session.send("SystemInfo.getProcessInfo");
+  await session.detach();
+  const sizes = processInfo
+    .filter(({ type }) => type === "renderer")
+    .map(({ id }) => {
+      try {
+        return Number(/RssAnon:\s*(\d+)/.exec(readFileSync(`/proc/${id}/status`, "utf8"))?.[1]);
+      } catch {
+        return Number.NaN;
+      }
+    })
+    .filter(Number.isFinite);
+  return Math.round(Math.max(...sizes) / 1024);
+}
+
 /** Whether a number shows as this text, up to a unit in its last digit. @param {number} value @param {string} text */
 const shows = (value, text) =>
   formatNumber(value, 4) === text ||
@@ -237,8 +261,11 @@ for (let seed = 1; seed <= seeds; seed += 1) {
     const next = random(seed);
     /** @type {string[]} */
     const trace = [];
+    /** @type {number[]} */
+    const memory = [];
     let done = 0;
     for (let n = 0; n < actions; n += 1) {
+      if (n % 50 === 0) memory.push(await held(page));
       const wanted = action(next);
       if (await page.evaluate(act, wanted)) done += 1;
       else continue;
@@ -258,8 +285,12 @@ for (let seed = 1; seed <= seeds; seed += 1) {
         );
       }
     }
-    context.diagnostic(`${done} of ${actions} actions could be done`);
+    context.diagnostic(`${done} of ${actions} actions could be done; MB held: ${memory.join(" ")}`);
     assert.ok(done > actions / 2, `${done} actions`);
+    // By the second quarter everything has been there once; garbage of the worker comes and goes.
+    const least = (/** @type {number} */ from, /** @type {number} */ to) =>
+      Math.min(...memory.slice(from * memory.length, to * memory.length));
+    if (memory.length >= 12) assert.ok(least(0.75, 1) <= 1.25 * least(0.25, 0.5), memory.join(" "));
     assert.deepEqual(faults, []);
     await close();
   });

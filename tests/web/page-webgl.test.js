@@ -206,7 +206,17 @@ test("a WebGL context that is lost and comes back brings the picture back", asyn
 });
 
 test("a WebGL context that does not come back is reported, and the flow runs on", async () => {
-  const { page, faults, close } = await site.open();
+  const { page, faults, close } = await site.blank();
+  // What is waited for in vain is not waited for in full.
+  await page.addInitScript(() => {
+    const { setTimeout } = globalThis;
+    globalThis.setTimeout = /** @type {any} */ (
+      (/** @type {any} */ work, /** @type {number} */ delay) =>
+        setTimeout(work, delay >= 1000 ? delay / 20 : delay)
+    );
+  });
+  await page.goto(`${site.url}?msaa=1#sample=icosahedron`);
+  await until(page, "Ready");
   await untilDrawn(page);
   await graphics(page).lose();
   await page.getByText(/the graphics device was lost/i).waitFor();

@@ -43,7 +43,10 @@ try {
 
 await openLanguage();
 if (document.documentElement.lang === "de") {
-  const { german } = await import("./german.js");
+  const { default: words } = await import("../locales/de/demo.json");
+  // The English text is the key.
+  /** @type {Record<string, string>} */
+  const german = words;
   translateDocument(document.documentElement, (english) => german[english] ?? english);
 }
 const slides = [...document.querySelectorAll("section")];

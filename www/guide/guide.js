@@ -17,6 +17,9 @@ dark.addEventListener("change", follow);
 follow();
 await openLanguage();
 if (document.documentElement.lang === "de") {
-  const { german } = await import("./german.js");
+  const { default: words } = await import("../locales/de/guide.json");
+  // The English text is the key.
+  /** @type {Record<string, string>} */
+  const german = words;
   translateDocument(document.documentElement, (english) => german[english] ?? english);
 }

@@ -1,13 +1,15 @@
 // @ts-check
-// `npm start`: from a fresh clone to the page in the browser.
+// `npm start`: from a fresh clone to the page in the browser. The viewer for browsers without
+// WebGPU, which takes as long to compile as all else, follows when one asks for it (`webgl.js`).
 
 import { prerequisites } from "./prerequisites.js";
 import { script } from "./process.js";
 import { serve } from "./site.js";
-import { buildWasm } from "./wasm.js";
+import { buildQuickly } from "./wasm.js";
 
 await script(() => {
   prerequisites();
-  buildWasm();
+  buildQuickly("solver");
+  buildQuickly("viewer");
   serve(process.argv.slice(2));
 });

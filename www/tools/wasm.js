@@ -1,7 +1,8 @@
 // @ts-check
 // The wasm files, from Rust source to `www/pkg`: cargo, then wasm-bindgen's
 // tool, then wasm-opt. Cargo decides what is out of date; what follows it is done
-// again only when cargo's output has changed.
+// again only when cargo's output has changed. Two builds: the one that is shipped, optimised
+// as a whole and for size; and the quick one of the development server.
 
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -30,13 +31,21 @@ const halves = [
 /** What wasm-bindgen's tool is made of. */
 const toolSources = ["Cargo.lock", "src/bin/bindgen.rs"].map((file) => path.join(root, file));
 
-/** Builds what is missing or out of date. */
+/** Builds what is missing or out of date, as it is shipped. */
 export function buildWasm() {
-  for (const half of halves) buildHalf(half);
+  for (const half of halves) buildHalf(half, "release");
 }
 
-/** @param {Half} half */
-function buildHalf({ name, level, rest, shrink }) {
+/**
+ * The same of one file, for the development server.
+ * @param {"solver" | "viewer" | "viewer-webgl"} name
+ */
+export function buildQuickly(name) {
+  for (const half of halves) if (half.name === name) buildHalf(half, "quick");
+}
+
+/** @param {Half} half @param {"release" | "quick"} profile */
+function buildHalf({ name, level, rest, shrink }, profile) {
   const target = "wasm32-unknown-unknown";
   say(`Compiling the ${name} (Rust to wasm; the first time takes minutes)`);
   // As a cdylib alone: with the rlib beside it cargo would leave out the link-time
@@ -44,13 +53,13 @@ function buildHalf({ name, level, rest, shrink }) {
   // halves have the same file name, and each would make the other out of date.
   const folder = path.join(targetDir, name);
   const parameters = [
-    ...["rustc", "--lib", "--crate-type", "cdylib", "--release", "--locked"],
+    ...["rustc", "--lib", "--crate-type", "cdylib", "--profile", profile, "--locked"],
     ...["--target", target, "--target-dir", folder, "--no-default-features", "--features", name],
-    ...["--config", `profile.release.package.umbilic.opt-level="${level}"`],
-    ...(rest ? ["--config", `profile.release.opt-level="${rest}"`] : []),
+    ...["--config", `profile.${profile}.package.umbilic.opt-level="${level}"`],
+    ...(rest ? ["--config", `profile.${profile}.opt-level="${rest}"`] : []),
   ];
   run("cargo", parameters, { env: { CARGO_ENCODED_RUSTFLAGS: flags().join("\x1f") } });
-  const compiled = path.join(folder, target, "release", "umbilic.wasm");
+  const compiled = path.join(folder, target, profile, "umbilic.wasm");
 
   const out = path.join(root, "www", "pkg", name);
   const wasm = path.join(out, `${name}_bg.wasm`);
@@ -69,7 +78,9 @@ function buildHalf({ name, level, rest, shrink }) {
   rmSync(out, { recursive: true, force: true });
   mkdirSync(out, { recursive: true });
   run(bindgen, [compiled, out, name, "--strip-names"]);
-  runNode(["node_modules/binaryen/bin/wasm-opt", ...shrink, wasm, "-o", wasm]);
+  if (profile === "release") {
+    runNode(["node_modules/binaryen/bin/wasm-opt", ...shrink, wasm, "-o", wasm]);
+  }
   writeFileSync(stampFile, stamp);
   const bytes = readFileSync(wasm);
   console.log(`  ${kilobytes(bytes.length)}, ${kilobytes(gzipSync(bytes).length)} gzipped`);

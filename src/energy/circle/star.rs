@@ -287,7 +287,9 @@ fn keep_to_pattern(star: &mut SpringMatrix, slots: &[u32]) {
     let springs = star.springs_mut();
     for (k, ((p, q), &slot)) in pairs.zip(slots).enumerate().take(springs.len()) {
         if slot == OFF_PATTERN {
-            let w = std::mem::take(&mut springs[k]).max(0.0);
+            let w = std::mem::take(&mut springs[k]);
+            // No `max`: wasm has no such instruction, and calls a function.
+            let w = if w > 0.0 { w } else { 0.0 };
             springs[usize::from(SpringMatrix::pair(p, 0))] += 2.0 * w;
             springs[usize::from(SpringMatrix::pair(q, 0))] += 2.0 * w;
         }

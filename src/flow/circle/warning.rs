@@ -14,10 +14,27 @@ const BALLOON: f64 = 0.5;
 /// W that rises by this share in a step is told of.
 const ROSE: f64 = 0.01;
 
+/// Areas of the faces.
+fn areas_of(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<f64> {
+    let area = |f| measure::face_vector_area(mesh, x, f).length();
+    mesh.faces().map(area).collect()
+}
+
+/// Whether this share of the faces, and fewer, has half of the area; in linear time.
+fn is_unbalanced(mesh: &HalfedgeMesh, x: &[DVec3], share: f64) -> bool {
+    let mut areas = areas_of(mesh, x);
+    let fewer = ((share * areas.len() as f64).ceil() as usize).saturating_sub(1);
+    if fewer >= areas.len() {
+        return false;
+    }
+    let half = 0.5 * areas.iter().sum::<f64>();
+    let (largest, ..) = areas.select_nth_unstable_by(fewer, |a, b| b.total_cmp(a));
+    largest.iter().sum::<f64>() >= half
+}
+
 /// The smallest share of the faces that has half of the area.
 pub(super) fn balance(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
-    let area = |f| measure::face_vector_area(mesh, x, f).length();
-    let mut areas: Vec<f64> = mesh.faces().map(area).collect();
+    let mut areas = areas_of(mesh, x);
     areas.sort_unstable_by(|a, b| b.total_cmp(a));
     let half = 0.5 * areas.iter().sum::<f64>();
     let mut sum = 0.0;
@@ -44,8 +61,33 @@ impl CircleFlow {
             given.give_once(Warning::Growth, warnings);
         }
         let is_closed = self.mesh.is_closed() && self.mesh.is_oriented();
-        if is_closed && balance(&self.mesh, x) < BALLOON * self.start_balance {
+        if is_closed && is_unbalanced(&self.mesh, x, BALLOON * self.start_balance) {
             given.give_once(Warning::Balloon, warnings);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{build, shape};
+
+    #[test]
+    fn a_share_is_unbalanced_from_the_balance_on() {
+        let torus = shape::make("torus", &[]).expect("a shape");
+        let built = build(&torus.soup).expect("a surface");
+        let (mesh, mut x) = (built.mesh, built.positions);
+        for p in &mut x {
+            p.x *= 1.0 + 0.3 * p.y;
+        }
+        let balance = balance(&mesh, &x);
+        let face = 1.0 / mesh.n_faces() as f64;
+        assert!(balance > 0.3 && balance < 0.5, "{balance}");
+        for k in -5..=5 {
+            let share = balance + (f64::from(k) - 0.5) * face;
+            assert_eq!(is_unbalanced(&mesh, &x, share), k > 0, "{k}");
+        }
+        assert!(!is_unbalanced(&mesh, &x, 0.0));
+        assert!(is_unbalanced(&mesh, &x, 1.0));
     }
 }

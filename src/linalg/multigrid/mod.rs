@@ -105,7 +105,7 @@ impl Multigrid {
         let diagonal = self.pattern.diagonal_slots().iter();
         let largest = diagonal
             .map(|&slot| values[slot as usize].abs())
-            .fold(f64::MIN_POSITIVE, f64::max);
+            .fold(f64::MIN_POSITIVE, larger);
         // The unit of the matrix must not leave the range of single precision. The factor it
         // leaves in the preconditioner is none to conjugate gradients.
         let finest = match self.levels.first_mut() {
@@ -132,7 +132,8 @@ impl Multigrid {
         assert_eq!(field.len(), self.pattern.n(), "one vector a row");
         let size = field
             .iter()
-            .fold(0.0, |m: f64, v| m.max(v.abs().max_element()));
+            .flat_map(|v| v.to_array())
+            .fold(0.0, |m: f64, c| larger(m, c.abs()));
         if size == 0.0 {
             return;
         }
@@ -149,6 +150,11 @@ impl Multigrid {
             *v = x.as_dvec3() * size;
         }
     }
+}
+
+/// As `f64::max` of numbers, which in wasm is the call of a function.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
 }
 
 /// A V-cycle from the first of the levels, whose right-hand side is there; answers the solution.

@@ -60,11 +60,14 @@ impl Rows {
     }
 
     /// Where the entries of row `i` are.
+    // Two loads in the innermost loops: a call costs more, and code for size makes one.
+    #[inline(always)]
     pub(super) fn row(&self, i: usize) -> Range<usize> {
         self.starts[i] as usize..self.starts[i + 1] as usize
     }
 
     /// Columns and values of the entries in that range.
+    #[inline(always)]
     pub(super) fn entries(&self, range: Range<usize>) -> impl Iterator<Item = (usize, f32)> {
         let columns = self.columns[range.clone()].iter().map(|&j| j as usize);
         columns.zip(self.values[range].iter().copied())

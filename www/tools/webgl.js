@@ -1,0 +1,44 @@
+// @ts-check
+// The viewer for browsers without WebGPU, for the development server: compiled when such a browser
+// asks for it.
+
+import { spawn } from "node:child_process";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { script } from "./process.js";
+import { buildQuickly } from "./wasm.js";
+
+const self = fileURLToPath(import.meta.url);
+const isViewer = (/** @type {string} */ id) => id.endsWith("/viewer-webgl.js");
+
+/** @type {Promise<void> | null} */
+let built = null;
+
+/** Compiles it in a process of its own: the server goes on serving. @returns {Promise<void>} */
+const build = () =>
+  new Promise((resolve, reject) => {
+    spawn(process.execPath, [self], { stdio: "inherit" }).on("exit", (code) =>
+      code === 0 ? resolve() : reject(new Error("the viewer for WebGL2 could not be compiled")),
+    );
+  });
+
+/** @returns {import("vite").Plugin} */
+export const webglOnDemand = () => ({
+  name: "webgl-on-demand",
+  apply: "serve",
+  enforce: "pre",
+  // It need not be there yet; vite looks at all sources before any is asked for.
+  resolveId(source, importer, options) {
+    if (!isViewer(source) || !importer) return null;
+    const { scan } = /** @type {{ scan?: boolean }} */ (options);
+    return scan ? { id: source, external: true } : path.resolve(path.dirname(importer), source);
+  },
+  async load(id) {
+    if (!isViewer(id)) return null;
+    built ??= build();
+    await built;
+    return null;
+  },
+});
+
+if (process.argv[1] === self) await script(() => buildQuickly("viewer-webgl"));
