@@ -346,27 +346,15 @@ impl Flow for PWillmoreFlow {
     }
 
     /// While a volume is led, steps are short: given time, an oblate vesicle would turn over
-    /// into a prolate one.
-    ///
-    /// Near rest what a smoothed move slides vertices by can raise the energy by more than it
-    /// lowers it along the normals. Moves along these alone are shorter, but surely descend.
+    /// into a prolate one. Where moves have ceased to descend, those along the normals follow.
     fn next_phase(
         &mut self,
         x: &[DVec3],
         occasion: &Occasion,
         cost: &mut Cost,
     ) -> Result<Option<Phase>, FlowError> {
-        if matches!(occasion, Occasion::Stuck { is_guarded, .. } if !is_guarded)
-            && !self.is_normal
-            && !self.is_paper()
-            && self.options.p == 2.0
-            && self.stationarity(x, cost)? > 1.0
-        {
-            self.is_normal = true;
-            return Ok(Some(Phase {
-                raises_step_size: true,
-                ..Phase::default()
-            }));
+        if let Some(phase) = self.along_normals(x, occasion, cost)? {
+            return Ok(Some(phase));
         }
         let arrives = matches!(occasion, Occasion::Accepted { .. }) && self.kept.has_arrived();
         Ok(arrives.then(|| Phase {
