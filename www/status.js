@@ -46,7 +46,9 @@ export function clause(s, shown, isPlaying, last) {
   if (shown.status === "ready") return shown.step === 0 ? say("clause-ready") : "";
   if (!shown.message) return "";
   const reason = say(shown.message);
-  return shown.status === "stepLimit" ? say("play-goes-on", { reason }) : reason;
+  const isSound = shown.soundness?.isSound ?? true;
+  const end = isSound ? reason : say("end-untrusted", { reason });
+  return shown.status === "stepLimit" ? say("play-goes-on", { reason: end }) : end;
 }
 
 /** How what is monitored is called: a symbol, and a name beside it. @param {Pick<S, "options">} s @returns {string} */

@@ -189,6 +189,14 @@ impl Engine {
         }
     }
 
+    /// How a run ends whose budget is used up.
+    pub(super) fn out_of_budget(&self) -> Option<Decision> {
+        match self {
+            Self::Flow(driver) => driver.out_of_budget(),
+            Self::Flips(_) => None,
+        }
+    }
+
     pub(super) fn extend_budget(&mut self) {
         if let Self::Flow(driver) = self {
             driver.extend_budget();

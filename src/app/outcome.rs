@@ -7,6 +7,7 @@ use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::option::kind::id_of;
 use crate::flow::{Monitored, Status, Warning};
 use crate::message::{Message, Value, messages};
+use crate::remesh::adaptive::Soundness;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -54,6 +55,8 @@ pub struct Outcome {
     pub fault: Option<Fault>,
     /// Which functional its steps must not raise.
     pub monitored: Monitored,
+    /// Whether the readings at the end can be believed, of the p-Willmore flow.
+    pub soundness: Option<Soundness>,
     /// The jump of H across the boundary of what moves.
     pub curvature_jump: Option<CurvatureJump>,
     /// What its steps warned of, the last of each kind, and whether it came to rest.
@@ -95,6 +98,7 @@ impl Runner {
                 .filter(|_| status == Status::Failed)
                 .map(Fault::from),
             monitored: self.state.monitored,
+            soundness: self.state.soundness,
             curvature_jump: self.curvature_jump(),
             warnings: self.warnings(),
             reason,
@@ -107,9 +111,17 @@ impl Runner {
         let (folding, steps) = (folding.count(), reports.len());
         // The count of steps says more than the faces of any one of them.
         let of_steps = reports.iter().flat_map(|report| &report.warnings);
-        let others = of_steps.filter(|warning| !matches!(warning, Warning::FoldedFaces { .. }));
+        // Nor does it matter what a mesh was like that has been made another since.
+        let is_passing = |warning: &&Warning| {
+            matches!(
+                warning,
+                Warning::FoldedFaces { .. } | Warning::Untrusted { .. }
+            )
+        };
+        let others = of_steps.filter(|warning| !is_passing(warning));
+        let unsound = self.state.soundness.as_ref().and_then(Warning::of_unsound);
         let mut last = BTreeMap::new();
-        for message in others.map(|warning| Message::from(*warning)) {
+        for message in others.copied().chain(unsound).map(Message::from) {
             last.insert(message.id.clone(), message);
         }
         let folds = (folding > 0).then_some(RunNotice::Folds { folding, steps });

@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 const STEPS: usize = 400;
 
 /// One shape of the diagram.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Phase {
@@ -35,6 +35,8 @@ pub struct Phase {
     pub expected: Option<f64>,
     /// How the flow ended.
     pub status: Status,
+    /// The flow under which it is at rest, and stays on its branch.
+    pub options: FlowOptions,
     /// How many shapes the diagram has.
     pub of: usize,
 }
@@ -113,17 +115,25 @@ impl Point {
         Document::from_sample(name, made)
     }
 
-    fn options(&self) -> FlowOptions {
+    /// Options of the flow that keeps the volume as it is.
+    fn kept(&self) -> FlowOptions {
         FlowOptions {
             flow: FlowName::PWillmore,
             keep: vec![Area, Volume],
-            reduced_volume: Some(self.reduced_volume),
-            max_steps: Some(STEPS),
             remesh: match self.branch {
                 Branch::Oblate => Remeshing::Off,
                 Branch::Prolate | Branch::Stomatocyte => Remeshing::Adaptive,
             },
             ..FlowOptions::default()
+        }
+    }
+
+    /// And of the one that leads it to where it is to be.
+    fn led(&self) -> FlowOptions {
+        FlowOptions {
+            reduced_volume: Some(self.reduced_volume),
+            max_steps: Some(STEPS),
+            ..self.kept()
         }
     }
 }
@@ -139,7 +149,7 @@ impl Session {
             return Ok(None);
         };
         self.open(point.begin()?)?;
-        self.configure(point.options())?;
+        self.configure(point.led())?;
         self.run(STEPS)?;
         let state = self.state()?;
         Ok(Some(Phase {
@@ -148,6 +158,7 @@ impl Session {
             energy: state.energy / (4.0 * PI),
             expected: point.expected,
             status: state.status,
+            options: point.kept(),
             of: COUNT,
         }))
     }

@@ -15,6 +15,7 @@ use crate::interrupt;
 use crate::mesh::HalfedgeMesh;
 use crate::message::Message;
 use crate::operator::{Elements, Mass};
+use crate::remesh::adaptive::Soundness;
 use crate::remesh::fill::boundary_loops;
 use crate::remesh::repair;
 use glam::DVec3;
@@ -248,6 +249,11 @@ pub struct State {
     pub gradient_norm: f64,
     /// Duration of the last step.
     pub milliseconds: f64,
+    /// Whether the readings can be believed, as far as was looked at last: every tenth step, after
+    /// a pass and at the end of a run of the p-Willmore flow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub soundness: Option<Soundness>,
     /// The pass of remeshing that the last step began with.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]

@@ -25,6 +25,7 @@ use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::flips::EdgeFlips;
 use crate::flow::options::FlowOptions;
+use crate::flow::spec::{self, Family};
 use crate::flow::{Decision, FlowError, Pass, Status, StepReport, p_willmore};
 use crate::geometry::measure;
 use crate::interrupt;
@@ -330,6 +331,10 @@ impl Runner {
 
     fn end(&mut self, decision: Decision) {
         if let Decision::Stop(status, why) = decision {
+            let is_read = spec::of(self.options().flow).family == Family::PWillmore;
+            if is_read && self.polygons().is_triangular() {
+                self.state.soundness = self.soundness();
+            }
             self.state.status = status;
             self.state.message = Some(why.into());
         }
@@ -379,6 +384,7 @@ impl Runner {
                 reduced_volume: report.reduced_volume,
                 flips: report.flips.clone(),
                 pass,
+                soundness: report.soundness.or(self.state.soundness),
                 can_step_back: true,
                 ..State::default()
             };

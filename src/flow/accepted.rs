@@ -77,6 +77,7 @@ impl Driver {
             objective_before: before.value,
             objective: value,
             rejected: found.rejected,
+            is_guarded: found.is_guarded,
             update: step.update,
             warnings: std::mem::take(&mut cost.warnings),
             ..StepReport::default()

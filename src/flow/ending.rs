@@ -30,7 +30,7 @@ const COLLAPSED: Decision = Decision::Stop(Status::Collapsed, Reason::BelowBound
 
 impl Driver {
     /// The budget of steps, or else of time: whoever asks for a number of steps gets them.
-    pub(super) fn out_of_budget(&self) -> Option<Decision> {
+    pub fn out_of_budget(&self) -> Option<Decision> {
         let steps = self.run.step - self.run.first_step;
         let rules = self.flow.rules();
         if !rules.ends_at_rest && steps >= self.options.smooth_steps {

@@ -2,6 +2,7 @@
 
 use super::flips::FlipReading;
 use super::warning::Warning;
+use crate::remesh::adaptive::Soundness;
 use serde::{Deserialize, Serialize};
 
 /// Where a run stands.
@@ -119,6 +120,9 @@ pub struct StepReport {
     pub min_angle_degrees: f64,
     /// Trial steps refused before this one.
     pub rejected: usize,
+    /// Whether any of them was refused for what it would make of the mesh, or for a theorem's
+    /// bound.
+    pub is_guarded: bool,
     /// Inner iterations: of the linear solver, or of Newton's method.
     pub iterations: usize,
     /// Wall-clock time of the step.
@@ -175,6 +179,10 @@ pub struct StepReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
     pub pass: Option<Pass>,
+    /// Whether readings can be believed, looked at in every tenth step of the p-Willmore flow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub soundness: Option<Soundness>,
     /// Worth telling the user.
     pub warnings: Vec<Warning>,
 }

@@ -1,5 +1,6 @@
 //! What is read as a sign that a surface or its mesh goes wrong: the thresholds of warnings, of
-//! endings and of the diagnosis of a run, so that all three say the same.
+//! endings and of the diagnosis of a run, so that all three say the same. Those of what a whole mesh
+//! is worth stand with its readings, in [`Soundness`](crate::remesh::adaptive::Soundness).
 
 /// Growth of the area that is a sign of a bubble.
 pub const BUBBLE: f64 = 4.0;

@@ -1,6 +1,7 @@
 //! What is worth telling of a run while it goes on.
 
 use crate::message::messages;
+use crate::remesh::adaptive::Soundness;
 
 messages! {
     /// Told with a step.
@@ -69,6 +70,17 @@ messages! {
             /// By so much.
             percent: f64,
         },
+        /// The mesh is too coarse or too crumpled for its readings to be believed.
+        Untrusted {
+            /// See [`Soundness::bend`](crate::remesh::adaptive::Soundness::bend).
+            bend: f64,
+            /// See [`Soundness::alignment`](crate::remesh::adaptive::Soundness::alignment).
+            alignment: f64,
+            /// See [`Soundness::gauss_bonnet`](crate::remesh::adaptive::Soundness::gauss_bonnet).
+            topology: f64,
+            /// See [`Soundness::fitted_energy`](crate::remesh::adaptive::Soundness::fitted_energy).
+            energy: f64,
+        },
         /// The branch of a led vesicle.
         Branch {
             /// `round`, `prolate`, `oblate` or `triaxial`.
@@ -111,6 +123,18 @@ messages! {
         },
         /// A surface on the way was better than the last, and is put in its place.
         BetterBefore,
+    }
+}
+
+impl Warning {
+    /// What is to be said of a mesh whose readings cannot be believed.
+    pub fn of_unsound(readings: &Soundness) -> Option<Self> {
+        (!readings.is_sound).then_some(Self::Untrusted {
+            bend: readings.bend,
+            alignment: readings.alignment,
+            topology: readings.gauss_bonnet,
+            energy: readings.fitted_energy,
+        })
     }
 }
 

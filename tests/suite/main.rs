@@ -34,6 +34,7 @@ mod p_willmore_mass;
 mod phases;
 mod probe;
 mod property_io;
+mod random_surfaces;
 mod real_meshes;
 mod recipe;
 mod regularise;

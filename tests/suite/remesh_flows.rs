@@ -5,10 +5,12 @@ use crate::p_willmore_energy::roughened;
 use crate::support::*;
 use std::f64::consts::PI;
 use umbilic::app::Session;
-use umbilic::flow::Status;
+use umbilic::energy::circle::Boundary;
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions, Remeshing};
+use umbilic::flow::{Status, Warning};
 use umbilic::io::{Format, write};
+use umbilic::message::Message;
 
 /// ∫H² of the Clifford torus, the least of all tori (Marques & Neves 2014).
 const CLIFFORD: f64 = 2.0 * PI * PI;
@@ -17,10 +19,15 @@ const LAWSON: f64 = 21.892;
 
 struct End {
     energy: f64,
+    /// The same with the lumped mass: the consistent one, of which the flow lowers more, is never
+    /// less, and both tend to the same.
+    lumped: f64,
     angle: f64,
     passes: usize,
     status: Status,
     is_sound: bool,
+    /// Whether a step, and whether the end, warned of readings that cannot be believed.
+    warned: [bool; 2],
 }
 
 /// What becomes of a surface under the p-Willmore flow.
@@ -36,32 +43,52 @@ fn run(s: &Surface, keep: &[Kept], remesh: Remeshing, limit: usize) -> End {
             ..FlowOptions::default()
         })
         .expect("a flow");
-    let mut passes = 0;
+    let (mut passes, mut has_warned) = (0, false);
     for _ in 0..limit {
         let Some(report) = session.step().expect("a step") else {
             break;
         };
         passes += usize::from(report.pass.is_some());
+        let is_untrusted = |w: &Warning| matches!(w, Warning::Untrusted { .. });
+        has_warned |= report.warnings.iter().any(is_untrusted);
         if session.state().expect("a state").status.is_final() {
             break;
         }
     }
     let state = session.state().expect("a state");
+    let outcome = session.outcome().expect("an outcome");
+    let lumped = session
+        .energy(Boundary::Fixed, &[])
+        .expect("a mesh")
+        .willmore;
     // The same surface as an edit reads it: as many vertices as there are.
     let readings = session
         .remesh(&Default::default())
         .expect("remeshed")
         .before;
+    let is_sound = readings.soundness.expect("closed").is_sound;
+    assert_eq!(outcome.soundness.expect("closed").is_sound, is_sound);
+    let mut warnings = outcome.warnings.iter();
+    let is_untrusted = |w: &Message| &*w.id == "warning-untrusted";
     let end = End {
         energy: state.energy,
+        lumped,
         angle: state.min_angle_degrees,
         passes,
         status: state.status,
-        is_sound: readings.soundness.expect("closed").is_sound(),
+        is_sound,
+        warned: [has_warned, warnings.any(is_untrusted)],
     };
     println!(
-        "∫H² = {:.3}, {:.1}°, {} steps, {} passes, {:?}, sound: {}",
-        end.energy, end.angle, state.step, end.passes, end.status, end.is_sound
+        "∫H² = {:.3}, {:.1}°, {} steps, {} passes, {:?}, sound: {}, warned: {:?}, lumped {:.3}",
+        end.energy,
+        end.angle,
+        state.step,
+        end.passes,
+        end.status,
+        end.is_sound,
+        end.warned,
+        end.lumped
     );
     end
 }
@@ -86,15 +113,20 @@ fn tori_come_to_rest_at_the_clifford_torus() {
 }
 
 #[test]
-fn a_double_torus_comes_down_to_lawsons_surface() {
-    let s = surface(&sample("double-torus", &[("level", 2.0)]));
-    let end = run(&s, &[Kept::Area], Remeshing::Adaptive, 400);
-    let ratio = end.energy / LAWSON;
-    assert!((0.99..1.02).contains(&ratio), "{ratio}");
-    assert!(end.angle > 30.0 && end.is_sound, "{}", end.angle);
-    // Where a pass changes next to nothing there is none, which would keep the run from its end.
-    let is_over = end.status.is_final() && !end.status.is_breakdown();
-    assert!(is_over, "{:?}", end.status);
+fn a_double_torus_comes_to_rest_at_lawsons_surface() {
+    // At 750 vertices what is monitored is 1.8 % above the smooth minimum, as the mass makes it.
+    for (level, most) in [(2.0, 1.02), (3.0, 1.01)] {
+        let s = surface(&sample("double-torus", &[("level", level)]));
+        let end = run(&s, &[Kept::Area], Remeshing::Adaptive, 400);
+        let ratio = end.energy / LAWSON;
+        assert!((0.99..most).contains(&ratio), "{ratio}");
+        let lumped = end.lumped / LAWSON;
+        assert!((0.99..1.01).contains(&lumped), "{lumped}");
+        assert!(end.angle > 30.0 && end.is_sound, "{}", end.angle);
+        // Where a pass changes next to nothing there is none, which would keep the run from its
+        // end; nor do moves that slide vertices uphill.
+        assert_eq!(end.status, Status::Converged, "level {level}");
+    }
 }
 
 /// ∫H²/4π of the prolate vesicle of a reduced volume from .8 to .9, through three values of
@@ -122,5 +154,22 @@ fn a_rough_ellipsoid_becomes_a_prolate_vesicle_by_either_size_of_triangles() {
         let ratio = end.energy / (4.0 * PI * prolate(v));
         assert!((0.985..1.015).contains(&ratio), "{remesh:?}: {ratio}");
         assert!(end.passes > 0 && end.is_sound && end.angle > 25.0);
+    }
+}
+
+#[test]
+fn readings_of_a_mesh_that_wears_out_are_not_to_be_trusted_and_the_run_says_so() {
+    let even = torus([2.0, 1.0], [36.0, 18.0]);
+    let end = run(&even, &[Kept::Area], Remeshing::Off, 400);
+    // With the lumped mass 2 % below the least energy of smooth tori.
+    assert!(end.lumped < 0.985 * CLIFFORD && !end.is_sound);
+    assert_eq!(end.warned, [true; 2]);
+    let sphere = surface(&sample("icosphere", &[("level", 3.0)]));
+    let rough = roughened(torus([2f64.sqrt(), 1.0], [40.0, 20.0]), 0.25, 3);
+    let knot = surface(&sample("trefoil", &[]));
+    for s in [&sphere, &even, &rough, &knot] {
+        let end = run(s, &[Kept::Area], Remeshing::Adaptive, 60);
+        assert!(end.is_sound);
+        assert_eq!(end.warned, [false; 2]);
     }
 }

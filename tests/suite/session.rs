@@ -279,6 +279,35 @@ fn a_restored_session_goes_on_from_there() {
 }
 
 #[test]
+fn a_session_that_is_restored_at_its_limit_of_steps_goes_on_when_asked_to() {
+    let limited = || {
+        let mut session = small();
+        session
+            .configure(FlowOptions {
+                max_steps: Some(3),
+                ..FlowOptions::default()
+            })
+            .expect("options");
+        session
+    };
+    let mut session = limited();
+    session.run(3).expect("steps");
+    let frame = session.frame().expect("a frame");
+    let state = frame.state;
+    assert_eq!(state.status, Status::StepLimit);
+    let mut other = limited();
+    let restored = other
+        .restore(&frame.exact, None, state.step, state.time)
+        .expect("restored");
+    assert_eq!(
+        (restored.status, restored.message),
+        (state.status, state.message)
+    );
+    let report = other.step().expect("a step").expect("a report");
+    assert_eq!(report.step, 4);
+}
+
+#[test]
 fn fields_have_a_value_a_vertex_and_a_range() {
     let mut session = with("torus", &[]);
     session.run(1).expect("a step");

@@ -36,7 +36,7 @@ fn a_remeshed_surface_is_the_same_with_as_many_vertices_as_asked_for() {
         assert!(change.abs() < 5e-3, "{kind:?}: volume {change:e}");
         assert!(outcome.before.min_angle_degrees < 15.0);
         assert!(outcome.after.min_angle_degrees > 28.0, "{outcome:?}");
-        assert!(outcome.after.soundness.expect("closed").is_sound());
+        assert!(outcome.after.soundness.expect("closed").is_sound);
         let records = s.provenance().expect("known").edits;
         assert_eq!(
             records.last().map(|r| &r.edit),

@@ -301,6 +301,26 @@ test("flow: ends when the session does", async () => {
   assert.match(out, /^circle +12 +12$/m);
 });
 
+test("flow: readings that cannot be believed are said to be so", async () => {
+  const soundness = { bend: 2, alignment: 0.2, gaussBonnet: 0, fittedEnergy: 1, isSound: false };
+  const values = { bend: 2, alignment: 0.2, topology: 0, energy: 1 };
+  const outcome = {
+    ...new FakeSession().outcome(),
+    soundness,
+    warnings: [
+      { id: "warning-slivers", values: {} },
+      { id: "warning-untrusted", values },
+    ],
+  };
+  const told = () => Object.assign(new FakeSession({ endAfter: 5 }), { outcome: () => outcome });
+  const line = ["flow", mesh, "--until-converged"];
+  const { out } = await umbilic(line, told());
+  assert.match(out, /^warning: Not to be trusted: .*curvature times edge 2, .*normals 0\.2, /m);
+  assert.match(out, /^soundness\.isSound +false$/m);
+  const { json } = await umbilic([...line, "--json"], told());
+  assert.deepEqual([json().soundness, json().warningIds], [soundness, ["warning-untrusted"]]);
+});
+
 test("flow: a numerical failure ends with 4 and keeps the last good state", async () => {
   const session = new FakeSession({ failAt: 3 });
   const line = ["flow", mesh, "--until-converged", "--json", "--out", file("last.obj")];

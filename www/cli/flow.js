@@ -119,10 +119,12 @@ export const flow = command({
     });
     const initial = readings();
     const { steps, outcome } = runSteps(session, io);
-    const { monitored, curvatureJump } = outcome;
+    const { monitored, curvatureJump, soundness } = outcome;
+    const warnings = outcome.warnings.filter(({ id }) => id === "warning-untrusted");
     const result = {
       ...ended(outcome),
       ...{ monitored, steps: steps.map(inWords), initial, final: readings() },
+      ...(soundness && { soundness, ...inWords({ warnings }) }),
       ...(byCurvature.includes(asked.flow) && { curvatureJump }),
     };
     const history = () => perform(session, "history");

@@ -1700,6 +1700,10 @@ fault: Fault | null,
  */
 monitored: Monitored, 
 /**
+ * Whether the readings at the end can be believed, of the p-Willmore flow.
+ */
+soundness: Soundness | null, 
+/**
  * The jump of H across the boundary of what moves.
  */
 curvatureJump: CurvatureJump | null, 
@@ -1856,6 +1860,10 @@ expected: number | null,
  * How the flow ended.
  */
 status: Status, 
+/**
+ * The flow under which it is at rest, and stays on its branch.
+ */
+options: FlowOptions, 
 /**
  * How many shapes the diagram has.
  */
@@ -2412,13 +2420,18 @@ bend: number,
  */
 alignment: number, 
 /**
- * ∫K/4π of the fitted quadrics less χ/2, which it is on smooth surfaces.
+ * ∫K of the fitted quadrics less 2πχ, which it is on smooth surfaces, over their ∫|K|; where
+ * that is less than 4π, over 4π. Handles and knots have more to be measured, and to err by.
  */
 gaussBonnet: number, 
 /**
  * ∫H² of the fitted quadrics over ∫H² of the mesh.
  */
-fittedEnergy: number, };
+fittedEnergy: number, 
+/**
+ * Whether the readings of the mesh can be believed: all four are within their limits.
+ */
+isSound: boolean, };
 
 /**
  * Where a session stands.
@@ -2502,6 +2515,11 @@ gradientNorm: number,
  */
 milliseconds: number, 
 /**
+ * Whether the readings can be believed, as far as was looked at last: every tenth step, after
+ * a pass and at the end of a run of the p-Willmore flow.
+ */
+soundness?: Soundness, 
+/**
  * The pass of remeshing that the last step began with.
  */
 pass?: Pass, 
@@ -2582,6 +2600,11 @@ minAngleDegrees: number,
  * Trial steps refused before this one.
  */
 rejected: number, 
+/**
+ * Whether any of them was refused for what it would make of the mesh, or for a theorem's
+ * bound.
+ */
+isGuarded: boolean, 
 /**
  * Inner iterations: of the linear solver, or of Newton's method.
  */
@@ -2666,6 +2689,10 @@ remeshMilliseconds: number,
  * The pass of remeshing that came before the step, where there was one.
  */
 pass?: Pass, 
+/**
+ * Whether readings can be believed, looked at in every tenth step of the p-Willmore flow.
+ */
+soundness?: Soundness, 
 /**
  * Worth telling the user.
  */

@@ -59,9 +59,8 @@ async function run(page) {
 }
 
 /** @param {Page} page @param {Shape} shape */
-function open(page, { branch, reducedVolume, bytes }) {
+function open(page, { branch, reducedVolume, bytes, options }) {
   const name = `${branch}-${reducedVolume.toFixed(3)}.ply`;
-  const options = /** @type {any} */ ({ flow: "p-willmore", p: 2, keep: ["area", "volume"] });
   page.open.open([new File([bytes], name)], { options });
 }
 

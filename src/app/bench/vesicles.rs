@@ -37,8 +37,9 @@ fn measurements(_: &BenchOptions) -> Vec<Measurement> {
             let begun = Instant::now();
             let phase = Session::new().phase(number)?;
             let row = phase.map(|phase| {
+                let row = row(&phase, milliseconds(begun));
                 found.borrow_mut().push(phase);
-                row(&phase, milliseconds(begun))
+                row
             });
             Ok(row.into_iter().collect())
         })

@@ -163,6 +163,7 @@ impl Runner {
         };
         self.follow(snapshot, Event::Pass, None);
         self.read_state();
+        self.state.soundness = self.soundness();
         let pass = Pass {
             after_step: self.state.step,
             vertices: self.x.len(),

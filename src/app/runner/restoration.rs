@@ -79,6 +79,10 @@ impl Runner {
             ..State::default()
         };
         self.read_state();
+        // As the run stood at its limit, so that going on is to go beyond.
+        if let Some(end) = self.engine.as_ref().and_then(|flow| flow.out_of_budget()) {
+            self.end(end);
+        }
         Ok(self.state.clone())
     }
 

@@ -102,6 +102,8 @@ pub struct PWillmoreFlow {
     /// Whether the start is not below it already, as on a mesh too coarse to be judged by it.
     is_resolved: bool,
     kept: Kept,
+    /// Whether moves are along the normals alone, as the gradient that they follow is.
+    is_normal: bool,
     /// Integrals and derivatives at the present positions.
     evaluation: Evaluation,
     is_evaluated: bool,
@@ -117,7 +119,10 @@ pub struct PWillmoreFlow {
 
 /// What the flow must remember beside the positions.
 #[derive(Clone, Copy, Debug)]
-pub struct Memory(Kept);
+pub struct Memory {
+    kept: Kept,
+    is_normal: bool,
+}
 
 impl PWillmoreFlow {
     /// Prepares the flow at positions `x`, which a perturbation may change.
@@ -178,6 +183,7 @@ impl PWillmoreFlow {
             functional,
             system,
             regulariser: None,
+            is_normal: false,
             evaluation,
             is_evaluated: false,
             is_assembled: false,
@@ -340,13 +346,16 @@ impl Flow for PWillmoreFlow {
     }
 
     /// While a volume is led, steps are short: given time, an oblate vesicle would turn over
-    /// into a prolate one.
+    /// into a prolate one. Where moves have ceased to descend, those along the normals follow.
     fn next_phase(
         &mut self,
-        _x: &[DVec3],
+        x: &[DVec3],
         occasion: &Occasion,
-        _cost: &mut Cost,
+        cost: &mut Cost,
     ) -> Result<Option<Phase>, FlowError> {
+        if let Some(phase) = self.along_normals(x, occasion, cost)? {
+            return Ok(Some(phase));
+        }
         let arrives = matches!(occasion, Occasion::Accepted { .. }) && self.kept.has_arrived();
         Ok(arrives.then(|| Phase {
             resets_functional: true,
@@ -440,12 +449,15 @@ impl Flow for PWillmoreFlow {
     }
 
     fn memory(&self) -> super::Memory {
-        super::Memory::PWillmore(Memory(self.kept))
+        super::Memory::PWillmore(Memory {
+            kept: self.kept,
+            is_normal: self.is_normal,
+        })
     }
 
     fn recall(&mut self, memory: super::Memory) {
-        if let super::Memory::PWillmore(Memory(kept)) = memory {
-            self.kept = kept;
+        if let super::Memory::PWillmore(Memory { kept, is_normal }) = memory {
+            (self.kept, self.is_normal) = (kept, is_normal);
         }
         self.forget();
     }

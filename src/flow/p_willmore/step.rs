@@ -4,7 +4,7 @@ use super::{PWillmoreFlow, gauge};
 use crate::energy::p_willmore::Evaluation;
 use crate::flow::constraint::{dot, multipliers, project};
 use crate::flow::rules::Ceiling;
-use crate::flow::{Cause, Cost, FlowError, Move, Proposal, Refusal, Search};
+use crate::flow::{Cause, Cost, Flow, FlowError, Move, Occasion, Phase, Proposal, Refusal, Search};
 use crate::interrupt;
 use glam::DVec3;
 use web_time::Instant;
@@ -73,6 +73,13 @@ impl PWillmoreFlow {
         let info = self.system.solve(&e.mass, dt, &rhs, &mut solution)?;
         cost.add(&info);
         interrupt::check()?;
+        if self.is_normal {
+            let normals = self.evaluation.volume_gradient.iter().cycle();
+            for (d, n) in solution.iter_mut().zip(normals) {
+                let n = n.normalize_or_zero();
+                *d = d.dot(n) * n;
+            }
+        }
         let directions = solution.split_off(n);
         let mut d = solution;
         if fixed_size {
@@ -98,6 +105,27 @@ impl PWillmoreFlow {
         let mut step = Move::new(d, slope.min(0.0), dt, search);
         step.ceiling = is_leading.then_some(Ceiling::None);
         Ok(Proposal::Move(Box::new(step)))
+    }
+
+    /// Begins to move along the normals alone where other moves have ceased to descend. Near rest what a smoothed move slides
+    /// vertices by can raise the energy by more than it lowers it along the normals; moves along
+    /// these alone are shorter, but have the slope that they are thought to have.
+    pub(super) fn along_normals(
+        &mut self,
+        x: &[DVec3],
+        occasion: &Occasion,
+        cost: &mut Cost,
+    ) -> Result<Option<Phase>, FlowError> {
+        let is_stuck = matches!(occasion, Occasion::Stuck { is_guarded, .. } if !is_guarded);
+        let may_be = is_stuck && !self.is_normal && !self.is_paper() && self.options.p == 2.0;
+        if !may_be || self.stationarity(x, cost)? <= 1.0 {
+            return Ok(None);
+        }
+        self.is_normal = true;
+        Ok(Some(Phase {
+            raises_step_size: true,
+            ..Phase::default()
+        }))
     }
 
     /// Puts a trial onto the constraints; the functional there.

@@ -2,9 +2,11 @@
 
 use super::PWillmoreFlow;
 use super::kept::Kept;
+use crate::energy::p_willmore::integrated_power;
 use crate::flow::signs::UNDER_RESOLVED;
 use crate::flow::warning::WarningsGiven;
 use crate::flow::{StepReport, Warning, vesicle};
+use crate::remesh::adaptive::Soundness;
 use glam::DVec3;
 
 /// The bend, here |Y|h, from which the surface is about to become singular.
@@ -12,7 +14,7 @@ const SINGULAR: f64 = 8.0;
 /// With a functional so near the smooth minimum the mesh may cheat.
 const NEAR_MINIMUM: f64 = 0.985;
 /// Two masses whose ∫H² part by so many per cent tell of a mesh that is too coarse or crumpled;
-/// looked at every so many steps, as it costs about a trial.
+/// looked at every so many steps, as it costs about a trial; so do the readings of the mesh.
 const DISAGREEING: f64 = 5.0;
 const LOOK_EVERY: usize = 10;
 
@@ -33,6 +35,16 @@ impl PWillmoreFlow {
             let percent = 100.0 * self.functional.disagreement(x);
             if percent > DISAGREEING {
                 given.give_once(Warning::Disagreement { percent }, warnings);
+            }
+        }
+        if report.step.is_multiple_of(LOOK_EVERY) && self.mesh.is_triangular() {
+            let readings = Soundness::of(&self.mesh, x, integrated_power(&self.mesh, x, 2.0));
+            report.soundness = Some(readings);
+            // A rough start is given the time to become smooth.
+            if report.step > LOOK_EVERY
+                && let Some(warning) = Warning::of_unsound(&readings)
+            {
+                given.give_once(warning, warnings);
             }
         }
         let curvatures = self.evaluation.curvature.iter().zip(&self.evaluation.mass);

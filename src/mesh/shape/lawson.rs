@@ -7,7 +7,8 @@
 //! f = \operatorname{Im} z^{g+1} + \operatorname{Re} w^2,
 //! ```
 //!
-//! projected from the point w = i, where f = −1, to (z, Re w)/(1 − Im w). The 2(g + 1) points of the
+//! projected from the point w = i, where f = −1, to (z, Re w)/(1 − Im w), and laid down so that the last
+//! axis is upright. The 2(g + 1) points of the
 //! circle w = 0 with f = 0 and the four of the circle z = 0 are joined by 8(g + 1) quarters of great
 //! circles, on which f vanishes; these bound 4(g + 1) quadrilaterals, which half turns about the
 //! circles carry into each other. Lawson's surface has the same ones, each of least area; the Willmore
@@ -15,7 +16,7 @@
 
 use super::grid;
 use crate::soup::PolygonSoup;
-use glam::{DVec2, DVec4};
+use glam::{DVec2, DVec3, DVec4};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -113,7 +114,8 @@ pub fn lawson(genus: usize, cells: usize) -> PolygonSoup {
         }
     }
     relax(genus, &mut x, &faces);
-    let project = |x: &DVec4| x.truncate() / (1.0 - x.w);
+    // The axis upright: from the side one looks through the handles.
+    let project = |x: &DVec4| DVec3::new(x.x, x.z, -x.y) / (1.0 - x.w);
     PolygonSoup::from_faces(x.iter().map(project).collect(), &faces)
 }
 
@@ -141,7 +143,7 @@ mod tests {
     use crate::geometry::curvature::area_gradient;
     use crate::geometry::measure::{min_angle_degrees, vertex_areas, volume};
     use crate::mesh::build_as_given;
-    use glam::{DQuat, DVec3};
+    use glam::DQuat;
 
     #[test]
     fn they_have_the_symmetries_and_handles_of_lawsons_surfaces() {
@@ -158,8 +160,8 @@ mod tests {
             let turn = std::f64::consts::TAU / (genus + 1) as f64;
             let images = |p: &DVec3| {
                 [
-                    DQuat::from_rotation_z(turn) * *p,
-                    DVec3::new(p.x, p.y, -p.z),
+                    DQuat::from_rotation_y(turn) * *p,
+                    DVec3::new(p.x, -p.y, p.z),
                 ]
             };
             for image in x.iter().flat_map(images) {

@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 const COARSE: f64 = 1.5;
 /// Face normal · vertex normal below which a mesh is crumpled.
 const CRUMPLED: f64 = 0.3;
-/// Distance of ∫K/4π of the fits from χ/2.
+/// Distance of ∫K of the fits from 2πχ, over ∫|K| or 4π, whichever is more.
 const TOPOLOGY: f64 = 0.15;
 /// ∫H² of the fits over that of the mesh.
 const ENERGY: std::ops::RangeInclusive<f64> = 0.9..=1.2;
@@ -31,10 +31,13 @@ pub struct Soundness {
     pub bend: f64,
     /// Least product of a unit face normal with a unit normal at its corners.
     pub alignment: f64,
-    /// ∫K/4π of the fitted quadrics less χ/2, which it is on smooth surfaces.
+    /// ∫K of the fitted quadrics less 2πχ, which it is on smooth surfaces, over their ∫|K|; where
+    /// that is less than 4π, over 4π. Handles and knots have more to be measured, and to err by.
     pub gauss_bonnet: f64,
     /// ∫H² of the fitted quadrics over ∫H² of the mesh.
     pub fitted_energy: f64,
+    /// Whether the readings of the mesh can be believed: all four are within their limits.
+    pub is_sound: bool,
 }
 
 impl Soundness {
@@ -42,27 +45,28 @@ impl Soundness {
     pub fn of(mesh: &HalfedgeMesh, x: &[DVec3], willmore: f64) -> Self {
         let draft = Draft::of(mesh, x, &vec![false; x.len()]);
         let (areas, lengths) = (draft.areas(), mean_edge_lengths(mesh, x));
-        let (mut gauss, mut squares, mut bend) = (0.0, 0.0, 0.0f64);
+        let (mut gauss, mut turned, mut squares, mut bend) = (0.0, 0.0, 0.0, 0.0f64);
         for (i, fit) in quadric::fits(&draft, &draft.normal).iter().enumerate() {
             let [low, high] = fit.curvatures();
             gauss += areas[i] * low * high;
+            turned += areas[i] * (low * high).abs();
             squares += areas[i] * (0.5 * (low + high)).powi(2);
             bend = bend.max(fit.bend() * lengths[i]);
         }
+        let alignment = alignment_of(&draft);
+        let topology = 2.0 * PI * mesh.euler_characteristic() as f64;
+        let gauss_bonnet = (gauss - topology) / f64::max(turned, 4.0 * PI);
+        let fitted_energy = squares / willmore;
         Self {
             bend,
-            alignment: alignment_of(&draft),
-            gauss_bonnet: gauss / (4.0 * PI) - 0.5 * mesh.euler_characteristic() as f64,
-            fitted_energy: squares / willmore,
+            alignment,
+            gauss_bonnet,
+            fitted_energy,
+            is_sound: bend <= COARSE
+                && alignment >= CRUMPLED
+                && gauss_bonnet.abs() <= TOPOLOGY
+                && ENERGY.contains(&fitted_energy),
         }
-    }
-
-    /// Whether the readings of the mesh can be believed.
-    pub fn is_sound(&self) -> bool {
-        self.bend <= COARSE
-            && self.alignment >= CRUMPLED
-            && self.gauss_bonnet.abs() <= TOPOLOGY
-            && ENERGY.contains(&self.fitted_energy)
     }
 }
 

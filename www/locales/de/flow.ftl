@@ -57,6 +57,7 @@ warning-margin = { $rings ->
    *[other] Weniger als ein Ring festgehaltener Ecken liegt zwischen dem Rand des freien Flickens und dem des Netzes: Dort wird die Fläche von einer Seite angepasst, und nur die Lage ist vorgegeben, nicht die Tangentialebene.
 }
 warning-disagreement = Zwei Werte von ∫H², mit konzentrierter und mit konsistenter Masse, weichen um { NUMBER($percent, digits: 2) } % voneinander ab: Das Netz löst seine Krümmung nicht gut auf.
+warning-untrusted = Nicht vertrauenswürdig: Das Netz ist zu grob oder zu zerknittert, als dass seine Messwerte viel bedeuten. Größte Krümmung mal Kante { NUMBER($bend, digits: 2) }, kleinstes Produkt von Flächen- und Eckennormalen { NUMBER($alignment, digits: 2) }, ∫K/4π weicht um { NUMBER($topology, digits: 2) } ab, ∫H² der Anpassungen das { NUMBER($energy, digits: 2) }-Fache von dem des Netzes.
 warning-branch = Das Volumen ist, wo es hin sollte. Die Form ist { $shape ->
     [round] rund
     [prolate] gestreckt

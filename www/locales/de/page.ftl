@@ -50,6 +50,7 @@ filled = { $count ->
 ## Wie ein Lauf endete
 
 play-goes-on = { $reason }. „Start“ macht weiter.
+end-untrusted = { $reason }. Nicht vertrauenswürdig: Das Netz ist zu grob oder zu zerknittert
 
 ## Füllen
 

@@ -57,6 +57,7 @@ warning-margin = { $rings ->
    *[other] Fewer than one ring of held vertices lies between the free patch's boundary and the mesh's: there the surface is fitted from one side, and only positions are given, not the tangent plane.
 }
 warning-disagreement = Two readings of ∫H², with a lumped and with a consistent mass, part by { NUMBER($percent, digits: 2) } %: the mesh does not resolve its curvature well.
+warning-untrusted = Not to be trusted: the mesh is too coarse or too crumpled for its readings to mean much. Largest curvature times edge { NUMBER($bend, digits: 2) }, least product of face and vertex normals { NUMBER($alignment, digits: 2) }, ∫K/4π off by { NUMBER($topology, digits: 2) }, ∫H² of fits { NUMBER($energy, digits: 2) } times that of the mesh.
 warning-branch = The volume is where it was to go. The shape is { $shape ->
     [round] round
     [prolate] prolate

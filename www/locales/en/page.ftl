@@ -50,6 +50,7 @@ filled = Filled { $count ->
 ## How a run ended
 
 play-goes-on = { $reason }. Play goes on.
+end-untrusted = { $reason }. Not to be trusted: the mesh is too coarse or too crumpled
 
 ## A fill
 
