@@ -49,17 +49,24 @@ fn connected(soup: &PolygonSoup, turns_outward: bool) -> Result<Built, MeshError
     if faces.n_faces() == 0 {
         return Err(MeshError::NoFaces);
     }
-    let sides = paired_sides(&faces)?;
+    let mut sides = paired_sides(&faces)?;
+    // Whatever changes the faces is told as a repair; most surfaces need none.
+    let told = repairs.len();
     orient(&mut faces, &sides, turns_outward, &mut repairs);
-    // Turning a face renumbers its corners.
-    let sides = paired_sides(&faces)?;
+    if repairs.len() > told {
+        // Turning a face renumbers its corners.
+        sides = paired_sides(&faces)?;
+    }
+    let told = repairs.len();
     let origin = split_vertices(&mut faces, &sides, &mut repairs);
     drop_flat_components(&mut faces, &sides, &mut repairs);
     if faces.n_faces() == 0 {
         return Err(MeshError::NoFaces);
     }
     let soup_vertex = drop_unused_vertices(&mut faces, &origin, soup, &mut repairs);
-    let sides = paired_sides(&faces)?;
+    if repairs.len() > told {
+        sides = paired_sides(&faces)?;
+    }
     let mesh = connect(&faces, &sides);
     Ok(Built {
         mesh,
