@@ -21,6 +21,29 @@ pub fn sort<T: Ord>(items: &mut [T]) {
     sort_by(items, T::cmp);
 }
 
+/// Sorts what comes with a number below `n` by that number, in time proportional to both counts;
+/// what has equal numbers stays in order. Gives where each number begins, and the end, with it.
+pub fn bucketed<T: Copy + Default>(
+    n: usize,
+    items: impl Iterator<Item = (u32, T)> + Clone,
+) -> (Vec<u32>, Vec<T>) {
+    let mut start = vec![0_u32; n + 1];
+    for (bucket, _) in items.clone() {
+        start[bucket as usize + 1] += 1;
+    }
+    for i in 1..start.len() {
+        start[i] += start[i - 1];
+    }
+    let mut sorted = vec![T::default(); start[n] as usize];
+    let mut free = start.clone();
+    for (bucket, item) in items {
+        let at = &mut free[bucket as usize];
+        sorted[*at as usize] = item;
+        *at += 1;
+    }
+    (start, sorted)
+}
+
 /// For each place of the sorted list, where its item stands now.
 fn places(n: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize> {
     let mut places: Vec<usize> = (0..n).collect();
@@ -68,6 +91,22 @@ mod tests {
             assert!(back.is_sorted_by_key(|item| std::cmp::Reverse(item.1)));
             sort(&mut back);
             assert_eq!(back, theirs);
+        }
+    }
+
+    #[test]
+    fn buckets_are_what_a_stable_sort_by_their_numbers_gives() {
+        for n in [0, 1, 500] {
+            let ours = shuffled(n);
+            let (start, sorted) = bucketed(40, ours.iter().map(|item| (item.0, *item)));
+            let mut theirs = ours;
+            theirs.sort_by_key(|item| item.0);
+            assert_eq!(sorted, theirs);
+            assert_eq!(start.len(), 41);
+            for (bucket, range) in (0..).zip(start.windows(2)) {
+                let items = &sorted[range[0] as usize..range[1] as usize];
+                assert!(items.iter().all(|item| item.0 == bucket));
+            }
         }
     }
 

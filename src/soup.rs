@@ -87,7 +87,7 @@ impl PolygonSoup {
     }
 
     /// All faces in order.
-    pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+    pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
         (0..self.n_faces()).map(|f| self.face(f))
     }
 }

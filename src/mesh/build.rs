@@ -51,13 +51,17 @@ fn connected(soup: &PolygonSoup, turns_outward: bool) -> Result<Built, MeshError
         return Err(MeshError::NoFaces);
     }
     interrupt::pulse();
-    let sides = paired_sides(&faces)?;
+    let mut sides = paired_sides(&faces)?;
     interrupt::pulse();
+    // Whatever changes the faces is told as a repair; most surfaces need none.
+    let told = repairs.len();
     orient(&mut faces, &sides, turns_outward, &mut repairs);
-    // Turning a face renumbers its corners.
+    if repairs.len() > told {
+        // Turning a face renumbers its corners.
+        sides = paired_sides(&faces)?;
+    }
     interrupt::pulse();
-    let sides = paired_sides(&faces)?;
-    interrupt::pulse();
+    let told = repairs.len();
     let origin = split_vertices(&mut faces, &sides, &mut repairs);
     interrupt::pulse();
     drop_flat_components(&mut faces, &sides, &mut repairs);
@@ -66,8 +70,10 @@ fn connected(soup: &PolygonSoup, turns_outward: bool) -> Result<Built, MeshError
     }
     interrupt::pulse();
     let soup_vertex = drop_unused_vertices(&mut faces, &origin, soup, &mut repairs);
-    interrupt::pulse();
-    let sides = paired_sides(&faces)?;
+    if repairs.len() > told {
+        interrupt::pulse();
+        sides = paired_sides(&faces)?;
+    }
     interrupt::pulse();
     let mesh = connect(&faces, &sides);
     Ok(Built {

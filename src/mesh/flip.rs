@@ -26,14 +26,20 @@ pub struct Anchors {
 }
 
 impl HalfedgeMesh {
+    /// Whether an edge lies between two triangles that run alike about it. Unlike
+    /// [`flippable`](Self::flippable) that takes no walk about a vertex.
+    pub fn joins_triangles(&self, e: Edge) -> bool {
+        let h = e.halfedge();
+        let is_triangle = |h| self.next(self.next(h)) == self.prev(h);
+        !self.is_boundary_edge(e) && !self.is_twisted(e) && is_triangle(h) && is_triangle(h.twin())
+    }
+
     /// Whether the flip of an edge leaves a mesh without double edges.
     pub fn flippable(&self, e: Edge) -> Flippable {
         if self.is_boundary_edge(e) {
             return Flippable::Boundary;
         }
-        let h = e.halfedge();
-        let is_triangle = |h| self.next(self.next(self.next(h))) == h;
-        if self.is_twisted(e) || !is_triangle(h) || !is_triangle(h.twin()) {
+        if !self.joins_triangles(e) {
             return Flippable::NotTriangles;
         }
         let [k, l] = self.opposite_vertices(e);
@@ -61,7 +67,7 @@ impl HalfedgeMesh {
     pub fn unflip(&mut self, e: Edge, before: Anchors) {
         // A flip turns the quadrilateral by a quarter: three more make it whole.
         for _ in 0..3 {
-            self.flip(e);
+            self.turn(e);
         }
         for (v, h) in before.vertices {
             self.halfedge_of_vertex[v.index()] = h;
@@ -83,6 +89,10 @@ impl HalfedgeMesh {
     /// Unless the edge is [`flippable`](Self::flippable).
     pub fn flip(&mut self, e: Edge) {
         assert_eq!(self.flippable(e), Flippable::Yes, "edge {}", e.0);
+        self.turn(e);
+    }
+
+    fn turn(&mut self, e: Edge) {
         let h = e.halfedge();
         let t = h.twin();
         let (jk, ki) = (self.next(h), self.prev(h));

@@ -80,10 +80,15 @@ fn duplicate_faces(soup: &PolygonSoup) -> Vec<bool> {
         let mix = |v: &u32| (u64::from(*v) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 7;
         soup.face(f).iter().map(mix).fold(0, u64::wrapping_add) << 32
     };
-    let mut order: Vec<u64> = (0..soup.n_faces()).map(|f| hash(f) | f as u64).collect();
-    order.sort_unstable();
+    // Only faces with the same least vertex can be duplicates.
+    let least = |f: usize| soup.face(f).iter().copied().min().unwrap_or_default();
+    let entries = (0..soup.n_faces()).map(|f| (least(f), hash(f) | f as u64));
+    let (start, mut entries) = order::bucketed(soup.positions.len(), entries);
+    for range in start.windows(2) {
+        entries[range[0] as usize..range[1] as usize].sort_unstable();
+    }
     let mut duplicate = vec![false; soup.n_faces()];
-    for group in order
+    for group in entries
         .chunk_by(|a, b| a >> 32 == b >> 32)
         .filter(|g| g.len() > 1)
     {

@@ -49,12 +49,18 @@ impl Angle {
 /// By `atan2` of imaginary against real part of the quaternion cross-ratio: `acos`
 /// would lose half the digits near 0.
 pub fn diamond_angle(k: DVec3, j: DVec3, l: DVec3, i: DVec3) -> Angle {
+    let (im, re) = diamond_parts(k, j, l, i);
+    Angle::from_parts(im, re)
+}
+
+/// Sine and cosine of [`diamond_angle`], both times the product of the four lengths.
+pub fn diamond_parts(k: DVec3, j: DVec3, l: DVec3, i: DVec3) -> (f64, f64) {
     let (a, b, c, d) = (j - k, l - j, i - l, k - i);
     let (ab, cd) = (a.dot(b), c.dot(d));
     let (axb, cxd) = (a.cross(b), c.cross(d));
     let re = a.dot(c) * b.dot(d) - ab * cd - b.dot(c) * d.dot(a);
     let im = axb.cross(cxd) - ab * cxd - cd * axb;
-    Angle::from_parts(im.length(), re)
+    (im.length(), re)
 }
 
 /// β at the corner `p → v → n`: the exterior angle there, π minus the angle `pvn`.

@@ -1,6 +1,7 @@
 //! The edge-flip optimiser of Brink & Alboul [BA](crate::bibliography#ba): the flip that gains
 //! most, again and again, until none gains anything; and every flip back again.
 
+mod angles;
 pub mod conjecture;
 pub mod lab;
 mod queue;
@@ -10,9 +11,10 @@ use crate::energy::circle::angle::diamond_angle;
 use crate::geometry::measure;
 use crate::mesh::flip::{Anchors, Flippable};
 use crate::mesh::{Edge, HalfedgeMesh, Vertex};
+use angles::Angles;
 use glam::DVec3;
 use queue::{Key, Queue};
-use reduction::{Criterion, Quad, willmore_reduction};
+use reduction::{Criterion, Quad, sides, willmore_reduction};
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 use std::rc::Rc;
@@ -33,6 +35,12 @@ pub struct Flip {
     /// W after; see [`FlipOptimiser::willmore`].
     pub willmore: f64,
 }
+
+/// A flip must gain more than this share of the area of its two triangles: f_a falls like
+/// the fourth power of their size, and an absolute bound would stop fine meshes silently.
+const LEAST_AREA_GAIN: f64 = 1e-12;
+/// A flip must take more than this off the angles.
+const LEAST_ANGLE_GAIN: f64 = 1e-11;
 
 /// What the search for a flip, and the flip itself, did to edges other than those about it.
 #[derive(Default)]
@@ -60,6 +68,8 @@ pub struct FlipOptimiser {
     criterion: Criterion,
     guards_folds: bool,
     queue: Queue,
+    /// For Willmore energy, whose reductions share them.
+    angles: Option<Angles>,
     made: Vec<Flip>,
     /// Of each flipped edge, before.
     anchors: Vec<Anchors>,
@@ -86,8 +96,10 @@ impl FlipOptimiser {
         guards_folds: bool,
     ) -> Self {
         let totals = [measure::area(&mesh, &x), total_angles(&mesh, &x)];
+        let by_angles = criterion == Criterion::Willmore;
         let mut this = Self {
             queue: Queue::new(mesh.n_edges()),
+            angles: by_angles.then(|| Angles::new(&mesh, &x)),
             made: Vec::new(),
             anchors: Vec::new(),
             totals: vec![totals],
@@ -161,28 +173,57 @@ impl FlipOptimiser {
         self.energy(self.total()[1])
     }
 
-    /// f(e) of the criterion; `None` on the boundary and across twisted edges.
-    pub fn reduction(&self, e: Edge) -> Option<f64> {
-        match self.mesh.flippable(e) {
-            Flippable::Boundary | Flippable::NotTriangles => None,
-            _ => Some(match self.criterion {
-                Criterion::Area => Quad::of(&self.mesh, &self.x, e).area_reduction(),
-                Criterion::Willmore => willmore_reduction(&self.mesh, &self.x, e),
-                Criterion::Localised => Quad::of(&self.mesh, &self.x, e).localised_reduction(),
-            }),
+    /// f(e) of the criterion where it is a gain, whether or not the other diagonal is there;
+    /// none on the boundary and across twisted edges.
+    fn gain(&self, e: Edge) -> Option<f64> {
+        if !self.mesh.joins_triangles(e) {
+            return None;
         }
+        if let Some(angles) = &self.angles {
+            let reduction = angles.reduction(&self.mesh, e);
+            return (reduction > LEAST_ANGLE_GAIN).then_some(reduction);
+        }
+        let quad = Quad::of(&self.mesh, &self.x, e);
+        if self.criterion == Criterion::Area {
+            let reduction = quad.area_reduction();
+            return (reduction > LEAST_AREA_GAIN * quad.area()).then_some(reduction);
+        }
+        if quad.surely_loses() {
+            return None;
+        }
+        let reduction = quad.localised_reduction();
+        (reduction > LEAST_ANGLE_GAIN).then_some(reduction)
     }
 
     fn enqueue(&mut self, e: Edge) {
         if let Some(key) = self.queue.remove(e) {
             self.trace.released.push((e, key));
         }
-        let Some(reduction) = self.reduction(e) else {
-            return;
-        };
-        let quad = Quad::of(&self.mesh, &self.x, e);
-        if reduction > self.criterion.threshold(&quad) {
+        if let Some(reduction) = self.gain(e) {
             self.queue.push(e, reduction, key(self.mesh.ends(e)));
+        }
+    }
+
+    /// Looks again at the edges whose reductions a flip, or taking it back, has changed: itself
+    /// and the four sides; for Willmore energy, which looks across them, also the sides of the
+    /// triangles beyond, 13 in all.
+    fn renew(&mut self, flipped: Edge) {
+        if let Some(angles) = &mut self.angles {
+            angles.update(&self.mesh, &self.x, flipped);
+        }
+        self.enqueue(flipped);
+        let around = sides(&self.mesh, flipped).map(|(.., side)| side);
+        for side in around {
+            self.enqueue(side.edge());
+        }
+        if self.angles.is_none() {
+            return;
+        }
+        for side in around.map(|side| side.twin()) {
+            if !self.mesh.is_boundary_halfedge(side) {
+                self.enqueue(self.mesh.next(side).edge());
+                self.enqueue(self.mesh.prev(side).edge());
+            }
         }
     }
 
@@ -210,15 +251,19 @@ impl FlipOptimiser {
     fn flip(&mut self, edge: Edge, reduction: f64) -> Flip {
         let before = self.mesh.ends(edge);
         let [area, angles] = self.total();
-        self.totals.push([
-            area - Quad::of(&self.mesh, &self.x, edge).area_reduction(),
-            angles - 0.5 * willmore_reduction(&self.mesh, &self.x, edge),
-        ]);
+        let off_area = match self.criterion {
+            Criterion::Area => reduction,
+            _ => Quad::of(&self.mesh, &self.x, edge).area_reduction(),
+        };
+        let off_angles = match self.criterion {
+            Criterion::Willmore => reduction,
+            _ => willmore_reduction(&self.mesh, &self.x, edge),
+        };
+        self.totals
+            .push([area - off_area, angles - 0.5 * off_angles]);
         self.anchors.push(self.mesh.anchors(edge));
         self.mesh.flip(edge);
-        for e in self.affected(edge) {
-            self.enqueue(e);
-        }
+        self.renew(edge);
         for e in self.queue.waiting_for(key(before)) {
             self.enqueue(e);
         }
@@ -246,9 +291,7 @@ impl FlipOptimiser {
         self.undo_refusals(trace.refused);
         self.mesh.unflip(last.edge, self.anchors.pop()?);
         self.totals.pop();
-        for e in self.affected(last.edge) {
-            self.enqueue(e);
-        }
+        self.renew(last.edge);
         let trace = self.traces.remove(&self.made.len()).unwrap_or_default();
         for (e, until) in trace.released {
             self.queue.remove(e);
@@ -264,30 +307,6 @@ impl FlipOptimiser {
         for e in refused {
             self.enqueue(e);
         }
-    }
-
-    /// Edges whose reduction a flip changes: itself and the four sides; for Willmore energy,
-    /// which looks across them, also the sides of the triangles beyond, 13 in all.
-    fn affected(&self, flipped: Edge) -> Vec<Edge> {
-        let mesh = &self.mesh;
-        let h = flipped.halfedge();
-        let sides = [
-            mesh.next(h),
-            mesh.prev(h),
-            mesh.next(h.twin()),
-            mesh.prev(h.twin()),
-        ];
-        let mut edges = vec![flipped];
-        edges.extend(sides.map(|s| s.edge()));
-        if self.criterion == Criterion::Willmore {
-            for side in sides.map(|s| s.twin()) {
-                if !mesh.is_boundary_halfedge(side) {
-                    edges.push(mesh.next(side).edge());
-                    edges.push(mesh.prev(side).edge());
-                }
-            }
-        }
-        edges
     }
 
     /// Whether a face after the flip would oppose the two before.
@@ -309,3 +328,6 @@ fn total_angles(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
         })
         .sum()
 }
+
+#[cfg(test)]
+mod tests;

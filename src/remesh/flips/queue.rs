@@ -1,7 +1,7 @@
 //! Edges in the order of what a flip gains, and edges that wait.
 
 use crate::mesh::Edge;
-use std::cmp::{Ordering, Reverse};
+use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
 
 /// Both ends of an edge, the smaller number first.
@@ -10,40 +10,17 @@ pub(super) type Key = (u32, u32);
 /// What an edge waits for that is only queued again when its own reduction changes.
 pub(super) const NEVER: Key = (u32::MAX, u32::MAX);
 
-/// An edge that may gain from a flip. The greatest reduction comes first; of equal ones the
-/// edge with the smallest (min, max) of its ends.
+/// An edge that may gain from a flip, as numbers in the order of which the greatest comes first:
+/// that of the greatest reduction, and of equal ones the edge with the smallest (min, max) of its
+/// ends.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct Candidate {
-    reduction: f64,
-    key: Key,
+    /// Of the reduction, which is positive: such numbers are in the order of their bits.
+    bits: u64,
+    /// The key as one number, the smallest last.
+    ends: Reverse<u64>,
     edge: Edge,
     version: u32,
-}
-
-impl Candidate {
-    fn rank(&self, other: &Self) -> Ordering {
-        let by_gain = self.reduction.total_cmp(&other.reduction);
-        by_gain.then_with(|| Reverse(self.key).cmp(&Reverse(other.key)))
-    }
-}
-
-impl PartialEq for Candidate {
-    fn eq(&self, other: &Self) -> bool {
-        self.rank(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Candidate {}
-
-impl PartialOrd for Candidate {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Candidate {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.rank(other)
-    }
 }
 
 /// A queue with lazy deletion: every edge has a version, raised when its reduction changes,
@@ -66,12 +43,13 @@ impl Queue {
         }
     }
 
-    /// Puts in an edge that is in neither place.
+    /// Puts in an edge that is in neither place, with what it gains.
     pub(super) fn push(&mut self, edge: Edge, reduction: f64, key: Key) {
+        debug_assert!(reduction > 0.0);
         let version = self.versions[edge.index()];
         self.heap.push(Candidate {
-            reduction,
-            key,
+            bits: reduction.to_bits(),
+            ends: Reverse(u64::from(key.0) << 32 | u64::from(key.1)),
             edge,
             version,
         });
@@ -81,7 +59,7 @@ impl Queue {
     pub(super) fn pop(&mut self) -> Option<(Edge, f64)> {
         while let Some(c) = self.heap.pop() {
             if self.versions[c.edge.index()] == c.version {
-                return Some((c.edge, c.reduction));
+                return Some((c.edge, f64::from_bits(c.bits)));
             }
         }
         None
@@ -90,6 +68,9 @@ impl Queue {
     /// Takes an edge out of either place; what it waited for, if it did.
     pub(super) fn remove(&mut self, edge: Edge) -> Option<Key> {
         self.versions[edge.index()] += 1;
+        if self.waits.is_empty() {
+            return None;
+        }
         let key = self.waits.remove(&edge)?;
         if let Some(others) = self.waiting.get_mut(&key) {
             others.retain(|e| *e != edge);
@@ -110,6 +91,9 @@ impl Queue {
 
     /// Edges that wait for this one to go.
     pub(super) fn waiting_for(&self, key: Key) -> Vec<Edge> {
+        if self.waiting.is_empty() {
+            return Vec::new();
+        }
         self.waiting.get(&key).cloned().unwrap_or_default()
     }
 }

@@ -170,7 +170,7 @@ fn root(parent: &mut [u32], mut i: u32) -> u32 {
 }
 
 /// The sides of a face.
-pub(super) fn sides(face: &[u32]) -> impl Iterator<Item = (u32, u32)> + '_ {
+pub(super) fn sides(face: &[u32]) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
     let next = face.iter().cycle().skip(1);
     face.iter().copied().zip(next.copied())
 }

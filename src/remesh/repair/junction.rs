@@ -2,7 +2,6 @@
 
 use super::faces::Faces;
 use super::grid::Grid;
-use super::hash::Table;
 use super::weld;
 use crate::order;
 use crate::soup::PolygonSoup;
@@ -15,7 +14,9 @@ const NARROW: f64 = 0.5;
 pub(super) struct Rims<'a> {
     x: &'a [DVec3],
     edges: Vec<(u32, u32)>,
-    neighbours: Table<u32, Vec<u32>>,
+    /// Where the neighbours of each vertex begin, and its neighbours along the boundary.
+    first: Vec<u32>,
+    neighbours: Vec<u32>,
     grid: Grid,
     near: f64,
 }
@@ -29,25 +30,34 @@ impl<'a> Rims<'a> {
             return None;
         }
         order::sort(&mut edges);
-        let mut neighbours: Table<u32, Vec<u32>> = Table::default();
-        for &(a, b) in &edges {
-            neighbours.entry(a).or_default().push(b);
-            neighbours.entry(b).or_default().push(a);
-        }
+        let both_ways = edges.iter().flat_map(|&(a, b)| [(a, b), (b, a)]);
+        let (first, neighbours) = order::bucketed(x.len(), both_ways);
         // Cubes as long as the mean edge: all edges together lead through few of them.
         let mut grid = Grid::new((total / edges.len() as f64).max(2.0 * near), x);
-        let mut vertices: Vec<u32> = neighbours.keys().copied().collect();
-        vertices.sort_unstable();
-        for v in vertices {
-            grid.insert(x[v as usize], v);
+        for (v, &p) in x.iter().enumerate() {
+            if first[v] < first[v + 1] {
+                grid.insert(p, v as u32);
+            }
         }
         Some(Self {
             x,
             edges,
+            first,
             neighbours,
             grid,
             near,
         })
+    }
+
+    /// Neighbours of a vertex along the boundary.
+    fn around(&self, v: u32) -> &[u32] {
+        let [from, to] = [v, v + 1].map(|v| self.first[v as usize] as usize);
+        &self.neighbours[from..to]
+    }
+
+    /// Vertices on the boundary.
+    fn vertices(&self) -> impl Iterator<Item = u32> + '_ {
+        (0..self.x.len() as u32).filter(|&v| !self.around(v).is_empty())
     }
 
     /// Vertices on an edge, farther than `near` from its ends, in order from its first end. Only
@@ -78,7 +88,7 @@ impl<'a> Rims<'a> {
         found.dedup();
         let all: Vec<u32> = found.into_iter().map(|(_, v)| v).collect();
         let goes_on = |v: &u32| {
-            self.neighbours[v].iter().any(|&w| {
+            self.around(*v).iter().any(|&w| {
                 let is_end = [p, q].iter().any(|end| at(w).distance(*end) <= near);
                 is_end || all.contains(&w)
             })
@@ -91,7 +101,8 @@ impl<'a> Rims<'a> {
     pub(super) fn gap(&self) -> Option<f64> {
         let mut widest = 0.0_f64;
         let mut ends = 0;
-        for (&v, around) in &self.neighbours {
+        for v in self.vertices() {
+            let around = self.around(v);
             let p = self.x[v as usize];
             let length = |w: &u32| self.x[*w as usize].distance(p);
             let shortest = around.iter().map(length).fold(f64::INFINITY, f64::min);
@@ -112,12 +123,12 @@ impl<'a> Rims<'a> {
     /// Whether two boundary vertices lie within `near` of each other, or one on an edge.
     pub(super) fn is_suspect(&self) -> bool {
         let reach = DVec3::splat(self.near);
-        let is_near = |(&v, _): (&u32, &Vec<u32>)| {
+        let is_near = |v: u32| {
             let p = self.x[v as usize];
             let mut others = self.grid.near(p - reach, p + reach);
             others.any(|w| w != v && self.x[w as usize].distance(p) <= self.near)
         };
-        self.neighbours.iter().any(is_near)
+        self.vertices().any(is_near)
             || self
                 .edges
                 .iter()

@@ -286,7 +286,7 @@ fn bounds(x: &[DVec3]) -> (DVec3, DVec3) {
 }
 
 /// The sides of all faces.
-fn edges(soup: &PolygonSoup) -> impl Iterator<Item = (u32, u32)> + '_ {
+fn edges(soup: &PolygonSoup) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
     soup.faces().flat_map(faces::sides)
 }
 

@@ -9,15 +9,19 @@ use crate::soup::PolygonSoup;
 
 /// Vertices at an end of an edge that only one face has.
 pub(super) fn boundary(soup: &PolygonSoup) -> Vec<bool> {
-    let mut faces_of_edge: Table<(u32, u32), u32> =
-        Table::with_capacity_and_hasher(soup.corners.len(), Default::default());
-    for (a, b) in edges(soup) {
-        *faces_of_edge.entry(key(a, b)).or_default() += 1;
-    }
+    let ends = edges(soup).map(|(a, b)| key(a, b));
+    let (first, mut others) = order::bucketed(soup.positions.len(), ends);
     let mut is_boundary = vec![false; soup.positions.len()];
-    for ((a, b), _) in faces_of_edge.into_iter().filter(|(_, faces)| *faces == 1) {
-        is_boundary[a as usize] = true;
-        is_boundary[b as usize] = true;
+    for (a, range) in first.windows(2).enumerate() {
+        let others = &mut others[range[0] as usize..range[1] as usize];
+        others.sort_unstable();
+        for b in others
+            .chunk_by(|b, c| b == c)
+            .filter(|same| same.len() == 1)
+        {
+            is_boundary[a] = true;
+            is_boundary[b[0] as usize] = true;
+        }
     }
     is_boundary
 }
