@@ -103,8 +103,11 @@ pub(crate) fn cut_bridged(face: &[u32], x: &[DVec3]) -> Vec<[u32; 3]> {
 
 /// ½ Σ pᵢ × pᵢ₊₁, which is the same about any origin.
 fn vector_area(face: &[u32], x: &[DVec3]) -> DVec3 {
-    let first = x[face[0] as usize];
-    let edges = face[1..].windows(2);
+    let Some((&first, others)) = face.split_first() else {
+        return DVec3::ZERO;
+    };
+    let first = x[first as usize];
+    let edges = others.windows(2);
     let twice: DVec3 = edges
         .map(|pair| (x[pair[0] as usize] - first).cross(x[pair[1] as usize] - first))
         .sum();
@@ -277,7 +280,7 @@ mod tests {
             let sum: f64 = triangles.iter().map(|t| area(*t, &x).length()).sum();
             assert!((sum - 12.0).abs() < 1e-12);
         }
-        for none in [&[0, 1, 0, 2][..], &[0, 1, 2, 1], &[0, 1]] {
+        for none in [&[0, 1, 0, 2][..], &[0, 1, 2, 1], &[0, 1], &[0], &[]] {
             assert!(cut_bridged(none, &x).is_empty());
         }
     }

@@ -156,8 +156,7 @@ impl PWillmoreFlow {
         check_mesh(mesh)?;
         let h = measure::mean_edge_length(mesh, x);
         vesicle::perturb(mesh, x, options.perturbation * h);
-        let area = measure::area(mesh, x);
-        let scale = (area / (4.0 * PI)).sqrt();
+        let scale = (measure::area(mesh, x) / (4.0 * PI)).sqrt();
         let helfrich = helfrich(options, scale, mesh.is_triangular())?;
         let functional = PWillmore::new(Rc::clone(mesh), x, options.p, helfrich, mass)
             .ok_or(FlowError::MixedFaces)?;

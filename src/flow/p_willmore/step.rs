@@ -1,11 +1,12 @@
 //! The recommended step: semi-implicit, with multipliers, projected onto the constraints.
 
 use super::{PWillmoreFlow, gauge};
-use crate::energy::p_willmore::Evaluation;
+use crate::energy::p_willmore::{Evaluation, integrated_power};
 use crate::flow::constraint::{dot, multipliers, project};
 use crate::flow::rules::Ceiling;
 use crate::flow::{Cause, Cost, Flow, FlowError, Move, Occasion, Phase, Proposal, Refusal, Search};
 use crate::interrupt;
+use crate::remesh::adaptive::Soundness;
 use glam::DVec3;
 use web_time::Instant;
 
@@ -107,9 +108,10 @@ impl PWillmoreFlow {
         Ok(Proposal::Move(Box::new(step)))
     }
 
-    /// Begins to move along the normals alone where other moves have ceased to descend. Near rest what a smoothed move slides
-    /// vertices by can raise the energy by more than it lowers it along the normals; moves along
-    /// these alone are shorter, but have the slope that they are thought to have.
+    /// Begins to move along the normals alone where other moves have ceased to descend. Near rest
+    /// what a smoothed move slides vertices by can raise the energy by more than it lowers it along
+    /// the normals; moves along these alone are shorter, but have the slope that they are thought
+    /// to have. Not on a mesh that shows no surface: it would come to a rest that is none.
     pub(super) fn along_normals(
         &mut self,
         x: &[DVec3],
@@ -118,7 +120,7 @@ impl PWillmoreFlow {
     ) -> Result<Option<Phase>, FlowError> {
         let is_stuck = matches!(occasion, Occasion::Stuck { is_guarded, .. } if !is_guarded);
         let may_be = is_stuck && !self.is_normal && !self.is_paper() && self.options.p == 2.0;
-        if !may_be || self.stationarity(x, cost)? <= 1.0 {
+        if !may_be || self.stationarity(x, cost)? <= 1.0 || !self.is_sound(x) {
             return Ok(None);
         }
         self.is_normal = true;
@@ -126,6 +128,12 @@ impl PWillmoreFlow {
             raises_step_size: true,
             ..Phase::default()
         }))
+    }
+
+    /// Whether the readings can be believed; quadrilaterals are.
+    fn is_sound(&self, x: &[DVec3]) -> bool {
+        let willmore = || integrated_power(&self.mesh, x, 2.0);
+        !self.mesh.is_triangular() || Soundness::of(&self.mesh, x, willmore()).is_sound
     }
 
     /// Puts a trial onto the constraints; the functional there.

@@ -143,6 +143,7 @@ linear-out-of-memory = die Zerlegung einer Matrix mit { $n } Zeilen passt nicht 
 linear-index-overflow = die Zerlegung einer Matrix mit { $n } Zeilen hat mehr Einträge, als sich zählen lassen
     .hint = Nehmen Sie ein gröberes Netz.
 linear-interrupted = die Arbeit wurde abgebrochen
+    .hint = Starten Sie sie noch einmal.
 
 ## Füllen
 

@@ -149,6 +149,7 @@ linear-out-of-memory = the factor of a matrix of { $n } rows does not fit into m
 linear-index-overflow = the factor of a matrix of { $n } rows has too many entries to be indexed
     .hint = Use a coarser mesh.
 linear-interrupted = the work was given up
+    .hint = Ask for it again.
 
 ## Fills
 
