@@ -3,7 +3,10 @@
 //! A corner is an ear where the outline turns left and no other corner at which it does not lies in
 //! its triangle. Cutting an ear changes what its two neighbours are and no other
 //! (O'Rourke [OR98](crate::bibliography#or98), Section 1.6), so that n corners of
-//! which r turn right or go straight on take O(n (n + r)).
+//! which r turn right or go straight on take O(n (r + log n)).
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 
 type Point = [f64; 2];
 
@@ -16,8 +19,10 @@ pub(super) struct Ears {
     prev: Vec<u32>,
     /// How good the ear at each corner is; zero where there is none.
     quality: Vec<f64>,
+    /// Ears, the best on top, of equal ones the first; those that are none any more too.
+    best: BinaryHeap<(u64, Reverse<u32>)>,
     /// Corners at which the outline does not turn left.
-    is_open: Vec<bool>,
+    open: Vec<u32>,
     /// The triangles.
     pub(super) found: Vec<[u32; 3]>,
 }
@@ -37,42 +42,61 @@ impl Ears {
         self.next.extend((0..n).map(|i| (i + 1) % n));
         self.prev.clear();
         self.prev.extend((0..n).map(|i| (i + n - 1) % n));
-        self.is_open.clear();
-        self.is_open.extend((0..n).map(|_| false));
+        self.open.clear();
         for i in 0..n {
-            self.is_open[i as usize] = self.shape(i) <= flat;
+            if self.shape(i) <= flat {
+                self.open.push(i);
+            }
         }
+        self.best.clear();
         self.quality.clear();
         self.quality.extend((0..n).map(|_| 0.0));
         for i in 0..n {
-            self.quality[i as usize] = self.ear(i, flat);
+            self.weigh(i, flat);
         }
         for left in (3..=n).rev() {
-            let best = (0..n).max_by(|i, j| {
-                let [a, b] = [i, j].map(|&i| self.quality[i as usize]);
-                // Of equal ones the first.
-                a.total_cmp(&b).then(j.cmp(i))
-            });
-            let Some(i) = best.filter(|&i| self.quality[i as usize] > 0.0) else {
+            let Some(i) = self.pop() else {
                 return false;
             };
-            let [a, b] = [self.prev[i as usize], self.next[i as usize]];
+            let [a, i, b] = self.triangle(i);
             self.found.push([a, i, b]);
             self.quality[i as usize] = 0.0;
-            self.is_open[i as usize] = false;
             if left == 3 {
                 break;
             }
             self.next[a as usize] = b;
             self.prev[b as usize] = a;
+            self.open.retain(|&j| j != a && j != b);
             for j in [a, b] {
-                self.is_open[j as usize] = self.shape(j) <= flat;
+                if self.shape(j) <= flat {
+                    self.open.push(j);
+                }
             }
             for j in [a, b] {
-                self.quality[j as usize] = self.ear(j, flat);
+                self.weigh(j, flat);
             }
         }
         true
+    }
+
+    /// The best ear.
+    fn pop(&mut self) -> Option<u32> {
+        loop {
+            let (bits, Reverse(i)) = self.best.pop()?;
+            // Else it has been cut, or weighed anew.
+            if bits == self.quality[i as usize].to_bits() {
+                return Some(i);
+            }
+        }
+    }
+
+    fn weigh(&mut self, i: u32, flat: f64) {
+        let quality = self.ear(i, flat);
+        self.quality[i as usize] = quality;
+        if quality > 0.0 {
+            // Positive numbers are in the order of their bits.
+            self.best.push((quality.to_bits(), Reverse(i)));
+        }
     }
 
     fn triangle(&self, i: u32) -> [u32; 3] {
@@ -103,9 +127,8 @@ impl Ears {
             let sides = [[a, b], [b, c], [c, a]];
             is_other && sides.iter().all(|[q, r]| twice_area(*q, *r, p) >= -slack)
         };
-        let open = self.is_open.iter().zip(0_u32..).filter(|(open, _)| **open);
-        let mut others = open.filter(|(_, j)| !corners.contains(j));
-        match others.any(|(_, j)| is_in(self.points[j as usize])) {
+        let mut others = self.open.iter().filter(|j| !corners.contains(j));
+        match others.any(|&j| is_in(self.points[j as usize])) {
             true => 0.0,
             false => shape,
         }
