@@ -68,7 +68,9 @@ const flips = command({
     const options = { ...asked, history: values.history !== undefined };
     const { history, ...result } = orExit(3, () => perform(session, "flip", { options }));
     const { warnings } = loaded.info;
-    return { result: inWords({ ...result, warnings }), files: { history: () => history ?? "" } };
+    // Those who read the result rely on its keys.
+    const told = warnings.length > 0 ? inWords({ ...result, warnings }) : result;
+    return { result: told, files: { history: () => history ?? "" } };
   },
 });
 
