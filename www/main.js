@@ -9,7 +9,7 @@ import { openLanguage, remembered } from "./language.js";
 import { createLinkWriter, linkIn, plainScene } from "./link.js";
 import { packedEndings, readEndings } from "./mesh-format.js";
 import { keepOffline } from "./offline.js";
-import { createFilm, createSave } from "./save.js";
+import { createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
 import { createStore } from "./store.js";
 import { cards } from "./view/cards.js";
@@ -60,7 +60,6 @@ const page = Object.assign(/** @type {any} */ (bare), {
 });
 page.stage = createStage(page, byId("panes"), quality);
 page.save = createSave(page);
-page.film = createFilm(page);
 page.tools = createTools(page);
 
 const theme = remembered("theme");

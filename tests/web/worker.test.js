@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { test } from "node:test";
+import { after, test } from "node:test";
 
 /** @type {Set<(message: any) => void>} */
 const listeners = new Set();
@@ -19,10 +19,22 @@ const arrival = (isIt) =>
     listeners.add(listener);
   });
 
+/** All that the worker listens to, closed in the end: else Node waits for more. @type {MessagePort[]} */
+const ports = [];
+after(() => {
+  for (const port of ports) port.close();
+});
+
 /** The worker's own place, as browsers have it. */
 const page = /** @type {any} */ (
   Object.assign(globalThis, {
     self: globalThis,
+    MessageChannel: class extends MessageChannel {
+      constructor() {
+        super();
+        ports.push(this.port1);
+      }
+    },
     onmessage: null,
     postMessage(/** @type {any} */ message) {
       for (const listener of listeners) listener(message);

@@ -6,14 +6,17 @@ import { figures } from "../generated/library.js";
 import { remember } from "../language.js";
 import { isOver } from "../session.js";
 import { statusText } from "../status.js";
+import torus from "../thumbnails/coarse-torus-after.webp?url";
+import vesicle from "../thumbnails/vesicle-after.webp?url";
 import { say } from "../words.js";
 import { button, close, icon } from "./parts.js";
-import { pictureOf } from "./pictures.js";
 
 /** @import { Page } from "../actions.js" */
 
 /** What one may begin with beside the surface that is there. */
 export const starters = /** @type {const} */ (["vesicle", "coarse-torus"]);
+/** Where those lead; fetched before all other pictures. */
+const ends = { vesicle, "coarse-torus": torus };
 
 /** @param {Page} page */
 export function leaveWelcome(page) {
@@ -36,7 +39,7 @@ function welcome(page) {
       (
         id,
       ) => html`<button type="button" class="starter" @click=${leave(() => page.open.sample(id))}>
-        <span class="thumb">${pictureOf(`${id}-after`)}</span>${say(`starter-${id}`)}<small>${say(`starter-${id}.small`)}</small></button>`,
+        <span class="thumb"><img src=${ends[id]} alt="" /></span>${say(`starter-${id}`)}<small>${say(`starter-${id}.small`)}</small></button>`,
     )}<button type="button" class="starter" @click=${leave(() => page.chooseFile())}>
         <span class="thumb">${icon("open")}</span>${say("starter-own")}<small>${say("starter-own.small")}</small></button>
     </div></section>`;

@@ -3,6 +3,7 @@
 
 import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
+import { createFilm } from "../film.js";
 import { formats, named, savedMeshes } from "../options.js";
 import { elementCode, iframeCode, pageAddress, sayLack, sizes } from "../share.js";
 import { sceneTitle } from "../status.js";
@@ -14,6 +15,8 @@ import { button, idOf, into, section, select } from "./parts.js";
 const format = signal("ply");
 const embedAs = signal("iframe");
 const embedSize = signal("640 × 480");
+/** One that is recorded goes on while another tab is open. @type {ReturnType<typeof createFilm> | null} */
+let film = null;
 const sequence = { format: signal("ply"), every: signal(1), size: signal("") };
 
 /** @param {Page} page @param {string} text @param {string} said */
@@ -80,7 +83,7 @@ function zip(page) {
 export function share(page) {
   const { mesh, source } = page.state.value;
   if (!mesh) return nothing;
-  const { film } = page;
+  film ??= createFilm(page);
   const tools = [
     { id: "iframe", label: say("embed-iframe") },
     { id: "element", label: say("embed-element") },
