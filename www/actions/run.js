@@ -196,8 +196,9 @@ export function createRun(core, adopt) {
      *   is another where the solver cannot be asked
      */
     async export(format) {
-      // A solver that says nothing could not be put where the display stands.
-      if (player.motion.peek() !== "still" && !get().isSilent) await run.pause();
+      // What was asked for before may still have to put the solver where the display stands; one
+      // that says nothing, or is on its way back, could not be.
+      if (isUsable() && !get().isSilent) await run.pause();
       if (format === "csv") return { format, bytes: await solver.history() };
       const file = await solver.export(format);
       if (file.format !== format) notes.answer(say("saved-own-copy"));

@@ -31,7 +31,7 @@ async function copy(page, text, said) {
 
 /** @param {Page} page */
 async function copyLink(page) {
-  if (page.player.motion.peek() !== "still") await page.run.pause();
+  await page.run.pause();
   const { text, lacks } = await page.open.writeLink(true);
   await copy(
     page,
