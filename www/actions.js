@@ -1,4 +1,3 @@
-// @ts-check
 // What a user can ask for. Nothing here touches the document.
 
 import { createCompare } from "./actions/compare.js";
@@ -11,10 +10,7 @@ import { createNotes } from "./notes.js";
 
 /** @import { Mode, Store, Tab } from "./store.js" */
 
-/**
- * @param {Store} store
- * @param {Parameters<typeof createCore>[2]} environment
- */
+/** @param {Store} store @param {Parameters<typeof createCore>[2]} environment */
 export function createPage(store, environment) {
   const notes = createNotes(store);
   const core = createCore(store, notes, environment);

@@ -1,4 +1,3 @@
-// @ts-check
 // The page's line to a worker: a promise for every request, events for the rest. It knows
 // whether there is a worker and whether that gives signs of life, and nothing of what is asked.
 
@@ -130,10 +129,7 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
       waiting.clear();
     },
 
-    /**
-     * @param {Omit<import("./worker.js").Request, "id">} request
-     * @returns {Promise<any>}
-     */
+    /** @param {Omit<import("./worker.js").Request, "id">} request @returns {Promise<any>} */
     async ask(request) {
       const asked = begin();
       lastId += 1;

@@ -1,5 +1,4 @@
 #!/usr/bin/env node
-// @ts-check
 // The command line: arguments in, one `Session`, JSON and mesh files out.
 
 import { realpathSync } from "node:fs";
@@ -15,8 +14,7 @@ import { terminal } from "./cli/terminal.js";
 
 /**
  * Runs one command.
- * @param {string[]} parameters  without the program's name
- * @param {Terminal} io
+ * @param {string[]} parameters  without the program's name @param {Terminal} io
  * @param {() => Promise<Session>} open
  * @returns {Promise<number>}  0 done, 2 bad usage, 3 refused input, 4 numerical failure
  */
@@ -38,9 +36,7 @@ export async function main(parameters, io, open) {
 }
 
 /**
- * @param {string[]} parameters
- * @param {Terminal} io
- * @param {() => Promise<Session>} open
+ * @param {string[]} parameters @param {Terminal} io @param {() => Promise<Session>} open
  * @returns {Promise<number>}
  */
 async function dispatch([name = "", ...rest], io, open) {

@@ -1,4 +1,3 @@
-// @ts-check
 // A run as a clip: its true steps, and how much the surface visibly changes from each to the
 // next. Nothing here knows of a screen or a solver.
 
@@ -75,10 +74,8 @@ function measure(p, i, j, k, out) {
 /**
  * The visible change between two surfaces of the same triangles: the root mean square of the
  * displacement along the normal over the size, and half of that of the turn of the unit normals.
- * @param {Float32Array} a @param {Float32Array} b
- * @param {Uint32Array} triangles
- * @param {number} size
- * @returns {{ change: number, isSharp: boolean }}
+ * @param {Float32Array} a @param {Float32Array} b @param {Uint32Array} triangles
+ * @param {number} size @returns {{ change: number, isSharp: boolean }}
  */
 export function changeOf(a, b, triangles, size) {
   const stride = 3 * Math.max(1, Math.floor(triangles.length / 3 / SAMPLED));
@@ -150,8 +147,7 @@ export class Clip {
 
   /**
    * Puts a step in its place; later ones than `last` are of another path, and go.
-   * @param {Omit<Point, "change" | "sum" | "isCut" | "isSharp">} made
-   * @param {number} last
+   * @param {Omit<Point, "change" | "sum" | "isCut" | "isSharp">} made @param {number} last
    */
   add(made, last) {
     const { step } = made.state;
@@ -246,8 +242,7 @@ export class Clip {
   /**
    * The steps that the surface at a place is made of: a true one, or the two around it with
    * their neighbours, as far as the surface moves smoothly from one to the next.
-   * @param {number} u
-   * @returns {Point[]}
+   * @param {number} u @returns {Point[]}
    */
   around(u) {
     const last = this.surface(u);

@@ -1,4 +1,3 @@
-// @ts-check
 // Every action by name, with its keys. What a key does is said here and nowhere else.
 
 /** @import { Page } from "./actions.js" */

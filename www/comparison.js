@@ -1,4 +1,3 @@
-// @ts-check
 // Flows side by side as data: what a pane does otherwise than the first, and what of two can be
 // compared.
 
@@ -16,9 +15,7 @@ export const letter = (n) => String.fromCharCode(65 + n);
 
 /**
  * What a pane does.
- * @param {Options} main  what the first does
- * @param {Partial<Options>} change
- * @returns {Options}
+ * @param {Options} main  what the first does @param {Partial<Options>} change @returns {Options}
  */
 export function optionsOf(main, change) {
   const { flow } = change;
@@ -28,9 +25,7 @@ export function optionsOf(main, change) {
 
 /**
  * The change that makes the options of the first pane these.
- * @param {Options} main
- * @param {Options} options
- * @returns {Partial<Options>}
+ * @param {Options} main @param {Options} options @returns {Partial<Options>}
  */
 export function changeOf(main, options) {
   const base = optionsOf(main, { flow: options.flow });
@@ -44,10 +39,7 @@ export function changeOf(main, options) {
   return Object.fromEntries(entries);
 }
 
-/**
- * A flow's time is a length to this power.
- * @param {Options} options
- */
+/** A flow's time is a length to this power. @param {Options} options */
 export function timeExponent({ flow, p }) {
   const { timePower, timePowerAddsP } = flowOf(flow);
   return timePower + (timePowerAddsP ? p : 0);
@@ -87,8 +79,7 @@ export function align(lead, others, lockstep) {
 
 /**
  * How far each vertex is from the same vertex of another surface.
- * @param {Float32Array} a  3 numbers a vertex
- * @param {Float32Array} b
+ * @param {Float32Array} a  3 numbers a vertex @param {Float32Array} b
  */
 export function distances(a, b) {
   const values = new Float32Array(a.length / 3);

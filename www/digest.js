@@ -1,4 +1,3 @@
-// @ts-check
 // What tells one file from another.
 
 /**

@@ -1,4 +1,3 @@
-// @ts-check
 // The text of the slides: found, and replaced by its translation. A sentence with
 // marks in it, as `Press <kbd>F</kbd> twice.`, is one sentence: its translation names the same
 // marks, in any order, and the elements themselves are put in their new places.
@@ -69,8 +68,7 @@ function putMarked(element, text) {
 
 /**
  * Every text of a document, in its order.
- * @param {Element} root
- * @param {(english: string, put: (text: string) => void) => void} visit
+ * @param {Element} root @param {(english: string, put: (text: string) => void) => void} visit
  */
 export function visitTexts(root, visit) {
   /** @param {string} english @param {(text: string) => void} put */

@@ -1,4 +1,3 @@
-// @ts-check
 // <umbilic-surface>: a scene of Umbilic in any page. One script, without any others:
 //
 //   <script type="module" src="https://…/embed.js"></script>
@@ -231,10 +230,8 @@ class UmbilicSurface extends HTMLElement {
   }
 
   /**
-   * @param {string} type
-   * @param {Record<string, unknown>} [fields]
-   * @param {boolean} [isFirst]  before what waits
-   * @returns {Promise<any>}
+   * @param {string} type @param {Record<string, unknown>} [fields]
+   * @param {boolean} [isFirst]  before what waits @returns {Promise<any>}
    */
   #ask(type, fields = {}, isFirst = false) {
     const frame = this.#frame;

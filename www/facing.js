@@ -1,4 +1,3 @@
-// @ts-check
 // A camera turned so that a place of the surface is seen from in front.
 
 /** @typedef {[number, number, number]} Vector */
@@ -18,10 +17,8 @@ function unit(v) {
 
 /**
  * The vector area of some triangles: their mean normal.
- * @param {Float32Array} positions
- * @param {Uint32Array} corners  of all triangles, three each
- * @param {ArrayLike<number>} triangles
- * @returns {Vector}
+ * @param {Float32Array} positions @param {Uint32Array} corners  of all triangles, three each
+ * @param {ArrayLike<number>} triangles @returns {Vector}
  */
 export function vectorArea(positions, corners, triangles) {
   const point = (/** @type {number} */ v) => positions.subarray(3 * v, 3 * v + 3);
@@ -70,8 +67,7 @@ export function facing(camera, direction) {
 
 /**
  * Triangles with one of these corners.
- * @param {Uint32Array} corners  of all triangles, three each
- * @param {ArrayLike<number>} vertices
+ * @param {Uint32Array} corners  of all triangles, three each @param {ArrayLike<number>} vertices
  */
 export function trianglesAt(corners, vertices) {
   const wanted = new Set(Array.from(vertices));

@@ -1,4 +1,3 @@
-// @ts-check
 // Films of the stage, as it is drawn.
 
 import { signal } from "@preact/signals-core";

@@ -1,4 +1,3 @@
-// @ts-check
 // Pointer, wheel, touch and keys on a canvas, turned into camera moves. Knows no viewer:
 // moves go to a `Moves` object, in device pixels from the top left.
 //
@@ -34,9 +33,7 @@ const LINE_PIXELS = 16;
 
 /**
  * Listens until the signal aborts.
- * @param {HTMLCanvasElement} canvas
- * @param {Moves} moves
- * @param {AbortSignal} signal
+ * @param {HTMLCanvasElement} canvas @param {Moves} moves @param {AbortSignal} signal
  */
 export function listenForGestures(canvas, moves, signal) {
   canvas.style.touchAction = "none";
@@ -85,8 +82,7 @@ export function listenForGestures(canvas, moves, signal) {
 
   /**
    * Two fingers hold the picture: what is under them stays there.
-   * @param {{ x: number, y: number }} still
-   * @param {{ x: number, y: number }} before
+   * @param {{ x: number, y: number }} still @param {{ x: number, y: number }} before
    * @param {{ x: number, y: number }} now
    */
   function moveOneOfTwo(still, before, now) {

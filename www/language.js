@@ -1,4 +1,3 @@
-// @ts-check
 // The language of the page: asked for in the address, chosen before, or the browser's.
 //
 // Numbers keep the decimal point in every language: they are copied into other programs, and
@@ -26,9 +25,7 @@ function known(tag) {
 /**
  * The language asked for in the address, or chosen before, or else the first that the browser
  * is set to and that is on offer.
- * @param {string} search
- * @param {string | null} stored
- * @param {readonly string[]} preferred
+ * @param {string} search @param {string | null} stored @param {readonly string[]} preferred
  * @returns {Language}
  */
 export function chooseLanguage(search, stored, preferred) {

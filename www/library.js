@@ -1,4 +1,3 @@
-// @ts-check
 // The words of samples and figures; what they are stands in `generated/library.js`.
 
 /** @import { FlowOptions } from "./generated/schema.js" */

@@ -1,4 +1,3 @@
-// @ts-check
 // The scene in the address, after `#`, which a browser never sends to the server. The solver
 // reads and writes its words; here is what it needs of the page.
 
@@ -80,8 +79,7 @@ export function sceneOf({ text, edited, hasPath, colour, comparison, estimate, .
 /**
  * What the solver does not know of a scene.
  * @param {Readonly<PageState>} state  with a mesh
- * @param {boolean} shared  whether it is sent to somebody
- * @returns {PageScene}
+ * @param {boolean} shared  whether it is sent to somebody @returns {PageScene}
  */
 export function pageScene(
   { source, origin, figure, film, comparison, view, camera, goal },
@@ -110,8 +108,7 @@ const isThere = (state) => state !== null && state.phase === "ready" && state.re
 /**
  * Keeps an address in step with the state: at most twice a second, because browsers refuse more
  * than about three changes a second.
- * @param {() => Promise<string>} write  the words of the scene
- * @param {(hash: string) => void} show
+ * @param {() => Promise<string>} write  the words of the scene @param {(hash: string) => void} show
  * @param {number} pause milliseconds between changes
  */
 export function createLinkWriter(write, show, pause = 500) {

@@ -1,4 +1,3 @@
-// @ts-check
 // Builds the page: the state, what can be asked for, the views, and the scene in the address.
 
 import { effect, signal } from "@preact/signals-core";

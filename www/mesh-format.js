@@ -1,4 +1,3 @@
-// @ts-check
 // What the endings of mesh files say, from the solver's table of formats.
 
 import { meshFormats } from "./generated/schema.js";

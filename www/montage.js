@@ -1,4 +1,3 @@
-// @ts-check
 // Pictures that stand side by side, with their captions, as one: for a PNG and for films.
 
 /**
@@ -12,8 +11,7 @@ const LARGEST = 4096;
 
 /**
  * @param {CanvasRenderingContext2D} context  in CSS pixels of the stage
- * @param {HTMLElement} caption  each part of it a line
- * @param {DOMRect} stage
+ * @param {HTMLElement} caption  each part of it a line @param {DOMRect} stage
  */
 function drawCaption(context, caption, stage) {
   if (caption.hidden) return;

@@ -1,4 +1,3 @@
-// @ts-check
 // What is said to the user: a line at a time, in the status line. Refusals stay until they are
 // dismissed, other lines go to a list after a while. Nothing is said twice.
 
@@ -58,11 +57,7 @@ export function createNotes(store) {
       store.patch({ notes: store.get().notes.filter((one) => one.id !== id) });
       next();
     },
-    /**
-     * Whether to do what takes long.
-     * @param {string} text
-     * @returns {Promise<boolean>}
-     */
+    /** Whether to do what takes long. @param {string} text @returns {Promise<boolean>} */
     ask: (text) =>
       new Promise((resolve) => {
         /** @param {boolean} yes */

@@ -1,4 +1,3 @@
-// @ts-check
 // Numbers for people: a fixed count of significant digits, so that they do not jump
 // about while they run, and no grouping, so that they can be copied: with a decimal point in
 // every language.
@@ -25,8 +24,7 @@ export function formatShort(value, digits = 3) {
 
 /**
  * A number beside a larger one of its kind: what is lost in rounding beside that shows as 0.
- * @param {number | null | undefined} value
- * @param {number} scale  as the value at the start
+ * @param {number | null | undefined} value @param {number} scale  as the value at the start
  */
 export function formatBeside(value, scale) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";

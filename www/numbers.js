@@ -1,4 +1,3 @@
-// @ts-check
 // How the file at hand numbers the vertices and faces that sentences name.
 
 /** @import { Numbers } from "./generated/types.js" */

@@ -1,4 +1,3 @@
-// @ts-check
 // Keeps the built site for when there is no connection. A page that cannot do that works as
 // before, and says nothing of it.
 

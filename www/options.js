@@ -1,4 +1,3 @@
-// @ts-check
 // Options of a flow as the tables of `generated/schema.js` have them: defaults, what is read by
 // what, and how they are called. Reading and checking is the solver's.
 
@@ -44,8 +43,7 @@ export const byCurvature = schema.flows
 
 /**
  * The change to another flow: what means nothing to it goes back to its default.
- * @param {FlowName} flow
- * @returns {Partial<Options>}
+ * @param {FlowName} flow @returns {Partial<Options>}
  */
 export const toFlow = (flow) => ({
   ...usual(schema.options.filter(({ ofOneFlow }) => ofOneFlow)),
@@ -54,9 +52,7 @@ export const toFlow = (flow) => ({
 
 /**
  * Whether what runs reads an option.
- * @param {string} name
- * @param {Options} options  of what runs
- * @returns {boolean}
+ * @param {string} name @param {Options} options  of what runs @returns {boolean}
  */
 export function isRead(name, options) {
   const { flows, ...only } = rowOf(name);
@@ -71,8 +67,7 @@ export function isRead(name, options) {
 /**
  * What the system of the flow runs with: what the flow does not read is as usual, or as its row
  * sets it.
- * @param {Options} options
- * @returns {Options}
+ * @param {Options} options @returns {Options}
  */
 export const settled = (options) => ({
   ...options,
@@ -96,8 +91,7 @@ export const isBasic = (name) => basic.includes(name);
 
 /**
  * An option as text, which the solver reads.
- * @param {unknown} value
- * @param {string} [name]  of the option
+ * @param {unknown} value @param {string} [name]  of the option
  */
 export const asText = (value, name) =>
   Array.isArray(value) && value.length === 0

@@ -1,4 +1,3 @@
-// @ts-check
 // Colours of what is drawn over the surface.
 
 /** @import { Look } from "./generated/types.js" */

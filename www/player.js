@@ -1,4 +1,3 @@
-// @ts-check
 // Plays clips: how far along each the display is. Solving runs ahead or behind by itself; here
 // time passes at an even pace of visible change, slower where the display would overtake.
 
@@ -27,8 +26,7 @@ const LONGEST = 0.25;
 /** @typedef {"still" | "playing" | "easing"} Motion */
 
 /**
- * @param {object} page
- * @param {() => readonly Track[]} page.tracks  the first leads
+ * @param {object} page @param {() => readonly Track[]} page.tracks  the first leads
  * @param {() => "progress" | "step" | "time"} page.lockstep  how the others keep up
  * @param {() => boolean} page.isCalm  whether motion is to be reduced
  * @param {() => void} page.onEnd  the last step is shown and no more will come
@@ -214,8 +212,7 @@ export function createPlayer({
     },
     /**
      * Stops on a true step.
-     * @param {number} index  of the first clip's points
-     * @returns {Promise<void>}
+     * @param {number} index  of the first clip's points @returns {Promise<void>}
      */
     rest(index) {
       const [lead] = tracks();

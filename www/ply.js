@@ -1,4 +1,3 @@
-// @ts-check
 // A triangle mesh as a file, of what the page itself has. The solver writes every format; this is
 // for when it cannot be asked.
 

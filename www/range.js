@@ -1,4 +1,3 @@
-// @ts-check
 // The ends of a scale of colours, held for a whole run.
 
 /** @import { Field } from "./store.js" */
@@ -15,8 +14,7 @@ export function roundedUp(value) {
 
 /**
  * The robust range of a field rounded outwards: about 0 where values are signed, else from 0.
- * @param {Pick<Field, "high" | "signed">} field
- * @returns {[number, number]}
+ * @param {Pick<Field, "high" | "signed">} field @returns {[number, number]}
  */
 export function rangeOf({ high, signed }) {
   const end = high > 0 ? roundedUp(high) : 1;

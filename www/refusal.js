@@ -1,4 +1,3 @@
-// @ts-check
 // What the page and the worker refuse themselves, in the shape of the solver's refusals.
 
 /** @import { Fault as Refusal } from "./generated/types.js" */

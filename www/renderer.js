@@ -1,4 +1,3 @@
-// @ts-check
 // Which of the two viewers draws: WebGPU where it works; else WebGL2, which brings its own
 // shader compiler, is several times as large, and is fetched only then. `?renderer=webgl`
 // or `?renderer=webgpu` in the page's address forces the choice.
@@ -34,8 +33,7 @@ function chooseRenderer() {
 
 /**
  * WebGL2 from now on: WebGPU has been lost for good.
- * @param {Renderer} lost
- * @param {string} reason
+ * @param {Renderer} lost @param {string} reason
  * @returns {Promise<boolean>} whether there is one; the address may ask for WebGPU alone
  */
 export async function giveUpWebgpu(lost, reason) {
@@ -53,8 +51,7 @@ export async function giveUpWebgpu(lost, reason) {
 
 /**
  * Opens a viewer on a canvas. Rejects with a `Fault` where neither renderer works.
- * @param {HTMLCanvasElement} canvas
- * @param {{ samples: number }} options
+ * @param {HTMLCanvasElement} canvas @param {{ samples: number }} options
  */
 export async function openViewer(canvas, options) {
   const renderer = await chooseRenderer();
@@ -117,9 +114,7 @@ async function loadWebgl(reason, isForced) {
 
 /**
  * @template {{ default: (options: { module_or_path: URL }) => Promise<unknown> }} Module
- * @param {() => Promise<Module>} fetchModule
- * @param {URL} wasm
- * @returns {Promise<Module>}
+ * @param {() => Promise<Module>} fetchModule @param {URL} wasm @returns {Promise<Module>}
  */
 async function load(fetchModule, wasm) {
   try {

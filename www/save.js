@@ -1,4 +1,3 @@
-// @ts-check
 // Files that the browser saves: meshes, numbers, pictures, sequences.
 
 import { extensionOf } from "./mesh-format.js";
@@ -9,8 +8,7 @@ import { say } from "./words.js";
 /** @import { S } from "./store.js" */
 
 /**
- * @param {Pick<S, "mesh" | "options" | "reading">} state
- * @param {string} format
+ * @param {Pick<S, "mesh" | "options" | "reading">} state @param {string} format
  * @returns {string} e.g. `icosphere-circle-step0012.ply`
  */
 export function fileName({ mesh, options, reading }, format) {

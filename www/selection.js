@@ -1,13 +1,9 @@
-// @ts-check
 // Sets of vertices as a byte each.
 
 /**
  * Gives a value to the vertices within a ball.
- * @param {Uint8Array} set       changed in place
- * @param {Float32Array} positions
- * @param {number[]} centre
- * @param {number} radius
- * @param {0 | 1} value
+ * @param {Uint8Array} set       changed in place @param {Float32Array} positions
+ * @param {number[]} centre @param {number} radius @param {0 | 1} value
  */
 export function painted(set, positions, [x, y, z], radius, value) {
   const most = radius * radius;
@@ -21,9 +17,7 @@ export function painted(set, positions, [x, y, z], radius, value) {
 
 /**
  * Spreads a value by one ring of neighbours.
- * @param {Uint8Array} set
- * @param {Uint32Array} triangles
- * @param {0 | 1} value
+ * @param {Uint8Array} set @param {Uint32Array} triangles @param {0 | 1} value
  */
 export function grown(set, triangles, value) {
   const next = Uint8Array.from(set);
@@ -36,8 +30,7 @@ export function grown(set, triangles, value) {
 
 /**
  * The edges between a set and its complement.
- * @param {Uint8Array} set
- * @param {Uint32Array} edges  two ends each
+ * @param {Uint8Array} set @param {Uint32Array} edges  two ends each
  */
 export function rim(set, edges) {
   /** @type {number[]} */

@@ -1,4 +1,3 @@
-// @ts-check
 // The stored steps as files in a ZIP. Runs in the worker.
 
 import { extensionOf } from "./mesh-format.js";
@@ -15,8 +14,7 @@ const PIECE = 1 << 20;
 
 /**
  * The stored steps that are taken: every n-th and the last.
- * @param {Session} session
- * @param {number} every
+ * @param {Session} session @param {number} every
  */
 function* chosen(session, every) {
   const { start, last } = perform(session, "timeline");
@@ -30,9 +28,7 @@ function* chosen(session, every) {
 }
 
 /**
- * @param {Session} session
- * @param {string} format
- * @param {number} every
+ * @param {Session} session @param {string} format @param {number} every
  * @returns {{ meshes: number, bytes: number }}
  */
 export function sequenceSize(session, format, every) {
@@ -42,11 +38,9 @@ export function sequenceSize(session, format, every) {
 }
 
 /**
- * @param {Session} session
- * @param {string} format  of the meshes
+ * @param {Session} session @param {string} format  of the meshes
  * @param {number} every   n: every n-th stored step, and the last
- * @param {(share: number) => void} tell
- * @returns {Promise<Uint8Array>}
+ * @param {(share: number) => void} tell @returns {Promise<Uint8Array>}
  */
 export async function sequence(session, format, every, tell) {
   const { meshes, bytes } = sequenceSize(session, format, every);

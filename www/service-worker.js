@@ -1,4 +1,3 @@
-// @ts-check
 // The site without a connection: keeps its files, and answers with those of one version only.
 // The build puts this at the root of the site, with a list of its files in front
 // (www/tools/service-worker.js); every file is checked against its SHA-256 as it comes in.
@@ -40,11 +39,7 @@ async function matches(response, integrity) {
   return `sha256-${btoa(String.fromCharCode(...new Uint8Array(digest)))}` === integrity;
 }
 
-/**
- * A file of this version, kept from now on.
- * @param {string} path
- * @returns {Promise<Response>}
- */
+/** A file of this version, kept from now on. @param {string} path @returns {Promise<Response>} */
 async function keep(path) {
   const integrity = files[path];
   const cache = await caches.open(own);

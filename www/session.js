@@ -1,4 +1,3 @@
-// @ts-check
 // The solver's wasm `Session` by commands: what may be asked, and what is answered, is said in
 // generated/types.d.ts.
 
@@ -7,31 +6,19 @@ import { numberAs } from "./numbers.js";
 /** @import { Answer, Command } from "./generated/types.js" */
 /** @import { Session } from "./pkg/solver/solver.js" */
 
-/**
- * @template T
- * @typedef {T extends unknown ? keyof T : never} KeyOf
- */
+/** @template T @typedef {T extends unknown ? keyof T : never} KeyOf */
 /** @typedef {KeyOf<Command>} CommandName */
-/**
- * @template {CommandName} N
- * @typedef {Extract<Command, Record<N, any>>[N]} FieldsOf
- */
+/** @template {CommandName} N @typedef {Extract<Command, Record<N, any>>[N]} FieldsOf */
 /**
  * Of what is asked for, what is left out has its default.
  * @template T
  * @typedef {T extends ArrayBufferView | readonly unknown[] ? T : T extends object ? { [K in keyof T]?: Loose<T[K]> } : T} Loose
  */
-/**
- * @template {CommandName} N
- * @typedef {Extract<Answer, Record<N, any>>[N]} AnswerOf
- */
+/** @template {CommandName} N @typedef {Extract<Answer, Record<N, any>>[N]} AnswerOf */
 
 /**
- * @template {CommandName} N
- * @param {Session} session
- * @param {N} name
- * @param {Loose<FieldsOf<N>>} [fields]
- * @returns {AnswerOf<N>}
+ * @template {CommandName} N @param {Session} session @param {N} name
+ * @param {Loose<FieldsOf<N>>} [fields] @returns {AnswerOf<N>}
  * @throws {import("./generated/types.js").Fault}
  */
 export function perform(session, name, fields) {

@@ -1,4 +1,3 @@
-// @ts-check
 // The scene as a link, and as a piece of another page; and what of it neither can carry.
 
 /** @import { Lack } from "./generated/types.js" */
@@ -13,10 +12,8 @@ const quoted = (text) =>
   text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
 
 /**
- * @param {string} page   address of the page
- * @param {string} hash   the scene, from `#` on
- * @param {string} title  for whoever does not see the surface
- * @param {[number, number]} size
+ * @param {string} page   address of the page @param {string} hash   the scene, from `#` on
+ * @param {string} title  for whoever does not see the surface @param {[number, number]} size
  */
 export function iframeCode(page, hash, title, [width, height]) {
   const address = quoted(`${page}?embed${hash}`);
@@ -26,11 +23,7 @@ export function iframeCode(page, hash, title, [width, height]) {
   );
 }
 
-/**
- * @param {string} page
- * @param {string} hash
- * @param {[number, number]} size
- */
+/** @param {string} page @param {string} hash @param {[number, number]} size */
 export function elementCode(page, hash, [width, height]) {
   const script = new URL("embed.js", page).href;
   const attributes = [...new URLSearchParams(hash.slice(1))].map(([word, value]) => {

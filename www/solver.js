@@ -1,4 +1,3 @@
-// @ts-check
 // What may be asked of the solver, and the scene that it has: where its worker is lost, a new one
 // is given that scene before it is asked for anything else.
 
@@ -54,8 +53,7 @@ const MOVE = { ends: true, shown: true };
 /**
  * Options with the selection that a mesh brings along: a file made of it knows none.
  * @template {FlowOptions} Options
- * @param {Options} options @param {Pick<Loaded, "free" | "fixed"> | null} mesh
- * @returns {Options}
+ * @param {Options} options @param {Pick<Loaded, "free" | "fixed"> | null} mesh @returns {Options}
  */
 export function withSelection(options, mesh) {
   if (options.free || options.fixed) return options;
@@ -189,10 +187,8 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
 
   /**
    * Puts the surface of the last frame in place, in full precision.
-   * @param {Frame | null} frame
-   * @param {Loaded} before  the mesh that the frame is of
-   * @param {Loaded} now     the same, read again
-   * @returns {Promise<State>}
+   * @param {Frame | null} frame @param {Loaded} before  the mesh that the frame is of
+   * @param {Loaded} now     the same, read again @returns {Promise<State>}
    */
   async function place(frame, before, now) {
     const isStart =
@@ -259,8 +255,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
 
   /**
    * A mesh made of the one at hand: for a new worker it is a file of its own.
-   * @param {string} name @param {Record<string, unknown>} [fields]
-   * @returns {Promise<Loaded>}
+   * @param {string} name @param {Record<string, unknown>} [fields] @returns {Promise<Loaded>}
    */
   async function edit(name, fields) {
     const loaded = await ask(name, fields, { ends: true });
@@ -399,8 +394,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     loops: () => ask("loops"),
     /**
      * Fills holes, or connects loops.
-     * @param {Partial<FillOptions>} wanted
-     * @returns {Promise<{ filled: Filled, loaded: Loaded }>}
+     * @param {Partial<FillOptions>} wanted @returns {Promise<{ filled: Filled, loaded: Loaded }>}
      */
     async fill(wanted) {
       const filled = await ask("fill", { options: wanted }, { ends: true });

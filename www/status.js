@@ -1,4 +1,3 @@
-// @ts-check
 // What the flow is doing, in words.
 
 import { sampleName } from "./library.js";

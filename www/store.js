@@ -1,4 +1,3 @@
-// @ts-check
 // What the page shows, as one frozen object in a signal: views are functions of it. How far the
 // clip is played changes at every picture and stands beside it (player.js).
 
@@ -204,8 +203,7 @@ export function createStore(first = initial) {
     },
     /**
      * A part of the state, of which views learn only when it changes.
-     * @template T
-     * @param {(state: S) => T} part
+     * @template T @param {(state: S) => T} part
      */
     select: (part) => computed(() => part(state.value)),
   };

@@ -1,4 +1,3 @@
-// @ts-check
 // The mesh among files that were opened together, for the page and the command line: out of gzip
 // and ZIP, and with what a glTF file or a 3MF package keeps elsewhere put into it.
 
@@ -103,8 +102,7 @@ async function withBuffers(bytes, name, parts) {
 }
 
 /**
- * @param {readonly Bytes[]} files  at least one
- * @returns {Promise<Found>}
+ * @param {readonly Bytes[]} files  at least one @returns {Promise<Found>}
  * @throws {import("./generated/types.js").Fault}
  */
 export async function meshAmong(files) {

@@ -1,4 +1,3 @@
-// @ts-check
 // The surface on its canvas: opens the wasm viewer, draws only when something changed,
 // follows the size of the canvas, and builds itself anew from the data it holds when the
 // graphics device is lost.
@@ -83,8 +82,7 @@ const CALM_MILLISECONDS = 60_000;
 
 /**
  * Opens a viewer on a canvas. Rejects with a `Fault` where there is neither WebGPU nor WebGL2.
- * @param {HTMLCanvasElement} canvas
- * @param {ViewerOptions} [options]
+ * @param {HTMLCanvasElement} canvas @param {ViewerOptions} [options]
  */
 export async function createViewer(canvas, options = {}) {
   const view = new SurfaceView(canvas, options);
@@ -130,10 +128,7 @@ class SurfaceView {
   #style = { lineWidth: 1 };
   #size = { width: 1, height: 1 };
 
-  /**
-   * @param {HTMLCanvasElement} canvas
-   * @param {ViewerOptions} options
-   */
+  /** @param {HTMLCanvasElement} canvas @param {ViewerOptions} options */
   constructor(canvas, options) {
     this.#canvas = canvas;
     this.#drawnOn = canvas;
@@ -199,8 +194,7 @@ class SurfaceView {
 
   /**
    * Shows the surface after a step, and no motion. The arrays are kept, not copied.
-   * @param {Float32Array} positions
-   * @param {Field | null} field
+   * @param {Float32Array} positions @param {Field | null} field
    * @param {Uint32Array} [marked]  triangles to highlight
    */
   setFrame(positions, field, marked = new Uint32Array()) {
@@ -253,10 +247,7 @@ class SurfaceView {
     this.#redraw();
   }
 
-  /**
-   * Draws these edges over all others: two ends each; empty for none.
-   * @param {Uint32Array} ends
-   */
+  /** Draws these edges over all others: two ends each; empty for none. @param {Uint32Array} ends */
   setHighlight(ends) {
     this.#viewer?.setHighlight(ends);
     this.#highlight = ends;
@@ -292,8 +283,7 @@ class SurfaceView {
 
   /**
    * The point seen there.
-   * @param {{ x: number, y: number, depth: number }} seen
-   * @returns {number[] | null}
+   * @param {{ x: number, y: number, depth: number }} seen @returns {number[] | null}
    */
   unproject({ x, y, depth }) {
     const scale = this.#scale;
@@ -336,10 +326,7 @@ class SurfaceView {
     return [(clientX - left) * this.#scale, (clientY - top) * this.#scale];
   }
 
-  /**
-   * Changes what is given, keeps the rest.
-   * @param {Style} style
-   */
+  /** Changes what is given, keeps the rest. @param {Style} style */
   setStyle(style) {
     this.#style = { ...this.#style, ...style };
     this.#putStyle();
@@ -371,10 +358,7 @@ class SurfaceView {
     return taken;
   }
 
-  /**
-   * The picture as a PNG, as large as it is on screen.
-   * @returns {Promise<Blob>}
-   */
+  /** The picture as a PNG, as large as it is on screen. @returns {Promise<Blob>} */
   snapshot() {
     this.#redrawn();
     return new Promise((resolve, reject) => {
@@ -413,8 +397,7 @@ class SurfaceView {
 
   /**
    * Colours of a colour map from low to high, r, g, b bytes each.
-   * @param {boolean} signed
-   * @param {number} count
+   * @param {boolean} signed @param {number} count
    */
   colourBar(signed, count) {
     return this.#viewer?.colourBar(signed, count) ?? new Uint8Array(3 * count);
@@ -635,10 +618,7 @@ class SurfaceView {
   }
 }
 
-/**
- * @param {string} reason
- * @returns {Fault}
- */
+/** @param {string} reason @returns {Fault} */
 function lostFault(reason) {
   return {
     kind: "GpuLost",

@@ -1,4 +1,3 @@
-// @ts-check
 // The plugin `umbilic/vite`: <umbilic-surface> in a project that Vite serves and builds. The
 // element shows a page that comes in many files, which no bundler follows by itself; they are
 // served, and copied to what is built, below `umbilic/`.

@@ -1,4 +1,3 @@
-// @ts-check
 // The WebGL context of a canvas. Other than a WebGPU device it belongs to the canvas for
 // good: the browser takes it away and gives it back, to the same canvas, when it can.
 
@@ -7,8 +6,7 @@ const RESTORE_MILLISECONDS = 4000;
 
 /**
  * Tells of a lost context, and asks for it back.
- * @param {HTMLCanvasElement} canvas
- * @param {AbortSignal} signal  ends the watch
+ * @param {HTMLCanvasElement} canvas @param {AbortSignal} signal  ends the watch
  * @param {() => void} lost
  */
 export function watchContext(canvas, signal, lost) {

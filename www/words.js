@@ -1,4 +1,3 @@
-// @ts-check
 // Messages as sentences. A message is `{ id, values }`; the words of each language stand in
 // `locales/<language>/*.ftl`, in the syntax of Fluent (projectfluent.org). The solver, the worker
 // and recipes speak in messages, so that a sentence is made once, where it is read.

@@ -1,4 +1,3 @@
-// @ts-check
 // The solver's side: one session, of which the page asks by commands, and a run loop that lets
 // messages in after every step.
 
@@ -123,8 +122,7 @@ async function stored() {
 
 /**
  * Does pieces of work, letting messages in after each.
- * @template T
- * @param {() => T | null} piece  null until it is the last
+ * @template T @param {() => T | null} piece  null until it is the last
  * @param {NonNullable<typeof task>} [begun]  what is to be done where something else comes first
  * @returns {Promise<T | null>} null where something else came first
  */
@@ -164,8 +162,7 @@ async function measured(id) {
 
 /**
  * Does again what a recipe or a link says.
- * @param {"prepare" | "follow"} name
- * @param {any} fields
+ * @param {"prepare" | "follow"} name @param {any} fields
  */
 async function replayed(name, fields) {
   endTask();
@@ -221,8 +218,7 @@ const own = {
 
 /**
  * Every typed array of an answer is a copy of its own and can be handed over.
- * @param {any} answer
- * @returns {Transferable[]}
+ * @param {any} answer @returns {Transferable[]}
  */
 function buffersOf(answer) {
   if (ArrayBuffer.isView(answer)) return [answer.buffer];
@@ -303,8 +299,7 @@ function answer({ id, name, fields, run: number, shown, permit: given }) {
 /**
  * Within long work.
  * @param {string} stage  none where there is no more to tell than that it goes on
- * @param {number} fraction
- * @returns {boolean} whether a step is to be given up
+ * @param {number} fraction @returns {boolean} whether a step is to be given up
  */
 function progressed(stage, fraction) {
   if (stage) tell(stage, fraction);

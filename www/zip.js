@@ -1,4 +1,3 @@
-// @ts-check
 // What stands in a ZIP archive, and its files unpacked: APPNOTE.TXT of PKWARE, version 6.3, with
 // 64-bit sizes; stored and deflated files. Nothing is unpacked past the size that was announced.
 
@@ -27,8 +26,7 @@ const tooLarge = (most) =>
   refusal("TooLarge", "unpack-too-large", { megabytes: Math.round(most / 2 ** 20) });
 
 /**
- * @param {"gzip" | "deflate-raw"} format
- * @param {Uint8Array<ArrayBuffer>} packed
+ * @param {"gzip" | "deflate-raw"} format @param {Uint8Array<ArrayBuffer>} packed
  * @param {number} most  bytes; what would be more is refused
  * @returns {Promise<Uint8Array<ArrayBuffer>>}
  */

@@ -1,4 +1,3 @@
-// @ts-check
 // `umbilic bench`: the tables of the documentation, measured on this machine.
 
 import { readdirSync } from "node:fs";

@@ -1,4 +1,3 @@
-// @ts-check
 // How every command runs: what was typed is read and checked, places to write to are tried, the
 // mesh is loaded, the solver is asked, and what it answers is written.
 

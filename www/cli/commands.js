@@ -1,4 +1,3 @@
-// @ts-check
 // The commands there are.
 
 import * as schema from "../generated/schema.js";
@@ -36,8 +35,7 @@ const repair = command({
 
 /**
  * What a file is before a repair; null where it is no surface.
- * @param {import("./solver.js").Session} session
- * @param {{ bytes: Uint8Array, name: string }} mesh
+ * @param {import("./solver.js").Session} session @param {{ bytes: Uint8Array, name: string }} mesh
  */
 function infoOf(session, mesh) {
   try {

@@ -1,4 +1,3 @@
-// @ts-check
 // How a command ends when it does not end well: one shape, three exit codes.
 
 /** @typedef {import("../generated/types.js").Fault} Fault */
@@ -10,10 +9,7 @@ import { repairInWords } from "./text.js";
 /** Bad usage, refused input or numerical failure, in words. */
 export class Failure extends Error {
   /**
-   * @param {2 | 3 | 4} exit
-   * @param {string} kind
-   * @param {string} message
-   * @param {string} hint
+   * @param {2 | 3 | 4} exit @param {string} kind @param {string} message @param {string} hint
    * @param {readonly { kind: string, count: number, message: string }[]} [repairs]  what would help
    */
   constructor(exit, kind, message, hint, repairs = []) {
@@ -25,20 +21,14 @@ export class Failure extends Error {
   }
 }
 
-/**
- * @param {string} message
- * @param {string} [hint]
- */
+/** @param {string} message @param {string} [hint] */
 export function usage(message, hint = "") {
   return new Failure(2, "Usage", message, hint);
 }
 
 /**
  * Calls the solver and says which exit code its refusal would mean.
- * @template T
- * @param {2 | 3 | 4} exit
- * @param {() => T} call
- * @returns {T}
+ * @template T @param {2 | 3 | 4} exit @param {() => T} call @returns {T}
  */
 export function orExit(exit, call) {
   try {
@@ -55,8 +45,7 @@ export function orExit(exit, call) {
 /**
  * What a command ends with after `error`. Anything but a refusal in words is a defect
  * of ours and is thrown on, stack and all.
- * @param {unknown} error
- * @returns {Failure}
+ * @param {unknown} error @returns {Failure}
  */
 export function failureOf(error) {
   if (error instanceof Failure) return error;
@@ -67,10 +56,7 @@ export function failureOf(error) {
   throw error;
 }
 
-/**
- * @param {unknown} error
- * @returns {error is Refusal}
- */
+/** @param {unknown} error @returns {error is Refusal} */
 export function isRefusal(error) {
   return typeof error === "object" && error !== null && "kind" in error && "hint" in error;
 }

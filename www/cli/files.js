@@ -1,4 +1,3 @@
-// @ts-check
 // Files in and out.
 
 import { accessSync, constants, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
@@ -33,8 +32,7 @@ function list(names, word) {
 
 /**
  * The mesh in a file, unpacked, with the files beside it that it names; `-` is standard input.
- * @param {string} file
- * @param {Terminal} io
+ * @param {string} file @param {Terminal} io
  * @returns {Promise<{ bytes: Uint8Array<ArrayBuffer>, name: string }>}
  */
 export async function readMesh(file, io) {
@@ -67,9 +65,7 @@ function buffersBeside(file, bytes) {
 /**
  * Vertex numbers from a JSON file: a list, or an object that has the list under `key`
  * (as `shape --selection` writes).
- * @param {string} file
- * @param {"free" | "fixed"} key
- * @returns {number[]}
+ * @param {string} file @param {"free" | "fixed"} key @returns {number[]}
  */
 export function readSelection(file, key) {
   const text = readInput(file).toString("utf8");
@@ -88,8 +84,7 @@ export function readSelection(file, key) {
 
 /**
  * The vertices that a mesh file gives these numbers: all copies of one that was split.
- * @param {Iterable<number>} chosen
- * @param {import("../generated/types.js").Numbers} numbers
+ * @param {Iterable<number>} chosen @param {import("../generated/types.js").Numbers} numbers
  * @returns {number[]}
  */
 export function numbered(chosen, { first, vertices }) {
@@ -132,8 +127,7 @@ export function checkOutputs(files) {
 
 /**
  * The mesh format that the ending of `file` asks for.
- * @param {string} file
- * @returns {any}  a name that `Session.export` knows
+ * @param {string} file @returns {any}  a name that `Session.export` knows
  */
 export function formatOf(file) {
   const format = writtenAs(file);
@@ -158,10 +152,7 @@ export function writeMesh(session, file, io) {
   for (const loss of losses) io.log(say(loss));
 }
 
-/**
- * @param {string} file
- * @param {string | Uint8Array} content
- */
+/** @param {string} file @param {string | Uint8Array} content */
 export function writeOutput(file, content) {
   try {
     writeFileSync(file, content);

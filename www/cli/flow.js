@@ -1,4 +1,3 @@
-// @ts-check
 // `umbilic flow` runs a flow and reports every step; `umbilic fill` closes holes or connects
 // boundary loops, and lets a flow fair what is new.
 
@@ -31,8 +30,7 @@ const rows = schema.options.filter((row) => row.flows.some((id) => flows.include
 
 /**
  * The budget of steps or of time, as far as it was asked for.
- * @param {Values} values
- * @returns {Record<string, string>}
+ * @param {Values} values @returns {Record<string, string>}
  */
 function budgetOf(values) {
   const words = typed(budget, values);
@@ -44,8 +42,7 @@ function budgetOf(values) {
 
 /**
  * Steps until the run is over.
- * @param {Session} session
- * @param {Terminal} io
+ * @param {Session} session @param {Terminal} io
  * @returns {{ steps: StepReport[], outcome: Outcome }}
  */
 function runSteps(session, io) {
@@ -136,8 +133,7 @@ export const flow = command({
 /**
  * Pairs of triangles that pass through each other, where it is asked for; null if there are too
  * many triangles for that.
- * @param {Session} session
- * @param {Values} values
+ * @param {Session} session @param {Values} values
  */
 function crossings(session, values) {
   if (!values["self-intersections"]) return {};

@@ -1,4 +1,3 @@
-// @ts-check
 // Options of a command: what they are, their help, and reading them strictly.
 
 import { parseArgs } from "node:util";
@@ -37,8 +36,7 @@ const common = {
 };
 
 /**
- * @param {string[]} parameters
- * @param {Syntax} syntax
+ * @param {string[]} parameters @param {Syntax} syntax
  * @returns {Promise<{ operands: string[], values: Values }>}
  * @throws {Failure} usage
  */
@@ -53,10 +51,7 @@ export async function parse(parameters, syntax) {
   return { operands: positionals, values };
 }
 
-/**
- * @param {string[]} args
- * @param {Options} options
- */
+/** @param {string[]} args @param {Options} options */
 async function strictly(args, options) {
   try {
     return parseArgs({
@@ -110,10 +105,7 @@ function readers({ flows, scheme, goal, remesh }) {
   return [...of, ...only.map(([flag, value]) => `--${flag} ${value}`)];
 }
 
-/**
- * What its words do not say of an option.
- * @param {Row} row
- */
+/** What its words do not say of an option. @param {Row} row */
 function notes({ default: usual, kind, range, absent, flag }) {
   if (kind === "vertices") return [`numbered as in the file, OBJ from 1; default ${absent}`];
   if (kind === "switch") return usual ? [`default; --no-${flag} for not`] : [];
@@ -125,8 +117,7 @@ function notes({ default: usual, kind, range, absent, flag }) {
 
 /**
  * The flags of options that tables know, with their help.
- * @param {readonly Row[]} rows
- * @param {string} words  what the names of their words begin with
+ * @param {readonly Row[]} rows @param {string} words  what the names of their words begin with
  * @returns {Options}
  */
 export function flagsOf(rows, words) {
@@ -146,9 +137,7 @@ export function flagsOf(rows, words) {
 
 /**
  * What was typed for the options of these rows, by their names; several numbers with commas.
- * @param {readonly Row[]} rows
- * @param {Values} values
- * @returns {Record<string, string>}
+ * @param {readonly Row[]} rows @param {Values} values @returns {Record<string, string>}
  */
 export const typed = (rows, values) =>
   Object.fromEntries(
@@ -160,21 +149,14 @@ export const typed = (rows, values) =>
 /**
  * Options of a command by name, as text, read and checked by the solver; what was not given is left
  * out, so that the defaults stay in one place.
- * @param {string} command
- * @param {Record<string, unknown>} words
- * @returns {Promise<any>}
+ * @param {string} command @param {Record<string, unknown>} words @returns {Promise<any>}
  */
 export async function readFlags(command, words) {
   const solver = await loadSolver();
   return orExit(2, () => solver.readFlags(command, words));
 }
 
-/**
- * Help of a command.
- * @param {string} name
- * @param {Syntax} syntax
- * @returns {string}
- */
+/** Help of a command. @param {string} name @param {Syntax} syntax @returns {string} */
 export function help(name, { summary, operands, options }) {
   const lines = Object.entries({ ...options, ...common }).map(([option, o]) => {
     return [`--${option}${o.value ? ` ${o.value}` : ""}`, o.help];

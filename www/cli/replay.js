@@ -1,4 +1,3 @@
-// @ts-check
 // `umbilic replay`: does again what a recipe says, and compares with what it promised.
 
 import { existsSync, readFileSync } from "node:fs";
@@ -68,9 +67,7 @@ function textOf(file, io) {
 
 /**
  * The mesh of the recipe, if that is a file: the one given, or the one of its name beside it.
- * @param {RecipeMesh} mesh
- * @param {string} file
- * @param {string | undefined} given
+ * @param {RecipeMesh} mesh @param {string} file @param {string | undefined} given
  * @param {Terminal} io
  */
 async function meshOf(mesh, file, given, io) {

@@ -1,4 +1,3 @@
-// @ts-check
 // `umbilic shape`: writes a sample shape.
 
 import { perform } from "../session.js";
@@ -75,11 +74,7 @@ export const shape = {
   },
 };
 
-/**
- * @param {Shape[]} shapes
- * @param {string | undefined} name
- * @returns {Promise<Shape>}
- */
+/** @param {Shape[]} shapes @param {string | undefined} name @returns {Promise<Shape>} */
 async function find(shapes, name) {
   if (name === undefined || name.startsWith("-")) {
     throw usage("Name the shape first: umbilic shape NAME.", "--list shows all there are.");

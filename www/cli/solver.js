@@ -1,4 +1,3 @@
-// @ts-check
 // The wasm solver in Node: the same file that the page loads.
 
 import { existsSync, readFileSync } from "node:fs";

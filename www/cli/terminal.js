@@ -1,4 +1,3 @@
-// @ts-check
 // The streams of the process. Tests put others in their place.
 
 import { readFileSync } from "node:fs";

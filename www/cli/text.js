@@ -1,4 +1,3 @@
-// @ts-check
 // Results as text for people.
 
 import { say } from "../words.js";
@@ -7,8 +6,7 @@ import { say } from "../words.js";
 
 /**
  * Warnings as sentences, their ids beside them.
- * @template {{ warnings: Message[], repairs?: RepairItem[] }} T
- * @param {T} told
+ * @template {{ warnings: Message[], repairs?: RepairItem[] }} T @param {T} told
  */
 export const inWords = (told) => ({
   ...told,
@@ -20,11 +18,7 @@ export const inWords = (told) => ({
 /** A change of a repair as people read it. @param {RepairItem} item */
 export const repairInWords = ({ kind, count, message }) => ({ kind, count, message: say(message) });
 
-/**
- * Six significant digits; whole numbers in full.
- * @param {unknown} value
- * @returns {string}
- */
+/** Six significant digits; whole numbers in full. @param {unknown} value @returns {string} */
 export function format(value) {
   if (value === null || value === undefined) return "–";
   if (typeof value !== "number") return String(value);
@@ -34,9 +28,7 @@ export function format(value) {
 
 /**
  * Rows of text in columns: the first few to the left, the others to the right.
- * @param {string[][]} rows
- * @param {number} [left]
- * @returns {string}
+ * @param {string[][]} rows @param {number} [left] @returns {string}
  */
 export function table(rows, left = 1) {
   const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => row[column].length)));
@@ -48,8 +40,7 @@ export function table(rows, left = 1) {
 /**
  * A result in lines: its sentence, what was before beside what is after, and everything else by its
  * key.
- * @param {Record<string, any>} result
- * @returns {string}
+ * @param {Record<string, any>} result @returns {string}
  */
 export function print({ message, warnings = [], changes, repairs = [], ...rest }) {
   const { before, after, initial, final, ...others } = rest;
@@ -83,9 +74,7 @@ function compared(sides) {
 
 /**
  * The keys of an object and their values, nested keys dotted, lists left out.
- * @param {object} object
- * @param {string} [prefix]
- * @returns {[string, unknown][]}
+ * @param {object} object @param {string} [prefix] @returns {[string, unknown][]}
  */
 export function entries(object, prefix = "") {
   return Object.entries(object).flatMap(([key, value]) => {

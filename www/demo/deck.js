@@ -1,4 +1,3 @@
-// @ts-check
 // Slides: one section at a time, by keys, clicker, buttons, swipe or address.
 
 /** A swipe is as long as this, in CSS pixels, and more across than along. */
@@ -19,10 +18,7 @@ const moves = {
 /** @param {string} hash @returns {number} the slide in an address `#/3`, from 0; NaN for none */
 export const slideIn = (hash) => Number(/^#\/(\d{1,3})$/.exec(hash)?.[1] ?? Number.NaN) - 1;
 
-/**
- * @param {HTMLElement[]} slides
- * @param {(slide: HTMLElement, number: number) => void} onShow
- */
+/** @param {HTMLElement[]} slides @param {(slide: HTMLElement, number: number) => void} onShow */
 export function createDeck(slides, onShow) {
   let at = -1;
 

@@ -1,4 +1,3 @@
-// @ts-check
 // The slides about Willmore flow.
 
 import { translateDocument } from "../document-text.js";
@@ -7,11 +6,7 @@ import { formatNumber } from "../number.js";
 import { keepOffline } from "../offline.js";
 import { createDeck } from "./deck.js";
 
-/**
- * @template {HTMLElement} T
- * @param {string} id @param {new () => T} type
- * @returns {T}
- */
+/** @template {HTMLElement} T @param {string} id @param {new () => T} type @returns {T} */
 function byId(id, type) {
   const found = document.getElementById(id);
   if (!(found instanceof type)) throw new Error(`demo.html has no ${type.name} #${id}`);

@@ -1,4 +1,3 @@
-// @ts-check
 // The page inside another one: answers what that asks, tells what happens, and rests while
 // nobody sees it. Works only in an address with `?embed`.
 

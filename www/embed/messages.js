@@ -1,4 +1,3 @@
-// @ts-check
 // What a page that embeds this one may ask, and how its words are read. Whoever embeds may be
 // anybody: a message is taken apart here, and nothing of it goes on unread.
 //

@@ -1,4 +1,3 @@
-// @ts-check
 // To any step, forwards or backwards.
 
 /** @import { PageState } from "../store.js" */
@@ -14,8 +13,7 @@
 /**
  * To the nearest stored step that is not beyond, and on from there: the same steps give the
  * same surface.
- * @param {Moves} moves
- * @param {() => Readonly<PageState>} get
+ * @param {Moves} moves @param {() => Readonly<PageState>} get
  * @param {number} step  less if the flow ends before
  */
 export async function seek(moves, get, step) {

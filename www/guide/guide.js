@@ -1,4 +1,3 @@
-// @ts-check
 // The guide: its language, its theme, and the element that makes surfaces live.
 
 import { translateDocument } from "../document-text.js";

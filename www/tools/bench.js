@@ -1,4 +1,3 @@
-// @ts-check
 // `npm run bench`: the Rust benchmarks, the command line's tables, and tasks of the page.
 
 import { prerequisites } from "./prerequisites.js";

@@ -1,4 +1,3 @@
-// @ts-check
 // `npm run build`: both wasm halves and the static site in `dist`.
 
 import { prerequisites } from "./prerequisites.js";

@@ -1,4 +1,3 @@
-// @ts-check
 // Every check of the source that needs no test run, cheapest first.
 
 import { existsSync } from "node:fs";

@@ -1,4 +1,3 @@
-// @ts-check
 // `npm run doc`: the documentation of the Rust source, in `target/doc/umbilic`.
 
 import { buildDocumentation } from "./documentation.js";

@@ -1,4 +1,3 @@
-// @ts-check
 // The documentation of the Rust source. Its formulas are set by the browser that shows it, with
 // nothing fetched from elsewhere.
 

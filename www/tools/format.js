@@ -1,4 +1,3 @@
-// @ts-check
 // `npm run format`: writes the one format of the Rust and JavaScript source.
 
 import { nodePackages } from "./prerequisites.js";

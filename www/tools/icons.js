@@ -1,4 +1,3 @@
-// @ts-check
 // The icons of the installed page, drawn from www/icon.svg: `node www/tools/icons.js`.
 
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";

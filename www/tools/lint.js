@@ -1,4 +1,3 @@
-// @ts-check
 // `npm run lint`: format, lints and types, nothing run.
 
 import { formatChecks, rustChecks, typeCheck } from "./checks.js";

@@ -1,4 +1,3 @@
-// @ts-check
 // The picture in README.md, taken from the built page: `node www/tools/picture.js`.
 
 import path from "node:path";

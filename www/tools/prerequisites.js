@@ -1,4 +1,3 @@
-// @ts-check
 // What must be on the machine before anything is built. Uses nothing but Node
 // itself, so that it runs before the first `npm ci`.
 

@@ -1,4 +1,3 @@
-// @ts-check
 // Running other programs, one line of explanation before each.
 
 import { spawnSync } from "node:child_process";
@@ -14,18 +13,14 @@ export const targetDir = path.resolve(root, process.env.CARGO_TARGET_DIR ?? "tar
 /** A failure to be told to the person at the terminal in words, without a stack. */
 export class Refusal extends Error {}
 
-/**
- * Says in one line what happens next.
- * @param {string} text
- */
+/** Says in one line what happens next. @param {string} text */
 export function say(text) {
   console.log(`\x1b[1m• ${text}\x1b[0m`);
 }
 
 /**
  * Runs a program with the terminal attached and waits for it.
- * @param {string} program
- * @param {string[]} parameters
+ * @param {string} program @param {string[]} parameters
  * @param {{ env?: Record<string, string>, cwd?: string }} [options]
  * @throws {Refusal} when it cannot be started or ends with anything but 0
  */
@@ -51,9 +46,7 @@ export function runNode(parameters, options) {
 
 /**
  * Standard output of a program, or null when it is missing or fails.
- * @param {string} program
- * @param {string[]} parameters
- * @returns {string | null}
+ * @param {string} program @param {string[]} parameters @returns {string | null}
  */
 export function ask(program, parameters) {
   const { status, stdout } = spawnSync(program, parameters, { cwd: root, encoding: "utf8" });

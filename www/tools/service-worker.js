@@ -1,4 +1,3 @@
-// @ts-check
 // A plugin of vite: the service worker of the site that was just built, with the list of its
 // files and a version made of all their contents.
 
@@ -20,8 +19,7 @@ function filesIn(folder) {
 
 /**
  * Writes the service worker of a site that is complete but for it.
- * @param {string} folder
- * @param {string} source  file of the worker's own code
+ * @param {string} folder @param {string} source  file of the worker's own code
  */
 export function writeServiceWorker(folder, source) {
   const code = readFileSync(source, "utf8");
@@ -40,10 +38,7 @@ export function writeServiceWorker(folder, source) {
   writeFileSync(path.join(folder, "service-worker.js"), list + code);
 }
 
-/**
- * @param {string} source
- * @returns {import("vite").Plugin}
- */
+/** @param {string} source @returns {import("vite").Plugin} */
 export function serviceWorker(source) {
   let folder = "";
   return {

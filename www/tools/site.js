@@ -1,4 +1,3 @@
-// @ts-check
 // The page through vite: the development server, and the static site in `dist`.
 
 import { runNode, say } from "./process.js";

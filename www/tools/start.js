@@ -1,4 +1,3 @@
-// @ts-check
 // `npm start`: from a fresh clone to the page in the browser. The viewer for browsers without
 // WebGPU, which takes as long to compile as all else, follows when one asks for it (`webgl.js`).
 

@@ -1,4 +1,3 @@
-// @ts-check
 // `npm test`: everything that must hold, on a machine that has only Rust and Node.
 // What fails fast comes first; the browser meets the site as it is shipped.
 

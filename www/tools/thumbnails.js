@@ -1,4 +1,3 @@
-// @ts-check
 // The small pictures of the library, taken from the built page: samples before and after their
 // flow, and the figures of the papers. `node www/tools/thumbnails.js [id …]`.
 

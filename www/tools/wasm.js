@@ -1,4 +1,3 @@
-// @ts-check
 // The wasm files, from Rust source to `www/pkg`: cargo, then wasm-bindgen's
 // tool, then wasm-opt. Cargo decides what is out of date; what follows it is done
 // again only when cargo's output has changed. Two builds: the one that is shipped, optimised

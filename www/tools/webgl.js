@@ -1,4 +1,3 @@
-// @ts-check
 // The viewer for browsers without WebGPU, for the development server: compiled when such a browser
 // asks for it.
 
