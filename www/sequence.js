@@ -40,7 +40,7 @@ export function sequenceSize(session, format, every) {
 /**
  * @param {Session} session @param {string} format  of the meshes
  * @param {number} every   n: every n-th stored step, and the last
- * @param {(share: number) => void} tell @returns {Promise<Uint8Array>}
+ * @param {(share: number) => void} tell @returns {Promise<Uint8Array<ArrayBuffer>>}
  */
 export async function sequence(session, format, every, tell) {
   const { meshes, bytes } = sequenceSize(session, format, every);

@@ -12,7 +12,7 @@ import { numberAs } from "./numbers.js";
 /**
  * Of what is asked for, what is left out has its default.
  * @template T
- * @typedef {T extends ArrayBufferView | readonly unknown[] ? T : T extends object ? { [K in keyof T]?: Loose<T[K]> } : T} Loose
+ * @typedef {T extends ArrayBufferView ? T : T extends (infer E)[] ? E[] : T extends object ? { [K in keyof T]?: Loose<T[K]> } : T} Loose
  */
 /** @template {CommandName} N @typedef {Extract<Answer, Record<N, any>>[N]} AnswerOf */
 

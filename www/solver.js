@@ -1,10 +1,9 @@
 // What may be asked of the solver, and the scene that it has: where its worker is lost, a new one
 // is given that scene before it is asked for anything else.
 
-/** @import { Arrangement, FlowOptions } from "./generated/schema.js" */
-/** @import { LoopInfo as BoundaryLoop, Configured, ConjectureReport as Conjecture, Diagnosis, FillOutcome as Filled, FillOptions, Frame, InversionReport, Inverted, LabReport as Lab, LinkCheck, LinkScene, Loaded, Look, Message, Origin as MeshOrigin, PageScene, QuadReport as Quadrilateral, RecipeCard, RegulariseOptions, Regularised, RemeshOptions, RemeshOutcome, RepairOptions, ScriptText, SelfIntersections, State, StepReport, StudyReport as Study, StudyOptions, LookOptions, WrittenLink } from "./generated/types.js" */
-/** @import { Finding } from "./library.js" */
-/** @import { Field, FieldName } from "./store.js" */
+/** @import { FlowOptions } from "./generated/schema.js" */
+/** @import { Frame, Loaded, Message, ScriptText, State } from "./generated/types.js" */
+/** @import { Answered, Asked, Name } from "./worker.js" */
 /** @import { Fault } from "./words.js" */
 
 import { createChannel, LOST } from "./channel.js";
@@ -23,7 +22,7 @@ import { say, sayFault } from "./words.js";
 
 /**
  * How a mesh is made: a command. One that was edited is a file, which knows no selection.
- * @typedef {{ name: string, fields: any, isEdited?: boolean }} Origin
+ * @typedef {{ name: "load" | "sample" | "prepare", fields: any, isEdited?: boolean }} Origin
  */
 
 /** What is refused because something else was asked for meanwhile. */
@@ -36,19 +35,29 @@ export const CANCELLED = "Cancelled";
  * @property {Loaded | null} loaded     what that gave
  * @property {boolean} isConfigured     whether a flow was chosen for the mesh: before, there is nothing to see
  * @property {FlowOptions} options
- * @property {FieldName} field
- * @property {Arrangement | null} arrangement
- * @property {LookOptions | null} lookOptions  what is looked at more closely
+ * @property {{ [N in typeof kept[number]]?: Asked<N> }} again  what was asked for last of each
  * @property {Frame | null} last
  */
+
+/** What of the solver stays as it was asked for, whatever mesh it has. */
+const kept = /** @type {const} */ (["colour", "arrange", "look"]);
+/** What moves the surface: it ends the run at hand, and what comes of it is shown. */
+const moves = [
+  ...["configure", "continueWith", "step", "regularise", "undo", "back", "reset", "seek"],
+  ...["branch", "follow", "restore"],
+];
+/** What else ends the run at hand. */
+const ends = [
+  ...["run", "turn", "load", "sample", "prepare", "cancelReplay"],
+  ...["adopt", "repair", "remesh", "subdivide", "fill", "invert"],
+];
+/** What is answered with where the session stands. */
+const places = ["pause", "state", "back", "reset", "seek", "branch"];
 
 /** How often in a row the scene is given to a new worker that is lost meanwhile. */
 const ATTEMPTS = 6;
 /** Milliseconds before the second attempt, doubled for each further one: memory may be freed. */
 const PAUSE = 50;
-
-/** Ends the run at hand, and what comes of it is shown. */
-const MOVE = { ends: true, shown: true };
 
 /**
  * Options with the selection that a mesh brings along: a file made of it knows none.
@@ -72,8 +81,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   let run = 0;
   /** @type {Shown} */
   let scene = {
-    ...{ origin: null, loaded: null, isConfigured: false, options: {}, field: "none" },
-    ...{ arrangement: null, lookOptions: null, last: null },
+    ...{ origin: null, loaded: null, isConfigured: false, options: {}, again: {}, last: null },
   };
   /** Those of before the edits that can be undone. @type {Pick<Shown, "origin" | "loaded">[]} */
   let origins = [];
@@ -104,7 +112,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   /** Goes over to a half. @param {boolean} isBack */
   async function turn(isBack) {
     if (!film || film.isBack === isBack) return;
-    await ask("turn", { figure: film.figure }, { ends: true });
+    await ask("turn", { figure: film.figure });
     film.isBack = isBack;
   }
 
@@ -150,36 +158,50 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   }
 
   /**
-   * @param {string} name  a command of the session, or what the worker itself can do
-   * @param {Record<string, unknown>} [fields]
-   * @param {{ ends?: boolean, shown?: boolean }} [way]  whether it ends the run at hand; whether a
-   *   frame follows the answer
-   * @returns {Promise<any>}
+   * @template {Name} N @param {N} name @param {Asked<N>} [fields]
+   * @param {boolean} [isEnd]  whether it ends the run at hand
+   * @param {boolean} [shown]  whether a frame follows the answer
+   * @returns {Promise<Answered<N>>}
    */
-  function send(name, fields = {}, { ends = false, shown = false } = {}) {
-    if (ends) run += 1;
-    return channel.ask({ name, fields, shown, ...(ends ? { run } : {}) });
+  function send(name, fields, isEnd = false, shown = false) {
+    if (isEnd) run += 1;
+    return channel.ask({ name, fields: fields ?? {}, shown, ...(isEnd ? { run } : {}) });
   }
 
-  /** The same of a worker that has the scene. @type {typeof send} */
-  const ask = (...request) => (isWhole ? send(...request) : revive().then(() => send(...request)));
+  /**
+   * The same of a worker that has the scene.
+   * @template {Name} N @param {N} name @param {Asked<N>} [fields] @returns {Promise<Answered<N>>}
+   */
+  async function ask(name, fields) {
+    if (!isWhole) await revive();
+    const isMove = moves.includes(name);
+    const isSeen =
+      (name === "arrange" && scene.isConfigured) ||
+      (name === "colour" && (scene.last?.panes.length ?? 0) > 0) ||
+      (name === "cancelReplay" && scene.last !== null);
+    const answer = await send(name, fields, isMove || ends.includes(name), isMove || isSeen);
+    if (kept.some((one) => one === name)) scene.again = { ...scene.again, [name]: fields };
+    return places.includes(name) ? signed(/** @type {any} */ (answer)) : answer;
+  }
 
-  /** @param {string} name @param {Record<string, unknown>} [fields] @returns {Promise<any>} */
-  const move = (name, fields) => ask(name, fields, MOVE);
+  /**
+   * What is asked for by one value.
+   * @template {Name} N @template {keyof Asked<N>} K @param {N} name @param {K} key
+   * @returns {(value: Asked<N>[K]) => Promise<Answered<N>>}
+   */
+  const by = (name, key) => (value) => ask(name, /** @type {any} */ ({ [key]: value }));
 
   /** Gives a new worker the scene. @returns {Promise<State | null>} */
   async function restore() {
-    const { origin, loaded, isConfigured, options, field, arrangement, lookOptions, last } = scene;
+    const { origin, loaded, isConfigured, options, again, last } = scene;
     if (!origin) return null;
-    const again = await send(origin.name, origin.fields, { ends: true });
+    const made = await send(origin.name, origin.fields, true);
     let state = null;
     if (isConfigured) {
       const chosen = origin.isEdited ? withSelection(options, loaded) : options;
       await send("configure", { options: chosen });
-      if (field !== "none") await send("colour", { field });
-      if (arrangement) await send("arrange", { arrangement });
-      if (lookOptions) await send("look", { options: lookOptions });
-      state = await place(last, loaded ?? again, again);
+      for (const name of kept) if (again[name]) await send(name, again[name]);
+      state = await place(last, loaded ?? made, made);
     }
     isWhole = true;
     return state;
@@ -195,12 +217,12 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       frame?.state.step === 0 &&
       !frame.triangles &&
       frame.positions.every((c, n) => c === now.positions[n]);
-    if (!frame || isStart) return send("reset", {}, MOVE);
+    if (!frame || isStart) return send("reset", {}, true, true);
     // Far from the origin an edited mesh is read into a place of its own.
     const by = before.shift.map((c, n) => c - now.shift[n]);
     const exact = by.some(Boolean) ? frame.exact.map((c, n) => c + by[n % 3]) : frame.exact;
     const { triangles, state } = frame;
-    return send("restore", { exact, triangles, step: state.step, time: state.time }, MOVE);
+    return send("restore", { exact, triangles, step: state.step, time: state.time }, true, true);
   }
 
   /**
@@ -236,11 +258,11 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     return mine;
   }
 
-  /** @param {string} name @param {Record<string, unknown>} fields @returns {Promise<Loaded>} */
+  /** @param {Origin["name"]} name @param {any} fields @returns {Promise<Loaded>} */
   async function make(name, fields) {
     // The scene is not needed any more: but it must not come after.
     await revival?.catch(() => {});
-    const loaded = await send(name, fields, { ends: true });
+    const loaded = await send(name, fields, true);
     isWhole = true;
     origins = [];
     begin(loaded, { name, fields });
@@ -254,20 +276,22 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   }
 
   /**
-   * A mesh made of the one at hand: for a new worker it is a file of its own.
-   * @param {string} name @param {Record<string, unknown>} [fields] @returns {Promise<Loaded>}
+   * A mesh made of the one at hand, and what is told of that: for a new worker it is a file of its
+   * own. Where there is nothing to repair it is no edit.
+   * @template {"adopt" | "subdivide" | "repair" | "remesh" | "fill" | "invert"} N
+   * @param {N} name @param {Asked<N>} [fields]
+   * @returns {Promise<{ outcome: Answered<N>, loaded: Loaded }>}
    */
   async function edit(name, fields) {
-    const loaded = await ask(name, fields, { ends: true });
-    await keep(loaded);
-    return loaded;
-  }
-
-  /** @param {Loaded} loaded */
-  async function keep(loaded) {
+    const outcome = await ask(name, fields);
+    const isMesh = ["adopt", "subdivide", "repair"].includes(name);
+    const loaded = isMesh ? /** @type {any} */ (outcome) : await send("loaded");
+    if (name === "repair" && loaded.repaired.length === 0) return { outcome, loaded };
     const bytes = await send("export", { format: "ply" });
     origins.push({ origin: scene.origin, loaded: scene.loaded });
-    begin(loaded, { name: "load", fields: { name: `${loaded.name}.ply`, bytes }, isEdited: true });
+    const file = { name: `${loaded.name}.ply`, bytes };
+    begin(loaded, { name: "load", fields: file, isEdited: true });
+    return { outcome, loaded };
   }
 
   /** The surface that is shown, of what the page has. @returns {Uint8Array<ArrayBuffer>} */
@@ -285,157 +309,84 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     revive,
     /** Starts the worker, if nothing has been asked of it yet. @throws {Fault} where that may not be */
     begin: () => void channel.begin(),
-    /** @param {{ text: string, isOwn: boolean }} link @returns {Promise<LinkScene>} */
-    readLink: (link) => ask("readLink", link),
-    /** @param {PageScene} scene @returns {Promise<WrittenLink>} */
-    writeLink: (scene) => ask("writeLink", { scene }),
-    /** @param {string} sent  the energy of a link @param {number} step @returns {Promise<LinkCheck | null>} */
-    checkLink: (sent, step) => ask("checkLink", { sent, step }),
+
+    // Meshes to begin with, and what they were made of: another solver can make the same.
     /**
      * @param {string} name @param {Uint8Array<ArrayBuffer>} bytes  kept, so that a lost worker can be replaced
-     * @param {Partial<RepairOptions> | null} [repair]  how it is repaired, where it is
+     * @param {Asked<"load">["repair"]} [repair]  how it is repaired, where it is
      */
     load: (name, bytes, repair = null) => make("load", { name, bytes, repair }),
-    /** What the mesh was read from, if it was. @returns {Uint8Array<ArrayBuffer> | null} */
-    file: () => scene.origin?.fields.bytes ?? null,
     /** @param {string} name @param {Record<string, number>} parameters */
     sample: (name, parameters) => make("sample", { name, parameters }),
-    /** How the mesh was made, so that another solver can make the same. */
+    /**
+     * Makes the mesh of a recipe or a link.
+     * @param {ScriptText} script
+     * @param {{ name: string, bytes: Uint8Array<ArrayBuffer> } | null} file  that it begins with
+     */
+    prepare: (script, file) =>
+      make("prepare", { script, bytes: file?.bytes ?? null, name: file?.name ?? "" }),
     origin: () => scene.origin,
     /** @param {Origin} of  another solver's `origin` */
     same: ({ name, fields }) => make(name, fields),
-    /** @param {FlowOptions} wanted @returns {Promise<Configured>} */
-    async configure(wanted) {
-      const configured = await move("configure", { options: wanted });
-      film = null;
-      scene.isConfigured = true;
-      scene.options = wanted;
-      return configured;
-    },
-    /** From the surface as it is. @param {FlowOptions} wanted @returns {Promise<Configured>} */
-    async continueWith(wanted) {
-      const configured = await move("continueWith", { options: wanted });
-      scene.options = wanted;
-      return configured;
-    },
-    /** @param {FieldName} name @returns {Promise<Field | null>} */
-    async colour(name) {
-      const shown = (scene.last?.panes.length ?? 0) > 0;
-      const answer = await ask("colour", { field: name }, { shown });
-      scene.field = name;
-      return answer;
-    },
-    /** @param {number | null} until  the step to pause at */
-    async run(until) {
-      if (until !== null) await turn(false);
-      return /** @type {Promise<true>} */ (ask("run", { until }, { ends: true }));
-    },
-    /** @returns {Promise<State>} */
-    pause: async () => signed(await ask("pause")),
-    /**
-     * Goes over to a half of a figure that has two.
-     * @param {string} figure  its id @param {boolean} isBack  to the one that is shown backwards
-     * @returns {Promise<State>}
-     */
-    async turn(figure, isBack) {
-      film ??= { figure, isBack: false, back: 0, forth: (await ask("state")).step };
-      await turn(isBack);
-      return signed(await ask("state"));
-    },
-    /** @returns {Promise<StepReport | null>} */
-    step: () => move("step"),
-    /** @param {Partial<RegulariseOptions>} wanted @returns {Promise<Regularised>} */
-    regularise: (wanted) => move("regularise", { options: wanted }),
-    /** @param {Arrangement} wanted @returns {Promise<State>} */
-    async arrange(wanted) {
-      const state = await ask("arrange", { arrangement: wanted }, { shown: scene.isConfigured });
-      scene.arrangement = wanted;
-      return state;
-    },
-    /** Makes the surface as it is the start. */
-    adopt: () => edit("adopt"),
-    /** Takes the last edit back. @returns {Promise<Loaded>} */
+    /** What the mesh was read from, if it was. @returns {Uint8Array<ArrayBuffer> | null} */
+    file: () => scene.origin?.fields.bytes ?? null,
+
+    // What changes it, each with what is told of that.
+    adopt: async () => (await edit("adopt")).loaded,
+    /** @param {"linear" | "loop"} scheme */
+    subdivide: async (scheme) => (await edit("subdivide", { options: { scheme } })).loaded,
+    /** @param {Asked<"repair">["options"]} options */
+    repair: async (options) => (await edit("repair", { options })).loaded,
+    /** @param {Asked<"remesh">["options"]} options */
+    remesh: (options) => edit("remesh", { options }),
+    /** Fills holes, or connects loops. @param {Asked<"fill">["options"]} options */
+    fill: (options) => edit("fill", { options }),
+    /** @param {number[]} centre */
+    invert: (centre) => edit("invert", { centre }),
+    /** Takes the last edit back. */
     async undo() {
-      const loaded = await move("undo");
+      const loaded = await ask("undo");
       film = null;
       scene = { ...scene, ...origins.pop(), isConfigured: true };
       return loaded;
     },
-    /** Where there is nothing to repair it is no edit. @param {Partial<RepairOptions>} options */
-    async repair(options) {
-      const loaded = /** @type {Loaded} */ (await ask("repair", { options }, { ends: true }));
-      if (loaded.repaired.length > 0) await keep(loaded);
-      return loaded;
-    },
+
+    // The flow, and where it stands.
     /**
-     * Other triangles of the same surface.
-     * @param {Partial<RemeshOptions>} wanted
-     * @returns {Promise<{ outcome: RemeshOutcome, loaded: Loaded }>}
+     * @param {FlowOptions} options
+     * @param {"configure" | "continueWith"} [way]  from the start, or from the surface as it is
      */
-    async remesh(wanted) {
-      const outcome = await ask("remesh", { options: wanted }, { ends: true });
-      const loaded = await send("loaded");
-      await keep(loaded);
-      return { outcome, loaded };
+    async configure(options, way = "configure") {
+      const configured = await ask(way, { options });
+      if (way === "configure") film = null;
+      scene = { ...scene, isConfigured: true, options };
+      return configured;
     },
-    /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
-    subdivide: (scheme) => edit("subdivide", { options: { scheme } }),
-    /** @returns {Promise<SelfIntersections | null>} */
-    selfIntersections: () => ask("selfIntersections"),
-    /** @returns {Promise<Diagnosis | null>} */
-    why: () => ask("why"),
-    /** @param {string} figure  its id @returns {Promise<Finding | null>} */
-    judge: (figure) => ask("judge", { figure }),
-    /** @param {Partial<StudyOptions> | null} options  null for the next resolution @returns {Promise<Study>} */
-    study: (options) => ask("study", { options }),
-    /** @param {number} number @returns {Promise<import("./generated/types.js").Phase | null>} */
-    phase: (number) => ask("phase", { number }),
-    /** @returns {Promise<BoundaryLoop[]>} */
-    loops: () => ask("loops"),
-    /**
-     * Fills holes, or connects loops.
-     * @param {Partial<FillOptions>} wanted @returns {Promise<{ filled: Filled, loaded: Loaded }>}
-     */
-    async fill(wanted) {
-      const filled = await ask("fill", { options: wanted }, { ends: true });
-      const loaded = await send("loaded");
-      await keep(loaded);
-      return { filled, loaded };
+    /** @param {number | null} until  the step to pause at */
+    async run(until) {
+      if (until !== null) await turn(false);
+      return ask("run", { until });
     },
-    /** @param {LookOptions} options @returns {Promise<Look>} */
-    async look(options) {
-      const look = await ask("look", { options });
-      scene.lookOptions = options;
-      return look;
-    },
-    /** @param {number[]} centre @returns {Promise<Inverted>} */
-    previewInversion: (centre) => ask("previewInversion", { centre }),
-    /** @param {number[]} centre @returns {Promise<{ report: InversionReport, loaded: Loaded }>} */
-    async invert(centre) {
-      const report = await ask("invert", { centre }, { ends: true });
-      const loaded = await send("loaded");
-      await keep(loaded);
-      return { report, loaded };
-    },
-    /** @returns {Promise<Conjecture>} */
-    conjecture: () => ask("conjecture"),
-    /** @param {number[]} corners @returns {Promise<Quadrilateral>} */
-    quadrilateral: (corners) => ask("quadrilateral", { corners }),
-    /** @param {number} pairs @returns {Promise<Lab>} */
-    lab: (pairs) => ask("lab", { pairs }),
-    /** @returns {Promise<State>} */
-    back: async () => signed(await move("back")),
-    /** @returns {Promise<State>} */
-    reset: async () => signed(await move("reset")),
-    /** Shows a stored step. @param {number} step @returns {Promise<State>} */
+    pause: () => ask("pause"),
+    step: () => ask("step"),
+    back: () => ask("back"),
+    reset: () => ask("reset"),
+    branch: by("branch", "branch"),
+    /** Shows a stored step. @param {number} step */
     async seek(step) {
       await turn(step < 0);
-      return signed(await move("seek", { step: Math.abs(step) }));
+      return ask("seek", { step: Math.abs(step) });
     },
     /**
-     * Every stored step of the path as a frame, of a film those of both halves.
-     * @returns {Promise<boolean>} whether all came
+     * Goes over to a half of a figure that has two.
+     * @param {string} figure  its id @param {boolean} isBack  to the one that is shown backwards
      */
+    async turn(figure, isBack) {
+      film ??= { figure, isBack: false, back: 0, forth: (await ask("state")).step };
+      await turn(isBack);
+      return ask("state");
+    },
+    /** Every stored step of the path as a frame, of a film those of both halves: whether all came. */
     async stored() {
       const isBack = film?.isBack ?? false;
       const all = await ask("stored");
@@ -445,30 +396,45 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       await turn(isBack);
       return both;
     },
-    /** @param {number} branch @returns {Promise<State>} */
-    branch: async (branch) => signed(await move("branch", { branch })),
-    /** @param {string} text @returns {Promise<RecipeCard>} */
-    readRecipe: (text) => ask("readRecipe", { text }),
-    /** @param {MeshOrigin | null} origin @returns {Promise<string>} */
-    writeRecipe: (origin) => ask("writeRecipe", { origin }),
-    /**
-     * Makes the mesh of a recipe or a link.
-     * @param {ScriptText} script
-     * @param {{ name: string, bytes: Uint8Array<ArrayBuffer> } | null} file  that it begins with
-     */
-    prepare: (script, file) =>
-      make("prepare", { script, bytes: file?.bytes ?? null, name: file?.name ?? "" }),
-    /** Does what it says after its edits. @param {ScriptText} script @returns {Promise<State>} */
+    /** Does what a recipe or a link says after its edits. @param {ScriptText} script */
     async follow(script) {
-      const state = await move("follow", { script });
+      const state = await ask("follow", { script });
       scene.isConfigured = true;
       return state;
     },
-    /** Gives up what is prepared or followed. @returns {Promise<null>} */
-    cancel: () => ask("cancelReplay", {}, { ends: true, shown: scene.last !== null }),
-    /** @param {string} format @param {number} every @returns {Promise<Uint8Array<ArrayBuffer>>} ZIP */
+    /** Gives up what is prepared or followed. */
+    cancel: () => ask("cancelReplay"),
+    regularise: by("regularise", "options"),
+    arrange: by("arrange", "arrangement"),
+    colour: by("colour", "field"),
+    look: by("look", "options"),
+
+    // Questions, which change nothing.
+    selfIntersections: () => ask("selfIntersections"),
+    why: () => ask("why"),
+    judge: by("judge", "figure"),
+    /** Null for the next resolution. */
+    study: by("study", "options"),
+    phase: by("phase", "number"),
+    loops: () => ask("loops"),
+    previewInversion: by("previewInversion", "centre"),
+    conjecture: () => ask("conjecture"),
+    quadrilateral: by("quadrilateral", "corners"),
+    lab: by("lab", "pairs"),
+    bending: async () => (await ask("energy")).willmore,
+
+    // Links and files.
+    /** @param {{ text: string, isOwn: boolean }} link */
+    readLink: (link) => ask("readLink", link),
+    writeLink: by("writeLink", "scene"),
+    /** @param {string} sent  the energy of a link @param {number} step */
+    checkLink: (sent, step) => ask("checkLink", { sent, step }),
+    readRecipe: by("readRecipe", "text"),
+    writeRecipe: by("writeRecipe", "origin"),
+    history: () => ask("history"),
+    /** @param {string} format @param {number} every */
     sequence: (format, every) => ask("sequence", { format, every }),
-    /** @param {string} format @param {number} every @returns {Promise<{ meshes: number, bytes: number }>} */
+    /** @param {string} format @param {number} every */
     sequenceSize: (format, every) => ask("sequenceSize", { format, every }),
     /**
      * The surface as a file; PLY of the page's own copy, where the solver cannot be asked.
@@ -478,7 +444,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     async export(format) {
       try {
         if (isWhole && !channel.isSilent()) {
-          const bytes = await send("export", { format });
+          const bytes = /** @type {any} */ (await send("export", { format }));
           return { format, bytes, losses: await send("losses", { format }) };
         }
       } catch (error) {
@@ -486,10 +452,6 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       }
       return { format: "ply", bytes: ownCopy(), losses: [] };
     },
-    /** @returns {Promise<string>} CSV */
-    history: () => ask("history"),
-    /** @returns {Promise<number>} ∫H² dA of the surface as it is */
-    bending: async () => (await ask("energy")).willmore,
   };
 }
 

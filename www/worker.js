@@ -2,8 +2,8 @@
 // messages in after every step.
 
 /** @import { Finding } from "./library.js" */
-/** @import { Fault as Refusal } from "./generated/types.js" */
-/** @import { CommandName } from "./session.js" */
+/** @import { Fault as Refusal, Loaded, ScriptText, State } from "./generated/types.js" */
+/** @import { AnswerOf, CommandName, FieldsOf, Loose } from "./session.js" */
 
 import init, { Session } from "./pkg/solver/solver.js";
 import { refusal } from "./refusal.js";
@@ -17,6 +17,26 @@ import { isOver, perform } from "./session.js";
  * Each is answered by one `{ id, ok }` or `{ id, error }`.
  * @typedef {{ id: number, name: string, fields: any, run?: number, shown?: boolean, permit?: string }} Request
  */
+/**
+ * What is asked of the worker itself.
+ * @typedef {object} Own
+ * @property {(fields: { figure: string }) => Finding | Promise<Finding | null>} judge  what a figure
+ *   comes to: of what is shown, where that is all of it, or of a run of its own
+ * @property {(fields: { until: number | null }) => true} run  steps until then, or until the run is
+ *   over: ends with one `stopped` unless paused
+ * @property {() => State} pause  the step in hand was given up for it: where the session stands
+ * @property {(fields: Loose<FieldsOf<"prepare">>) => Promise<Loaded>} prepare  makes the mesh of a
+ *   recipe or a link; the one at hand stays until it is there
+ * @property {(fields: { script: ScriptText }) => Promise<State>} follow  does what a recipe or a
+ *   link says after its edits
+ * @property {() => Promise<boolean>} stored  shows every stored step of the path: whether all came
+ * @property {(fields: Every) => Promise<Uint8Array<ArrayBuffer>>} sequence
+ * @property {(fields: Every) => { meshes: number, bytes: number }} sequenceSize
+ */
+/** @typedef {{ format: string, every: number }} Every */
+/** @typedef {keyof Own | CommandName} Name */
+/** @template N @typedef {N extends keyof Own ? NonNullable<Parameters<Own[N]>[0]> : N extends CommandName ? Loose<FieldsOf<N>> : never} Asked */
+/** @template N @typedef {N extends keyof Own ? Awaited<ReturnType<Own[N]>> : N extends CommandName ? AnswerOf<N> : never} Answered */
 
 /** @type {{ onmessage: ((event: MessageEvent) => void) | null, postMessage: (message: unknown, transfer?: Transferable[]) => void }} */
 const page = /** @type {any} */ (self);
@@ -160,10 +180,7 @@ async function measured(id) {
   }
 }
 
-/**
- * Does again what a recipe or a link says.
- * @param {"prepare" | "follow"} name @param {any} fields
- */
+/** Does again what a recipe or a link says. @param {"prepare" | "follow"} name @param {any} fields */
 async function replayed(name, fields) {
   endTask();
   perform(session, name, fields);
@@ -180,11 +197,9 @@ async function replayed(name, fields) {
   if (!done) throw refusal("Cancelled", "worker-cancelled");
 }
 
-/** What is asked of the worker itself. @type {Record<string, (fields: any) => unknown>} */
+/** @type {Own} */
 const own = {
-  /** What a figure comes to: of what is shown, where that is all of it, or of a run of its own. */
   judge: ({ figure }) => session.judge(figure) ?? measured(figure),
-  /** Steps until `until`, or until the run is over: ends with one `stopped` unless paused. */
   run(fields) {
     until = fields.until;
     owed = 0;
@@ -192,7 +207,6 @@ const own = {
     turns.port2.postMessage(run);
     return true;
   },
-  /** The step in hand was given up for it: where the session stands. */
   pause() {
     if (running) {
       running = false;
@@ -200,16 +214,8 @@ const own = {
     }
     return perform(session, "state");
   },
-  /** Makes the mesh of a recipe or a link; the one at hand stays until it is there. */
-  async prepare(fields) {
-    await replayed("prepare", fields);
-    return perform(session, "loaded");
-  },
-  /** Does what a recipe or a link says after its edits. */
-  async follow(fields) {
-    await replayed("follow", fields);
-    return perform(session, "state");
-  },
+  prepare: (fields) => replayed("prepare", fields).then(() => perform(session, "loaded")),
+  follow: (fields) => replayed("follow", fields).then(() => perform(session, "state")),
   stored,
   sequence: ({ format, every }) =>
     sequence(session, format, every, (share) => tell("sequence", share)),
@@ -238,21 +244,22 @@ function asRefusal(error) {
   return refusal("Internal", "worker-internal", { reason: String(error?.message ?? error) });
 }
 
-/** Nothing may be asked of a session after a trap. @param {() => void} work */
-function guarded(work) {
+/** Nothing may be asked of a session after a trap. @param {() => unknown} work */
+async function guarded(work) {
   nextProgress = performance.now() + PATIENCE;
   nextLook = performance.now() + LOOK;
   try {
-    work();
+    await work();
   } catch (error) {
     running = false;
     page.onmessage = null;
-    page.postMessage({
-      type: "crashed",
-      message: String(/** @type {any} */ (error)?.message ?? error),
-    });
+    crashed(error);
   }
 }
+
+/** @param {any} error */
+const crashed = (error) =>
+  page.postMessage({ type: "crashed", message: String(error?.message ?? error) });
 
 /** The page has taken a frame of a run. @param {number} number */
 function acknowledge(number) {
@@ -263,18 +270,7 @@ function acknowledge(number) {
 }
 
 /** @param {Request} request */
-function answer({ id, name, fields, run: number, shown, permit: given }) {
-  /** @param {unknown} ok */
-  const reply = (ok) => {
-    // While a run goes on its next frame shows it.
-    if (shown && !running) frame();
-    page.postMessage({ id, ok }, buffersOf(ok));
-  };
-  /** @param {unknown} error */
-  const refuse = (error) => {
-    if (isTrap(error)) throw error;
-    page.postMessage({ id, error: asRefusal(error) });
-  };
+async function answer({ id, name, fields, run: number, shown, permit: given }) {
   if (number !== undefined) {
     running = false;
     run = number;
@@ -283,16 +279,15 @@ function answer({ id, name, fields, run: number, shown, permit: given }) {
   }
   try {
     task?.aside();
-    const ok = Object.hasOwn(own, name)
-      ? own[name](fields)
-      : perform(session, /** @type {CommandName} */ (name), fields);
-    if (ok instanceof Promise) {
-      ok.then((value) => guarded(() => reply(value))).catch((error) =>
-        guarded(() => refuse(error)),
-      );
-    } else reply(ok);
+    const ok = await (Object.hasOwn(own, name)
+      ? own[/** @type {keyof Own} */ (name)](fields)
+      : perform(session, /** @type {CommandName} */ (name), fields));
+    // While a run goes on its next frame shows it.
+    if (shown && !running) frame();
+    page.postMessage({ id, ok }, buffersOf(ok));
   } catch (error) {
-    refuse(error);
+    if (isTrap(error)) throw error;
+    page.postMessage({ id, error: asRefusal(error) });
   }
 }
 
@@ -347,9 +342,7 @@ const started = init({ module_or_path: wasm }).then(() => {
   Session.warmUp();
   page.postMessage({ type: "ready", version: Session.version() });
 });
-started.catch((error) =>
-  page.postMessage({ type: "crashed", message: String(error?.message ?? error) }),
-);
+started.catch(crashed);
 
 page.onmessage = ({ data }) =>
   started.then(

@@ -224,7 +224,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     patch({ options });
     try {
       if (way === "configure") anew(true);
-      const configured = await solver[way](options);
+      const configured = await solver.configure(options, way);
       patch({ configured, reading: configured.state, running: false });
     } catch (error) {
       patch({ options: { ...before } });

@@ -143,7 +143,7 @@ export function createEdit(core) {
     fill: (wanted) =>
       change(async () => {
         const { options } = get();
-        const { filled, loaded } = await long("fill", () => solver.fill(wanted));
+        const { outcome: filled, loaded } = await long("fill", () => solver.fill(wanted));
         const count = filled.filled.length;
         const flow = fairs(options.flow) ? options.flow : "mmcv";
         const free = loaded.free ? [...loaded.free] : null;
@@ -163,7 +163,7 @@ export function createEdit(core) {
     /** @param {number[]} centre  from the middle of the surface's box, in diagonals of it */
     invert: (centre) =>
       change(async () => {
-        const { report, loaded } = await solver.invert(centre);
+        const { outcome: report, loaded } = await solver.invert(centre);
         await edited(loaded, say("edit-inversion"));
         notes.answer(
           say("inverted", { change: Math.abs(report.after.circle - report.before.circle) }),
