@@ -1,5 +1,5 @@
 // Pointer, wheel, touch and keys on a canvas, turned into camera moves. Knows no viewer:
-// moves go to a `Moves` object, in device pixels from the top left.
+// moves go to a function, in device pixels from the top left.
 //
 // | gesture                                   | move          |
 // | ----------------------------------------- | ------------- |
@@ -14,13 +14,9 @@
 // | 0; Home                                   | fit; fit from the standard direction |
 
 /**
- * @typedef {object} Moves
- * @property {(dx: number, dy: number) => void} orbit
- * @property {(dx: number, dy: number) => void} pan
- * @property {(factor: number, x: number, y: number) => void} zoom
- * @property {(angle: number) => void} roll  anticlockwise, radians
- * @property {() => void} fit
- * @property {() => void} home
+ * By pixels across and down; by a factor towards a place; by radians, anticlockwise; `home` from the
+ * standard direction.
+ * @typedef {(name: "orbit" | "pan" | "zoom" | "roll" | "fit" | "home", ...values: number[]) => void} Move
  */
 
 const ARROW_PIXELS = 24;
@@ -31,11 +27,8 @@ const WHEEL_ZOOM_PER_PIXEL = 0.0015;
 const PINCH_ZOOM_PER_PIXEL = 0.01;
 const LINE_PIXELS = 16;
 
-/**
- * Listens until the signal aborts.
- * @param {HTMLCanvasElement} canvas @param {Moves} moves @param {AbortSignal} signal
- */
-export function listenForGestures(canvas, moves, signal) {
+/** @param {HTMLCanvasElement} canvas @param {Move} act @param {AbortSignal} signal  ends it */
+export function listenForGestures(canvas, act, signal) {
   canvas.style.touchAction = "none";
   if (!canvas.hasAttribute("tabindex")) canvas.tabIndex = 0;
 
@@ -59,11 +52,6 @@ export function listenForGestures(canvas, moves, signal) {
   }
 
   /** @param {PointerEvent} event */
-  function release(event) {
-    pointers.delete(event.pointerId);
-  }
-
-  /** @param {PointerEvent} event */
   function move(event) {
     const before = pointers.get(event.pointerId);
     if (!before) return;
@@ -74,9 +62,9 @@ export function listenForGestures(canvas, moves, signal) {
     if (other) {
       moveOneOfTwo(other, before, now);
     } else if (event.shiftKey || event.buttons & 6) {
-      moves.pan(dx, dy);
+      act("pan", dx, dy);
     } else {
-      moves.orbit(dx, dy);
+      act("orbit", dx, dy);
     }
   }
 
@@ -90,13 +78,13 @@ export function listenForGestures(canvas, moves, signal) {
       length: Math.hypot(at.x - still.x, at.y - still.y),
       angle: Math.atan2(at.y - still.y, at.x - still.x),
     }));
-    moves.pan((now.x - before.x) / 2, (now.y - before.y) / 2);
+    act("pan", (now.x - before.x) / 2, (now.y - before.y) / 2);
     if (from.length > 0 && to.length > 0) {
-      moves.zoom(to.length / from.length, (still.x + now.x) / 2, (still.y + now.y) / 2);
+      act("zoom", to.length / from.length, (still.x + now.x) / 2, (still.y + now.y) / 2);
     }
     // The shorter way round; screen angles run clockwise.
     const turn = to.angle - from.angle;
-    moves.roll(-Math.atan2(Math.sin(turn), Math.cos(turn)));
+    act("roll", -Math.atan2(Math.sin(turn), Math.cos(turn)));
   }
 
   /** @param {WheelEvent} event */
@@ -105,44 +93,43 @@ export function listenForGestures(canvas, moves, signal) {
     const unit = [1, LINE_PIXELS, canvas.clientHeight][event.deltaMode] ?? 1;
     const rate = event.ctrlKey ? PINCH_ZOOM_PER_PIXEL : WHEEL_ZOOM_PER_PIXEL;
     const { x, y } = place(event);
-    moves.zoom(Math.exp(-event.deltaY * unit * rate), x, y);
+    act("zoom", Math.exp(-event.deltaY * unit * rate), x, y);
   }
 
   /** @param {KeyboardEvent} event */
   function pressKey(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const step = ARROW_PIXELS * scale();
-    const drag = event.shiftKey ? moves.pan : moves.orbit;
+    const drag = event.shiftKey ? "pan" : "orbit";
     const [x, y] = [canvas.width / 2, canvas.height / 2];
-    /** @type {Record<string, () => void>} */
-    const actions = {
-      ArrowLeft: () => drag(-step, 0),
-      ArrowRight: () => drag(step, 0),
-      ArrowUp: () => drag(0, -step),
-      ArrowDown: () => drag(0, step),
-      "+": () => moves.zoom(KEY_ZOOM, x, y),
-      "=": () => moves.zoom(KEY_ZOOM, x, y),
-      "-": () => moves.zoom(1 / KEY_ZOOM, x, y),
-      "[": () => moves.roll(KEY_ROLL),
-      "]": () => moves.roll(-KEY_ROLL),
-      0: () => moves.fit(),
-      Home: () => moves.home(),
+    /** @type {Record<string, Parameters<Move>>} */
+    const moves = {
+      ArrowLeft: [drag, -step, 0],
+      ArrowRight: [drag, step, 0],
+      ArrowUp: [drag, 0, -step],
+      ArrowDown: [drag, 0, step],
+      "+": ["zoom", KEY_ZOOM, x, y],
+      "=": ["zoom", KEY_ZOOM, x, y],
+      "-": ["zoom", 1 / KEY_ZOOM, x, y],
+      "[": ["roll", KEY_ROLL],
+      "]": ["roll", -KEY_ROLL],
+      0: ["fit"],
+      Home: ["home"],
     };
-    const action = actions[event.key];
-    if (action) {
-      event.preventDefault();
-      action();
-    }
+    const move = moves[event.key];
+    if (!move) return;
+    event.preventDefault();
+    act(...move);
   }
 
   const quiet = { signal };
   canvas.addEventListener("pointerdown", press, quiet);
   canvas.addEventListener("pointermove", move, quiet);
-  canvas.addEventListener("pointerup", release, quiet);
-  canvas.addEventListener("pointercancel", release, quiet);
-  canvas.addEventListener("lostpointercapture", release, quiet);
+  for (const end of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
+    canvas.addEventListener(end, ({ pointerId }) => pointers.delete(pointerId), quiet);
+  }
   canvas.addEventListener("wheel", turnWheel, { signal, passive: false });
   canvas.addEventListener("keydown", pressKey, quiet);
-  canvas.addEventListener("dblclick", () => moves.fit(), quiet);
+  canvas.addEventListener("dblclick", () => act("fit"), quiet);
   canvas.addEventListener("contextmenu", (event) => event.preventDefault(), quiet);
 }

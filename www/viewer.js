@@ -1,10 +1,10 @@
-// The surface on its canvas: opens the wasm viewer, draws only when something changed,
-// follows the size of the canvas, and builds itself anew from the data it holds when the
-// graphics device is lost.
+// The surface on its canvas: opens the wasm viewer, draws only when something changed, follows the
+// size of the canvas, and replaces the graphics device when it is lost. What is to be seen it does
+// not keep: of a new device it tells, and is told again.
 
 import { listenForGestures } from "./gestures.js";
 import { giveUpWebgpu, openViewer } from "./renderer.js";
-import { contextBack, releaseContext, watchContext } from "./webgl-context.js";
+import { contextBack, releaseContext } from "./webgl-context.js";
 import { say } from "./words.js";
 
 /**
@@ -32,17 +32,10 @@ import { say } from "./words.js";
 /**
  * @typedef {object} ViewerOptions
  * @property {1 | 4} [samples]                     a pixel; tests take 1, which is faster in software
+ * @property {() => void} [onRenewed]              the device is a new one, which shows nothing yet
  * @property {(fault: Fault) => void} [onFault]    what goes wrong after `createViewer` has answered
  * @property {(camera: Float32Array) => void} [onCamera]  after the user moved the camera
  * @property {(renderer: import("./renderer.js").Renderer) => void} [onRenderer]  what draws, and why that
- */
-
-/**
- * What of a frame is on screen.
- * @typedef {object} Shown
- * @property {Float32Array} positions
- * @property {Field | null} field
- * @property {Uint32Array} marked
  */
 
 /**
@@ -66,9 +59,6 @@ import { say } from "./words.js";
 
 /** @type {Overlay} */
 const none = { ends: new Float32Array(), colours: new Uint8Array(), hidden: 0 };
-
-/** Steps that the viewer holds at a time. */
-const HELD_STEPS = 4;
 
 /** How near to an edge a click counts, in CSS pixels. */
 const CLICK_REACH = 12;
@@ -110,20 +100,6 @@ class SurfaceView {
   #attempts = 0;
   #lastLoss = Number.NEGATIVE_INFINITY;
 
-  // What is on screen, kept so that it can be put there again.
-  /** @type {Drawable | null} */
-  #mesh = null;
-  /** @type {Shown | null} */
-  #shown = null;
-  /** @type {NextStep[]} */
-  #steps = [];
-  #time = 0;
-  /** @type {Uint8Array} */
-  #fixed = new Uint8Array();
-  /** @type {Uint32Array} */
-  #highlight = new Uint32Array();
-  /** @type {Overlay | null} */
-  #overlay = null;
   /** @type {Style} */
   #style = { lineWidth: 1 };
   #size = { width: 1, height: 1 };
@@ -142,26 +118,37 @@ class SurfaceView {
     // A canvas that is not laid out yet has no size; the observer tells it later.
     this.#size = this.#estimateSize({ width: clientWidth || 1, height: clientHeight || 1 });
     await this.#openDevice();
-    this.#watchSize();
     this.#watchContext();
-    listenForGestures(this.#canvas, this.#moves(), this.#listening.signal);
+    try {
+      this.#observer.observe(this.#canvas, { box: "device-pixel-content-box" });
+    } catch {
+      this.#observer.observe(this.#canvas);
+    }
+    const { signal } = this.#listening;
+    listenForGestures(this.#canvas, (name, ...values) => this.#move(name, ...values), signal);
   }
 
   /** Of a lost WebGPU device the viewer is told; of a lost WebGL context, the canvas is. */
   #watchContext() {
-    watchContext(this.#drawnOn, this.#listening.signal, () => {
+    const { signal } = this.#listening;
+    const lost = (/** @type {Event} */ event) => {
+      // Else the browser does not give it back.
+      event.preventDefault();
       if (this.#viewer) this.#recover(say("viewer-context-taken"));
-    });
+    };
+    this.#drawnOn.addEventListener("webglcontextlost", lost, { signal });
   }
 
-  /**
-   * Shows another mesh from the standard direction, without field and marks.
-   * @param {Drawable} loaded
-   */
-  setMesh(loaded) {
-    // First the viewer, which throws where it refuses, then the memory of it.
-    this.#putMesh(loaded);
-    this.#remember(loaded);
+  /** @param {(viewer: WasmViewer) => void} change */
+  #change(change) {
+    if (!this.#viewer) return;
+    change(this.#viewer);
+    this.#redraw();
+  }
+
+  /** Shows another mesh from the standard direction, without field and marks. @param {Drawable} mesh */
+  setMesh({ positions, triangles, wireEdges, boundaryEdges }) {
+    this.#change((viewer) => viewer.setMesh(positions, triangles, wireEdges, boundaryEdges));
   }
 
   /** Shows the first sample, before there is a solver to make it. */
@@ -171,52 +158,35 @@ class SurfaceView {
     if (first) this.setMesh({ ...first, wireEdges: edges, boundaryEdges: edges });
   }
 
-  /**
-   * The same from where the camera stands: another mesh of the same surface.
-   * @param {Drawable} loaded
-   */
-  replaceMesh(loaded) {
-    if (!this.#mesh) return this.setMesh(loaded);
-    const { positions, triangles, wireEdges, boundaryEdges } = loaded;
-    this.#viewer?.replaceMesh(positions, triangles, wireEdges, boundaryEdges);
-    this.#remember(loaded);
-  }
-
-  /** @param {Drawable} loaded */
-  #remember(loaded) {
-    this.#mesh = loaded;
-    this.#shown = null;
-    this.#steps = [];
-    this.#fixed = new Uint8Array();
-    this.#highlight = new Uint32Array();
-    this.#redraw();
+  /** The same from where the camera stands: another mesh of the same surface. @param {Drawable} mesh */
+  replaceMesh({ positions, triangles, wireEdges, boundaryEdges }) {
+    this.#change((viewer) => viewer.replaceMesh(positions, triangles, wireEdges, boundaryEdges));
   }
 
   /**
-   * Shows the surface after a step, and no motion. The arrays are kept, not copied.
+   * Shows the surface after a step, and no motion.
    * @param {Float32Array} positions @param {Field | null} field
-   * @param {Uint32Array} [marked]  triangles to highlight
+   * @param {Uint32Array} marked  triangles to highlight
    */
-  setFrame(positions, field, marked = new Uint32Array()) {
-    const shown = { positions, field, marked };
-    this.#putFrame(shown);
-    this.#shown = shown;
-    this.#steps = [];
-    this.#time = 0;
-    this.#redraw();
+  setFrame(positions, field, marked) {
+    this.#change((viewer) => {
+      viewer.setPositions(positions);
+      putField(viewer, field);
+      viewer.setMarkedTriangles(marked);
+    });
   }
 
   /**
    * Adds the step that follows the last; `setTime` then moves the surface between them. A
    * cubic needs the steps before and after the two it joins, so this runs a step ahead. The
-   * viewer holds four steps and forgets the oldest: no array is sent twice. The arrays are
-   * kept, not copied.
+   * viewer holds four steps and forgets the oldest: no array is sent twice.
    * @param {NextStep} step
    */
-  addStep(step) {
-    this.#putStep(step);
-    this.#steps = [...this.#steps, step].slice(-HELD_STEPS);
-    this.#redraw();
+  addStep({ positions, field, time, isStraight = false }) {
+    this.#change((viewer) => {
+      viewer.addStep(positions, time, isStraight);
+      putField(viewer, field);
+    });
   }
 
   /**
@@ -225,33 +195,22 @@ class SurfaceView {
    * @param {number} time
    */
   setTime(time) {
-    this.#viewer?.setTime(time);
-    this.#time = time;
-    this.#redraw();
+    this.#change((viewer) => viewer.setTime(time));
   }
 
   /** Highlights these triangles and no others. @param {Uint32Array} marked */
   setMarked(marked) {
-    this.#viewer?.setMarkedTriangles(marked);
-    if (this.#shown) this.#shown = { ...this.#shown, marked };
-    this.#redraw();
+    this.#change((viewer) => viewer.setMarkedTriangles(marked));
   }
 
-  /**
-   * Tints the vertices that are held: a byte each, 1 where held; empty for none.
-   * @param {Uint8Array} fixed
-   */
+  /** Tints the vertices that are held: a byte each, 1 where held. @param {Uint8Array} fixed */
   setFixed(fixed) {
-    this.#viewer?.setMarkedVertices(fixed);
-    this.#fixed = fixed;
-    this.#redraw();
+    this.#change((viewer) => viewer.setMarkedVertices(fixed));
   }
 
-  /** Draws these edges over all others: two ends each; empty for none. @param {Uint32Array} ends */
+  /** Draws these edges over all others: two ends each. @param {Uint32Array} ends */
   setHighlight(ends) {
-    this.#viewer?.setHighlight(ends);
-    this.#highlight = ends;
-    this.#redraw();
+    this.#change((viewer) => viewer.setHighlight(ends));
   }
 
   /**
@@ -260,14 +219,8 @@ class SurfaceView {
    * @param {Overlay | null} overlay
    */
   setOverlay(overlay) {
-    this.#overlay = overlay;
-    this.#putOverlay();
-    this.#redraw();
-  }
-
-  #putOverlay() {
-    const { ends, colours, hidden } = this.#overlay ?? none;
-    this.#viewer?.setOverlay(ends, colours, hidden);
+    const { ends, colours, hidden } = overlay ?? none;
+    this.#change((viewer) => viewer.setOverlay(ends, colours, hidden));
   }
 
   /**
@@ -281,10 +234,7 @@ class SurfaceView {
     return seen ? { x: seen[0] / scale, y: seen[1] / scale, depth: seen[2] } : null;
   }
 
-  /**
-   * The point seen there.
-   * @param {{ x: number, y: number, depth: number }} seen @returns {number[] | null}
-   */
+  /** The point seen there. @param {{ x: number, y: number, depth: number }} seen */
   unproject({ x, y, depth }) {
     const scale = this.#scale;
     const point = this.#viewer?.unproject(x * scale, y * scale, depth);
@@ -330,17 +280,11 @@ class SurfaceView {
   setStyle(style) {
     this.#style = { ...this.#style, ...style };
     this.#putStyle();
-    this.#redraw();
   }
 
   /** Centres the surface and fills the picture with it, from the present direction. */
   fit() {
-    this.#move((viewer) => viewer.fit());
-  }
-
-  /** Fits from the standard direction. */
-  home() {
-    this.#move((viewer) => viewer.home());
+    this.#move("fit");
   }
 
   /** The camera as a few numbers, for links and for `setCamera`. */
@@ -385,17 +329,6 @@ class SurfaceView {
   }
 
   /**
-   * The picture read back from the graphics device, r, g, b, a from the top left: what
-   * golden pictures compare.
-   * @returns {Promise<{ width: number, height: number, data: Uint8Array }>}
-   */
-  pixels() {
-    return this.#viewer
-      ? this.#viewer.readPixels()
-      : Promise.reject(lostFault(say("viewer-rebuilding")));
-  }
-
-  /**
    * Colours of a colour map from low to high, r, g, b bytes each.
    * @param {boolean} signed @param {number} count
    */
@@ -403,20 +336,20 @@ class SurfaceView {
     return this.#viewer?.colourBar(signed, count) ?? new Uint8Array(3 * count);
   }
 
-  /** Whether the canvas is another one than it was opened on. */
-  get isMoved() {
-    return this.#drawnOn !== this.#canvas;
-  }
-
   /** Lets go of canvas, listeners and graphics memory. */
   destroy() {
     this.#listening.abort();
     this.#observer.disconnect();
     if (this.#frame !== null) cancelAnimationFrame(this.#frame);
-    this.#viewer?.free();
+    this.#release(this.#viewer);
     this.#viewer = null;
+    if (this.#drawnOn !== this.#canvas) this.#drawnOn.remove();
+  }
+
+  /** @param {WasmViewer | null} viewer */
+  #release(viewer) {
+    viewer?.free();
     if (this.#isWebgl) releaseContext(this.#drawnOn);
-    if (this.isMoved) this.#drawnOn.remove();
   }
 
   /** Resolves when what has been asked for is on the canvas. */
@@ -435,24 +368,13 @@ class SurfaceView {
     const { viewer, renderer } = await openViewer(this.#drawnOn, options);
     this.#renderer = renderer;
     this.#options.onRenderer?.(renderer);
-    if (this.#listening.signal.aborted) {
-      viewer.free();
-      if (this.#isWebgl) releaseContext(this.#drawnOn);
-      return;
-    }
+    if (this.#listening.signal.aborted) return this.#release(viewer);
     viewer.onLost((/** @type {string} */ reason) => {
       if (viewer === this.#viewer) this.#recover(reason);
     });
     this.#viewer = viewer;
     this.#putStyle();
-    if (this.#mesh) this.#putMesh(this.#mesh);
-    if (this.#shown) this.#putFrame(this.#shown);
-    for (const step of this.#steps) this.#putStep(step);
-    viewer.setTime(this.#time);
-    viewer.setMarkedVertices(this.#fixed);
-    viewer.setHighlight(this.#highlight);
-    this.#putOverlay();
-    this.#redraw();
+    this.#options.onRenewed?.();
   }
 
   /**
@@ -460,7 +382,6 @@ class SurfaceView {
    * @param {string} reason
    */
   async #recover(reason) {
-    const camera = this.camera();
     this.#viewer?.free();
     this.#viewer = null;
     const now = performance.now();
@@ -472,24 +393,21 @@ class SurfaceView {
       try {
         // There is nothing to open on the canvas before.
         if (this.#isWebgl && !(await contextBack(this.#drawnOn))) continue;
-        await this.#openDevice();
-        this.setCamera(camera);
-        return;
+        return await this.#openDevice();
       } catch {
         // Tried again, and told after the last attempt.
       }
     }
     if (this.#listening.signal.aborted) return;
-    if (!(await this.#standIn(reason, camera))) this.#options.onFault?.(lostFault(reason));
+    if (!(await this.#standIn(reason))) this.#options.onFault?.(lostFault(reason));
   }
 
   /**
    * Goes on with WebGL2, after WebGPU was lost for good: on another canvas, as one that was
    * WebGPU's stays so.
-   * @param {string} reason @param {Float32Array} camera
-   * @returns {Promise<boolean>} whether there is a picture again
+   * @param {string} reason @returns {Promise<boolean>} whether there is a picture again
    */
-  async #standIn(reason, camera) {
+  async #standIn(reason) {
     const lost = this.#renderer;
     if (!lost || !(await giveUpWebgpu(lost, say("viewer-gpu-lost", { reason })))) return false;
     const behind = document.createElement("canvas");
@@ -504,48 +422,14 @@ class SurfaceView {
     // Else the last picture would hide it.
     /** @type {any} */ (this.#canvas.getContext("webgpu"))?.unconfigure();
     this.#watchContext();
-    this.setCamera(camera);
     return true;
   }
 
   #putStyle() {
     const { lineWidth = 1 } = this.#style;
-    this.#viewer?.setStyle({ ...this.#style, lineWidth: lineWidth * this.#scale });
-  }
-
-  /** @param {Drawable} mesh */
-  #putMesh({ positions, triangles, wireEdges, boundaryEdges }) {
-    this.#viewer?.setMesh(positions, triangles, wireEdges, boundaryEdges);
-  }
-
-  /** @param {Shown} shown */
-  #putFrame({ positions, field, marked }) {
-    this.#viewer?.setPositions(positions);
-    this.#putField(field);
-    this.#viewer?.setMarkedTriangles(marked);
-  }
-
-  /** @param {NextStep} step */
-  #putStep({ positions, field, time, isStraight }) {
-    this.#viewer?.addStep(positions, time, isStraight ?? false);
-    this.#putField(field);
-  }
-
-  /** Of the step put last. @param {Field | null} field */
-  #putField(field) {
-    if (field) {
-      this.#viewer?.setField(field.values, field.low, field.high, field.signed);
-    } else {
-      this.#viewer?.clearField();
-    }
-  }
-
-  #watchSize() {
-    try {
-      this.#observer.observe(this.#canvas, { box: "device-pixel-content-box" });
-    } catch {
-      this.#observer.observe(this.#canvas);
-    }
+    this.#change((viewer) =>
+      viewer.setStyle({ ...this.#style, lineWidth: lineWidth * this.#scale }),
+    );
   }
 
   /** @param {ResizeObserverEntry} entry */
@@ -560,7 +444,6 @@ class SurfaceView {
     if (width === 0 || height === 0) return;
     this.#size = { width, height };
     this.#putStyle();
-    this.#redraw();
   }
 
   /** @param {{ width: number, height: number }} box  in CSS pixels */
@@ -597,25 +480,20 @@ class SurfaceView {
     });
   }
 
-  /** @param {(viewer: WasmViewer) => void} change */
-  #move(change) {
-    if (!this.#viewer) return;
-    change(this.#viewer);
-    this.#cameraMoved = true;
-    this.#redraw();
+  /** @type {import("./gestures.js").Move} */
+  #move(name, ...values) {
+    if (name === "orbit" && this.#isResting) return;
+    this.#change((viewer) => {
+      /** @type {any} */ (viewer)[name](...values);
+      this.#cameraMoved = true;
+    });
   }
+}
 
-  /** @returns {import("./gestures.js").Moves} */
-  #moves() {
-    return {
-      orbit: (dx, dy) => this.#isResting || this.#move((viewer) => viewer.orbit(dx, dy)),
-      pan: (dx, dy) => this.#move((viewer) => viewer.pan(dx, dy)),
-      zoom: (factor, x, y) => this.#move((viewer) => viewer.zoom(factor, x, y)),
-      roll: (angle) => this.#move((viewer) => viewer.roll(angle)),
-      fit: () => this.fit(),
-      home: () => this.home(),
-    };
-  }
+/** Of the step put last. @param {WasmViewer} viewer @param {Field | null} field */
+function putField(viewer, field) {
+  if (field) viewer.setField(field.values, field.low, field.high, field.signed);
+  else viewer.clearField();
 }
 
 /** @param {string} reason @returns {Fault} */

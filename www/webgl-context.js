@@ -5,20 +5,6 @@
 const RESTORE_MILLISECONDS = 4000;
 
 /**
- * Tells of a lost context, and asks for it back.
- * @param {HTMLCanvasElement} canvas @param {AbortSignal} signal  ends the watch
- * @param {() => void} lost
- */
-export function watchContext(canvas, signal, lost) {
-  const tell = (/** @type {Event} */ event) => {
-    // Else the browser does not give it back.
-    event.preventDefault();
-    lost();
-  };
-  canvas.addEventListener("webglcontextlost", tell, { signal });
-}
-
-/**
  * Waits for a lost context for a while.
  * @param {HTMLCanvasElement} canvas
  * @returns {Promise<boolean>} whether the canvas can be drawn on again

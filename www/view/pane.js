@@ -73,7 +73,11 @@ export class PaneView {
       this.#has.camera = camera;
       options.onCamera?.(camera);
     };
-    const viewer = await createViewer(this.canvas, { ...options, onCamera });
+    const onRenewed = () => {
+      this.#forget({});
+      options.onRenewed?.();
+    };
+    const viewer = await createViewer(this.canvas, { ...options, onCamera, onRenewed });
     if (this.#isGone) viewer.destroy();
     else this.viewer = viewer;
     this.#forget({});

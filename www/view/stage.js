@@ -187,6 +187,7 @@ export function createStage(page, root, { samples, effects }) {
     samples,
     onFault: fail,
     onCamera: page.run.look,
+    onRenewed: draw,
     onRenderer: ({ name, reason }) => {
       renderer.value = say("drawn-with", { name, reason });
       root.dataset.renderer = renderer.value;

@@ -558,7 +558,6 @@ embed-bad-mesh = Ein Netz wird als `name`, mit Endung, und `bytes`, ein ArrayBuf
 
 viewer-context-taken = der Browser hat den WebGL-Kontext weggenommen
 viewer-no-picture = kein Bild
-viewer-rebuilding = im Aufbau
 viewer-not-loaded = der Betrachter konnte nicht geladen werden: { $reason }
     .hint = Die Verbindung prüfen und die Seite neu laden.
 renderer-asked = die Adresse verlangt es

@@ -558,7 +558,6 @@ embed-bad-mesh = A mesh is sent as `name`, with its extension, and `bytes`, an A
 
 viewer-context-taken = the browser took the WebGL context away
 viewer-no-picture = no picture
-viewer-rebuilding = rebuilding
 viewer-not-loaded = the viewer could not be loaded: { $reason }
     .hint = Check the connection and reload the page.
 renderer-asked = the address asks for it
