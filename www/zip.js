@@ -26,143 +26,127 @@ const tooLarge = (most) =>
   refusal("TooLarge", "unpack-too-large", { megabytes: Math.round(most / 2 ** 20) });
 
 /**
- * @param {"gzip" | "deflate-raw"} format @param {Uint8Array<ArrayBuffer>} packed
- * @param {number} most  bytes; what would be more is refused
+ * @param {BlobPart[]} packed  gzip @param {number} most  bytes; what would be more is refused
  * @returns {Promise<Uint8Array<ArrayBuffer>>}
  */
-async function inflated(format, packed, most) {
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream(format));
-  const reader = stream.getReader();
-  /** @type {Uint8Array[]} */
-  const parts = [];
+async function inflated(packed, most) {
   let length = 0;
-  for (;;) {
-    const { done, value } = await reader.read().catch(() => {
-      throw damaged();
-    });
-    if (done) break;
-    length += value.length;
-    if (length > most) {
-      reader.cancel().catch(() => {});
-      throw tooLarge(most);
-    }
-    parts.push(value);
+  const counted = new TransformStream({
+    transform(/** @type {Uint8Array} */ part, rest) {
+      length += part.length;
+      if (length > most) throw tooLarge(most);
+      rest.enqueue(part);
+    },
+  });
+  const plain = new Blob(packed).stream().pipeThrough(new DecompressionStream("gzip"));
+  try {
+    return new Uint8Array(await new Response(plain.pipeThrough(counted)).arrayBuffer());
+  } catch {
+    throw length > most ? tooLarge(most) : damaged();
   }
-  const whole = new Uint8Array(length);
-  let at = 0;
-  for (const part of parts) {
-    whole.set(part, at);
-    at += part.length;
-  }
-  return whole;
 }
 
 /** @param {Uint8Array} bytes */
 export const isGzip = (bytes) => bytes[0] === 0x1f && bytes[1] === 0x8b;
 
 /** @param {Uint8Array<ArrayBuffer>} bytes */
-export const gunzip = (bytes) => inflated("gzip", bytes, mostOf(bytes));
+export const gunzip = (bytes) => inflated([bytes], mostOf(bytes));
 
 /** @param {Uint8Array} bytes */
 export const isZip = ([p, k, a, b]) =>
   p === 0x50 && k === 0x4b && ((a === 3 && b === 4) || (a === 5 && b === 6));
 
-/** Remainders of bytes, for the sum of a file. */
-const remainders = Uint32Array.from({ length: 256 }, (_, n) => {
-  let r = n;
-  for (let bit = 0; bit < 8; bit += 1) r = r & 1 ? (r >>> 1) ^ 0xedb88320 : r >>> 1;
-  return r;
-});
-
-/** @param {Uint8Array} bytes */
-function crc32(bytes) {
-  let sum = ~0;
-  for (const byte of bytes) sum = (sum >>> 8) ^ remainders[(sum ^ byte) & 255];
-  return ~sum >>> 0;
-}
-
-/** Where the list of files begins, and how many it has. @param {DataView} view */
-function listOf(view) {
-  // A comment of any length may follow.
-  const last = view.byteLength - 22;
-  for (let at = last; at >= Math.max(0, last - 0xffff); at -= 1) {
-    if (view.getUint32(at, true) !== 0x06054b50) continue;
-    const count = view.getUint16(at + 10, true);
-    const start = view.getUint32(at + 16, true);
-    if (count !== 0xffff && start !== 0xffffffff) return { count, start };
-    if (at < 20 || view.getUint32(at - 20, true) !== 0x07064b50) break;
-    const wide = Number(view.getBigUint64(at - 12, true));
-    if (wide + 56 > view.byteLength || view.getUint32(wide, true) !== 0x06064b50) break;
-    return {
-      count: Number(view.getBigUint64(wide + 32, true)),
-      start: Number(view.getBigUint64(wide + 48, true)),
-    };
+/** Bytes that are not compressed, in the blocks that deflate has for them. @param {Uint8Array<ArrayBuffer>} bytes */
+function* blocksOf(bytes) {
+  const most = 0xffff;
+  for (let at = 0; at === 0 || at < bytes.length; at += most) {
+    const block = bytes.subarray(at, at + most);
+    const [low, high] = [block.length & 255, block.length >> 8];
+    yield Uint8Array.of(Number(at + most >= bytes.length), low, high, ~low, ~high);
+    yield block;
   }
-  throw damaged();
 }
 
-/**
- * Sizes and place of a file, where 32 bits were too few.
- * @param {DataView} view @param {number} at  of the extra fields @param {number} end
- * @param {{ size: number, packed: number, offset: number }} narrow
- */
-function widened(view, at, end, narrow) {
-  const found = { ...narrow };
-  while (at + 4 <= end) {
-    const [kind, length] = [view.getUint16(at, true), view.getUint16(at + 2, true)];
-    let next = at + 4;
-    const stop = Math.min(end, next + length);
-    if (kind === 1) {
-      for (const name of /** @type {const} */ (["size", "packed", "offset"])) {
-        if (found[name] !== 0xffffffff || next + 8 > stop) continue;
-        found[name] = Number(view.getBigUint64(next, true));
-        next += 8;
-      }
+/** Numbers in an archive: where it ends before, it is damaged. @param {Uint8Array} bytes */
+function numbersIn({ buffer, byteOffset, byteLength }) {
+  const view = new DataView(buffer, byteOffset, byteLength);
+  /** @param {"getUint16" | "getUint32" | "getBigUint64"} kind @returns {(at: number) => number} */
+  const read = (kind) => (at) => {
+    try {
+      return Number(view[kind](at, true));
+    } catch {
+      throw damaged();
     }
-    at = stop;
-    if (length === 0 && kind === 0) break;
-  }
-  return found;
+  };
+  return { u16: read("getUint16"), u32: read("getUint32"), u64: read("getBigUint64") };
 }
 
 /** The files of an archive. @param {Uint8Array<ArrayBuffer>} bytes @returns {Entry[]} */
 export function entriesOf(bytes) {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const { count, start } = listOf(view);
+  const { u16, u32, u64 } = numbersIn(bytes);
+
+  /** Where the list of files begins, and how many it has. */
+  function list() {
+    // A comment of any length may follow.
+    const last = bytes.length - 22;
+    for (let at = last; at >= Math.max(0, last - 0xffff); at -= 1) {
+      if (u32(at) !== 0x06054b50) continue;
+      const [count, start] = [u16(at + 10), u32(at + 16)];
+      if (count !== 0xffff && start !== 0xffffffff) return { count, start };
+      const wide = u32(at - 20) === 0x07064b50 ? u64(at - 12) : at;
+      if (u32(wide) === 0x06064b50) return { count: u64(wide + 32), start: u64(wide + 48) };
+    }
+    throw damaged();
+  }
+
+  /**
+   * Sizes and place of a file, where 32 bits were too few.
+   * @param {number} at  of the extra fields @param {number} end @param {number[]} narrow
+   */
+  function widened(at, end, narrow) {
+    for (let field = at; field + 4 <= end; field += 4 + u16(field + 2)) {
+      if (u16(field) !== 1) continue;
+      let next = field - 4;
+      return narrow.map((n) => {
+        if (n === 0xffffffff) next += 8;
+        return n === 0xffffffff ? u64(next) : n;
+      });
+    }
+    return narrow;
+  }
+
   /** @type {Entry[]} */
   const entries = [];
-  let at = start;
-  for (let n = 0; n < count; n += 1) {
-    if (at + 46 > view.byteLength || view.getUint32(at, true) !== 0x02014b50) throw damaged();
-    const [nameLength, extra, comment] = [28, 30, 32].map((k) => view.getUint16(at + k, true));
-    const [flags, method] = [8, 10].map((k) => view.getUint16(at + k, true));
-    const [sum, packed, size] = [16, 20, 24].map((k) => view.getUint32(at + k, true));
-    const offset = view.getUint32(at + 42, true);
-    const nameEnd = at + 46 + nameLength;
-    const next = nameEnd + extra + comment;
-    if (next > view.byteLength) throw damaged();
+  let { count, start: at } = list();
+  for (; count > 0; count -= 1) {
+    if (u32(at) !== 0x02014b50) throw damaged();
+    const [flags, method, sum] = [u16(at + 8), u16(at + 10), u32(at + 16)];
+    const [nameEnd, offset] = [at + 46 + u16(at + 28), u32(at + 42)];
+    const extraEnd = nameEnd + u16(at + 30);
+    const own = widened(nameEnd, extraEnd, [u32(at + 24), u32(at + 20), offset]);
     const name = new TextDecoder().decode(bytes.subarray(at + 46, nameEnd)).replaceAll("\\", "/");
-    const own = widened(view, nameEnd, nameEnd + extra, { size, packed, offset });
-    at = next;
+    at = extraEnd + u16(at + 32);
+    if (at > bytes.length) throw damaged();
     if (name.endsWith("/")) continue;
-    entries.push({ name, size: own.size, read: () => unpacked({ ...own, flags, method, sum }) });
+    const [size, packed, from] = own;
+    entries.push({ name, size, read: () => unpacked({ size, packed, from, flags, method, sum }) });
   }
   return entries;
 
-  /** @param {{ size: number, packed: number, offset: number, flags: number, method: number, sum: number }} entry */
-  async function unpacked({ size, packed, offset, flags, method, sum }) {
+  /** @param {Record<"size" | "packed" | "from" | "flags" | "method" | "sum", number>} entry */
+  async function unpacked({ size, packed, from, flags, method, sum }) {
     if (flags & 1) throw refusal("Encrypted", "unpack-encrypted");
-    if (offset + 30 > view.byteLength || view.getUint32(offset, true) !== 0x04034b50) {
-      throw damaged();
-    }
-    const lengths = [26, 28].map((k) => view.getUint16(offset + k, true));
-    const from = offset + 30 + lengths[0] + lengths[1];
-    if (from + packed > view.byteLength) throw damaged();
-    const inside = bytes.subarray(from, from + packed);
+    if (u32(from) !== 0x04034b50) throw damaged();
+    const begin = from + 30 + u16(from + 26) + u16(from + 28);
+    if (begin + packed > bytes.length) throw damaged();
+    const inside = bytes.subarray(begin, begin + packed);
     if (size > mostOf(inside)) throw tooLarge(mostOf(inside));
     if (method !== 0 && method !== 8) throw refusal("Unsupported", "unpack-method", { method });
-    const plain = method === 8 ? await inflated("deflate-raw", inside, size) : inside.slice();
-    if (plain.length !== size || crc32(plain) !== sum) throw damaged();
-    return plain;
+    // As gzip, whose end has the sum and the size that the browser then checks.
+    const head = Uint8Array.of(0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 255);
+    const end = new DataView(new ArrayBuffer(8));
+    end.setUint32(0, sum, true);
+    end.setUint32(4, size, true);
+    return inflated([head, ...(method === 8 ? [inside] : blocksOf(inside)), end], size);
   }
 }
