@@ -3,9 +3,9 @@
 
 import { realpathSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import { perform } from "./cli/command.js";
 import { commands, overview } from "./cli/commands.js";
-import { failureOf, usage } from "./cli/failure.js";
-import { help } from "./cli/options.js";
+import { Failure, usage } from "./cli/failure.js";
 import { loadSolver, openSession, packageVersion } from "./cli/solver.js";
 import { terminal } from "./cli/terminal.js";
 
@@ -19,47 +19,44 @@ import { terminal } from "./cli/terminal.js";
  * @returns {Promise<number>}  0 done, 2 bad usage, 3 refused input, 4 numerical failure
  */
 export async function main(parameters, io, open) {
-  const json = parameters.includes("--json");
   try {
     return await dispatch(parameters, io, open);
   } catch (error) {
     const { exit, kind, message, hint, repairs } = failureOf(error);
-    const offer = repairs.length > 0 ? { repairs } : {};
-    if (json) io.write(`${JSON.stringify({ kind, message, hint, ...offer })}\n`);
-    else {
+    if (parameters.includes("--json")) {
+      const offer = repairs.length > 0 ? { repairs } : {};
+      io.write(`${JSON.stringify({ kind, message, hint, ...offer })}\n`);
+    } else {
       const would = repairs.map(({ message: change }) => `repair: ${change}`);
-      const lines = [...(hint ? [hint] : []), ...would];
-      io.log([`umbilic: ${message}`, ...lines].join("\n  "));
+      io.log([`umbilic: ${message}`, ...(hint ? [hint] : []), ...would].join("\n  "));
     }
     return exit;
   }
 }
 
+/** @type {typeof main} */
+async function dispatch([name = "", ...parameters], io, open) {
+  if (name === "--version" || name === "--help") {
+    io.write(name === "--help" ? overview() : `umbilic ${packageVersion()}\n`);
+    return 0;
+  }
+  if (Object.hasOwn(commands, name)) return perform(name, commands[name], { parameters, io, open });
+  const { nearest } = await loadSolver();
+  const near = nearest(name, Object.keys(commands));
+  const hint = near ? `Did you mean \`${near}\`?` : "umbilic --help lists the commands.";
+  throw usage(name ? `There is no command \`${name}\`.` : "A command is missing.", hint);
+}
+
 /**
- * @param {string[]} parameters @param {Terminal} io @param {() => Promise<Session>} open
- * @returns {Promise<number>}
+ * What a command ends with. Anything but a refusal in words is a defect of ours and is thrown on,
+ * stack and all.
+ * @param {unknown} error
  */
-async function dispatch([name = "", ...rest], io, open) {
-  if (name === "--version") {
-    io.write(`umbilic ${packageVersion()}\n`);
-    return 0;
-  }
-  if (name === "--help") {
-    io.write(overview());
-    return 0;
-  }
-  if (!Object.hasOwn(commands, name)) {
-    const { nearest } = await loadSolver();
-    const near = nearest(name, Object.keys(commands));
-    const hint = near ? `Did you mean \`${near}\`?` : "umbilic --help lists the commands.";
-    throw usage(name ? `There is no command \`${name}\`.` : "A command is missing.", hint);
-  }
-  const command = commands[name];
-  if (rest.includes("--help")) {
-    io.write(help(name, command.syntax));
-    return 0;
-  }
-  return command.run({ parameters: rest, io, open });
+function failureOf(error) {
+  if (error instanceof Failure) return error;
+  if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+  const hint = "This is a defect of the solver; the mesh and the options will reproduce it.";
+  return new Failure(4, "Crashed", `The solver crashed: ${error.message}.`, hint);
 }
 
 /** Whether this file is the program and not imported; npm starts it through a link. */

@@ -5,7 +5,6 @@ import path from "node:path";
 import * as schema from "../generated/schema.js";
 import { perform } from "../session.js";
 import { say } from "../words.js";
-import { command } from "./command.js";
 import { orExit, usage } from "./failure.js";
 import { isMesh, readHelp, readInput, readMesh } from "./files.js";
 import { readFlags, typed } from "./options.js";
@@ -13,8 +12,8 @@ import { table } from "./text.js";
 
 /** @typedef {import("./terminal.js").Terminal} Terminal */
 
-export const bench = command({
-  name: "bench",
+/** @type {import("./command.js").Spec} */
+export const bench = {
   summary: "measures a table of the documentation",
   operands: [],
   rows: schema.bench,
@@ -41,7 +40,7 @@ export const bench = command({
     const text = `${say(`bench-${options.table}`)}\n\n${table([columns, ...cells], left)}`;
     return { result: { table: options.table, rows }, text };
   },
-});
+};
 
 /** @param {unknown} value @returns {value is import("../generated/types.js").Message} */
 const isMessage = (value) => typeof value === "object" && value !== null;

@@ -3,35 +3,13 @@
 import * as schema from "../generated/schema.js";
 import { perform } from "../session.js";
 import { bench } from "./bench.js";
-import { command, out } from "./command.js";
+import { out } from "./command.js";
 import { isRefusal, orExit } from "./failure.js";
 import { readHelp } from "./files.js";
 import { fill, flow } from "./flow.js";
 import { replay } from "./replay.js";
 import { shape } from "./shape.js";
 import { inWords, repairInWords } from "./text.js";
-
-const info = command({
-  name: "info",
-  summary: "what a mesh is and what is odd about it",
-  run: ({ session }) => ({ result: inWords(perform(session, "info")) }),
-});
-
-const repair = command({
-  name: "repair",
-  summary: "makes a whole surface of a broken file, and lists what it changed",
-  rows: schema.repair,
-  options: out,
-  load(session, mesh, asked) {
-    const before = infoOf(session, mesh);
-    const { repaired } = perform(session, "load", { ...mesh, repair: asked });
-    return { before, repaired };
-  },
-  run({ session, loaded: { before, repaired } }) {
-    const after = inWords(perform(session, "info"));
-    return { result: { changes: repaired.map(repairInWords), before, after } };
-  },
-});
 
 /**
  * What a file is before a repair; null where it is no surface.
@@ -47,66 +25,68 @@ function infoOf(session, mesh) {
   }
 }
 
-const energy = command({
-  name: "energy",
-  summary: "all energies and integrals",
-  rows: schema.energy,
-  run: ({ session, asked }) => ({ result: perform(session, "energy", asked) }),
-});
-
-const flips = command({
-  name: "flips",
-  summary: "flips edges as long as that lowers area or Willmore energy",
-  rows: schema.flips,
-  options: {
-    ...out,
-    history: { value: "FILE.csv", written: true, help: "every flip: edge, reduction, area, W" },
-  },
-  run({ session, asked, values, loaded }) {
-    const options = { ...asked, history: values.history !== undefined };
-    const { history, ...result } = orExit(3, () => perform(session, "flip", { options }));
-    const { warnings } = loaded.info;
-    // Those who read the result rely on its keys.
-    const told = warnings.length > 0 ? inWords({ ...result, warnings }) : result;
-    return { result: told, files: { history: () => history ?? "" } };
-  },
-});
-
-const regularise = command({
-  name: "regularise",
-  summary: "slides vertices along a closed surface towards a conformal mesh, or refuses",
-  rows: schema.regularise,
-  options: out,
-  run({ session, asked }) {
-    // Without steps: the flow's checks of the mesh are those of the regularisation.
-    orExit(3, () => perform(session, "configure", { options: { flow: "p-willmore" } }));
-    const start = performance.now();
-    const outcome = orExit(4, () => perform(session, "regularise", { options: asked }));
-    return { result: { ...outcome, milliseconds: performance.now() - start } };
-  },
-});
-
-const remesh = command({
-  name: "remesh",
-  summary: "gives a surface other triangles, of one size or as small as it bends",
-  rows: schema.remesh,
-  options: out,
-  run({ session, asked }) {
-    return { result: orExit(3, () => perform(session, "remesh", { options: asked })) };
-  },
-});
-
-/** @typedef {import("./command.js").Command} Command */
-
-/** @type {Record<string, Command>} */
+/** @type {Record<string, import("./command.js").Spec>} */
 export const commands = {
-  info,
-  repair,
-  energy,
+  info: {
+    summary: "what a mesh is and what is odd about it",
+    run: ({ session }) => ({ result: inWords(perform(session, "info")) }),
+  },
+  repair: {
+    summary: "makes a whole surface of a broken file, and lists what it changed",
+    rows: schema.repair,
+    options: out,
+    load(session, mesh, asked) {
+      const before = infoOf(session, mesh);
+      const { repaired } = perform(session, "load", { ...mesh, repair: asked });
+      return { before, repaired };
+    },
+    run({ session, loaded: { before, repaired } }) {
+      const after = inWords(perform(session, "info"));
+      return { result: { changes: repaired.map(repairInWords), before, after } };
+    },
+  },
+  energy: {
+    summary: "all energies and integrals",
+    rows: schema.energy,
+    run: ({ session, asked }) => ({ result: perform(session, "energy", asked) }),
+  },
   flow,
-  flips,
-  regularise,
-  remesh,
+  flips: {
+    summary: "flips edges as long as that lowers area or Willmore energy",
+    rows: schema.flips,
+    options: {
+      ...out,
+      history: { value: "FILE.csv", written: true, help: "every flip: edge, reduction, area, W" },
+    },
+    run({ session, asked, values, loaded }) {
+      const options = { ...asked, history: values.history !== undefined };
+      const { history, ...result } = orExit(3, () => perform(session, "flip", { options }));
+      const { warnings } = loaded.info;
+      // Those who read the result rely on its keys.
+      const told = warnings.length > 0 ? inWords({ ...result, warnings }) : result;
+      return { result: told, files: { history: () => history ?? "" } };
+    },
+  },
+  regularise: {
+    summary: "slides vertices along a closed surface towards a conformal mesh, or refuses",
+    rows: schema.regularise,
+    options: out,
+    run({ session, asked }) {
+      // Without steps: the flow's checks of the mesh are those of the regularisation.
+      orExit(3, () => perform(session, "configure", { options: { flow: "p-willmore" } }));
+      const start = performance.now();
+      const outcome = orExit(4, () => perform(session, "regularise", { options: asked }));
+      return { result: { ...outcome, milliseconds: performance.now() - start } };
+    },
+  },
+  remesh: {
+    summary: "gives a surface other triangles, of one size or as small as it bends",
+    rows: schema.remesh,
+    options: out,
+    run({ session, asked }) {
+      return { result: orExit(3, () => perform(session, "remesh", { options: asked })) };
+    },
+  },
   fill,
   replay,
   shape,
@@ -116,7 +96,8 @@ export const commands = {
 /** @returns {string} */
 export function overview() {
   const rows = Object.entries(commands).map(
-    ([name, { syntax }]) => `  ${[name, ...syntax.operands].join(" ").padEnd(17)}${syntax.summary}`,
+    ([name, { operands = ["MESH"], summary }]) =>
+      `  ${[name, ...operands].join(" ").padEnd(17)}${summary}`,
   );
   return `umbilic <command> [options]
 

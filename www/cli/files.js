@@ -12,8 +12,8 @@ import {
 } from "../mesh-format.js";
 import { perform } from "../session.js";
 import { meshAmong } from "../unpack.js";
-import { say, sayFault } from "../words.js";
-import { Failure, isRefusal, orExit, usage } from "./failure.js";
+import { say } from "../words.js";
+import { Failure, failed, orExit, usage } from "./failure.js";
 
 /** @typedef {import("../pkg/solver/solver.js").Session} Session */
 /** @typedef {import("./terminal.js").Terminal} Terminal */
@@ -36,18 +36,15 @@ function list(names, word) {
  * @returns {Promise<{ bytes: Uint8Array<ArrayBuffer>, name: string }>}
  */
 export async function readMesh(file, io) {
-  const isInput = file === "-";
-  const bytes = Uint8Array.from(isInput ? io.read() : readInput(file));
-  const name = isInput ? "stdin" : path.basename(file);
+  const bytes = Uint8Array.from(readInput(file, io));
+  const name = file === "-" ? "stdin" : path.basename(file);
   const beside = endingOf(name) === ".gltf" ? buffersBeside(file, bytes) : [];
   try {
     const { others, ...mesh } = await meshAmong([{ name, bytes }, ...beside]);
     if (others.length > 0) io.log(say("unpack-others", { name: mesh.name, others }));
     return mesh;
   } catch (error) {
-    if (!isRefusal(error)) throw error;
-    const { kind, message, hint } = sayFault(error);
-    throw new Failure(3, kind, message, hint);
+    throw failed(3, error);
   }
 }
 
@@ -68,7 +65,7 @@ function buffersBeside(file, bytes) {
  * @param {string} file @param {"free" | "fixed"} key @returns {number[]}
  */
 export function readSelection(file, key) {
-  const text = readInput(file).toString("utf8");
+  const text = new TextDecoder().decode(readInput(file));
   let content;
   try {
     content = JSON.parse(text);
@@ -99,12 +96,12 @@ export function numbered(chosen, { first, vertices }) {
   });
 }
 
-/** @param {string} file */
-export function readInput(file) {
+/** @param {string} file @param {Terminal} [io]  of which `-` is the standard input */
+export function readInput(file, io) {
   try {
-    return readFileSync(file);
+    return io && file === "-" ? io.read() : readFileSync(file);
   } catch (error) {
-    throw new Failure(3, "Unreadable", `${file} cannot be read: ${reason(error)}.`, "");
+    throw new Failure(3, "Unreadable", `${file} cannot be read: ${reason(error)}.`);
   }
 }
 

@@ -5,7 +5,7 @@ import * as schema from "../generated/schema.js";
 import { byCurvature, rowOf } from "../options.js";
 import { isOver, perform } from "../session.js";
 import { say } from "../words.js";
-import { command, out } from "./command.js";
+import { out } from "./command.js";
 import { isRefusal, orExit, usage } from "./failure.js";
 import { numbered, readSelection } from "./files.js";
 import { flagsOf, readFlags, typed } from "./options.js";
@@ -76,8 +76,8 @@ const ended = ({ status, message, reason, fault }) => ({
 /** @param {Outcome} outcome */
 const exitOf = ({ isBreakdown }) => (isBreakdown ? 4 : 0);
 
-export const flow = command({
-  name: "flow",
+/** @type {import("./command.js").Spec} */
+export const flow = {
   summary: "runs a flow on a mesh",
   rows,
   words: "option",
@@ -128,7 +128,7 @@ export const flow = command({
     const report = () => `${JSON.stringify(result, null, 1)}\n`;
     return { result, files: { history, report }, exit: exitOf(outcome) };
   },
-});
+};
 
 /**
  * Pairs of triangles that pass through each other, where it is asked for; null if there are too
@@ -141,8 +141,8 @@ function crossings(session, values) {
   return { selfIntersections: found && found.pairs.length / 2 };
 }
 
-export const fill = command({
-  name: "fill",
+/** @type {import("./command.js").Spec} */
+export const fill = {
   summary: "closes holes, or connects boundary loops, and fairs the patches",
   rows: schema.fill,
   options: {
@@ -185,4 +185,4 @@ export const fill = command({
     const fairing = { flow, ...ended(outcome), steps: steps.length, curvatureJump };
     return { result: report({ fair: fairing }, warnings), exit: exitOf(outcome) };
   },
-});
+};

@@ -2,8 +2,8 @@
 
 import { parseArgs } from "node:util";
 import * as schema from "../generated/schema.js";
-import { say, sayFault } from "../words.js";
-import { Failure, orExit, usage } from "./failure.js";
+import { say } from "../words.js";
+import { failed, orExit, usage } from "./failure.js";
 import { loadSolver } from "./solver.js";
 
 /** @typedef {import("../generated/schema.js").Row} Row */
@@ -42,7 +42,9 @@ const common = {
  */
 export async function parse(parameters, syntax) {
   const { values, positionals } = await strictly(parameters, { ...syntax.options, ...common });
-  const least = syntax.operands.filter((name) => !name.startsWith("[")).length;
+  // A list is of all.
+  const needed = syntax.operands.filter((name) => !name.startsWith("["));
+  const least = values.list ? 0 : needed.length;
   if (positionals.length < least || positionals.length > syntax.operands.length) {
     const wanted = syntax.operands.join(" ") || "none";
     const given = positionals.join(" ") || "none";
@@ -71,8 +73,7 @@ async function strictly(args, options) {
     if (code !== "ERR_PARSE_ARGS_UNKNOWN_OPTION") throw usage(message);
     const typed = /'--?(?:no-)?([^' ]*)/.exec(message)?.[1] ?? "";
     const { unknownFlag } = await loadSolver();
-    const fault = sayFault(unknownFlag(typed, Object.keys(options)));
-    throw new Failure(2, fault.kind, fault.message, fault.hint);
+    throw failed(2, unknownFlag(typed, Object.keys(options)));
   }
 }
 

@@ -1,36 +1,24 @@
 // `umbilic replay`: does again what a recipe says, and compares with what it promised.
 
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync } from "node:fs";
 import path from "node:path";
 import { perform } from "../session.js";
-import { Failure, orExit, usage } from "./failure.js";
-import { checkOutputs, formatOf, readMesh, writeMesh, writtenHelp } from "./files.js";
-import { parse } from "./options.js";
+import { out } from "./command.js";
+import { orExit, usage } from "./failure.js";
+import { readInput, readMesh } from "./files.js";
 import { table } from "./text.js";
 
 /** @import { RecipeMesh, ReplayReport, ReplayResult } from "../generated/types.js" */
 /** @typedef {import("../pkg/solver/solver.js").Session} Session */
 /** @typedef {import("./terminal.js").Terminal} Terminal */
 
-/** @type {import("./options.js").Syntax} */
-const syntax = {
+/** @type {import("./command.js").Spec} */
+export const replay = {
   summary: "does again what a recipe says, and compares",
   operands: ["RECIPE.json", "[MESH]"],
-  options: {
-    out: { value: "FILE", help: `the mesh at the end: ${writtenHelp}` },
-  },
-};
-
-/** @type {import("./commands.js").Command} */
-export const replay = {
-  syntax,
-  async run({ parameters, io, open }) {
-    const { operands, values } = await parse(parameters, syntax);
-    checkOutputs([values.out]);
-    if (values.out) formatOf(values.out);
-    const [file, given] = operands;
-    const text = textOf(file, io);
-    const session = await open();
+  options: out,
+  ask: async (_, [file], io) => new TextDecoder().decode(readInput(file, io)),
+  async run({ session, asked: text, operands: [file, given], io }) {
     const { mesh, flow, estimate } = orExit(3, () => perform(session, "readRecipe", { text }));
     const script = { recipe: text };
     const bytes = await meshOf(mesh, file, given, io);
@@ -45,25 +33,11 @@ export const replay = {
       advance(session, io);
     });
     const report = perform(session, "compareRecipe", { text });
-    if (values.out) writeMesh(session, values.out, io);
     const { same, exact, tolerance, steps, expected, got } = report;
-    const how = { same, exact, ...(exact ? {} : { tolerance }) };
-    if (values.json) io.write(`${JSON.stringify({ ...how, steps, expected, got })}\n`);
-    else io.write(summary(report));
-    return same ? 0 : 4;
+    const result = { same, exact, ...(!exact && { tolerance }), steps, expected, got };
+    return { result, text: summary(report), exit: same ? 0 : 4 };
   },
 };
-
-/** @param {string} file @param {Terminal} io */
-function textOf(file, io) {
-  if (file === "-") return new TextDecoder().decode(io.read());
-  try {
-    return readFileSync(file, "utf8");
-  } catch (error) {
-    const { message } = /** @type {Error} */ (error);
-    throw new Failure(3, "Unreadable", `${file} cannot be read: ${message}.`, "");
-  }
-}
 
 /**
  * The mesh of the recipe, if that is a file: the one given, or the one of its name beside it.
