@@ -39,17 +39,15 @@ style.replaceSync(`
   iframe { display: block; width: 100%; height: 100%; border: 0; }
 `);
 
-/** @typedef {{ resolve: (ok: any) => void, reject: (reason: unknown) => void }} Waiting */
-
 class UmbilicSurface extends HTMLElement {
   #shadow = this.attachShadow({ mode: "open" });
   /** @type {HTMLIFrameElement | null} */
   #frame = null;
-  /** @type {Map<number, Waiting>} */
+  /** @type {Map<number, { resolve: (ok: any) => void, reject: (reason: unknown) => void }>} */
   #waiting = new Map();
-  /** @type {Record<string, unknown>[]} requests made before the page listened */
-  #queue = [];
-  #isListening = false;
+  /** Whatever is asked of the page waits until it listens. */
+  #listening = Promise.resolve();
+  #listen = () => {};
   #lastId = 0;
   /** @type {Set<string>} attributes that changed and have not been told yet */
   #changed = new Set();
@@ -61,7 +59,7 @@ class UmbilicSurface extends HTMLElement {
     const isPage = this.#frame && source === this.#frame.contentWindow;
     if (!isPage || origin !== this.#address.origin || data?.umbilic !== 1) return;
     if ("id" in data) this.#settle(data);
-    else if (data.event === "listening") this.#listen();
+    else if (data.event === "listening") this.#begin();
     else this.#announce(String(data.event), data.detail);
   };
 
@@ -97,21 +95,13 @@ class UmbilicSurface extends HTMLElement {
     if (ArrayBuffer.isView(scene)) return this.#send(Uint8Array.from(scene).buffer, name, words);
     return this.#ask("load", { scene });
   }
-  play() {
-    return this.#ask("play");
-  }
-  pause() {
-    return this.#ask("pause");
-  }
-  step() {
-    return this.#ask("step");
-  }
-  back() {
-    return this.#ask("back");
-  }
-  reset() {
-    return this.#ask("reset");
-  }
+  play = () => this.#ask("play");
+  pause = () => this.#ask("pause");
+  step = () => this.#ask("step");
+  back = () => this.#ask("back");
+  reset = () => this.#ask("reset");
+  /** Where it stands: step, time, energy, area, status, … */
+  state = () => this.#ask("state");
   /** @param {number} step */
   seek(step) {
     return this.#ask("seek", { step });
@@ -119,10 +109,6 @@ class UmbilicSurface extends HTMLElement {
   /** @param {string | Record<string, unknown>} words  flow, parameters, colour, camera, … */
   set(words) {
     return this.#ask("set", { words });
-  }
-  /** Where it stands: step, time, energy, area, status, … */
-  state() {
-    return this.#ask("state");
   }
   /**
    * @param {string} [format]  as in the page's “Save as”: `ply`, `obj`, `stl`, `glb`, `csv`, `png`, …
@@ -172,6 +158,9 @@ class UmbilicSurface extends HTMLElement {
     frame.allow = "fullscreen";
     frame.src = address.href;
     this.#frame = frame;
+    this.#listening = new Promise((resolve) => {
+      this.#listen = resolve;
+    });
     this.#shadow.replaceChildren(frame);
   }
 
@@ -187,73 +176,67 @@ class UmbilicSurface extends HTMLElement {
   #close() {
     this.#frame?.remove();
     this.#frame = null;
-    this.#isListening = false;
-    this.#queue = [];
     for (const { reject } of this.#waiting.values()) {
       reject(new DOMException("The surface was taken out of the page.", "AbortError"));
     }
     this.#waiting.clear();
   }
 
-  #listen() {
-    this.#isListening = true;
+  /** The page listens, first to what the mesh is. */
+  async #begin() {
+    const listen = this.#listen;
     const mesh = this.getAttribute("mesh");
-    // Before whatever was asked of it meanwhile.
-    if (mesh !== null) this.#fetch(mesh);
-    else this.#flush();
+    if (mesh !== null) await this.#fetch(mesh, () => this.#listen === listen);
+    listen();
   }
 
-  #flush() {
-    const queue = this.#queue;
-    this.#queue = [];
-    for (const message of queue) this.#post(message);
-  }
-
-  /** @param {string} mesh  an address */
-  async #fetch(mesh) {
+  /** @param {string} mesh  an address @param {() => boolean} isStill  whether it is wanted */
+  async #fetch(mesh, isStill) {
+    const tell = (/** @type {unknown} */ error) => this.#announce("error", error);
     try {
       const response = await fetch(new URL(mesh, document.baseURI));
       if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
-      this.#send(await response.arrayBuffer(), fileNameOf(mesh), this.#words()).catch((error) =>
-        this.#announce("error", error),
-      );
+      const [bytes, words] = [await response.arrayBuffer(), this.#words()];
+      // Before whatever was asked of it meanwhile.
+      const now = Promise.resolve();
+      if (isStill()) this.#send(bytes, fileNameOf(mesh), words, now).catch(tell);
     } catch (error) {
       const message = `The mesh ${mesh} could not be had: ${/** @type {Error} */ (error).message}`;
-      this.#announce("error", { message, hint: "Look at the attribute `mesh`." });
+      tell({ message, hint: "Look at the attribute `mesh`." });
     }
-    this.#flush();
   }
 
-  /** @param {ArrayBuffer} bytes @param {string | undefined} name @param {Record<string, unknown>} words */
-  #send(bytes, name, words) {
-    return this.#ask("load", { name: name ?? "mesh.ply", bytes, scene: words }, true);
+  /**
+   * @param {ArrayBuffer} bytes @param {string | undefined} name
+   * @param {Record<string, unknown>} words @param {Promise<void>} [ready]
+   */
+  #send(bytes, name, words, ready) {
+    return this.#ask("load", { name: name ?? "mesh.ply", bytes, scene: words }, ready);
   }
 
   /**
    * @param {string} type @param {Record<string, unknown>} [fields]
-   * @param {boolean} [isFirst]  before what waits @returns {Promise<any>}
+   * @param {Promise<void>} [ready]  that it waits for @returns {Promise<any>}
    */
-  #ask(type, fields = {}, isFirst = false) {
+  #ask(type, fields = {}, ready = this.#listening) {
     const frame = this.#frame;
     if (!frame) {
       return Promise.reject(new DOMException("The surface is not shown.", "InvalidStateError"));
     }
     this.#lastId += 1;
-    const message = { umbilic: 1, id: this.#lastId, type, ...fields };
+    const id = this.#lastId;
+    const transfer = fields.bytes instanceof ArrayBuffer ? [fields.bytes] : [];
     // Whoever asks does not wait until somebody scrolls there.
     frame.loading = "eager";
-    return new Promise((resolve, reject) => {
-      this.#waiting.set(message.id, { resolve, reject });
-      const isHeld = !this.#isListening || (this.#queue.length > 0 && !isFirst);
-      if (isHeld) this.#queue.push(message);
-      else this.#post(message);
+    ready.then(() => {
+      const message = { umbilic: 1, id, type, ...fields };
+      // Taken out of the page meanwhile, it is no more wanted.
+      if (!this.#waiting.has(id)) return;
+      frame.contentWindow?.postMessage(message, this.#address.origin, transfer);
     });
-  }
-
-  /** @param {Record<string, unknown>} message */
-  #post(message) {
-    const transfer = message.bytes instanceof ArrayBuffer ? [message.bytes] : [];
-    this.#frame?.contentWindow?.postMessage(message, this.#address.origin, transfer);
+    return new Promise((resolve, reject) => {
+      this.#waiting.set(id, { resolve, reject });
+    });
   }
 
   /** @param {{ id: number, ok?: unknown, error?: { kind: string, message: string, hint: string } }} reply */
@@ -294,9 +277,7 @@ class UmbilicSurface extends HTMLElement {
       this.load(this.#words()).catch(tell);
     } else {
       const words = this.#words((name) => changed.includes(name));
-      if (Object.keys(words).length > 0) {
-        this.set(words).catch(tell);
-      }
+      if (Object.keys(words).length > 0) this.set(words).catch(tell);
     }
   }
 }

@@ -128,6 +128,18 @@ export const sayFault = ({ message, hint, ...rest }) => ({
   hint: hint ? say(hint) : "",
 });
 
+/**
+ * What the page itself refuses, in words.
+ * @param {string} kind @param {string} id  of the words @param {Record<string, unknown>} [values]
+ * @param {string} [hint]  id of its words; empty for none @returns {Fault}
+ */
+export const fault = (kind, id, values, hint = `${id}.hint`) => ({
+  kind,
+  message: say(id, values),
+  hint: hint && say(hint, values),
+  detail: {},
+});
+
 /** Words that are read only once there is a solver. @type {Promise<string> | null} */
 let rest = null;
 let speaking = /** @type {"en" | "de"} */ ("en");

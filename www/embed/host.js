@@ -8,20 +8,8 @@
 import { linkIn, plainScene, sceneOf } from "../link.js";
 import { fileName } from "../save.js";
 import { pageAddress } from "../share.js";
-import { say } from "../words.js";
-import {
-  asHash,
-  asRequest,
-  fault,
-  fileOf,
-  formatOf,
-  MOST_WAITING,
-  PROTOCOL,
-  stepOf,
-  tooMany,
-  wordsToSet,
-} from "./messages.js";
-import { seek } from "./seek.js";
+import { fault, say } from "../words.js";
+import * as messages from "./messages.js";
 
 /** Requests that wait for nothing that was asked before. */
 const isImmediate = ["pause", "state"];
@@ -42,7 +30,7 @@ export function createEmbedding(page) {
 
   /** @param {Record<string, unknown>} message @param {Transferable[]} [transfer] */
   function post(message, transfer = []) {
-    host?.postMessage({ umbilic: PROTOCOL, ...message }, origin, transfer);
+    host?.postMessage({ umbilic: messages.PROTOCOL, ...message }, origin, transfer);
   }
   /** @param {string} event @param {object} [detail] */
   const tell = (event, detail = {}) => post({ event, detail });
@@ -136,16 +124,34 @@ export function createEmbedding(page) {
     settle();
   }
 
-  /** @param {number} step */
-  const toStep = (step) => seek({ ...run, still: open.still }, get, step);
+  /**
+   * To the nearest stored step that is not beyond, and on from there: the same steps give the
+   * same surface.
+   * @param {number} step  less if the flow ends before
+   */
+  async function seek(step) {
+    await run.pause();
+    const { timeline } = get();
+    if (!timeline) return;
+    const { start, first, last } = timeline;
+    await run.seek(step < first ? start : Math.min(step, last));
+    if (step <= (get().reading?.step ?? 0)) return;
+    await run.runTo(step);
+    await open.still();
+  }
 
-  /** @type {Record<string, (request: Request) => Promise<unknown>>} */
+  /** @param {"pause" | "step" | "back" | "reset"} name */
+  const move = (name) => async () => {
+    isSuspended = false;
+    await run[name]();
+  };
+
+  /** What each request does; it is answered with where the surface stands, or with what is told. @type {Record<string, (request: Request) => Promise<any>>} */
   const answers = {
     async load(request) {
-      const file = fileOf(request);
-      const address = { search: "", hash: asHash(request.scene ?? "") };
-      const scene = file && (await open.readLink(address));
-      if (file) await open.open([file], scene ?? {});
+      const file = messages.fileOf(request);
+      const address = { search: "", hash: messages.asHash(request.scene ?? "") };
+      if (file) await open.open([file], (await open.readLink(address)) ?? {});
       else await open.openLink(address, plainScene);
       await open.still();
       arrived();
@@ -154,17 +160,14 @@ export function createEmbedding(page) {
       isSuspended = !isSeen();
       if (!isSuspended) await run.play();
     },
-    async pause() {
-      isSuspended = false;
-      await run.pause();
-    },
+    pause: move("pause"),
     async seek(request) {
-      const step = stepOf(request);
+      const step = messages.stepOf(request);
       isSuspended = false;
-      await toStep(step);
+      await seek(step);
     },
     async set({ words }) {
-      const { hash, named } = wordsToSet(words);
+      const { hash, named } = messages.wordsToSet(words);
       const scene = sceneOf(await page.solver.readLink(linkIn({ search: "", hash })));
       const { options, arrangement, colour, camera, view, step } = scene;
       if (Object.keys(options).length > 0) await run.configure(options, { fromStart: true });
@@ -172,36 +175,38 @@ export function createEmbedding(page) {
       if (named.has("colour")) await run.colour(colour);
       run.view(view);
       if (camera) run.look(camera);
-      if (named.has("step")) await toStep(step);
+      if (named.has("step")) await seek(step);
     },
     state: async () => {},
+    step: move("step"),
+    back: move("back"),
+    reset: move("reset"),
+    async export(request) {
+      const asked = messages.formatOf(request);
+      const shown = get();
+      if (!shown.mesh) throw fault("NoMesh", "no-mesh-yet", {}, "");
+      const picture = async () => ({ format: asked, bytes: await page.save.picture() });
+      const file = await (asked === "png" ? picture() : run.export(asked));
+      if (file.bytes === null) throw fault("NoPicture", "no-picture", {}, "");
+      const bytes = new Uint8Array(await new Blob([file.bytes]).arrayBuffer());
+      return { name: fileName(shown, file.format), bytes };
+    },
   };
-  for (const move of /** @type {const} */ (["step", "back", "reset"])) {
-    answers[move] = async () => {
-      isSuspended = false;
-      await run[move]();
-    };
-  }
-
-  /** @param {Request} request @returns {Promise<{ name: string, bytes: Uint8Array<ArrayBuffer> }>} */
-  async function exported(request) {
-    const asked = formatOf(request);
-    const shown = get();
-    if (!shown.mesh) throw fault("NoMesh", say("no-mesh-yet"), "");
-    const picture = async () => ({ format: asked, bytes: await page.save.picture() });
-    const file = await (asked === "png" ? picture() : run.export(asked));
-    if (file.bytes === null) throw fault("NoPicture", say("no-picture"), "");
-    const bytes = new Uint8Array(await new Blob([file.bytes]).arrayBuffer());
-    return { name: fileName(shown, file.format), bytes };
-  }
 
   // In the order in which they were asked.
   let turn = Promise.resolve();
   let waiting = 0;
-  /** @param {Request} request */
-  function receive(request) {
+  addEventListener("message", (event) => {
+    if (!host || event.source !== host) return;
+    const request = messages.asRequest(event.data);
+    if (!request) return;
+    // A page from a file, or in a sandbox, has no origin that could be named.
+    origin = event.origin === "null" ? "*" : event.origin;
     if (isImmediate.includes(request.type)) return void answer(request);
-    if (waiting === MOST_WAITING) return refuse(request, tooMany());
+    const most = messages.MOST_WAITING;
+    if (waiting === most) {
+      return refuse(request, fault("TooManyRequests", "too-many-requests", { most }));
+    }
     want();
     waiting += 1;
     turn = turn
@@ -210,7 +215,7 @@ export function createEmbedding(page) {
       .finally(() => {
         waiting -= 1;
       });
-  }
+  });
 
   /** @param {Request} request @param {any} error */
   function refuse({ id }, { kind = "Refused", message, hint = "" }) {
@@ -223,35 +228,17 @@ export function createEmbedding(page) {
     /** @type {{ message: string, hint: string }[]} */
     const faults = [];
     try {
-      if (type === "export") {
-        const ok = await exported(request);
-        return post({ id, ok }, [ok.bytes.buffer]);
-      }
       if (!Object.hasOwn(answers, type)) {
-        const known = [...Object.keys(answers), "export"].join(", ");
-        throw fault(
-          "UnknownRequest",
-          say("embed-no-request", { type: type.slice(0, 60) }),
-          say("embed-known", { known: [known] }),
-        );
+        throw messages.unknownRequest(type, Object.keys(answers));
       }
       hearing.add(faults);
-      await answers[type](request).finally(() => hearing.delete(faults));
+      const told = await answers[type](request).finally(() => hearing.delete(faults));
       if (faults.length > 0) throw faults[0];
-      post({ id, ok: surfaceState() });
+      post({ id, ok: told ?? surfaceState() }, told ? [told.bytes.buffer] : []);
     } catch (error) {
       refuse(request, error);
     }
   }
-
-  addEventListener("message", (event) => {
-    if (!host || event.source !== host) return;
-    const request = asRequest(event.data);
-    if (!request) return;
-    // A page from a file, or in a sandbox, has no origin that could be named.
-    origin = event.origin === "null" ? "*" : event.origin;
-    receive(request);
-  });
 
   /** @type {unknown} */
   let told = null;

@@ -19,10 +19,8 @@
 // now on), `ready` (a scene is there), `frame`, `statechange`, `error`, and `key` (Page Up or Page Down,
 // pressed in the surface).
 
-/** @import { Fault } from "../words.js" */
-
 import { asText, formats } from "../options.js";
-import { say } from "../words.js";
+import { fault } from "../words.js";
 
 /** The version of what is said here. */
 export const PROTOCOL = 1;
@@ -44,22 +42,12 @@ export function asRequest(data) {
   return /** @type {Request} */ (data);
 }
 
-/** @param {string} kind @param {string} message @param {string} hint @returns {Fault} */
-export const fault = (kind, message, hint) => ({ kind, message, hint, detail: {} });
+/** What was said, in a message about it. @param {unknown} said */
+const short = (said) => String(said).slice(0, 60);
 
-/** @returns {Fault} */
-export const tooMany = () =>
-  fault(
-    "TooManyRequests",
-    say("too-many-requests", { most: MOST_WAITING }),
-    say("too-many-requests.hint"),
-  );
-
-/** @param {unknown} value @returns {Record<string, unknown>} */
-const asObject = (value) =>
-  typeof value === "object" && value !== null && !Array.isArray(value)
-    ? /** @type {Record<string, unknown>} */ (value)
-    : {};
+/** @param {string} type @param {string[]} known */
+export const unknownRequest = (type, known) =>
+  fault("UnknownRequest", "embed-no-request", { type: short(type), known }, "embed-known");
 
 /**
  * @param {unknown} scene  words of a link: text with or without `#`, or an object
@@ -67,11 +55,12 @@ const asObject = (value) =>
  */
 export function asHash(scene) {
   if (typeof scene === "string") return `#${scene.replace(/^#/, "")}`;
-  const words = new URLSearchParams();
-  for (const [word, value] of Object.entries(asObject(scene))) {
-    words.set(word, ArrayBuffer.isView(value) ? String(value) : asText(value, word));
-  }
-  return `#${words}`;
+  const isObject = typeof scene === "object" && scene !== null && !Array.isArray(scene);
+  const words = Object.entries(isObject ? scene : {}).map(([word, value]) => [
+    word,
+    ArrayBuffer.isView(value) ? String(value) : asText(value, word),
+  ]);
+  return `#${new URLSearchParams(words)}`;
 }
 
 /** Words of a link that say what is shown, and not how: a scene is loaded, not set. */
@@ -83,19 +72,14 @@ const ofScenes = [
 /**
  * @param {unknown} words
  * @returns {{ hash: string, named: Set<string> }} the same as a link, and the words that were said
- * @throws {Fault} that names a word that cannot be set
+ * @throws {import("../words.js").Fault} that names a word that cannot be set
  */
 export function wordsToSet(words) {
   const hash = asHash(words);
   const said = new URLSearchParams(hash.slice(1));
   for (const [word, text] of said) {
-    if (ofScenes.includes(word)) {
-      throw fault(
-        "BadValue",
-        say("embed-bad-value", { word, text: text.slice(0, 60) }),
-        say("embed-bad-value.hint"),
-      );
-    }
+    if (!ofScenes.includes(word)) continue;
+    throw fault("BadValue", "embed-bad-value", { word, text: short(text) });
   }
   return { hash, named: new Set(said.keys()) };
 }
@@ -103,17 +87,15 @@ export function wordsToSet(words) {
 /** @param {Request} request @returns {number} */
 export function stepOf({ step }) {
   if (typeof step === "number" && Number.isInteger(step) && step >= 0 && step < 1e7) return step;
-  throw fault("BadStep", say("embed-bad-step", { step: String(step).slice(0, 60) }), "");
+  throw fault("BadStep", "embed-bad-step", { step: short(step) }, "");
 }
 
-/** @param {Request} request @returns {string} */
+/** @param {Request} request */
 export function formatOf({ format = "ply" }) {
-  if (formats.some((id) => id === format)) return /** @type {string} */ (format);
-  throw fault(
-    "UnknownFormat",
-    say("embed-no-format", { format: String(format).slice(0, 60) }),
-    say("embed-known", { known: [...formats] }),
-  );
+  const known = formats.find((id) => id === format);
+  if (known) return known;
+  const values = { format: short(format), known: formats };
+  throw fault("UnknownFormat", "embed-no-format", values, "embed-known");
 }
 
 /** @param {Request} request @returns {File | null} the mesh that was sent along */
@@ -121,7 +103,7 @@ export function fileOf({ name, bytes }) {
   if (bytes === undefined) return null;
   const isBytes = bytes instanceof ArrayBuffer || bytes instanceof Uint8Array;
   if (!isBytes || typeof name !== "string" || !/^[^/\\]{1,200}$/.test(name)) {
-    throw fault("BadMesh", say("embed-bad-mesh"), "");
+    throw fault("BadMesh", "embed-bad-mesh", {}, "");
   }
   return new File([/** @type {ArrayBuffer} */ (bytes)], name);
 }
