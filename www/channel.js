@@ -3,7 +3,7 @@
 
 /** @import { Fault } from "./words.js" */
 
-import { say, sayFault } from "./words.js";
+import { fault, say, sayFault } from "./words.js";
 
 /** Milliseconds after which a worker that owes an answer and says nothing is called silent. */
 const PATIENCE = 10_000;
@@ -23,12 +23,8 @@ function begun() {
   try {
     return new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
   } catch (error) {
-    throw {
-      kind: "NoWorker",
-      message: say("worker-forbidden", { reason: /** @type {Error} */ (error).message }),
-      hint: say("worker-forbidden.hint"),
-      detail: {},
-    };
+    const { message: reason } = /** @type {Error} */ (error);
+    throw fault("NoWorker", "worker-forbidden", { reason });
   }
 }
 
@@ -123,9 +119,10 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
       running = null;
       revoke(null);
       heard();
-      /** @type {Fault} */
-      const fault = { kind: LOST, message: "The solver was stopped.", hint: "", detail: {} };
-      for (const { reject } of waiting.values()) reject(fault);
+      const message = "The solver was stopped.";
+      for (const { reject } of waiting.values()) {
+        reject({ kind: LOST, message, hint: "", detail: {} });
+      }
       waiting.clear();
     },
 

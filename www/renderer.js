@@ -3,10 +3,8 @@
 // or `?renderer=webgpu` in the page's address forces the choice.
 
 import { hasContext } from "./webgl-context.js";
-import { say, sayFault } from "./words.js";
+import { fault, say, sayFault } from "./words.js";
 
-/** @import { Fault as Refusal } from "./generated/types.js" */
-/** @import { Fault } from "./words.js" */
 /** @typedef {Pick<typeof import("./pkg/viewer/viewer.js"), "Viewer" | "firstSurface">} ViewerModule */
 
 /**
@@ -22,7 +20,6 @@ let chosen = null;
 /** Whether a canvas has been taken: such a canvas cannot change its renderer any more. */
 let hasOpened = false;
 
-/** @returns {Promise<Renderer>} */
 function chooseRenderer() {
   chosen ??= choose().catch((error) => {
     chosen = null;
@@ -38,15 +35,15 @@ function chooseRenderer() {
  */
 export async function giveUpWebgpu(lost, reason) {
   if (lost.isForced || lost.name === "WebGL2") return false;
-  if ((await chooseRenderer()).name === "WebGPU") chosen = loadWebgl(reason, false);
-  return chooseRenderer().then(
-    () => true,
-    () => {
-      // What is shown of another canvas stays.
-      chosen = Promise.resolve(lost);
-      return false;
-    },
-  );
+  if ((await chooseRenderer()).name === "WebGPU") chosen = load("WebGL2", reason);
+  try {
+    await chosen;
+    return true;
+  } catch {
+    // What is shown of another canvas stays.
+    chosen = Promise.resolve(lost);
+    return false;
+  }
 }
 
 /**
@@ -61,76 +58,57 @@ export async function openViewer(canvas, options) {
     return { viewer, renderer };
   } catch (error) {
     // An adapter that gives no device: the canvas has not been asked for anything yet.
-    const refusal = /** @type {Refusal} */ (error);
-    if (typeof refusal?.kind !== "string") throw error;
-    const fault = sayFault(refusal);
-    const isEarly = fault.kind === "NoAdapter" || fault.kind === "NoDevice";
-    if (hasOpened || renderer.isForced || renderer.name === "WebGL2" || !isEarly) throw fault;
-    chosen = loadWebgl(fault.message, false);
+    const refused = inWords(error);
+    const isEarly = refused.kind === "NoAdapter" || refused.kind === "NoDevice";
+    if (hasOpened || renderer.isForced || renderer.name === "WebGL2" || !isEarly) throw refused;
+    chosen = load("WebGL2", refused.message);
     const fallback = await chosen;
     const viewer = await fallback.module.Viewer.create(canvas, options).catch((error) => {
-      throw typeof error?.kind === "string" ? sayFault(error) : error;
+      throw inWords(error);
     });
     return { viewer, renderer: fallback };
   }
 }
 
+/** A refusal of the viewer's in words; another error as it is. @param {any} error */
+const inWords = (error) => (typeof error?.kind === "string" ? sayFault(error) : error);
+
 /** @returns {Promise<Renderer>} */
 async function choose() {
   const forced = new URLSearchParams(location.search).get("renderer");
-  if (forced === "webgpu") return loadWebgpu(say("renderer-asked"), true);
-  if (forced === "webgl") return loadWebgl(say("renderer-asked"), true);
+  if (forced === "webgpu") return load("WebGPU", say("renderer-asked"), true);
+  if (forced === "webgl") return load("WebGL2", say("renderer-asked"), true);
   const gpu = /** @type {any} */ (navigator).gpu;
-  const none = say("renderer-no-webgpu");
-  if (!gpu) return loadWebgl(none, false);
+  if (!gpu) return load("WebGL2", say("renderer-no-webgpu"));
   // Fetched meanwhile: browsers that have WebGPU mostly have an adapter too.
-  const webgpu = loadWebgpu(say("renderer-offered"), false);
+  const webgpu = load("WebGPU", say("renderer-offered"));
   webgpu.catch(() => {});
   const adapter = await gpu.requestAdapter({ powerPreference: "high-performance" });
-  return adapter ? webgpu : loadWebgl(say("renderer-no-adapter"), false);
-}
-
-/** @param {string} reason @param {boolean} isForced @returns {Promise<Renderer>} */
-async function loadWebgpu(reason, isForced) {
-  const wasm = new URL("./pkg/viewer/viewer_bg.wasm", import.meta.url);
-  const module = await load(() => import("./pkg/viewer/viewer.js"), wasm);
-  return { name: "WebGPU", reason, isForced, module };
-}
-
-/** @param {string} reason @param {boolean} isForced @returns {Promise<Renderer>} */
-async function loadWebgl(reason, isForced) {
-  // Looked for first: nothing large is fetched in vain.
-  if (!hasContext()) {
-    throw fault(
-      "NoRenderer",
-      isForced ? say("renderer-no-webgl") : say("renderer-neither", { reason }),
-      say("renderer-neither.hint"),
-    );
-  }
-  const wasm = new URL("./pkg/viewer-webgl/viewer-webgl_bg.wasm", import.meta.url);
-  const module = await load(() => import("./pkg/viewer-webgl/viewer-webgl.js"), wasm);
-  return { name: "WebGL2", reason, isForced, module };
+  return adapter ? webgpu : load("WebGL2", say("renderer-no-adapter"));
 }
 
 /**
- * @template {{ default: (options: { module_or_path: URL }) => Promise<unknown> }} Module
- * @param {() => Promise<Module>} fetchModule @param {URL} wasm @returns {Promise<Module>}
+ * @param {Renderer["name"]} name @param {string} reason @param {boolean} [isForced]
+ * @returns {Promise<Renderer>}
  */
-async function load(fetchModule, wasm) {
-  try {
-    const module = await fetchModule();
-    await module.default({ module_or_path: wasm });
-    return module;
-  } catch (error) {
-    throw fault(
-      "ViewerNotLoaded",
-      say("viewer-not-loaded", { reason: error instanceof Error ? error.message : String(error) }),
-      say("viewer-not-loaded.hint"),
-    );
+async function load(name, reason, isForced = false) {
+  const isWebgl = name === "WebGL2";
+  // Looked for first: nothing large is fetched in vain.
+  if (isWebgl && !hasContext()) {
+    const id = isForced ? "renderer-no-webgl" : "renderer-neither";
+    throw fault("NoRenderer", id, { reason }, "renderer-neither.hint");
   }
-}
-
-/** @param {string} kind @param {string} message @param {string} hint @returns {Fault} */
-function fault(kind, message, hint) {
-  return { kind, message, hint, detail: {} };
+  const wasm = isWebgl
+    ? new URL("./pkg/viewer-webgl/viewer-webgl_bg.wasm", import.meta.url)
+    : new URL("./pkg/viewer/viewer_bg.wasm", import.meta.url);
+  try {
+    const module = await (isWebgl
+      ? import("./pkg/viewer-webgl/viewer-webgl.js")
+      : import("./pkg/viewer/viewer.js"));
+    await module.default({ module_or_path: wasm });
+    return { name, reason, isForced, module };
+  } catch (error) {
+    const why = error instanceof Error ? error.message : String(error);
+    throw fault("ViewerNotLoaded", "viewer-not-loaded", { reason: why });
+  }
 }

@@ -2,7 +2,7 @@
 
 import { extensionOf } from "./mesh-format.js";
 import { createMontage } from "./montage.js";
-import { say } from "./words.js";
+import { fault } from "./words.js";
 
 /** @import { Page } from "./actions.js" */
 /** @import { S } from "./store.js" */
@@ -39,34 +39,32 @@ export function montageOf({ stage }) {
 
 /** @param {Page} page */
 export function createSave(page) {
-  /** @returns {Promise<Blob | null>} */
+  /** @returns {Promise<Blob>} */
   async function picture() {
-    const { stage } = page;
-    if (!stage.first.viewer) return null;
-    return stage.others.size > 0 ? montageOf(page).snapshot() : stage.first.viewer.snapshot();
+    const { first, others } = page.stage;
+    const taken = first.viewer && (others.size > 0 ? montageOf(page) : first.viewer).snapshot();
+    const blob = await taken;
+    if (!blob) throw fault("NoPicture", "no-picture");
+    return blob;
   }
 
-  /** @param {string} kind @returns {Promise<{ format: string, blob: Blob }>} */
-  async function contents(kind) {
-    if (kind === "recipe") {
-      return {
-        format: kind,
-        blob: new Blob([await page.open.recipe()], { type: "application/json" }),
-      };
+  /**
+   * What a file of a format holds; another format where the solver cannot be asked.
+   * @param {string} format @returns {Promise<{ format: string, blob: Blob }>}
+   */
+  async function contents(format) {
+    if (format === "png") return { format, blob: await picture() };
+    if (format === "recipe") {
+      const type = "application/json";
+      return { format, blob: new Blob([await page.open.recipe()], { type }) };
     }
-    if (kind !== "png") {
-      const { format, bytes } = await page.run.export(kind);
-      const type = format === "csv" ? "text/csv" : "application/octet-stream";
-      return { format, blob: new Blob([bytes], { type }) };
-    }
-    const blob = await picture();
-    if (blob) return { format: kind, blob };
-    const [message, hint] = [say("no-picture"), say("no-picture.hint")];
-    throw { kind: "NoPicture", message, hint, detail: {} };
+    const file = await page.run.export(format);
+    const type = format === "csv" ? "text/csv" : "application/octet-stream";
+    return { format: file.format, blob: new Blob([file.bytes], { type }) };
   }
 
   return {
-    picture,
+    contents,
     /** @param {string} format */
     async file(format) {
       try {

@@ -8,7 +8,7 @@
 
 import { createChannel, LOST } from "./channel.js";
 import { plyOf } from "./ply.js";
-import { say, sayFault } from "./words.js";
+import { fault, sayFault } from "./words.js";
 
 /**
  * @typedef {object} Listener
@@ -241,10 +241,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
         } catch (error) {
           const { kind } = /** @type {Fault} */ (error);
           if (kind !== LOST || !isWanted()) throw error;
-          if (n === ATTEMPTS) {
-            const [message, hint] = [say("solver-lost-again"), say("solver-lost-again.hint")];
-            throw { kind: "SolverLostAgain", message, hint, detail: {} };
-          }
+          if (n === ATTEMPTS) throw fault("SolverLostAgain", "solver-lost-again");
         }
         await new Promise((resolve) => setTimeout(resolve, pause * 2 ** n));
       }
@@ -297,7 +294,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   /** The surface that is shown, of what the page has. @returns {Uint8Array<ArrayBuffer>} */
   function ownCopy() {
     const { loaded, last } = scene;
-    if (!loaded) throw { kind: "NoMesh", message: say("no-mesh-yet"), hint: "", detail: {} };
+    if (!loaded) throw fault("NoMesh", "no-mesh-yet", {}, "");
     const triangles = last?.triangles ?? loaded.triangles;
     // Other triangles may be of other vertices.
     const colours = last?.triangles ? null : loaded.colours;

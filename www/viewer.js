@@ -5,7 +5,7 @@
 import { listenForGestures } from "./gestures.js";
 import { giveUpWebgpu, openViewer } from "./renderer.js";
 import { contextBack, releaseContext } from "./webgl-context.js";
-import { say } from "./words.js";
+import { fault, say } from "./words.js";
 
 /**
  * @typedef {Pick<import("./generated/types.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
@@ -62,6 +62,9 @@ const none = { ends: new Float32Array(), colours: new Uint8Array(), hidden: 0 };
 
 /** How near to an edge a click counts, in CSS pixels. */
 const CLICK_REACH = 12;
+
+/** @param {string} reason */
+const gpuLost = (reason) => fault("GpuLost", "viewer-gpu-lost", { reason });
 
 /** Attempts to replace a lost graphics device before it is given up, … */
 const ATTEMPTS = 3;
@@ -307,7 +310,7 @@ class SurfaceView {
     this.#redrawn();
     return new Promise((resolve, reject) => {
       this.#drawnOn.toBlob((blob) =>
-        blob ? resolve(blob) : reject(lostFault(say("viewer-no-picture"))),
+        blob ? resolve(blob) : reject(gpuLost(say("viewer-no-picture"))),
       );
     });
   }
@@ -399,7 +402,7 @@ class SurfaceView {
       }
     }
     if (this.#listening.signal.aborted) return;
-    if (!(await this.#standIn(reason))) this.#options.onFault?.(lostFault(reason));
+    if (!(await this.#standIn(reason))) this.#options.onFault?.(gpuLost(reason));
   }
 
   /**
@@ -494,14 +497,4 @@ class SurfaceView {
 function putField(viewer, field) {
   if (field) viewer.setField(field.values, field.low, field.high, field.signed);
   else viewer.clearField();
-}
-
-/** @param {string} reason @returns {Fault} */
-function lostFault(reason) {
-  return {
-    kind: "GpuLost",
-    message: say("viewer-gpu-lost", { reason }),
-    hint: say("viewer-gpu-lost.hint"),
-    detail: {},
-  };
 }

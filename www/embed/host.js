@@ -185,11 +185,8 @@ export function createEmbedding(page) {
       const asked = messages.formatOf(request);
       const shown = get();
       if (!shown.mesh) throw fault("NoMesh", "no-mesh-yet", {}, "");
-      const picture = async () => ({ format: asked, bytes: await page.save.picture() });
-      const file = await (asked === "png" ? picture() : run.export(asked));
-      if (file.bytes === null) throw fault("NoPicture", "no-picture", {}, "");
-      const bytes = new Uint8Array(await new Blob([file.bytes]).arrayBuffer());
-      return { name: fileName(shown, file.format), bytes };
+      const { format, blob } = await page.save.contents(asked);
+      return { name: fileName(shown, format), bytes: new Uint8Array(await blob.arrayBuffer()) };
     },
   };
 
