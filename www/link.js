@@ -1,31 +1,25 @@
 // The scene in the address, after `#`, which a browser never sends to the server. The solver
 // reads and writes its words; here is what it needs of the page.
 
-/** @import { LinkScene, PageScene, ScriptText } from "./generated/types.js" */
-/** @import { FieldName, PageState } from "./store.js" */
+/** @import { Arrangement, Comparison, LinkScene, PageScene, ScriptText } from "./generated/types.js" */
+/** @import { Options } from "./options.js" */
+/** @import { FieldName, S, View } from "./store.js" */
 
 import { plainArrangement } from "./options.js";
 
 /**
  * A scene to be shown: that of a link, or of a recipe.
- * @typedef {object} Scene
- * @property {string | null} sample  id of a sample; null when the mesh came from a file
- * @property {string | null} mesh    name of that file's mesh
- * @property {string | null} hash    the first 16 digits of its SHA-256
- * @property {string | null} figure
+ * @typedef {object} Made
  * @property {ScriptText} [prepares] makes the mesh, where it was edited
  * @property {ScriptText} [follows]  leads to the step, where that takes more than steps
- * @property {Partial<import("./options.js").Options>} options
- * @property {Partial<import("./generated/types.js").Arrangement>} arrangement
+ * @property {Partial<Options>} options
+ * @property {Partial<Arrangement>} arrangement
  * @property {FieldName} colour
- * @property {{ panes: readonly { change: Partial<import("./options.js").Options>, step: number | null }[], lockstep: "step" | "time", shown: "side" | number, difference: number | null } | null} comparison  step: null, as the first
- * @property {number} step
- * @property {Float32Array | null} camera
- * @property {Partial<import("./store.js").View>} view
- * @property {string | null} check    the energy at `step`, as it was when the link was written
- * @property {string | null} version  of the solver that computed it
+ * @property {Omit<Comparison, "shown"> & { shown: "side" | number } | null} comparison
+ * @property {Partial<View>} view
  * @property {number} manySteps       as many as one would rather be asked about; else 0
  */
+/** @typedef {Made & Pick<LinkScene, "sample" | "mesh" | "hash" | "figure" | "step" | "camera" | "check" | "version">} Scene */
 
 /** @typedef {{ search: string, hash: string }} Address */
 
@@ -78,7 +72,7 @@ export function sceneOf({ text, edited, hasPath, colour, comparison, estimate, .
 
 /**
  * What the solver does not know of a scene.
- * @param {Readonly<PageState>} state  with a mesh
+ * @param {S} state  with a mesh
  * @param {boolean} shared  whether it is sent to somebody @returns {PageScene}
  */
 export function pageScene(
@@ -102,33 +96,26 @@ export function pageScene(
   });
 }
 
-/** Whether there is a scene. @param {Readonly<PageState> | null} state @returns {state is Readonly<PageState>} */
-const isThere = (state) => state !== null && state.phase === "ready" && state.reading !== null;
-
 /**
  * Keeps an address in step with the state: at most twice a second, because browsers refuse more
  * than about three changes a second.
- * @param {() => Promise<string>} write  the words of the scene @param {(hash: string) => void} show
- * @param {number} pause milliseconds between changes
+ * @param {() => S} get @param {() => Promise<{ text: string }>} write  the words of the scene
+ * @param {(hash: string) => void} show
+ * @returns {() => void} to be called where the scene may be another
  */
-export function createLinkWriter(write, show, pause = 500) {
+export function createLinkWriter(get, write, show) {
   let isWaiting = false;
-  /** @type {Readonly<PageState> | null} */
-  let latest = null;
-  return {
-    /** @param {Readonly<PageState>} state */
-    update(state) {
-      latest = state;
-      if (isWaiting) return;
-      isWaiting = true;
-      setTimeout(async () => {
-        isWaiting = false;
-        if (!isThere(latest)) return;
-        const { mesh } = latest;
-        // A solver that is gone writes none; the next state asks the next one.
-        const text = await write().catch(() => null);
-        if (text !== null && isThere(latest) && latest.mesh === mesh) show(`#${text}`);
-      }, pause);
-    },
+  const isThere = () => get().phase === "ready" && get().reading !== null;
+  return () => {
+    if (isWaiting) return;
+    isWaiting = true;
+    setTimeout(async () => {
+      isWaiting = false;
+      if (!isThere()) return;
+      const { mesh } = get();
+      // A solver that is gone writes none; the next state asks the next one.
+      const link = await write().catch(() => null);
+      if (link && isThere() && get().mesh === mesh) show(`#${link.text}`);
+    }, 500);
   };
 }

@@ -10,7 +10,7 @@ import { packedEndings, readEndings } from "./mesh-format.js";
 import { keepOffline } from "./offline.js";
 import { createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
-import { createStore } from "./store.js";
+import { createStore, isDark } from "./store.js";
 import { cards } from "./view/cards.js";
 import { dialog, fetchDialogs, isDialogOpen, question } from "./view/dialog.js";
 import { dock } from "./view/dock.js";
@@ -108,10 +108,9 @@ for (const [id, view, isOpen] of /** @type {const} */ ([
 }
 effect(() => {
   const s = page.state.value;
-  const root = document.documentElement;
-  const isDark = s.view.theme === "dark" || (s.view.theme === "auto" && s.view.systemDark);
-  root.dataset.theme = isDark ? "dark" : "light";
-  root.dataset.tab = s.tab ?? "";
+  const { dataset } = document.documentElement;
+  dataset.theme = isDark(s) ? "dark" : "light";
+  dataset.tab = s.tab ?? "";
   const title = sceneTitle(s.source);
   document.title = title ? `${title} · Umbilic` : "Umbilic";
 });
@@ -122,10 +121,8 @@ effect(() => {
   const { figure, reading, running } = page.state.value;
   const isMoving = page.player.motion.value !== "still";
   if (!figure || !reading || running || isMoving) return;
-  const isFar =
-    figure.steps === "rest"
-      ? reading.status !== "ready"
-      : reading.step >= figure.steps || reading.status !== "ready";
+  const isThere = figure.steps !== "rest" && reading.step >= figure.steps;
+  const isFar = isThere || reading.status !== "ready";
   const place = `${figure.id} ${reading.step} ${reading.energy}`;
   if (!isFar || place === judged) return;
   judged = place;
@@ -165,17 +162,14 @@ if (!embedding) {
     if (file.files?.length) openFiles([...file.files]);
     file.value = "";
   });
-  addEventListener("dragover", (event) => {
-    event.preventDefault();
-    document.documentElement.classList.add("dropping");
-  });
-  for (const kind of ["dragleave", "drop"]) {
-    addEventListener(kind, () => document.documentElement.classList.remove("dropping"));
+  for (const kind of ["dragover", "dragleave", "drop"]) {
+    addEventListener(kind, (event) => {
+      if (kind !== "dragleave") event.preventDefault();
+      document.documentElement.classList.toggle("dropping", kind === "dragover");
+    });
   }
-  addEventListener("drop", (event) => {
-    event.preventDefault();
-    const dropped = [...(event.dataTransfer?.files ?? [])];
-    if (dropped.length > 0) openFiles(dropped);
+  addEventListener("drop", ({ dataTransfer }) => {
+    if (dataTransfer?.files.length) openFiles([...dataTransfer.files]);
   });
 }
 
@@ -191,13 +185,13 @@ function openLink(address) {
     opening -= 1;
   });
 }
-const writer = createLinkWriter(
-  () => page.open.writeLink(embedding !== null).then(({ text }) => text),
+const writeLink = createLinkWriter(
+  page.get,
+  () => page.open.writeLink(embedding !== null),
   embedding?.linkTo ?? ((hash) => opening === 0 && history.replaceState(null, "", hash)),
 );
 effect(() => {
-  const s = page.state.value;
-  if (!s.running && page.player.motion.value === "still") writer.update(s);
+  if (!page.state.value.running && page.player.motion.value === "still") writeLink();
 });
 
 // The event's address and not `location`: by now the old scene may have been written there.

@@ -1,11 +1,11 @@
 // What the page shows, as one frozen object in a signal: views are functions of it. How far the
 // clip is played changes at every picture and stands beside it (player.js).
 
-import { computed, signal } from "@preact/signals-core";
+import { signal } from "@preact/signals-core";
 import { numberAs } from "./numbers.js";
 import { defaults, plainArrangement } from "./options.js";
 
-/** @import { Configured, Curves, CurvatureJump, Inverted, Loaded, Look, State as Reading, Timeline, LookOptions } from "./generated/types.js" */
+/** @import { Arrangement, Configured, Curves, CurvatureJump, Diagnosis, Inverted, LinkView, Loaded, Look, LookOptions, State as Reading, Timeline } from "./generated/types.js" */
 /** @import { Options } from "./options.js" */
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'failed'} Phase */
@@ -14,9 +14,7 @@ export const tabs = /** @type {const} */ (["surface", "flow", "measure", "compar
 export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remesh", "invert"]);
 /** @typedef {typeof tools[number] | "pick" | "edge"} Mode */
 
-/** What a surface is coloured by.
- * @typedef {import("./generated/types.js").FieldName | "none"} FieldName
- */
+/** What a surface is coloured by. @typedef {import("./generated/types.js").FieldName | "none"} FieldName */
 /** @typedef {import("./generated/types.js").Field} Field */
 /** Triangles that are seen to be. @typedef {Uint32Array} Marked */
 
@@ -28,23 +26,14 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
  */
 /** @typedef {Source | { kind: 'shape', shape: string, parameters: Record<string, number> }} Origin */
 
-/**
- * What an edit was made of.
- * @typedef {{ source: Source, options: Options, what: string }} Earlier
- */
+/** What an edit was made of. @typedef {{ source: Source, options: Options, what: string }} Earlier */
 
 /** Edges, two ends each, and triangles to be seen. @typedef {{ edges: Uint32Array, triangles: Uint32Array }} Marks */
 
 /**
- * @typedef {object} View
- * @property {'smooth' | 'flat'} shading
- * @property {boolean} wireframe
- * @property {boolean} boundary
- * @property {number} cut           percent of its depth that are cut away in front
- * @property {'auto' | 'light' | 'dark'} theme
- * @property {boolean} systemDark   what `auto` means now
- * @property {'auto' | 'log' | 'linear'} scale  of the energy axis
- * @property {boolean} contrast     colours that are told apart from afar and by everyone
+ * How the surface is drawn: with what a link says of it, in colours, where `contrast`, that are told
+ * apart from afar and by everyone; `systemDark` is what the theme `auto` means now.
+ * @typedef {Required<LinkView> & { theme: "auto" | "light" | "dark", systemDark: boolean, contrast: boolean }} View
  */
 
 /** What a frame has beside the surface. @typedef {{ curves: Curves | null, jump: CurvatureJump | null, look: Look | null }} Extras */
@@ -79,54 +68,6 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
  * @property {readonly { label: string, act: () => unknown }[]} offers
  */
 
-/**
- * @typedef {object} PageState
- * @property {Phase} phase
- * @property {string | null} loadingName  of the mesh that is being loaded
- * @property {Source | null} source
- * @property {Origin | null} origin  what was loaded before all edits; null where that is not known
- * @property {Loaded | null} mesh
- * @property {Extras | null} extras
- * @property {Reading | null} reading   where the solver stands
- * @property {Timeline | null} timeline
- * @property {boolean} running      whether the solver takes steps
- * @property {"start" | "here"} applies  where a change of the flow begins
- * @property {Options} options
- * @property {Configured | null} configured
- * @property {Readonly<Required<import("./generated/types.js").Arrangement>>} arrangement  of edge flips
- * @property {readonly Earlier[]} earlier  what `undo` brings back, oldest first
- * @property {Marks | null} marks
- * @property {Readonly<LookOptions>} lookOptions  what is looked at more closely
- * @property {Inverted | null} preview
- * @property {import("./library.js").Figure | null} figure
- * @property {"back" | "whole" | null} film  of a figure of two halves: the one that is shown
- *   backwards is computed; the film is shown
- * @property {Readonly<Comparison>} comparison
- * @property {FieldName} colour
- * @property {readonly [number, number] | null} range  of colours, held for the run
- * @property {number | null} goal         the step a link asks for, while running to it
- * @property {{ stage: string, fraction: number } | null} progress
- * @property {boolean} isSilent           the solver owes an answer and gives no sign of life
- * @property {Float32Array | null} camera
- * @property {View} view
- * @property {boolean} presenting
- * @property {string} version             of the solver; empty until it is up
- * @property {Tab | null} tab
- * @property {Mode | null} mode
- * @property {"library" | "help" | "commands" | "plot" | null} dialog
- * @property {{ diagnosis: import("./generated/types.js").Diagnosis | null, isShown: boolean } | null} why  the card that says it
- * @property {string | null} section     of the drawer, that is open
- * @property {boolean} welcome
- * @property {boolean} isNew             whether a mesh was opened that nothing has been done to
- * @property {boolean} legend            whether its options are open
- * @property {readonly Note[]} notes
- * @property {number} noteShown          the last that has been in the status line
- * @property {boolean} isNoteFresh       whether it stands there
- * @property {{ text: string, answer: (yes: boolean) => void } | null} question
- */
-
-/** @typedef {Readonly<PageState>} S */
-
 /** @type {Readonly<Comparison>} */
 export const alone = Object.freeze({
   rivals: [],
@@ -136,76 +77,80 @@ export const alone = Object.freeze({
   withStart: false,
 });
 
-/** @type {S} */
+/** What the page shows. */
 export const initial = Object.freeze({
-  phase: "empty",
-  loadingName: null,
-  source: null,
-  origin: null,
-  mesh: null,
-  extras: null,
-  reading: null,
-  timeline: null,
-  running: false,
-  applies: "start",
+  phase: /** @type {Phase} */ ("empty"),
+  loadingName: /** @type {string | null} */ (null), // of the mesh that is being loaded
+  source: /** @type {Source | null} */ (null),
+  /** What was loaded before all edits; null where that is not known. */
+  origin: /** @type {Origin | null} */ (null),
+  mesh: /** @type {Loaded | null} */ (null),
+  extras: /** @type {Extras | null} */ (null),
+  reading: /** @type {Reading | null} */ (null), // where the solver stands
+  timeline: /** @type {Timeline | null} */ (null),
+  running: /** @type {boolean} */ (false), // whether the solver takes steps
+  applies: /** @type {"start" | "here"} */ ("start"), // where a change of the flow begins
   options: defaults,
-  configured: null,
-  arrangement: plainArrangement,
-  earlier: [],
-  marks: null,
-  lookOptions: Object.freeze({ probe: null, circles: false, directions: false, crossings: false }),
-  preview: null,
-  figure: null,
-  film: null,
-  comparison: alone,
-  colour: "none",
-  range: null,
-  goal: null,
-  progress: null,
-  isSilent: false,
-  camera: null,
-  view: Object.freeze({
-    shading: "smooth",
-    wireframe: false,
-    boundary: true,
-    cut: 0,
-    theme: "auto",
-    systemDark: false,
-    scale: "auto",
-    contrast: false,
-  }),
-  presenting: false,
-  version: "",
-  tab: null,
-  mode: null,
-  dialog: null,
-  why: null,
-  section: null,
-  welcome: false,
-  isNew: false,
-  legend: false,
-  notes: [],
-  noteShown: 0,
-  isNoteFresh: false,
-  question: null,
+  configured: /** @type {Configured | null} */ (null),
+  arrangement: /** @type {Readonly<Required<Arrangement>>} */ (plainArrangement), // of edge flips
+  earlier: /** @type {readonly Earlier[]} */ ([]), // what `undo` brings back, oldest first
+  marks: /** @type {Marks | null} */ (null),
+  /** What is looked at more closely. */
+  lookOptions: /** @type {Readonly<LookOptions>} */ (
+    Object.freeze({ probe: null, circles: false, directions: false, crossings: false })
+  ),
+  preview: /** @type {Inverted | null} */ (null),
+  figure: /** @type {import("./library.js").Figure | null} */ (null),
+  /** Of a figure of two halves: the one that is shown backwards is computed; the film is shown. */
+  film: /** @type {"back" | "whole" | null} */ (null),
+  comparison: /** @type {Readonly<Comparison>} */ (alone),
+  colour: /** @type {FieldName} */ ("none"),
+  range: /** @type {readonly [number, number] | null} */ (null), // of colours, held for the run
+  goal: /** @type {number | null} */ (null), // the step a link asks for, while running to it
+  progress: /** @type {{ stage: string, fraction: number } | null} */ (null),
+  isSilent: /** @type {boolean} */ (false), // the solver owes an answer and gives no sign of life
+  camera: /** @type {Float32Array | null} */ (null),
+  view: /** @type {View} */ (
+    Object.freeze({
+      shading: "smooth",
+      wireframe: false,
+      boundary: true,
+      cut: 0,
+      theme: "auto",
+      systemDark: false,
+      scale: "auto",
+      contrast: false,
+    })
+  ),
+  presenting: /** @type {boolean} */ (false),
+  version: /** @type {string} */ (""), // of the solver; empty until it is up
+  tab: /** @type {Tab | null} */ (null),
+  mode: /** @type {Mode | null} */ (null),
+  dialog: /** @type {"library" | "help" | "commands" | "plot" | null} */ (null),
+  /** The card that says it. */
+  why: /** @type {{ diagnosis: Diagnosis | null, isShown: boolean } | null} */ (null),
+  section: /** @type {string | null} */ (null), // of the drawer, that is open
+  welcome: /** @type {boolean} */ (false),
+  isNew: /** @type {boolean} */ (false), // whether a mesh was opened that nothing has been done to
+  legend: /** @type {boolean} */ (false), // whether its options are open
+  notes: /** @type {readonly Note[]} */ ([]),
+  noteShown: /** @type {number} */ (0), // the last that has been in the status line
+  isNoteFresh: /** @type {boolean} */ (false), // whether it stands there
+  question: /** @type {{ text: string, answer: (yes: boolean) => void } | null} */ (null),
 });
 
-/** @param {S} first */
-export function createStore(first = initial) {
-  const state = signal(first);
+/** @typedef {typeof initial} S */
+
+export function createStore() {
+  const state = signal(initial);
   return {
     state,
     get: () => state.peek(),
-    /** @param {Partial<PageState>} change */
+    /** @param {Partial<S>} change */
     patch(change) {
       if (change.mesh) numberAs(change.mesh.numbers);
       state.value = Object.freeze({ ...state.peek(), ...change });
     },
-    /**
-     * A part of the state, of which views learn only when it changes.
-     * @template T @param {(state: S) => T} part
-     */
-    select: (part) => computed(() => part(state.value)),
   };
 }
 
