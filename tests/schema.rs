@@ -4,11 +4,11 @@
 use serde_json::{Value as Json, json};
 use std::path::Path;
 use umbilic::app::{
-    Arrangement, BenchOptions, EnergyOptions, FillOptions, FlipOptions, RegulariseOptions,
-    RemeshOptions, RepairOptions, Session,
+    Arrangement, BenchOptions, EnergyOptions, FieldName, FillOptions, FlipOptions,
+    RegulariseOptions, RemeshOptions, RepairOptions, Session,
 };
 use umbilic::energy::circle::Boundary;
-use umbilic::flow::option::{Kind, Options, Row, Value};
+use umbilic::flow::option::{Kind, Options, Range, Row, Value};
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::flow::spec::{FLOWS, Family, FlowRow};
 use umbilic::io::Format;
@@ -33,8 +33,7 @@ fn the_schema_in_javascript_is_that_of_the_tables() {
 
 fn schema() -> String {
     let flows: Vec<Json> = FLOWS.iter().map(flow_json).collect();
-    let head = "// @ts-check
-// Flows, options and file formats as the solver knows them. Written from src/flow/spec.rs,
+    let head = "// Flows, options and file formats as the solver knows them. Written from src/flow/spec.rs,
 // src/flow/option/rows.rs, src/app/given.rs, src/app/options.rs and src/io/format.rs by
 // `UPDATE_SCHEMA=1 cargo test --test schema`.
 
@@ -48,7 +47,6 @@ fn schema() -> String {
  * @property {readonly string[]} ids
  * @property {any} default
  * @property {string | null} absent
- * @property {readonly string[]} words  that stand for themselves
  * @property {string} unit
  * @property {string} group
  * @property {readonly FlowName[]} flows
@@ -94,8 +92,31 @@ fn schema() -> String {
         list("readonly Row[]", "flips", &rows::<FlipOptions>()),
         list("readonly Row[]", "bench", &rows::<BenchOptions>()),
         list("readonly MeshFormat[]", "meshFormats", &mesh_formats()),
+        "// What a surface can be coloured by.\n".into(),
+        list("readonly import('./types.js').FieldName[]", "fields", &fields()),
+        "/**\n * What help says of a flag: what follows it, what reads it, and what it may be; by its \
+         words.\n * @type {Record<string, { value: string | null, of: string, notes: string }>}\n \
+         */\nexport const flags = {\n"
+            .to_owned()
+            + &[
+                flags::<FlowOptions>("option"),
+                flags::<EnergyOptions>("energy"),
+                flags::<RegulariseOptions>("regularise"),
+                flags::<RepairOptions>("repair"),
+                flags::<FillOptions>("fill"),
+                flags::<RemeshOptions>("remesh"),
+                flags::<FlipOptions>("flips"),
+                flags::<BenchOptions>("bench"),
+            ]
+            .concat()
+            .concat()
+            + "};\n",
     ]
     .join("\n")
+}
+
+fn fields() -> Vec<Json> {
+    FieldName::ALL.iter().map(|(_, name)| json!(name)).collect()
 }
 
 fn mesh_formats() -> Vec<Json> {
@@ -160,7 +181,6 @@ fn row_json<S: Options>(row: &Row<S>) -> Json {
         "ids": ids,
         "default": (row.get)(&S::default()),
         "absent": row.absent,
-        "words": row.words,
         "unit": row.unit,
         "group": row.group,
         "flows": flows,
@@ -169,6 +189,96 @@ fn row_json<S: Options>(row: &Row<S>) -> Json {
         "remesh": row.read_by.remesh,
         "ofOneFlow": row.is_of_one_flow,
     })
+}
+
+/// What the command line says of a flag beside its words: what follows it, what reads it where that
+/// is not every flow, and what it may be. By the name of its words.
+fn flags<S: Options>(words: &str) -> Vec<String> {
+    let line = |row: &Row<S>| format!("  \"{words}-{}\": {},\n", row.name, flag(row));
+    S::ROWS.iter().map(line).collect()
+}
+
+fn flag<S: Options>(row: &Row<S>) -> Json {
+    let absent = row.absent.map(str::to_owned);
+    let of = |own: String| [absent.as_slice(), &[own]].concat().join("|");
+    let one = |range: Range| match range.whole {
+        _ if row.unit == "length" => "LENGTH",
+        true => "N",
+        false => "VALUE",
+    };
+    let number = |range: Range| [row.words, &[one(range)]].concat().join("|");
+    let value = match row.kind {
+        Kind::Number(range) => Some(of(number(range))),
+        Kind::Numbers(range) => Some(of([number(range).as_str(), one(range)].join(","))),
+        Kind::Choice(ids) => Some(of(ids().join("|"))),
+        Kind::Set(ids) if ids().len() > 4 => Some(of("ID,ID".into())),
+        Kind::Set(ids) => Some(ids().join(",")),
+        Kind::Switch => None,
+        Kind::Vertices => Some("FILE.json".into()),
+    };
+    let usual = match (row.get)(&S::default()) {
+        _ if matches!(row.kind, Kind::Set(_) | Kind::Numbers(_)) => Json::Null,
+        usual => json!(usual),
+    };
+    let usual = match usual {
+        Json::Null => absent.clone(),
+        Json::String(word) => Some(word),
+        other => Some(other.to_string()),
+    };
+    let usual = usual.map(|usual| format!("default {usual}"));
+    let notes: Vec<String> = match row.kind {
+        Kind::Vertices => {
+            let usual = usual.unwrap_or_default();
+            vec![format!("numbered as in the file, OBJ from 1; {usual}")]
+        }
+        Kind::Switch if usual.as_deref() == Some("default true") => {
+            vec![format!("default; --no-{} for not", row.flag)]
+        }
+        Kind::Switch => Vec::new(),
+        Kind::Number(range) if range.low > -1e4 => {
+            usual.into_iter().chain([limits(range)]).collect()
+        }
+        _ => usual.into_iter().collect(),
+    };
+    json!({ "value": value, "of": readers(row), "notes": notes.join("; ") })
+}
+
+fn limits(range: Range) -> String {
+    let also = range.also.map_or(String::new(), |x| {
+        format!("{} or ", json!(Value::Number(x)))
+    });
+    let low = json!(Value::Number(range.low));
+    let from = if range.low_open { "above" } else { "from" };
+    let to = match range.high < 1e4 {
+        true => format!(" to {}", json!(Value::Number(range.high))),
+        false => String::new(),
+    };
+    format!("{also}{from} {low}{to}")
+}
+
+/// The flows that read an option, or the few that do not, and the other options that it needs.
+fn readers<S: Options>(row: &Row<S>) -> String {
+    let by = row.read_by;
+    let moving = FLOWS
+        .iter()
+        .filter(|flow| flow.order > 0)
+        .map(|flow| flow.id);
+    let others: Vec<String> = moving
+        .filter(|flow| !by.flows.contains(flow))
+        .map(|flow| format!("not {}", flow.id()))
+        .collect();
+    let mut of = match others.len() < by.flows.len() {
+        true => others,
+        false => by.flows.iter().map(|flow| flow.id().to_owned()).collect(),
+    };
+    for (flag, value) in [
+        ("scheme", json!(by.scheme)),
+        ("goal", json!(by.goal)),
+        ("remesh", json!(by.remesh)),
+    ] {
+        of.extend(value.as_str().map(|value| format!("--{flag} {value}")));
+    }
+    of.join(", ")
 }
 
 fn typedef<S: Options>(name: &str) -> String {

@@ -43,32 +43,25 @@ function sizeOf(p) {
   return Math.sqrt(sum / count) || 1;
 }
 
-/** Unit normal and first side of a triangle, before and after. */
-const before = new Float64Array(6);
-const after = new Float64Array(6);
+/** Unit normal and two sides of a triangle, before and after. */
+const before = new Float64Array(9);
+const after = new Float64Array(9);
 
 /**
  * Nothing is made anew here: it is done for thousands of triangles at each step.
  * @param {Float32Array} p @param {number} i @param {number} j @param {number} k  its corners
- * @param {Float64Array} out  unit normal, and first side
+ * @param {Float64Array} out  unit normal, and two sides
  */
 function measure(p, i, j, k, out) {
-  const ux = p[j] - p[i];
-  const uy = p[j + 1] - p[i + 1];
-  const uz = p[j + 2] - p[i + 2];
-  const vx = p[k] - p[i];
-  const vy = p[k + 1] - p[i + 1];
-  const vz = p[k + 2] - p[i + 2];
-  const x = uy * vz - uz * vy;
-  const y = uz * vx - ux * vz;
-  const z = ux * vy - uy * vx;
-  const length = Math.sqrt(x * x + y * y + z * z) || 1;
-  out[0] = x / length;
-  out[1] = y / length;
-  out[2] = z / length;
-  out[3] = ux;
-  out[4] = uy;
-  out[5] = uz;
+  for (let c = 0; c < 3; c += 1) {
+    out[c + 3] = p[j + c] - p[i + c];
+    out[c + 6] = p[k + c] - p[i + c];
+  }
+  out[0] = out[4] * out[8] - out[5] * out[7];
+  out[1] = out[5] * out[6] - out[3] * out[8];
+  out[2] = out[3] * out[7] - out[4] * out[6];
+  const length = Math.sqrt(out[0] ** 2 + out[1] ** 2 + out[2] ** 2) || 1;
+  for (let c = 0; c < 3; c += 1) out[c] /= length;
 }
 
 /**
@@ -111,7 +104,6 @@ export class Clip {
   /** @type {Uint32Array} */
   #triangles = new Uint32Array();
   #size = 1;
-  #bytes = 0;
   /** Every so manyth step keeps its positions. */
   #every = 1;
 
@@ -119,7 +111,6 @@ export class Clip {
   clear(triangles = this.#triangles) {
     this.points = [];
     this.#triangles = triangles;
-    this.#bytes = 0;
     this.#every = 1;
   }
 
@@ -151,19 +142,14 @@ export class Clip {
    */
   add(made, last) {
     const { step } = made.state;
-    while (this.points.length > 0 && this.points[this.points.length - 1].state.step > last) {
-      this.#bytes -= bytesOf(/** @type {Point} */ (this.points.pop()));
-    }
-    let index = this.points.length;
-    while (index > 0 && this.points[index - 1].state.step >= step) index -= 1;
+    while (this.last && this.last.state.step > last) this.points.pop();
+    const index = this.indexOf(step - 1) + 1;
     const isThere = this.points[index]?.state.step === step;
-    if (isThere) this.#bytes -= bytesOf(this.points[index]);
     const point = { ...made, change: 0, sum: 0, isCut: false, isSharp: false };
     this.points.splice(index, isThere ? 1 : 0, point);
-    this.#bytes += bytesOf(point);
     if (this.points.length === 1 && point.positions) this.#size = sizeOf(point.positions);
     this.#measure(index);
-    if (this.#bytes > MOST_BYTES) this.#thin();
+    if (this.points.reduce((sum, one) => sum + bytesOf(one), 0) > MOST_BYTES) this.#thin();
   }
 
   /** Sums from a point on, of which this one and the next have changed. @param {number} from */
@@ -198,22 +184,19 @@ export class Clip {
     this.#every *= 2;
     this.points.forEach((point, n) => {
       if (n % this.#every === 0 || n === this.points.length - 1) return;
-      this.#bytes -= bytesOf(point);
       [point.positions, point.field, point.panes] = [null, null, []];
     });
   }
 
   /** The point at or before a place. @param {number} u  from 0 to `total` */
   at(u) {
-    let [low, high] = [0, this.points.length - 1];
-    while (low < high) {
-      const middle = (low + high + 1) >> 1;
-      if (this.points[middle].sum <= u) low = middle;
-      else high = middle - 1;
-    }
-    const next = this.points[low + 1];
-    const share = next ? (u - this.points[low].sum) / (next.sum - this.points[low].sum) : 0;
-    return { index: Math.max(low, 0), share: Math.min(Math.max(share, 0), 1) };
+    const index = Math.max(
+      this.points.findLastIndex(({ sum }) => sum <= u),
+      0,
+    );
+    const [last, next] = [this.points[index], this.points[index + 1]];
+    const share = next ? (u - last.sum) / (next.sum - last.sum) : 0;
+    return { index, share: Math.min(Math.max(share, 0), 1) };
   }
 
   /** The nearest point that has a surface. @param {number} u */
@@ -228,15 +211,13 @@ export class Clip {
 
   /** Where a step stands; that before where it is not there. @param {number} step */
   indexOf(step) {
-    const at = this.points.findIndex(({ state }) => state.step > step);
-    return (at < 0 ? this.points.length : at) - 1;
+    return this.points.findLastIndex(({ state }) => state.step <= step);
   }
 
   /** The last step at or before a place that has a surface. @param {number} u */
   surface(u) {
-    let { index } = this.at(u);
-    while (index > 0 && !this.points[index].positions) index -= 1;
-    return this.points[index] ?? null;
+    const last = this.points.findLast(({ sum, positions }) => sum <= u && positions);
+    return last ?? this.points[0] ?? null;
   }
 
   /**
@@ -248,8 +229,7 @@ export class Clip {
     const last = this.surface(u);
     if (!last?.positions) return [];
     const n = this.points.indexOf(last);
-    let m = n + 1;
-    while (m < this.points.length && !this.points[m].positions) m += 1;
+    const m = this.points.findIndex(({ positions }, k) => k > n && positions);
     const next = this.points[m];
     if (!next || next.isCut || u <= last.sum) return [last];
     const before = last.isCut ? null : this.points[n - 1];

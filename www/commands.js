@@ -27,8 +27,7 @@ function nextColour(page) {
   return page.run.colour(colours[(at + 1) % colours.length]);
 }
 
-/** @param {Page} page */
-const toEnd = (page) => page.run.seek(page.lead.clip.last?.state.step ?? 0);
+const toEnd = (/** @type {Page} */ page) => page.run.seek(page.lead.clip.last?.state.step ?? 0);
 
 /** @param {keyof import("./store.js").View} name @returns {(page: Page) => unknown} */
 const flip = (name) => (page) => page.run.view({ [name]: !page.get().view[name] });

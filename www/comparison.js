@@ -13,10 +13,7 @@ export const MOST_PANES = 4;
 /** Panes are called by letters, the first A. @param {number} n */
 export const letter = (n) => String.fromCharCode(65 + n);
 
-/**
- * What a pane does.
- * @param {Options} main  what the first does @param {Partial<Options>} change @returns {Options}
- */
+/** What a pane does. @param {Options} main  what the first does @param {Partial<Options>} change */
 export function optionsOf(main, change) {
   const { flow } = change;
   const isOther = flow !== undefined && flow !== main.flow;
@@ -30,13 +27,9 @@ export function optionsOf(main, change) {
 export function changeOf(main, options) {
   const base = optionsOf(main, { flow: options.flow });
   const keys = /** @type {(keyof Options)[]} */ (Object.keys(base));
-  const differing = keys.filter(
-    (key) => key === "flow" || asText(options[key]) !== asText(base[key]),
-  );
-  const entries = differing
-    .filter((key) => key !== "flow" || options.flow !== main.flow)
-    .map((key) => [key, options[key]]);
-  return Object.fromEntries(entries);
+  const isOther = (/** @type {keyof Options} */ key) =>
+    key === "flow" ? options.flow !== main.flow : asText(options[key]) !== asText(base[key]);
+  return Object.fromEntries(keys.filter(isOther).map((key) => [key, options[key]]));
 }
 
 /** A flow's time is a length to this power. @param {Options} options */
@@ -65,8 +58,10 @@ export function align(lead, others, lockstep) {
     }
     const between = b ? b.state[lockstep] - a.state[lockstep] : 0;
     const wanted = a.state[lockstep] + part * between;
-    let n = 0;
-    while (n + 1 < points.length && points[n + 1].state[lockstep] <= wanted) n += 1;
+    const n = Math.max(
+      points.findLastIndex(({ state }) => state[lockstep] <= wanted),
+      0,
+    );
     const [p, q] = [points[n], points[n + 1]];
     if (!p) other.u = 0;
     else if (!q) other.u = total;

@@ -112,7 +112,6 @@ class UmbilicSurface extends HTMLElement {
   }
   /**
    * @param {string} [format]  as in the page's “Save as”: `ply`, `obj`, `stl`, `glb`, `csv`, `png`, …
-   * @returns {Promise<File>}
    */
   async exportMesh(format = "ply") {
     const { name, bytes } = await this.#ask("export", { format });

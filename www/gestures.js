@@ -38,8 +38,7 @@ export function listenForGestures(canvas, act, signal) {
   /** @type {Map<number, { x: number, y: number }>} where each pressed pointer is */
   const pointers = new Map();
 
-  /** @param {MouseEvent} event */
-  const place = (event) => {
+  const place = (/** @type {MouseEvent} */ event) => {
     const box = canvas.getBoundingClientRect();
     return { x: (event.clientX - box.left) * scale(), y: (event.clientY - box.top) * scale() };
   };

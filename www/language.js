@@ -26,17 +26,13 @@ function known(tag) {
  * The language asked for in the address, or chosen before, or else the first that the browser
  * is set to and that is on offer.
  * @param {string} search @param {string | null} stored @param {readonly string[]} preferred
- * @returns {Language}
  */
 export function chooseLanguage(search, stored, preferred) {
   const asked = known(new URLSearchParams(search).get("lang"));
   return asked ?? known(stored) ?? preferred.map(known).find(Boolean) ?? "en";
 }
 
-/**
- * What the page remembers from visit to visit; storage may be forbidden.
- * @param {string} key @returns {string | null}
- */
+/** What the page remembers from visit to visit; storage may be forbidden. @param {string} key */
 export function remembered(key) {
   try {
     return localStorage.getItem(`umbilic-${key}`);

@@ -60,8 +60,7 @@ export function createNotes(store) {
     /** Whether to do what takes long. @param {string} text @returns {Promise<boolean>} */
     ask: (text) =>
       new Promise((resolve) => {
-        /** @param {boolean} yes */
-        const answer = (yes) => {
+        const answer = (/** @type {boolean} */ yes) => {
           store.patch({ question: null });
           resolve(yes);
         };

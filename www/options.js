@@ -76,14 +76,8 @@ export const settled = (options) => ({
 });
 /** What is asked about a flow first; the rest is under *Advanced*. */
 const basic = [
-  "boundary",
-  "goal",
-  "detail",
-  "smoothSteps",
-  "p",
-  "keep",
-  "reducedVolume",
-  "criterion",
+  ...["boundary", "goal", "detail", "smoothSteps"],
+  ...["p", "keep", "reducedVolume", "criterion"],
 ];
 
 /** @param {string} name  of an option */
@@ -110,14 +104,7 @@ export const choicesOf = (name) =>
   rowOf(name).ids.map((id) => ({ id, label: choiceLabel(name, id) }));
 
 /** What a surface can be coloured by. */
-export const colours = /** @type {readonly import("./store.js").FieldName[]} */ ([
-  "none",
-  "mean-curvature",
-  "gauss-curvature",
-  "willmore",
-  "gradient",
-  "displacement",
-]);
+export const colours = /** @type {const} */ (["none", ...schema.fields]);
 
 /** Formats of meshes. */
 export const savedMeshes = /** @type {import("./element.js").MeshFormat[]} */ (

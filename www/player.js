@@ -210,21 +210,17 @@ export function createPlayer({
         isWaiting.value = false;
       });
     },
-    /**
-     * Stops on a true step.
-     * @param {number} index  of the first clip's points @returns {Promise<void>}
-     */
-    rest(index) {
+    /** Stops on a true step. @param {number} index  of the first clip's points */
+    async rest(index) {
       const [lead] = tracks();
       const to = lead.clip.points[index]?.sum ?? 0;
       isWaiting.value = false;
       if (isCalm() || motion.peek() === "still") {
         motion.value = "still";
-        place(to);
-        return Promise.resolve();
+        return place(to);
       }
-      return new Promise((done) => {
-        ease = { from: lead.u, to, spent: 0, done: () => done() };
+      await new Promise((done) => {
+        ease = { from: lead.u, to, spent: 0, done: () => done(null) };
         motion.value = "easing";
         last = performance.now();
         request();

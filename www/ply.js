@@ -7,7 +7,6 @@
  * @param {ArrayLike<number>} shift      added to each
  * @param {Uint32Array} triangles        three corners each
  * @param {ArrayLike<number> | null} colours  of four parts each, from 0 to 1
- * @returns {Uint8Array<ArrayBuffer>}
  */
 export function plyOf(positions, shift, triangles, colours) {
   const [vertices, faces] = [positions.length / 3, triangles.length / 3];

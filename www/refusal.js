@@ -1,10 +1,7 @@
 // What the page and the worker refuse themselves, in the shape of the solver's refusals.
 
-/** @import { Fault as Refusal } from "./generated/types.js" */
-
 /**
  * @param {string} kind @param {string} id  of the words @param {Record<string, unknown>} [values]
- * @returns {Refusal}
  */
 export const refusal = (kind, id, values = {}) => ({
   kind,

@@ -87,10 +87,7 @@ async function choose() {
   return adapter ? webgpu : load("WebGL2", say("renderer-no-adapter"));
 }
 
-/**
- * @param {Renderer["name"]} name @param {string} reason @param {boolean} [isForced]
- * @returns {Promise<Renderer>}
- */
+/** @param {Renderer["name"]} name @param {string} reason @param {boolean} [isForced] */
 async function load(name, reason, isForced = false) {
   const isWebgl = name === "WebGL2";
   // Looked for first: nothing large is fetched in vain.

@@ -27,10 +27,7 @@ function* chosen(session, every) {
   }
 }
 
-/**
- * @param {Session} session @param {string} format @param {number} every
- * @returns {{ meshes: number, bytes: number }}
- */
+/** @param {Session} session @param {string} format @param {number} every */
 export function sequenceSize(session, format, every) {
   const { stored } = perform(session, "timeline");
   const meshes = 1 + Math.ceil((stored - 1) / every);
@@ -50,11 +47,11 @@ export async function sequence(session, format, every, tell) {
   }
   const { Zip, ZipDeflate } = await import("fflate");
   // From here on in one go: nothing else may move the session meanwhile.
-  /** @type {Uint8Array[]} */
+  /** @type {Uint8Array<ArrayBuffer>[]} */
   const parts = [];
   const zip = new Zip((error, part) => {
     if (error) throw error;
-    parts.push(part);
+    parts.push(/** @type {Uint8Array<ArrayBuffer>} */ (part));
   });
   const { at } = perform(session, "timeline");
   const { name } = perform(session, "loaded");
@@ -79,11 +76,5 @@ export async function sequence(session, format, every, tell) {
     perform(session, "seek", { step: at });
   }
   zip.end();
-  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let offset = 0;
-  for (const part of parts) {
-    whole.set(part, offset);
-    offset += part.length;
-  }
-  return whole;
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }

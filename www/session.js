@@ -3,7 +3,7 @@
 
 import { numberAs } from "./numbers.js";
 
-/** @import { Answer, Command } from "./generated/types.js" */
+/** @import { Answer, Command, Status } from "./generated/types.js" */
 /** @import { Session } from "./pkg/solver/solver.js" */
 
 /** @template T @typedef {T extends unknown ? keyof T : never} KeyOf */
@@ -27,9 +27,5 @@ export function perform(session, name, fields) {
   return answer;
 }
 
-/**
- * Whether a run came to its end, of its own accord or at a limit.
- * @param {import("./generated/types.js").Status} status
- * @returns {status is Exclude<import("./generated/types.js").Status, "ready">}
- */
+/** Whether a run came to its end, of its own accord or at a limit. @param {Status} status */
 export const isOver = (status) => status !== "ready";

@@ -2,7 +2,7 @@
 // is given that scene before it is asked for anything else.
 
 /** @import { FlowOptions } from "./generated/schema.js" */
-/** @import { Frame, Loaded, Message, ScriptText, State } from "./generated/types.js" */
+/** @import { Frame, Loaded, ScriptText, State } from "./generated/types.js" */
 /** @import { Answered, Asked, Name } from "./worker.js" */
 /** @import { Fault } from "./words.js" */
 
@@ -161,7 +161,6 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
    * @template {Name} N @param {N} name @param {Asked<N>} [fields]
    * @param {boolean} [isEnd]  whether it ends the run at hand
    * @param {boolean} [shown]  whether a frame follows the answer
-   * @returns {Promise<Answered<N>>}
    */
   function send(name, fields, isEnd = false, shown = false) {
     if (isEnd) run += 1;
@@ -185,11 +184,14 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   }
 
   /**
-   * What is asked for by one value.
-   * @template {Name} N @template {keyof Asked<N>} K @param {N} name @param {K} key
-   * @returns {(value: Asked<N>[K]) => Promise<Answered<N>>}
+   * A command that is asked for by the values of these fields.
+   * @type {<N extends Name, K extends (keyof Asked<N>)[]>(name: N, ...fields: K) =>
+   *   (...values: { [I in keyof K]: Asked<N>[K[I]] }) => Promise<Answered<N>>}
    */
-  const by = (name, key) => (value) => ask(name, /** @type {any} */ ({ [key]: value }));
+  const by =
+    (name, ...fields) =>
+    (...values) =>
+      ask(name, /** @type {any} */ (Object.fromEntries(fields.map((key, n) => [key, values[n]]))));
 
   /** Gives a new worker the scene. @returns {Promise<State | null>} */
   async function restore() {
@@ -277,7 +279,6 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
    * own. Where there is nothing to repair it is no edit.
    * @template {"adopt" | "subdivide" | "repair" | "remesh" | "fill" | "invert"} N
    * @param {N} name @param {Asked<N>} [fields]
-   * @returns {Promise<{ outcome: Answered<N>, loaded: Loaded }>}
    */
   async function edit(name, fields) {
     const outcome = await ask(name, fields);
@@ -334,12 +335,10 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     subdivide: async (scheme) => (await edit("subdivide", { options: { scheme } })).loaded,
     /** @param {Asked<"repair">["options"]} options */
     repair: async (options) => (await edit("repair", { options })).loaded,
-    /** @param {Asked<"remesh">["options"]} options */
-    remesh: (options) => edit("remesh", { options }),
+    remesh: (/** @type {Asked<"remesh">["options"]} */ options) => edit("remesh", { options }),
     /** Fills holes, or connects loops. @param {Asked<"fill">["options"]} options */
     fill: (options) => edit("fill", { options }),
-    /** @param {number[]} centre */
-    invert: (centre) => edit("invert", { centre }),
+    invert: (/** @type {number[]} */ centre) => edit("invert", { centre }),
     /** Takes the last edit back. */
     async undo() {
       const loaded = await ask("undo");
@@ -364,10 +363,10 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       if (until !== null) await turn(false);
       return ask("run", { until });
     },
-    pause: () => ask("pause"),
-    step: () => ask("step"),
-    back: () => ask("back"),
-    reset: () => ask("reset"),
+    pause: by("pause"),
+    step: by("step"),
+    back: by("back"),
+    reset: by("reset"),
     branch: by("branch", "branch"),
     /** Shows a stored step. @param {number} step */
     async seek(step) {
@@ -400,48 +399,40 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       return state;
     },
     /** Gives up what is prepared or followed. */
-    cancel: () => ask("cancelReplay"),
+    cancel: by("cancelReplay"),
     regularise: by("regularise", "options"),
     arrange: by("arrange", "arrangement"),
     colour: by("colour", "field"),
     look: by("look", "options"),
 
     // Questions, which change nothing.
-    selfIntersections: () => ask("selfIntersections"),
-    why: () => ask("why"),
+    selfIntersections: by("selfIntersections"),
+    why: by("why"),
     judge: by("judge", "figure"),
     /** Null for the next resolution. */
     study: by("study", "options"),
     phase: by("phase", "number"),
-    loops: () => ask("loops"),
+    loops: by("loops"),
     previewInversion: by("previewInversion", "centre"),
-    conjecture: () => ask("conjecture"),
+    conjecture: by("conjecture"),
     quadrilateral: by("quadrilateral", "corners"),
     lab: by("lab", "pairs"),
     bending: async () => (await ask("energy")).willmore,
 
     // Links and files.
-    /** @param {{ text: string, isOwn: boolean }} link */
-    readLink: (link) => ask("readLink", link),
+    readLink: (/** @type {{ text: string, isOwn: boolean }} */ link) => ask("readLink", link),
     writeLink: by("writeLink", "scene"),
-    /** @param {string} sent  the energy of a link @param {number} step */
-    checkLink: (sent, step) => ask("checkLink", { sent, step }),
+    checkLink: by("checkLink", "sent", "step"),
     readRecipe: by("readRecipe", "text"),
     writeRecipe: by("writeRecipe", "origin"),
-    history: () => ask("history"),
-    /** @param {string} format @param {number} every */
-    sequence: (format, every) => ask("sequence", { format, every }),
-    /** @param {string} format @param {number} every */
-    sequenceSize: (format, every) => ask("sequenceSize", { format, every }),
-    /**
-     * The surface as a file; PLY of the page's own copy, where the solver cannot be asked.
-     * @param {string} format
-     * @returns {Promise<{ format: string, bytes: Uint8Array<ArrayBuffer>, losses: Message[] }>}
-     */
+    history: by("history"),
+    sequence: by("sequence", "format", "every"),
+    sequenceSize: by("sequenceSize", "format", "every"),
+    /** As a file; PLY of the page's own copy, where it cannot be asked. @param {string} format */
     async export(format) {
       try {
         if (isWhole && !channel.isSilent()) {
-          const bytes = /** @type {any} */ (await send("export", { format }));
+          const bytes = /** @type {Uint8Array<ArrayBuffer>} */ (await send("export", { format }));
           return { format, bytes, losses: await send("losses", { format }) };
         }
       } catch (error) {

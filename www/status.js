@@ -58,8 +58,7 @@ export function symbol({ options }) {
   return p === 0 ? say("symbol-area") : p === 2 ? "∫H²" : `∫|H|^${p}`;
 }
 
-/** @param {S["source"]} source */
-export const sceneTitle = (source) =>
+export const sceneTitle = (/** @type {S["source"]} */ source) =>
   source?.kind === "sample" ? sampleName(source.id) : (source?.name ?? "");
 
 /** The surface in words. @param {S} s @param {Reading | null} shown */

@@ -14,12 +14,9 @@ import { entriesOf, gunzip, isGzip, isZip } from "./zip.js";
  * @property {string[]} others  further meshes that were not taken
  */
 
-/** @param {string} name */
-const base = (name) => name.slice(name.lastIndexOf("/") + 1);
-/** @param {string} name */
-const folder = (name) => name.slice(0, name.lastIndexOf("/") + 1);
-/** @param {string} name */
-const withoutGzip = (name) => name.replace(/\.gz$/i, "");
+const base = (/** @type {string} */ name) => name.slice(name.lastIndexOf("/") + 1);
+const folder = (/** @type {string} */ name) => name.slice(0, name.lastIndexOf("/") + 1);
+const withoutGzip = (/** @type {string} */ name) => name.replace(/\.gz$/i, "");
 
 /** What a file system adds of its own. @param {string} name */
 const isHidden = (name) => name.startsWith("__MACOSX/") || base(name).startsWith(".");
@@ -101,10 +98,7 @@ async function withBuffers(bytes, name, parts) {
   return isChanged ? new TextEncoder().encode(JSON.stringify(scene)) : bytes;
 }
 
-/**
- * @param {readonly Bytes[]} files  at least one @returns {Promise<Found>}
- * @throws {import("./generated/types.js").Fault}
- */
+/** @param {readonly Bytes[]} files  at least one @throws {import("./generated/types.js").Fault} */
 export async function meshAmong(files) {
   const parts = (await Promise.all(files.map(partsOf))).flat();
   const named = parts.filter(({ name }) => isMeshName(withoutGzip(name)));

@@ -49,22 +49,10 @@ import { fault, say } from "./words.js";
  *   of along smooth curves
  */
 
-/**
- * Segments of space over the surface.
- * @typedef {object} Overlay
- * @property {Float32Array} ends    two of three coordinates each
- * @property {Uint8Array} colours   r, g, b, a in sRGB each
- * @property {number} hidden        opacity where the surface hides them
- */
-
-/** @type {Overlay} */
-const none = { ends: new Float32Array(), colours: new Uint8Array(), hidden: 0 };
-
 /** How near to an edge a click counts, in CSS pixels. */
 const CLICK_REACH = 12;
 
-/** @param {string} reason */
-const gpuLost = (reason) => fault("GpuLost", "viewer-gpu-lost", { reason });
+const gpuLost = (/** @type {string} */ reason) => fault("GpuLost", "viewer-gpu-lost", { reason });
 
 /** Attempts to replace a lost graphics device before it is given up, … */
 const ATTEMPTS = 3;
@@ -142,8 +130,8 @@ class SurfaceView {
     this.#drawnOn.addEventListener("webglcontextlost", lost, { signal });
   }
 
-  /** @param {(viewer: WasmViewer) => void} change */
-  #change(change) {
+  /** Changes what is to be seen, and draws it. @param {(viewer: WasmViewer) => void} change */
+  change(change) {
     if (!this.#viewer) return;
     change(this.#viewer);
     this.#redraw();
@@ -151,7 +139,7 @@ class SurfaceView {
 
   /** Shows another mesh from the standard direction, without field and marks. @param {Drawable} mesh */
   setMesh({ positions, triangles, wireEdges, boundaryEdges }) {
-    this.#change((viewer) => viewer.setMesh(positions, triangles, wireEdges, boundaryEdges));
+    this.change((viewer) => viewer.setMesh(positions, triangles, wireEdges, boundaryEdges));
   }
 
   /** Shows the first sample, before there is a solver to make it. */
@@ -163,7 +151,7 @@ class SurfaceView {
 
   /** The same from where the camera stands: another mesh of the same surface. @param {Drawable} mesh */
   replaceMesh({ positions, triangles, wireEdges, boundaryEdges }) {
-    this.#change((viewer) => viewer.replaceMesh(positions, triangles, wireEdges, boundaryEdges));
+    this.change((viewer) => viewer.replaceMesh(positions, triangles, wireEdges, boundaryEdges));
   }
 
   /**
@@ -172,7 +160,7 @@ class SurfaceView {
    * @param {Uint32Array} marked  triangles to highlight
    */
   setFrame(positions, field, marked) {
-    this.#change((viewer) => {
+    this.change((viewer) => {
       viewer.setPositions(positions);
       putField(viewer, field);
       viewer.setMarkedTriangles(marked);
@@ -186,44 +174,10 @@ class SurfaceView {
    * @param {NextStep} step
    */
   addStep({ positions, field, time, isStraight = false }) {
-    this.#change((viewer) => {
+    this.change((viewer) => {
       viewer.addStep(positions, time, isStraight);
       putField(viewer, field);
     });
-  }
-
-  /**
-   * Shows the surface as of a time between the steps held; at that of a step, exactly as
-   * `setFrame` would show it.
-   * @param {number} time
-   */
-  setTime(time) {
-    this.#change((viewer) => viewer.setTime(time));
-  }
-
-  /** Highlights these triangles and no others. @param {Uint32Array} marked */
-  setMarked(marked) {
-    this.#change((viewer) => viewer.setMarkedTriangles(marked));
-  }
-
-  /** Tints the vertices that are held: a byte each, 1 where held. @param {Uint8Array} fixed */
-  setFixed(fixed) {
-    this.#change((viewer) => viewer.setMarkedVertices(fixed));
-  }
-
-  /** Draws these edges over all others: two ends each. @param {Uint32Array} ends */
-  setHighlight(ends) {
-    this.#change((viewer) => viewer.setHighlight(ends));
-  }
-
-  /**
-   * Draws these segments over the surface and no others; they stay where they are when the
-   * surface moves or its mesh is replaced.
-   * @param {Overlay | null} overlay
-   */
-  setOverlay(overlay) {
-    const { ends, colours, hidden } = overlay ?? none;
-    this.#change((viewer) => viewer.setOverlay(ends, colours, hidden));
   }
 
   /**
@@ -430,7 +384,7 @@ class SurfaceView {
 
   #putStyle() {
     const { lineWidth = 1 } = this.#style;
-    this.#change((viewer) =>
+    this.change((viewer) =>
       viewer.setStyle({ ...this.#style, lineWidth: lineWidth * this.#scale }),
     );
   }
@@ -486,7 +440,7 @@ class SurfaceView {
   /** @type {import("./gestures.js").Move} */
   #move(name, ...values) {
     if (name === "orbit" && this.#isResting) return;
-    this.#change((viewer) => {
+    this.change((viewer) => {
       /** @type {any} */ (viewer)[name](...values);
       this.#cameraMoved = true;
     });

@@ -26,25 +26,15 @@ const compactWords = {
   },
 };
 
-const guide = Object.fromEntries(
-  ["first-look", "lecture", "mesh"].map((name) => [
-    name,
-    fileURLToPath(new URL(`guide/${name}.html`, import.meta.url)),
-  ]),
-);
+const here = (/** @type {string} */ file) => fileURLToPath(new URL(file, import.meta.url));
 
 export default defineConfig({
-  root: fileURLToPath(new URL("..", import.meta.url)),
+  root: here(".."),
   // Relative addresses: the site works from any folder of any host.
   base: "./",
   // Copied as they are: the manifest and its icons.
   publicDir: "www/public",
-  plugins: [
-    compactHtml,
-    compactWords,
-    webglOnDemand(),
-    serviceWorker(fileURLToPath(new URL("service-worker.js", import.meta.url))),
-  ],
+  plugins: [compactHtml, compactWords, webglOnDemand(), serviceWorker(here("service-worker.js"))],
   build: {
     outDir: "dist",
     emptyOutDir: true,
@@ -55,10 +45,12 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     rolldownOptions: {
       input: {
-        index: fileURLToPath(new URL("../index.html", import.meta.url)),
-        demo: fileURLToPath(new URL("../demo.html", import.meta.url)),
-        ...guide,
-        embed: fileURLToPath(new URL("embed.js", import.meta.url)),
+        index: here("../index.html"),
+        demo: here("../demo.html"),
+        "first-look": here("guide/first-look.html"),
+        lecture: here("guide/lecture.html"),
+        mesh: here("guide/mesh.html"),
+        embed: here("embed.js"),
       },
       output: {
         // Other pages name it: it keeps its name, and is all in one file.

@@ -99,7 +99,6 @@ function shown(value) {
  * `name`, as `.hint`. A message without words is a mistake, and shown by its id.
  * @param {string | Message} message
  * @param {Readonly<Record<string, any>>} [values]  of a message that is given by its id
- * @returns {string}
  */
 export function say(message, values) {
   if (typeof message !== "string") return say(message.id, message.values);

@@ -2,7 +2,7 @@
 // messages in after every step.
 
 /** @import { Finding } from "./library.js" */
-/** @import { Fault as Refusal, Loaded, ScriptText, State } from "./generated/types.js" */
+/** @import { Fault as Refusal } from "./generated/types.js" */
 /** @import { AnswerOf, CommandName, FieldsOf, Loose } from "./session.js" */
 
 import init, { Session } from "./pkg/solver/solver.js";
@@ -17,22 +17,7 @@ import { isOver, perform } from "./session.js";
  * Each is answered by one `{ id, ok }` or `{ id, error }`.
  * @typedef {{ id: number, name: string, fields: any, run?: number, shown?: boolean, permit?: string }} Request
  */
-/**
- * What is asked of the worker itself.
- * @typedef {object} Own
- * @property {(fields: { figure: string }) => Finding | Promise<Finding | null>} judge  what a figure
- *   comes to: of what is shown, where that is all of it, or of a run of its own
- * @property {(fields: { until: number | null }) => true} run  steps until then, or until the run is
- *   over: ends with one `stopped` unless paused
- * @property {() => State} pause  the step in hand was given up for it: where the session stands
- * @property {(fields: Loose<FieldsOf<"prepare">>) => Promise<Loaded>} prepare  makes the mesh of a
- *   recipe or a link; the one at hand stays until it is there
- * @property {(fields: { script: ScriptText }) => Promise<State>} follow  does what a recipe or a
- *   link says after its edits
- * @property {() => Promise<boolean>} stored  shows every stored step of the path: whether all came
- * @property {(fields: Every) => Promise<Uint8Array<ArrayBuffer>>} sequence
- * @property {(fields: Every) => { meshes: number, bytes: number }} sequenceSize
- */
+/** @typedef {typeof own} Own */
 /** @typedef {{ format: string, every: number }} Every */
 /** @typedef {keyof Own | CommandName} Name */
 /** @template N @typedef {N extends keyof Own ? NonNullable<Parameters<Own[N]>[0]> : N extends CommandName ? Loose<FieldsOf<N>> : never} Asked */
@@ -197,16 +182,20 @@ async function replayed(name, fields) {
   if (!done) throw refusal("Cancelled", "worker-cancelled");
 }
 
-/** @type {Own} */
+/** What is asked of the worker itself. */
 const own = {
-  judge: ({ figure }) => session.judge(figure) ?? measured(figure),
-  run(fields) {
+  /** What a figure comes to: of what is shown, where that is all of it, or of a run of its own. */
+  judge: (/** @type {{ figure: string }} */ { figure }) =>
+    /** @type {Finding | null} */ (session.judge(figure)) ?? measured(figure),
+  /** Steps until then, or until the run is over: ends with one `stopped` unless paused. */
+  run(/** @type {{ until: number | null }} */ fields) {
     until = fields.until;
     owed = 0;
     running = true;
     turns.port2.postMessage(run);
     return true;
   },
+  /** The step in hand was given up for it: where the session stands. */
   pause() {
     if (running) {
       running = false;
@@ -214,12 +203,16 @@ const own = {
     }
     return perform(session, "state");
   },
-  prepare: (fields) => replayed("prepare", fields).then(() => perform(session, "loaded")),
-  follow: (fields) => replayed("follow", fields).then(() => perform(session, "state")),
+  /** Makes the mesh of a recipe or a link; the one at hand stays until it is there. */
+  prepare: (/** @type {Loose<FieldsOf<"prepare">>} */ fields) =>
+    replayed("prepare", fields).then(() => perform(session, "loaded")),
+  /** Does what a recipe or a link says after its edits. */
+  follow: (/** @type {Loose<FieldsOf<"follow">>} */ fields) =>
+    replayed("follow", fields).then(() => perform(session, "state")),
   stored,
-  sequence: ({ format, every }) =>
+  sequence: (/** @type {Every} */ { format, every }) =>
     sequence(session, format, every, (share) => tell("sequence", share)),
-  sequenceSize: ({ format, every }) => sequenceSize(session, format, every),
+  sequenceSize: (/** @type {Every} */ { format, every }) => sequenceSize(session, format, every),
 };
 
 /**
@@ -236,13 +229,10 @@ function buffersOf(answer) {
 const isTrap = (error) => error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
 
 /** @param {any} error @returns {Refusal} */
-function asRefusal(error) {
-  if (typeof error?.kind === "string") {
-    const { kind, message, hint, detail, repairs } = error;
-    return { kind, message, hint, detail, repairs };
-  }
-  return refusal("Internal", "worker-internal", { reason: String(error?.message ?? error) });
-}
+const asRefusal = (error) =>
+  typeof error?.kind === "string"
+    ? error
+    : refusal("Internal", "worker-internal", { reason: String(error?.message ?? error) });
 
 /** Nothing may be asked of a session after a trap. @param {() => unknown} work */
 async function guarded(work) {
@@ -257,8 +247,7 @@ async function guarded(work) {
   }
 }
 
-/** @param {any} error */
-const crashed = (error) =>
+const crashed = (/** @type {any} */ error) =>
   page.postMessage({ type: "crashed", message: String(error?.message ?? error) });
 
 /** The page has taken a frame of a run. @param {number} number */
@@ -280,7 +269,7 @@ async function answer({ id, name, fields, run: number, shown, permit: given }) {
   try {
     task?.aside();
     const ok = await (Object.hasOwn(own, name)
-      ? own[/** @type {keyof Own} */ (name)](fields)
+      ? /** @type {any} */ (own)[name](fields)
       : perform(session, /** @type {CommandName} */ (name), fields));
     // While a run goes on its next frame shows it.
     if (shown && !running) frame();

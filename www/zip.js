@@ -21,14 +21,10 @@ const damaged = () => refusal("Damaged", "unpack-damaged");
 /** @param {Uint8Array} packed */
 const mostOf = (packed) => Math.min(MOST, Math.max(SMALL, RATIO * packed.length));
 
-/** @param {number} most */
-const tooLarge = (most) =>
+const tooLarge = (/** @type {number} */ most) =>
   refusal("TooLarge", "unpack-too-large", { megabytes: Math.round(most / 2 ** 20) });
 
-/**
- * @param {BlobPart[]} packed  gzip @param {number} most  bytes; what would be more is refused
- * @returns {Promise<Uint8Array<ArrayBuffer>>}
- */
+/** @param {BlobPart[]} packed  gzip @param {number} most  bytes; what would be more is refused */
 async function inflated(packed, most) {
   let length = 0;
   const counted = new TransformStream({
@@ -46,8 +42,7 @@ async function inflated(packed, most) {
   }
 }
 
-/** @param {Uint8Array} bytes */
-export const isGzip = (bytes) => bytes[0] === 0x1f && bytes[1] === 0x8b;
+export const isGzip = (/** @type {Uint8Array} */ bytes) => bytes[0] === 0x1f && bytes[1] === 0x8b;
 
 /** @param {Uint8Array<ArrayBuffer>} bytes */
 export const gunzip = (bytes) => inflated([bytes], mostOf(bytes));

@@ -67,9 +67,10 @@ function saidHere() {
     if (typeof node?.type !== "string") return;
     if (node.type === "CallExpression") {
       const { name } = node.callee;
-      const [first, second] = node.arguments.map(literal);
+      const [first, second, , hint = `${second}.hint`] = node.arguments.map(literal);
       if (name === "say" && first) found.add(first);
       if (name === "refusal" && second) found.add(second).add(`${second}.hint`);
+      if (name === "fault" && second) found.add(second).add(hint || second);
     }
     if (node.type === "ObjectExpression") {
       const keys = node.properties.map((/** @type {any} */ { key }) => key?.name);

@@ -33,7 +33,6 @@ function list(names, word) {
 /**
  * The mesh in a file, unpacked, with the files beside it that it names; `-` is standard input.
  * @param {string} file @param {Terminal} io
- * @returns {Promise<{ bytes: Uint8Array<ArrayBuffer>, name: string }>}
  */
 export async function readMesh(file, io) {
   const bytes = Uint8Array.from(readInput(file, io));
@@ -82,7 +81,6 @@ export function readSelection(file, key) {
 /**
  * The vertices that a mesh file gives these numbers: all copies of one that was split.
  * @param {Iterable<number>} chosen @param {import("../generated/types.js").Numbers} numbers
- * @returns {number[]}
  */
 export function numbered(chosen, { first, vertices }) {
   /** @type {Map<number, number[]>} */

@@ -16,22 +16,18 @@ import { format, inWords } from "./text.js";
 /** @import { Session } from "./solver.js" */
 /** @import { Terminal } from "./terminal.js" */
 
+/** @typedef {import("./command.js").Spec} Spec */
+
+/** Flows that move vertices: flips have a command of their own. */
+const flows = schema.flows.filter(({ order }) => order > 0).map(({ id }) => id);
 /** How long a flow may go on, for every command that runs one. */
 const budget = ["maxSteps", "maxSeconds"].map(rowOf);
-
 /** @type {Options} */
 const untilConverged = {
   "until-converged": { help: "until it comes to rest, however long that takes" },
 };
 
-/** Flows that move vertices: flips have a command of their own. */
-const flows = schema.flows.filter(({ order }) => order > 0).map(({ id }) => id);
-const rows = schema.options.filter((row) => row.flows.some((id) => flows.includes(id)));
-
-/**
- * The budget of steps or of time, as far as it was asked for.
- * @param {Values} values @returns {Record<string, string>}
- */
+/** The budget of steps or of time, as far as it was asked for. @param {Values} values */
 function budgetOf(values) {
   const words = typed(budget, values);
   if (!values["until-converged"]) return words;
@@ -40,11 +36,7 @@ function budgetOf(values) {
   return { maxSeconds: "auto" };
 }
 
-/**
- * Steps until the run is over.
- * @param {Session} session @param {Terminal} io
- * @returns {{ steps: StepReport[], outcome: Outcome }}
- */
+/** Steps until the run is over. @param {Session} session @param {Terminal} io */
 function runSteps(session, io) {
   /** @type {StepReport[]} */
   const steps = [];
@@ -76,10 +68,10 @@ const ended = ({ status, message, reason, fault }) => ({
 /** @param {Outcome} outcome */
 const exitOf = ({ isBreakdown }) => (isBreakdown ? 4 : 0);
 
-/** @type {import("./command.js").Spec} */
+/** @type {Spec} */
 export const flow = {
   summary: "runs a flow on a mesh",
-  rows,
+  rows: schema.options.filter((row) => row.flows.some((id) => flows.includes(id))),
   words: "option",
   options: {
     flow: { value: flows.join("|"), help: `${say("option-flow-help")} (default circle)` },
@@ -93,7 +85,7 @@ export const flow = {
   },
   async ask(values) {
     /** @type {Record<string, string | number[]>} */
-    const words = { flow: "circle", ...typed(rows, values), ...budgetOf(values) };
+    const words = { flow: "circle", ...typed(schema.options, values), ...budgetOf(values) };
     if (words.flow === "flips")
       throw usage("Edge flips have a command of their own: umbilic flips.");
     for (const name of /** @type {const} */ (["free", "fixed"])) {
@@ -110,10 +102,14 @@ export const flow = {
     orExit(3, () => perform(session, "configure", { options }));
     const { p, boundary } = asked;
     const energies = { ...(p !== undefined && { p: [p] }), ...(boundary && { boundary }) };
-    const readings = () => ({
-      ...perform(session, "energy", energies),
-      ...crossings(session, values),
-    });
+    const readings = () => {
+      const found = values["self-intersections"] && perform(session, "selfIntersections");
+      return {
+        ...perform(session, "energy", energies),
+        // Null if there are too many triangles for that.
+        ...(found !== undefined && { selfIntersections: found && found.pairs.length / 2 }),
+      };
+    };
     const initial = readings();
     const { steps, outcome } = runSteps(session, io);
     const { monitored, curvatureJump, soundness } = outcome;
@@ -130,18 +126,7 @@ export const flow = {
   },
 };
 
-/**
- * Pairs of triangles that pass through each other, where it is asked for; null if there are too
- * many triangles for that.
- * @param {Session} session @param {Values} values
- */
-function crossings(session, values) {
-  if (!values["self-intersections"]) return {};
-  const found = perform(session, "selfIntersections");
-  return { selfIntersections: found && found.pairs.length / 2 };
-}
-
-/** @type {import("./command.js").Spec} */
+/** @type {Spec} */
 export const fill = {
   summary: "closes holes, or connects boundary loops, and fairs the patches",
   rows: schema.fill,
@@ -157,8 +142,7 @@ export const fill = {
   },
   async ask(values) {
     const { fair = "none" } = values;
-    const limits = budgetOf(values);
-    const words = { flow: fair, boundary: "fixed", ...limits };
+    const words = { flow: fair, boundary: "fixed", ...budgetOf(values) };
     const limit = [...budget.map(({ flag }) => flag), "until-converged"].find((key) => values[key]);
     if (fair === "none" && limit) throw usage(`--${limit} needs --fair FLOW.`);
     return {

@@ -72,21 +72,16 @@ function advance(session, io) {
 
 /** @param {ReplayReport} report */
 function summary({ version, steps, same, exact, tolerance, expected, got, differing }) {
-  /** @param {unknown} value */
-  const cell = (value) => {
-    if (typeof value === "string") return `${value.slice(0, 12)}…`;
-    return value === null || value === undefined ? "–" : String(value);
-  };
+  const cell = (/** @type {unknown} */ value) =>
+    typeof value === "string" ? `${value.slice(0, 12)}…` : String(value ?? "–");
   // Bits of positions can only agree where all bits must.
-  const names = /** @type {(keyof ReplayResult)[]} */ (Object.keys(expected)).filter(
-    (name) => exact || name !== "positions",
-  );
-  const rows = names.map((name) => [
-    name,
-    cell(expected[name]),
-    cell(got[name]),
-    differing.includes(name) ? "differs" : "same",
-  ]);
+  const names = /** @type {(keyof ReplayResult)[]} */ (Object.keys(expected));
+  const rows = names
+    .filter((name) => exact || name !== "positions")
+    .map((name) => {
+      const found = differing.includes(name) ? "differs" : "same";
+      return [name, cell(expected[name]), cell(got[name]), found];
+    });
   const how = exact
     ? "to the last bit"
     : `to ${tolerance} (made by version ${version}, so that the last bits may differ)`;

@@ -12,7 +12,6 @@ let isLoaded = false;
 
 /**
  * What the solver can do without a session.
- * @returns {Promise<typeof import("../pkg/solver/solver.js")>}
  * @throws {Failure} when the solver has not been built
  */
 export async function loadSolver() {

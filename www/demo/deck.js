@@ -3,16 +3,10 @@
 /** A swipe is as long as this, in CSS pixels, and more across than along. */
 const SWIPE = 50;
 
-/** What keys do; a clicker sends Page Up and Page Down. @type {Record<string, (at: number, count: number) => number>} */
+/** Slides on that keys go; a clicker sends Page Up and Page Down. @type {Record<string, number>} */
 const moves = {
-  ArrowRight: (at) => at + 1,
-  ArrowDown: (at) => at + 1,
-  PageDown: (at) => at + 1,
-  ArrowLeft: (at) => at - 1,
-  ArrowUp: (at) => at - 1,
-  PageUp: (at) => at - 1,
-  Home: () => 0,
-  End: (_, count) => count - 1,
+  ...{ ArrowRight: 1, ArrowDown: 1, PageDown: 1, End: Infinity },
+  ...{ ArrowLeft: -1, ArrowUp: -1, PageUp: -1, Home: -Infinity },
 };
 
 /** @param {string} hash @returns {number} the slide in an address `#/3`, from 0; NaN for none */
@@ -24,7 +18,7 @@ export function createDeck(slides, onShow) {
 
   /** @param {number} wanted @param {boolean} [byHand] */
   function show(wanted, byHand = true) {
-    const next = Math.min(Math.max(Number.isInteger(wanted) ? wanted : 0, 0), slides.length - 1);
+    const next = Math.min(Math.max(wanted || 0, 0), slides.length - 1);
     if (next === at) return;
     at = next;
     // Hidden, not taken away: what runs in a slide rests, and is there when it is shown again.
@@ -48,7 +42,7 @@ export function createDeck(slides, onShow) {
   /** @param {string} key @returns {boolean} whether it is a key of the deck's */
   function press(key) {
     if (!Object.hasOwn(moves, key)) return false;
-    show(moves[key](at, slides.length));
+    show(at + moves[key]);
     return true;
   }
   addEventListener("keydown", (event) => {
@@ -57,21 +51,17 @@ export function createDeck(slides, onShow) {
   });
   addEventListener("hashchange", () => show(slideIn(location.hash)));
 
-  /** @type {Touch | null} */
-  let first = null;
+  /** @type {Touch | undefined} */
+  let first;
   addEventListener("touchstart", ({ touches }) => {
-    first = touches.length === 1 ? touches[0] : null;
+    first = touches.length === 1 ? touches[0] : undefined;
   });
   addEventListener("touchend", ({ changedTouches: [last] }) => {
     if (!first || !last) return;
     const [x, y] = [last.clientX - first.clientX, last.clientY - first.clientY];
-    if (Math.abs(x) > SWIPE && Math.abs(x) > 2 * Math.abs(y)) show(at + (x < 0 ? 1 : -1));
+    if (Math.abs(x) > SWIPE && Math.abs(x) > 2 * Math.abs(y)) show(at - Math.sign(x));
   });
 
   show(slideIn(location.hash), false);
-  return {
-    press,
-    next: () => show(at + 1),
-    previous: () => show(at - 1),
-  };
+  return { press, next: () => show(at + 1), previous: () => show(at - 1) };
 }

@@ -1,17 +1,12 @@
 // The slides about Willmore flow.
 
-import { translateDocument } from "../document-text.js";
-import { openLanguage } from "../language.js";
+import { remembered } from "../language.js";
 import { formatNumber } from "../number.js";
 import { keepOffline } from "../offline.js";
+import { openProse } from "../prose.js";
 import { createDeck } from "./deck.js";
 
-/** @template {HTMLElement} T @param {string} id @param {new () => T} type @returns {T} */
-function byId(id, type) {
-  const found = document.getElementById(id);
-  if (!(found instanceof type)) throw new Error(`demo.html has no ${type.name} #${id}`);
-  return found;
-}
+const byId = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
 /** @import {} from "../element.js" */
 
@@ -29,26 +24,15 @@ const embed = "../embed.js";
 const element = import(/* @vite-ignore */ new URL(embed, import.meta.url).href);
 
 // As on the page itself, whose surfaces know nothing of these slides.
-try {
-  const theme = localStorage.getItem("umbilic-theme");
-  if (theme) document.documentElement.dataset.theme = theme;
-} catch {
-  // Storage may be forbidden.
-}
+const theme = remembered("theme");
+if (theme) document.documentElement.dataset.theme = theme;
 
-await openLanguage();
-if (document.documentElement.lang === "de") {
-  const { default: words } = await import("../locales/de/demo.json");
-  // The English text is the key.
-  /** @type {Record<string, string>} */
-  const german = words;
-  translateDocument(document.documentElement, (english) => german[english] ?? english);
-}
+await openProse(() => import("../locales/de/demo.json"));
 const slides = [...document.querySelectorAll("section")];
-const place = byId("place", HTMLElement);
-const previous = byId("previous", HTMLButtonElement);
-const next = byId("next", HTMLButtonElement);
-const bar = byId("progress", HTMLElement);
+const place = byId("place");
+const previous = byId("previous");
+const next = byId("next");
+const bar = byId("progress");
 
 /** @type {HTMLElement} */
 let current = slides[0];
@@ -75,7 +59,7 @@ function fullScreen() {
   if (document.fullscreenElement) document.exitFullscreen();
   else document.documentElement.requestFullscreen?.().catch(() => {});
 }
-byId("full", HTMLButtonElement).addEventListener("click", fullScreen);
+byId("full").addEventListener("click", fullScreen);
 
 addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;

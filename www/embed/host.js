@@ -140,8 +140,7 @@ export function createEmbedding(page) {
     await open.still();
   }
 
-  /** @param {"pause" | "step" | "back" | "reset"} name */
-  const move = (name) => async () => {
+  const move = (/** @type {"pause" | "step" | "back" | "reset"} */ name) => async () => {
     isSuspended = false;
     await run[name]();
   };

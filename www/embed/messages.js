@@ -1,23 +1,6 @@
 // What a page that embeds this one may ask, and how its words are read. Whoever embeds may be
 // anybody: a message is taken apart here, and nothing of it goes on unread.
-//
-//   { umbilic: 1, id, type, … }        →  { umbilic: 1, id, ok } or { umbilic: 1, id, error }
-//
-// | type     | fields                                   | ok                               |
-// | -------- | ---------------------------------------- | -------------------------------- |
-// | `load`   | `scene`: words of a link, as text or as an object; or `name`, `bytes`: a mesh file, with `scene` as well | where it stands, once the scene is there |
-// | `play`   |                                          | where it stands; hidden, it plays once it is seen |
-// | `pause`, `step`, `back`, `reset` |                  | where it stands then             |
-// | `seek`   | `step`                                   | where it stands then             |
-// | `set`    | `words`: flow, parameters, `colour`, `camera`, `shading`, … as in a link | where it stands then |
-// | `export` | `format`                                 | `{ name, bytes }`, transferred   |
-// | `state`  |                                          | where it stands                  |
-//
-// At most 100 requests wait; those beyond are refused as `TooManyRequests`.
-//
-// Events, unasked: `{ umbilic: 1, event, detail }` with `listening` (requests are answered from
-// now on), `ready` (a scene is there), `frame`, `statechange`, `error`, and `key` (Page Up or Page Down,
-// pressed in the surface).
+// EMBEDDING.md lists what may be asked and what is told.
 
 import { asText, formats } from "../options.js";
 import { fault } from "../words.js";
@@ -45,8 +28,7 @@ export function asRequest(data) {
 /** What was said, in a message about it. @param {unknown} said */
 const short = (said) => String(said).slice(0, 60);
 
-/** @param {string} type @param {string[]} known */
-export const unknownRequest = (type, known) =>
+export const unknownRequest = (/** @type {string} */ type, /** @type {string[]} */ known) =>
   fault("UnknownRequest", "embed-no-request", { type: short(type), known }, "embed-known");
 
 /**

@@ -1,7 +1,35 @@
-// @ts-check
 // Samples and figures as src/app/library has them. Written by tests/suite/library.rs.
 
-/** @import { Figure, Sample } from "../library.js" */
+/** @import { FlowOptions } from "./schema.js" */
+/** @import { Arrangement, FieldName, FillOptions } from "./types.js" */
+
+/**
+ * A surface to begin with; the words are `sample-<id>`.
+ * @typedef {object} Sample
+ * @property {string} id
+ * @property {'closed' | 'tubes' | 'boundary' | 'repair' | 'flips'} group
+ * @property {string} shape        name of the solver's shape …
+ * @property {Record<string, number>} parameters  … and its parameters
+ * @property {FlowOptions} options  over the defaults
+ * @property {Partial<FillOptions>} [fill]   holes filled at once
+ */
+
+/**
+ * A figure of a paper; the words are `figure-<id>`.
+ * @typedef {object} Figure
+ * @property {string} id
+ * @property {string} paper        the words are `paper-<paper>`
+ * @property {string} number       as the paper has it
+ * @property {string} sample       id of the sample it begins with
+ * @property {FlowOptions} options  over those of the sample
+ * @property {Arrangement} arrangement
+ * @property {FieldName | 'none'} colour
+ * @property {number | 'rest'} steps  how far it runs; 0 for a figure without a flow
+ * @property {Record<string, number>} [back]  parameters of the surface from which the same is run
+ *   first, to be shown backwards ahead of it
+ * @property {boolean} quick       a few seconds at most
+ * @property {boolean} fallsShort  known not to come out as the paper has it
+ */
 
 /** @type {readonly Sample[]} */
 export const samples = [

@@ -1,4 +1,3 @@
-// @ts-check
 // Flows, options and file formats as the solver knows them. Written from src/flow/spec.rs,
 // src/flow/option/rows.rs, src/app/given.rs, src/app/options.rs and src/io/format.rs by
 // `UPDATE_SCHEMA=1 cargo test --test schema`.
@@ -13,7 +12,6 @@
  * @property {readonly string[]} ids
  * @property {any} default
  * @property {string | null} absent
- * @property {readonly string[]} words  that stand for themselves
  * @property {string} unit
  * @property {string} group
  * @property {readonly FlowName[]} flows
@@ -100,96 +98,96 @@ export const flows = [
 
 /** @type {readonly Row[]} */
 export const options = [
-  {"absent":null,"default":"circle","flag":"flow","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv","flips"],"goal":null,"group":"flow","ids":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv","flips"],"kind":"choice","name":"flow","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":"auto","flag":"scheme","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv"],"goal":null,"group":"flow","ids":["auto","paper"],"kind":"choice","name":"scheme","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":"auto","default":null,"flag":"boundary","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":["clamped","fixed","free"],"kind":"choice","name":"boundary","ofOneFlow":true,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":"auto","default":null,"flag":"free","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":[],"kind":"vertices","name":"free","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":"auto","default":null,"flag":"fixed","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":[],"kind":"vertices","name":"fixed","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":false,"flag":"prefill","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":[],"kind":"switch","name":"prefill","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":2,"flag":"p","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"p","ofOneFlow":false,"range":{"also":0,"high":16,"low":1,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":[],"flag":"keep","flows":["p-willmore"],"goal":null,"group":"functional","ids":["area","volume"],"kind":"set","name":"keep","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":"auto","default":null,"flag":"reduced-volume","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"reducedVolume","ofOneFlow":false,"range":{"also":null,"high":1,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":0,"flag":"spontaneous-curvature","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"spontaneousCurvature","ofOneFlow":false,"range":{"also":null,"high":1000,"low":-1000,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"1/L","words":[]},
-  {"absent":null,"default":0,"flag":"tension","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"tension","ofOneFlow":false,"range":{"also":null,"high":1000000,"low":-1000000,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"1/L²","words":[]},
-  {"absent":null,"default":0,"flag":"pressure","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"pressure","ofOneFlow":false,"range":{"also":null,"high":1000000,"low":-1000000,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"1/L³","words":[]},
-  {"absent":null,"default":0.1,"flag":"epsilon","flows":["circle"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"epsilon","ofOneFlow":false,"range":{"also":null,"high":1,"low":0,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"rad","words":[]},
-  {"absent":null,"default":true,"flag":"sharpen","flows":["circle"],"goal":"relax","group":"functional","ids":[],"kind":"switch","name":"sharpen","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":"localised","flag":"criterion","flows":["flips"],"goal":null,"group":"functional","ids":["area","willmore","localised"],"kind":"choice","name":"criterion","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":false,"flag":"guard-folds","flows":["flips"],"goal":null,"group":"functional","ids":[],"kind":"switch","name":"guardFolds","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":"relax","flag":"goal","flows":["circle"],"goal":null,"group":"step","ids":["relax","smooth"],"kind":"choice","name":"goal","ofOneFlow":true,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":4,"flag":"detail","flows":["circle"],"goal":"smooth","group":"step","ids":[],"kind":"number","name":"detail","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0.1,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"mean edge lengths","words":[]},
-  {"absent":null,"default":10,"flag":"smooth-steps","flows":["circle"],"goal":"smooth","group":"step","ids":[],"kind":"number","name":"smoothSteps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"steps","words":[]},
-  {"absent":"auto","default":null,"flag":"tau","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv"],"goal":null,"group":"step","ids":[],"kind":"number","name":"tau","ofOneFlow":true,"range":{"also":null,"high":1000000000000,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":"auto","default":null,"flag":"dt","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv"],"goal":null,"group":"step","ids":[],"kind":"number","name":"dt","ofOneFlow":true,"range":{"also":null,"high":1e+300,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"length^k","words":[]},
-  {"absent":null,"default":1.2,"flag":"tau-growth","flows":["p-willmore","volume-preserving"],"goal":null,"group":"step","ids":[],"kind":"number","name":"tauGrowth","ofOneFlow":false,"range":{"also":null,"high":100,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":"paper","unit":"","words":[]},
-  {"absent":"auto","default":null,"flag":"tau-max","flows":["p-willmore","volume-preserving"],"goal":null,"group":"step","ids":[],"kind":"number","name":"tauMax","ofOneFlow":false,"range":{"also":null,"high":1000000000000,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":"paper","unit":"","words":[]},
-  {"absent":null,"default":"semi-implicit","flag":"integrator","flows":["circle"],"goal":null,"group":"method","ids":["semi-implicit","forward-euler","backward-euler","l-bfgs"],"kind":"choice","name":"integrator","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":"auto","flag":"mass","flows":["circle"],"goal":null,"group":"method","ids":["auto","uniform","area"],"kind":"choice","name":"mass","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":"adaptive","flag":"remesh","flows":["p-willmore"],"goal":null,"group":"method","ids":["adaptive","isotropic","off"],"kind":"choice","name":"remesh","ofOneFlow":false,"range":null,"remesh":null,"scheme":"auto","unit":"","words":[]},
-  {"absent":null,"default":"nonlinear","flag":"regularise","flows":["p-willmore","volume-preserving"],"goal":null,"group":"method","ids":["off","linear","nonlinear"],"kind":"choice","name":"regularise","ofOneFlow":false,"range":null,"remesh":"off","scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":0.01,"flag":"regularise-epsilon","flows":["p-willmore","volume-preserving"],"goal":null,"group":"method","ids":[],"kind":"number","name":"regulariseEpsilon","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":true,"whole":false},"remesh":"off","scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":0,"flag":"perturbation","flows":["p-willmore","volume-preserving"],"goal":null,"group":"method","ids":[],"kind":"number","name":"perturbation","ofOneFlow":false,"range":{"also":null,"high":0.3,"low":0,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"mean edge lengths","words":[]},
-  {"absent":"auto","default":null,"flag":"rungs","flows":["mmcv"],"goal":null,"group":"method","ids":[],"kind":"number","name":"rungs","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"steps","words":[]},
-  {"absent":"auto","default":null,"flag":"steps","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv"],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxSteps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"steps","words":[]},
-  {"absent":"auto","default":120,"flag":"seconds","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv"],"goal":"relax","group":"budget","ids":[],"kind":"number","name":"maxSeconds","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"s","words":[]},
+  {"absent":null,"default":"circle","flag":"flow","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv","flips"],"goal":null,"group":"flow","ids":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv","flips"],"kind":"choice","name":"flow","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"auto","flag":"scheme","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv"],"goal":null,"group":"flow","ids":["auto","paper"],"kind":"choice","name":"scheme","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"boundary","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":["clamped","fixed","free"],"kind":"choice","name":"boundary","ofOneFlow":true,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"free","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":[],"kind":"vertices","name":"free","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"fixed","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":[],"kind":"vertices","name":"fixed","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":false,"flag":"prefill","flows":["circle","mean-curvature","surface-diffusion","willmore","mmcv"],"goal":null,"group":"surface","ids":[],"kind":"switch","name":"prefill","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":2,"flag":"p","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"p","ofOneFlow":false,"range":{"also":0,"high":16,"low":1,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":[],"flag":"keep","flows":["p-willmore"],"goal":null,"group":"functional","ids":["area","volume"],"kind":"set","name":"keep","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"reduced-volume","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"reducedVolume","ofOneFlow":false,"range":{"also":null,"high":1,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":0,"flag":"spontaneous-curvature","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"spontaneousCurvature","ofOneFlow":false,"range":{"also":null,"high":1000,"low":-1000,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"1/L"},
+  {"absent":null,"default":0,"flag":"tension","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"tension","ofOneFlow":false,"range":{"also":null,"high":1000000,"low":-1000000,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"1/L²"},
+  {"absent":null,"default":0,"flag":"pressure","flows":["p-willmore"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"pressure","ofOneFlow":false,"range":{"also":null,"high":1000000,"low":-1000000,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"1/L³"},
+  {"absent":null,"default":0.1,"flag":"epsilon","flows":["circle"],"goal":null,"group":"functional","ids":[],"kind":"number","name":"epsilon","ofOneFlow":false,"range":{"also":null,"high":1,"low":0,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"rad"},
+  {"absent":null,"default":true,"flag":"sharpen","flows":["circle"],"goal":"relax","group":"functional","ids":[],"kind":"switch","name":"sharpen","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"localised","flag":"criterion","flows":["flips"],"goal":null,"group":"functional","ids":["area","willmore","localised"],"kind":"choice","name":"criterion","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":false,"flag":"guard-folds","flows":["flips"],"goal":null,"group":"functional","ids":[],"kind":"switch","name":"guardFolds","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"relax","flag":"goal","flows":["circle"],"goal":null,"group":"step","ids":["relax","smooth"],"kind":"choice","name":"goal","ofOneFlow":true,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":4,"flag":"detail","flows":["circle"],"goal":"smooth","group":"step","ids":[],"kind":"number","name":"detail","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0.1,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"mean edge lengths"},
+  {"absent":null,"default":10,"flag":"smooth-steps","flows":["circle"],"goal":"smooth","group":"step","ids":[],"kind":"number","name":"smoothSteps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"steps"},
+  {"absent":"auto","default":null,"flag":"tau","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv"],"goal":null,"group":"step","ids":[],"kind":"number","name":"tau","ofOneFlow":true,"range":{"also":null,"high":1000000000000,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"dt","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv"],"goal":null,"group":"step","ids":[],"kind":"number","name":"dt","ofOneFlow":true,"range":{"also":null,"high":1e+300,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"length^k"},
+  {"absent":null,"default":1.2,"flag":"tau-growth","flows":["p-willmore","volume-preserving"],"goal":null,"group":"step","ids":[],"kind":"number","name":"tauGrowth","ofOneFlow":false,"range":{"also":null,"high":100,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":"paper","unit":""},
+  {"absent":"auto","default":null,"flag":"tau-max","flows":["p-willmore","volume-preserving"],"goal":null,"group":"step","ids":[],"kind":"number","name":"tauMax","ofOneFlow":false,"range":{"also":null,"high":1000000000000,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":"paper","unit":""},
+  {"absent":null,"default":"semi-implicit","flag":"integrator","flows":["circle"],"goal":null,"group":"method","ids":["semi-implicit","forward-euler","backward-euler","l-bfgs"],"kind":"choice","name":"integrator","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"auto","flag":"mass","flows":["circle"],"goal":null,"group":"method","ids":["auto","uniform","area"],"kind":"choice","name":"mass","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"adaptive","flag":"remesh","flows":["p-willmore"],"goal":null,"group":"method","ids":["adaptive","isotropic","off"],"kind":"choice","name":"remesh","ofOneFlow":false,"range":null,"remesh":null,"scheme":"auto","unit":""},
+  {"absent":null,"default":"nonlinear","flag":"regularise","flows":["p-willmore","volume-preserving"],"goal":null,"group":"method","ids":["off","linear","nonlinear"],"kind":"choice","name":"regularise","ofOneFlow":false,"range":null,"remesh":"off","scheme":null,"unit":""},
+  {"absent":null,"default":0.01,"flag":"regularise-epsilon","flows":["p-willmore","volume-preserving"],"goal":null,"group":"method","ids":[],"kind":"number","name":"regulariseEpsilon","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":true,"whole":false},"remesh":"off","scheme":null,"unit":""},
+  {"absent":null,"default":0,"flag":"perturbation","flows":["p-willmore","volume-preserving"],"goal":null,"group":"method","ids":[],"kind":"number","name":"perturbation","ofOneFlow":false,"range":{"also":null,"high":0.3,"low":0,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"mean edge lengths"},
+  {"absent":"auto","default":null,"flag":"rungs","flows":["mmcv"],"goal":null,"group":"method","ids":[],"kind":"number","name":"rungs","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"steps"},
+  {"absent":"auto","default":null,"flag":"steps","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv"],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxSteps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"steps"},
+  {"absent":"auto","default":120,"flag":"seconds","flows":["circle","p-willmore","mean-curvature","volume-preserving","surface-diffusion","willmore","mmcv"],"goal":"relax","group":"budget","ids":[],"kind":"number","name":"maxSeconds","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"s"},
 ];
 
 /** @type {readonly Row[]} */
 export const arrangement = [
-  {"absent":null,"default":"none","flag":"compare","flows":["mean-curvature","surface-diffusion","willmore","mmcv","flips"],"goal":null,"group":"display","ids":["none","start","criteria","flows"],"kind":"choice","name":"compare","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":0,"flag":"subdivide","flows":["flips"],"goal":null,"group":"display","ids":[],"kind":"number","name":"subdivide","ofOneFlow":false,"range":{"also":null,"high":3,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":"all","default":1,"flag":"flips-per-step","flows":["flips"],"goal":null,"group":"display","ids":[],"kind":"number","name":"flipsPerStep","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"flips","words":[]},
+  {"absent":null,"default":"none","flag":"compare","flows":["mean-curvature","surface-diffusion","willmore","mmcv","flips"],"goal":null,"group":"display","ids":["none","start","criteria","flows"],"kind":"choice","name":"compare","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":0,"flag":"subdivide","flows":["flips"],"goal":null,"group":"display","ids":[],"kind":"number","name":"subdivide","ofOneFlow":false,"range":{"also":null,"high":3,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":""},
+  {"absent":"all","default":1,"flag":"flips-per-step","flows":["flips"],"goal":null,"group":"display","ids":[],"kind":"number","name":"flipsPerStep","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"flips"},
 ];
 
 // Of the commands that are called so.
 
 /** @type {readonly Row[]} */
 export const energy = [
-  {"absent":null,"default":[],"flag":"p","flows":[],"goal":null,"group":"functional","ids":[],"kind":"numbers","name":"p","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":"clamped","flag":"boundary","flows":[],"goal":null,"group":"surface","ids":["clamped","fixed","free"],"kind":"choice","name":"boundary","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
+  {"absent":null,"default":[],"flag":"p","flows":[],"goal":null,"group":"functional","ids":[],"kind":"numbers","name":"p","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":"clamped","flag":"boundary","flows":[],"goal":null,"group":"surface","ids":["clamped","fixed","free"],"kind":"choice","name":"boundary","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
 ];
 
 /** @type {readonly Row[]} */
 export const regularise = [
-  {"absent":null,"default":"nonlinear","flag":"mode","flows":[],"goal":null,"group":"method","ids":["linear","nonlinear"],"kind":"choice","name":"mode","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":0.01,"flag":"epsilon","flows":[],"goal":null,"group":"method","ids":[],"kind":"number","name":"epsilon","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":5,"flag":"iterations","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"iterations","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":0.3,"flag":"features","flows":[],"goal":null,"group":"method","ids":[],"kind":"number","name":"features","ofOneFlow":false,"range":{"also":null,"high":1000000,"low":0,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":"","words":[]},
+  {"absent":null,"default":"nonlinear","flag":"mode","flows":[],"goal":null,"group":"method","ids":["linear","nonlinear"],"kind":"choice","name":"mode","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":0.01,"flag":"epsilon","flows":[],"goal":null,"group":"method","ids":[],"kind":"number","name":"epsilon","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":5,"flag":"iterations","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"iterations","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":0.3,"flag":"features","flows":[],"goal":null,"group":"method","ids":[],"kind":"number","name":"features","ofOneFlow":false,"range":{"also":null,"high":1000000,"low":0,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":""},
 ];
 
 /** @type {readonly Row[]} */
 export const repair = [
-  {"absent":"auto","default":null,"flag":"weld","flows":[],"goal":null,"group":"surface","ids":[],"kind":"number","name":"weld","ofOneFlow":false,"range":{"also":null,"high":1e+100,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"length","words":["off"]},
+  {"absent":"auto","default":null,"flag":"weld","flows":[],"goal":null,"group":"surface","ids":[],"kind":"number","name":"weld","ofOneFlow":false,"range":{"also":null,"high":1e+100,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"length"},
 ];
 
 /** @type {readonly Row[]} */
 export const fill = [
-  {"absent":"small","default":null,"flag":"loops","flows":[],"goal":null,"group":"surface","ids":[],"kind":"numbers","name":"loops","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"","words":["all"]},
-  {"absent":null,"default":false,"flag":"connect","flows":[],"goal":null,"group":"surface","ids":[],"kind":"switch","name":"connect","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":"auto","default":null,"flag":"max-vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxVertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"vertices","words":[]},
+  {"absent":"small","default":null,"flag":"loops","flows":[],"goal":null,"group":"surface","ids":[],"kind":"numbers","name":"loops","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":false,"flag":"connect","flows":[],"goal":null,"group":"surface","ids":[],"kind":"switch","name":"connect","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"max-vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxVertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"vertices"},
 ];
 
 /** @type {readonly Row[]} */
 export const remesh = [
-  {"absent":null,"default":"adaptive","flag":"kind","flows":[],"goal":null,"group":"method","ids":["adaptive","isotropic"],"kind":"choice","name":"kind","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":"auto","default":null,"flag":"target","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"target","ofOneFlow":false,"range":{"also":null,"high":1e+300,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"length","words":[]},
-  {"absent":"auto","default":null,"flag":"vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"vertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":4,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"vertices","words":[]},
+  {"absent":null,"default":"adaptive","flag":"kind","flows":[],"goal":null,"group":"method","ids":["adaptive","isotropic"],"kind":"choice","name":"kind","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":"auto","default":null,"flag":"target","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"target","ofOneFlow":false,"range":{"also":null,"high":1e+300,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"length"},
+  {"absent":"auto","default":null,"flag":"vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"vertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":4,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"vertices"},
 ];
 
 /** @type {readonly Row[]} */
 export const flips = [
-  {"absent":null,"default":"localised","flag":"criterion","flows":[],"goal":null,"group":"functional","ids":["area","willmore","localised"],"kind":"choice","name":"criterion","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":false,"flag":"guard-folds","flows":[],"goal":null,"group":"functional","ids":[],"kind":"switch","name":"guardFolds","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":"all","default":null,"flag":"max","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"max","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"flips","words":[]},
+  {"absent":null,"default":"localised","flag":"criterion","flows":[],"goal":null,"group":"functional","ids":["area","willmore","localised"],"kind":"choice","name":"criterion","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":false,"flag":"guard-folds","flows":[],"goal":null,"group":"functional","ids":[],"kind":"switch","name":"guardFolds","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":"all","default":null,"flag":"max","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"max","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"flips"},
 ];
 
 /** @type {readonly Row[]} */
 export const bench = [
-  {"absent":null,"default":null,"flag":"table","flows":[],"goal":null,"group":"flow","ids":["circle","p-willmore","flips","mmcv","refinement","repair","robustness","vesicles","figures"],"kind":"choice","name":"table","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":"all","default":null,"flag":"max-vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxVertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"vertices","words":[]},
-  {"absent":null,"default":3,"flag":"steps","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"steps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"steps","words":[]},
-  {"absent":"all","default":null,"flag":"figures","flows":[],"goal":null,"group":"surface","ids":["circle-6","circle-6-adaptive","circle-7-fixed","circle-7-free","circle-8","circle-8-long","circle-9","circle-10","circle-11","circle-12-10","circle-12-100","p-willmore-1","p-willmore-2-p0","p-willmore-2-p2","p-willmore-2-p4","p-willmore-3-linear","p-willmore-3-nonlinear","p-willmore-4","p-willmore-5","p-willmore-6","p-willmore-6-blob","p-willmore-7","p-willmore-8","p-willmore-9","p-willmore-9-off","p-willmore-10-p0","p-willmore-10-p2","p-willmore-10-p4","p-willmore-11","p-willmore-12-p0","p-willmore-12-p2","p-willmore-12-p4","flips-6","flips-6-curvature","flips-7","flips-8","flips-8-volume","curvature-5.1-cylinder","curvature-5.1-sphere","curvature-5.4","curvature-5.2-two","curvature-5.2-three","curvature-5.2-six","curvature-5.3","curvature-5.5","curvature-5.6","volume-preserving-round","eversion","eversion-fine","lawson-2","lawson-3","knot-undone","link-undone"],"kind":"set","name":"figures","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
-  {"absent":null,"default":false,"flag":"quick","flows":[],"goal":null,"group":"budget","ids":[],"kind":"switch","name":"quick","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":"","words":[]},
+  {"absent":null,"default":null,"flag":"table","flows":[],"goal":null,"group":"flow","ids":["circle","p-willmore","flips","mmcv","refinement","repair","robustness","vesicles","figures"],"kind":"choice","name":"table","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":"all","default":null,"flag":"max-vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxVertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"vertices"},
+  {"absent":null,"default":3,"flag":"steps","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"steps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"steps"},
+  {"absent":"all","default":null,"flag":"figures","flows":[],"goal":null,"group":"surface","ids":["circle-6","circle-6-adaptive","circle-7-fixed","circle-7-free","circle-8","circle-8-long","circle-9","circle-10","circle-11","circle-12-10","circle-12-100","p-willmore-1","p-willmore-2-p0","p-willmore-2-p2","p-willmore-2-p4","p-willmore-3-linear","p-willmore-3-nonlinear","p-willmore-4","p-willmore-5","p-willmore-6","p-willmore-6-blob","p-willmore-7","p-willmore-8","p-willmore-9","p-willmore-9-off","p-willmore-10-p0","p-willmore-10-p2","p-willmore-10-p4","p-willmore-11","p-willmore-12-p0","p-willmore-12-p2","p-willmore-12-p4","flips-6","flips-6-curvature","flips-7","flips-8","flips-8-volume","curvature-5.1-cylinder","curvature-5.1-sphere","curvature-5.4","curvature-5.2-two","curvature-5.2-three","curvature-5.2-six","curvature-5.3","curvature-5.5","curvature-5.6","volume-preserving-round","eversion","eversion-fine","lawson-2","lawson-3","knot-undone","link-undone"],"kind":"set","name":"figures","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
+  {"absent":null,"default":false,"flag":"quick","flows":[],"goal":null,"group":"budget","ids":[],"kind":"switch","name":"quick","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
 ];
 
 /** @type {readonly MeshFormat[]} */
@@ -208,3 +206,74 @@ export const meshFormats = [
   {"extensions":["vtp","vtu"],"isWritten":false,"name":"vtp"},
   {"extensions":["msh"],"isWritten":false,"name":"msh"},
 ];
+
+// What a surface can be coloured by.
+
+/** @type {readonly import('./types.js').FieldName[]} */
+export const fields = [
+  "mean-curvature",
+  "gauss-curvature",
+  "willmore",
+  "gradient",
+  "displacement",
+];
+
+/**
+ * What help says of a flag: what follows it, what reads it, and what it may be; by its words.
+ * @type {Record<string, { value: string | null, of: string, notes: string }>}
+ */
+export const flags = {
+  "option-flow": {"notes":"default circle","of":"","value":"circle|p-willmore|mean-curvature|volume-preserving|surface-diffusion|willmore|mmcv|flips"},
+  "option-scheme": {"notes":"default auto","of":"","value":"auto|paper"},
+  "option-boundary": {"notes":"default auto","of":"not p-willmore, not volume-preserving","value":"auto|clamped|fixed|free"},
+  "option-free": {"notes":"numbered as in the file, OBJ from 1; default auto","of":"not p-willmore, not volume-preserving","value":"FILE.json"},
+  "option-fixed": {"notes":"numbered as in the file, OBJ from 1; default auto","of":"not p-willmore, not volume-preserving","value":"FILE.json"},
+  "option-prefill": {"notes":"","of":"not p-willmore, not volume-preserving","value":null},
+  "option-p": {"notes":"default 2; 0 or from 1 to 16","of":"p-willmore","value":"VALUE"},
+  "option-keep": {"notes":"","of":"p-willmore","value":"area,volume"},
+  "option-reducedVolume": {"notes":"default auto; above 0 to 1","of":"p-willmore","value":"auto|VALUE"},
+  "option-spontaneousCurvature": {"notes":"default 0; from -1000 to 1000","of":"p-willmore","value":"VALUE"},
+  "option-tension": {"notes":"default 0","of":"p-willmore","value":"VALUE"},
+  "option-pressure": {"notes":"default 0","of":"p-willmore","value":"VALUE"},
+  "option-epsilon": {"notes":"default 0.1; from 0 to 1","of":"circle","value":"VALUE"},
+  "option-sharpen": {"notes":"default; --no-sharpen for not","of":"circle, --goal relax","value":null},
+  "option-criterion": {"notes":"default localised","of":"flips","value":"area|willmore|localised"},
+  "option-guardFolds": {"notes":"","of":"flips","value":null},
+  "option-goal": {"notes":"default relax","of":"circle","value":"relax|smooth"},
+  "option-detail": {"notes":"default 4; from 0.1 to 1000","of":"circle, --goal smooth","value":"VALUE"},
+  "option-smoothSteps": {"notes":"default 10; from 1","of":"circle, --goal smooth","value":"N"},
+  "option-tau": {"notes":"default auto; above 0","of":"","value":"auto|VALUE"},
+  "option-dt": {"notes":"default auto; above 0","of":"","value":"auto|VALUE"},
+  "option-tauGrowth": {"notes":"default 1.2; above 0 to 100","of":"p-willmore, volume-preserving, --scheme paper","value":"VALUE"},
+  "option-tauMax": {"notes":"default auto; above 0","of":"p-willmore, volume-preserving, --scheme paper","value":"auto|VALUE"},
+  "option-integrator": {"notes":"default semi-implicit","of":"circle","value":"semi-implicit|forward-euler|backward-euler|l-bfgs"},
+  "option-mass": {"notes":"default auto","of":"circle","value":"auto|uniform|area"},
+  "option-remesh": {"notes":"default adaptive","of":"p-willmore, --scheme auto","value":"adaptive|isotropic|off"},
+  "option-regularise": {"notes":"default nonlinear","of":"p-willmore, volume-preserving, --remesh off","value":"off|linear|nonlinear"},
+  "option-regulariseEpsilon": {"notes":"default 0.01; above 0 to 1000","of":"p-willmore, volume-preserving, --remesh off","value":"VALUE"},
+  "option-perturbation": {"notes":"default 0; from 0 to 0.3","of":"p-willmore, volume-preserving","value":"VALUE"},
+  "option-rungs": {"notes":"default auto; from 0","of":"mmcv","value":"auto|N"},
+  "option-maxSteps": {"notes":"default auto; from 0","of":"","value":"auto|N"},
+  "option-maxSeconds": {"notes":"default 120; above 0","of":"--goal relax","value":"auto|VALUE"},
+  "energy-p": {"notes":"","of":"","value":"VALUE,VALUE"},
+  "energy-boundary": {"notes":"default clamped","of":"","value":"clamped|fixed|free"},
+  "regularise-mode": {"notes":"default nonlinear","of":"","value":"linear|nonlinear"},
+  "regularise-epsilon": {"notes":"default 0.01; above 0 to 1000","of":"","value":"VALUE"},
+  "regularise-iterations": {"notes":"default 5; from 0","of":"","value":"N"},
+  "regularise-features": {"notes":"default 0.3; from 0","of":"","value":"VALUE"},
+  "repair-weld": {"notes":"default auto; above 0","of":"","value":"auto|off|LENGTH"},
+  "fill-loops": {"notes":"default small","of":"","value":"small|all|N,N"},
+  "fill-connect": {"notes":"","of":"","value":null},
+  "fill-maxVertices": {"notes":"default auto; from 0","of":"","value":"auto|N"},
+  "remesh-kind": {"notes":"default adaptive","of":"","value":"adaptive|isotropic"},
+  "remesh-target": {"notes":"default auto; above 0","of":"","value":"auto|LENGTH"},
+  "remesh-vertices": {"notes":"default auto; from 4","of":"","value":"auto|N"},
+  "flips-criterion": {"notes":"default localised","of":"","value":"area|willmore|localised"},
+  "flips-guardFolds": {"notes":"","of":"","value":null},
+  "flips-max": {"notes":"default all; from 0","of":"","value":"all|N"},
+  "bench-table": {"notes":"","of":"","value":"circle|p-willmore|flips|mmcv|refinement|repair|robustness|vesicles|figures"},
+  "bench-maxVertices": {"notes":"default all; from 1","of":"","value":"all|N"},
+  "bench-steps": {"notes":"default 3; from 1","of":"","value":"N"},
+  "bench-figures": {"notes":"default all","of":"","value":"all|ID,ID"},
+  "bench-quick": {"notes":"","of":"","value":null},
+};

@@ -1,7 +1,7 @@
 // The guide: its language, its theme, and the element that makes surfaces live.
 
-import { translateDocument } from "../document-text.js";
-import { openLanguage, remembered } from "../language.js";
+import { remembered } from "../language.js";
+import { openProse } from "../prose.js";
 
 // As any other page loads it: bundled with this one it would no longer know where it stands.
 const embed = "../embed.js";
@@ -14,11 +14,4 @@ const follow = () => {
 };
 dark.addEventListener("change", follow);
 follow();
-await openLanguage();
-if (document.documentElement.lang === "de") {
-  const { default: words } = await import("../locales/de/guide.json");
-  // The English text is the key.
-  /** @type {Record<string, string>} */
-  const german = words;
-  translateDocument(document.documentElement, (english) => german[english] ?? english);
-}
+await openProse(() => import("../locales/de/guide.json"));

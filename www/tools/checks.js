@@ -6,10 +6,7 @@ import { buildDocumentation } from "./documentation.js";
 import { root, run, runNode } from "./process.js";
 import { buildWasm } from "./wasm.js";
 
-const wasm = ["--target", "wasm32-unknown-unknown", "--lib", "--no-default-features"];
-const deny = ["--", "-D", "warnings"];
-
-/** @typedef {{ title: string, run: () => void }} Check */
+/** @typedef {{ title: string, run: () => unknown }} Check */
 
 /** @type {Check[]} */
 export const formatChecks = [
@@ -20,28 +17,20 @@ export const formatChecks = [
   },
 ];
 
+/** @param {string} what @param {string[]} targets */
+const clippy = (what, ...targets) => ({
+  title: `Clippy, ${what}`,
+  run: () => run("cargo", ["clippy", "--locked", ...targets, "--", "-D", "warnings"]),
+});
+const wasm = ["--target", "wasm32-unknown-unknown", "--lib", "--no-default-features", "--features"];
+
 /** @type {Check[]} */
 export const rustChecks = [
-  {
-    title: "Clippy, native",
-    run: () => run("cargo", ["clippy", "--locked", "--all-targets", ...deny]),
-  },
-  {
-    title: "Clippy, the solver in wasm",
-    run: () => run("cargo", ["clippy", "--locked", ...wasm, "--features", "solver", ...deny]),
-  },
-  {
-    title: "Clippy, the viewer in wasm",
-    run: () => run("cargo", ["clippy", "--locked", ...wasm, "--features", "viewer", ...deny]),
-  },
-  {
-    title: "Clippy, the viewer for WebGL2 in wasm",
-    run: () => run("cargo", ["clippy", "--locked", ...wasm, "--features", "viewer-webgl", ...deny]),
-  },
-  {
-    title: "Links in the Rust documentation",
-    run: buildDocumentation,
-  },
+  clippy("native", "--all-targets"),
+  clippy("the solver in wasm", ...wasm, "solver"),
+  clippy("the viewer in wasm", ...wasm, "viewer"),
+  clippy("the viewer for WebGL2 in wasm", ...wasm, "viewer-webgl"),
+  { title: "Links in the Rust documentation", run: buildDocumentation },
 ];
 
 /** @type {Check} */

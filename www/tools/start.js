@@ -2,13 +2,14 @@
 // WebGPU, which takes as long to compile as all else, follows when one asks for it (`webgl.js`).
 
 import { prerequisites } from "./prerequisites.js";
-import { script } from "./process.js";
-import { serve } from "./site.js";
+import { runNode, say, script } from "./process.js";
+import { vite } from "./site.js";
 import { buildQuickly } from "./wasm.js";
 
 await script(() => {
   prerequisites();
   buildQuickly("solver");
   buildQuickly("viewer");
-  serve(process.argv.slice(2));
+  say("Serving the page; Ctrl-C ends it");
+  runNode([...vite, ...process.argv.slice(2)]);
 });

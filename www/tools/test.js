@@ -17,10 +17,7 @@ const files = readdirSync(path.join(root, folder)).filter((file) => file.endsWit
 const commandLine = files.filter((file) => file.startsWith("cli"));
 const browser = files.filter((file) => !file.startsWith("cli"));
 
-/**
- * Node's test runner. One file at a time: each browser test wants the whole machine.
- * @param {string[]} names
- */
+/** One file at a time: each browser test wants the whole machine. @param {string[]} names */
 function nodeTests(names) {
   if (names.length === 0) return;
   const paths = names.map((name) => path.join(folder, name));

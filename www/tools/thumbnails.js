@@ -36,13 +36,14 @@ async function asWebp(png) {
 }
 
 /**
- * @param {string} name  of the file @param {URLSearchParams} scene  words of a link
+ * @param {string} name  of the file @param {object} scene  words of a link
  * @param {{ width: number, height: number }} viewport
  */
 async function take(name, scene, viewport) {
+  const texts = Object.entries(scene).map(([key, value]) => [key, asText(value, key)]);
   const { page, close } = await openPage(browser, { viewport, colorScheme: "light" });
   page.setDefaultTimeout(120_000);
-  await page.goto(`${server.url}?embed&controls=none&effects=always#${scene}`);
+  await page.goto(`${server.url}?embed&controls=none&effects=always#${new URLSearchParams(texts)}`);
   await until(page, /^(Ready|Paused|Converged|Stopped|Stalled|Singular|Collapsed)/);
   await untilDrawn(page);
   const png = await page.locator("#surface").screenshot();
@@ -51,24 +52,19 @@ async function take(name, scene, viewport) {
   await close();
 }
 
+/** @param {{ id: string }} one */
+const isWanted = ({ id }) => wanted.length === 0 || wanted.includes(id);
+
 try {
-  for (const { id, options } of samples.filter(
-    (one) => wanted.length === 0 || wanted.includes(one.id),
-  )) {
+  for (const { id, options } of samples.filter(isWanted)) {
     const half = { width: 150, height: 150 };
-    await take(id, new URLSearchParams({ sample: id }), half);
-    const after = new URLSearchParams({ sample: id, step: String(MOST) });
-    if (options.flow !== "flips") await take(`${id}-after`, after, half);
+    await take(id, { sample: id }, half);
+    if (options.flow !== "flips") await take(`${id}-after`, { sample: id, step: MOST }, half);
   }
-  for (const figure of figures.filter((one) => wanted.length === 0 || wanted.includes(one.id))) {
-    const steps = figure.steps === "rest" ? MOST : Math.min(figure.steps, MOST);
-    const words = new URLSearchParams({ sample: figure.sample });
-    for (const [key, value] of Object.entries({ ...figure.options, ...figure.arrangement })) {
-      words.set(key, asText(value, key));
-    }
-    words.set("colour", figure.colour);
-    if (steps > 0) words.set("step", String(steps));
-    await take(figure.id, words, { width: 240, height: 150 });
+  for (const { id, sample, colour, steps, options, arrangement } of figures.filter(isWanted)) {
+    const step = steps === "rest" ? MOST : Math.min(steps, MOST);
+    const words = { sample, ...options, ...arrangement, colour, ...(step > 0 && { step }) };
+    await take(id, words, { width: 240, height: 150 });
   }
 } finally {
   await browser.close();

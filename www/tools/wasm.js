@@ -11,21 +11,21 @@ import { gzipSync } from "node:zlib";
 import { root, run, runNode, say, targetDir } from "./process.js";
 
 /**
- * @typedef {object} Half
- * @property {string} name         the cargo feature, and the folder under `www/pkg`
- * @property {string} level        our own crate's optimisation level
- * @property {string} [rest]       that of all others, where it is not the release profile's
- * @property {string[]} shrink    wasm-opt's passes
+ * The cargo feature, which is also the folder under `www/pkg`; our own crate's optimisation level,
+ * and that of all others, where it is not the release profile's.
+ * @typedef {{ name: "solver" | "viewer" | "viewer-webgl", level: string, rest?: string }} Half
  */
 
 /** @type {Half[]} */
 const halves = [
-  { name: "solver", level: "s", shrink: ["-Oz"] },
+  { name: "solver", level: "s" },
   // What takes time in a picture is the browser's; the smallest code will do.
-  { name: "viewer", level: "z", shrink: ["-Oz"] },
+  { name: "viewer", level: "z" },
   // Large with a shader compiler that runs once: for size, dependencies and all.
-  { name: "viewer-webgl", level: "z", rest: "z", shrink: ["-Oz"] },
+  { name: "viewer-webgl", level: "z", rest: "z" },
 ];
+/** What wasm-opt does. */
+const shrink = "-Oz";
 
 /** What wasm-bindgen's tool is made of. */
 const toolSources = ["Cargo.lock", "src/bin/bindgen.rs"].map((file) => path.join(root, file));
@@ -35,16 +35,13 @@ export function buildWasm() {
   for (const half of halves) buildHalf(half, "release");
 }
 
-/**
- * The same of one file, for the development server.
- * @param {"solver" | "viewer" | "viewer-webgl"} name
- */
+/** The same of one file, for the development server. @param {Half["name"]} name */
 export function buildQuickly(name) {
   for (const half of halves) if (half.name === name) buildHalf(half, "quick");
 }
 
 /** @param {Half} half @param {"release" | "quick"} profile */
-function buildHalf({ name, level, rest, shrink }, profile) {
+function buildHalf({ name, level, rest }, profile) {
   const target = "wasm32-unknown-unknown";
   say(`Compiling the ${name} (Rust to wasm; the first time takes minutes)`);
   // As a cdylib alone: with the rlib beside it cargo would leave out the link-time
@@ -66,11 +63,10 @@ function buildHalf({ name, level, rest, shrink }, profile) {
   const stamp = createHash("sha256")
     .update(readFileSync(compiled))
     .update(toolSources.map((file) => readFileSync(file, "utf8")).join(""))
-    .update(String(shrink))
+    .update(shrink)
     .digest("hex");
-  if (existsSync(wasm) && existsSync(stampFile) && readFileSync(stampFile, "utf8") === stamp) {
-    return;
-  }
+  const isBuilt = existsSync(wasm) && existsSync(stampFile);
+  if (isBuilt && readFileSync(stampFile, "utf8") === stamp) return;
 
   const bindgen = bindgenTool();
   say(`Packing the ${name} into www/pkg/${name}`);
@@ -78,11 +74,12 @@ function buildHalf({ name, level, rest, shrink }, profile) {
   mkdirSync(out, { recursive: true });
   run(bindgen, [compiled, out, name, "--strip-names"]);
   if (profile === "release") {
-    runNode(["node_modules/binaryen/bin/wasm-opt", ...shrink, wasm, "-o", wasm]);
+    runNode(["node_modules/binaryen/bin/wasm-opt", shrink, wasm, "-o", wasm]);
   }
   writeFileSync(stampFile, stamp);
   const bytes = readFileSync(wasm);
-  console.log(`  ${kilobytes(bytes.length)}, ${kilobytes(gzipSync(bytes).length)} gzipped`);
+  const [plain, packed] = [bytes, gzipSync(bytes)].map(({ length }) => Math.round(length / 1000));
+  console.log(`  ${plain} kB, ${packed} kB gzipped`);
 }
 
 /**
@@ -115,9 +112,4 @@ function bindgenTool() {
     ]);
   }
   return program;
-}
-
-/** @param {number} bytes */
-function kilobytes(bytes) {
-  return `${(bytes / 1000).toFixed(0)} kB`;
 }

@@ -27,6 +27,8 @@
 
 /** Steps that the viewer holds at a time. */
 const HELD_STEPS = 4;
+/** Nothing over the surface. */
+const nothing = { ends: new Float32Array(), colours: new Uint8Array(), hidden: 0 };
 
 /** Colours over the range that is held. @param {Step} step @returns {Field | null} */
 function coloured({ field, range }) {
@@ -106,9 +108,10 @@ export class PaneView {
       return this.draw(s, shown, style);
     }
     this.#move(viewer, shown);
-    if (shown.marked !== has.marked) viewer.setMarked(shown.marked);
-    if (shown.highlight !== has.highlight) viewer.setHighlight(shown.highlight);
-    if (shown.held !== has.held) viewer.setFixed(shown.held ?? new Uint8Array());
+    if (shown.marked !== has.marked) viewer.change((it) => it.setMarkedTriangles(shown.marked));
+    if (shown.highlight !== has.highlight) viewer.change((it) => it.setHighlight(shown.highlight));
+    if (shown.held !== has.held)
+      viewer.change((it) => it.setMarkedVertices(shown.held ?? new Uint8Array()));
     if (s.camera !== has.camera && s.camera) viewer.setCamera(s.camera);
     Object.assign(has, shown, { camera: s.camera ?? has.camera });
   }
@@ -140,14 +143,15 @@ export class PaneView {
       sent += 1;
     }
     this.lacks = sent < steps.length;
-    viewer.setTime(time - this.#zero);
+    viewer.change((it) => it.setTime(time - this.#zero));
   }
 
-  /** @param {import("../viewer.js").Overlay | null} overlay @param {unknown} of */
+  /** @param {import("../overlay.js").Overlay | null} overlay @param {unknown} of */
   overlay(overlay, of) {
     if (!this.viewer || this.#has.overlay === of) return;
     this.#has.overlay = of;
-    this.viewer.setOverlay(overlay);
+    const { ends, colours, hidden } = overlay ?? nothing;
+    this.viewer.change((it) => it.setOverlay(ends, colours, hidden));
   }
 
   close() {
