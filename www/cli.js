@@ -1,16 +1,21 @@
 #!/usr/bin/env node
 // The command line: arguments in, one `Session`, JSON and mesh files out.
 
-import { realpathSync } from "node:fs";
+import { readFileSync, realpathSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { perform } from "./cli/command.js";
 import { commands, overview } from "./cli/commands.js";
 import { Failure, usage } from "./cli/failure.js";
 import { loadSolver, openSession, packageVersion } from "./cli/solver.js";
-import { terminal } from "./cli/terminal.js";
 
-/** @typedef {import("./cli/terminal.js").Terminal} Terminal */
 /** @typedef {import("./cli/solver.js").Session} Session */
+/**
+ * The streams of the process. Tests put others in their place.
+ * @typedef {object} Terminal
+ * @property {(text: string) => void} write  results, on standard output
+ * @property {(text: string) => void} log    a line about the work, on standard error
+ * @property {() => Uint8Array} read         all of standard input
+ */
 
 /**
  * Runs one command.
@@ -58,6 +63,18 @@ function failureOf(error) {
   const hint = "This is a defect of the solver; the mesh and the options will reproduce it.";
   return new Failure(4, "Crashed", `The solver crashed: ${error.message}.`, hint);
 }
+
+/** @type {Terminal} */
+const terminal = {
+  write: (text) => void process.stdout.write(text),
+  log: (text) => void process.stderr.write(`${text}\n`),
+  read: () => readFileSync(0),
+};
+
+// `umbilic … | head` closes the pipe early, which is no failure.
+process.stdout.on("error", (error) => {
+  if (/** @type {NodeJS.ErrnoException} */ (error).code !== "EPIPE") throw error;
+});
 
 /** Whether this file is the program and not imported; npm starts it through a link. */
 const started = process.argv[1] && realpathSync(process.argv[1]) === fileURLToPath(import.meta.url);

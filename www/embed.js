@@ -100,23 +100,16 @@ class UmbilicSurface extends HTMLElement {
   step = () => this.#ask("step");
   back = () => this.#ask("back");
   reset = () => this.#ask("reset");
-  /** Where it stands: step, time, energy, area, status, … */
   state = () => this.#ask("state");
-  /** @param {number} step */
-  seek(step) {
-    return this.#ask("seek", { step });
-  }
-  /** @param {string | Record<string, unknown>} words  flow, parameters, colour, camera, … */
-  set(words) {
-    return this.#ask("set", { words });
-  }
-  /**
-   * @param {string} [format]  as in the page's “Save as”: `ply`, `obj`, `stl`, `glb`, `csv`, `png`, …
-   */
-  async exportMesh(format = "ply") {
+  /** @type {Typed["seek"]} */
+  seek = (step) => this.#ask("seek", { step });
+  /** @type {Typed["set"]} */
+  set = (words) => this.#ask("set", { words });
+  /** @type {Typed["exportMesh"]} */
+  exportMesh = async (format = "ply") => {
     const { name, bytes } = await this.#ask("export", { format });
     return new File([bytes], name);
-  }
+  };
 
   /** Where Umbilic is. */
   get #address() {

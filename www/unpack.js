@@ -7,12 +7,6 @@ import { entriesOf, gunzip, isGzip, isZip } from "./zip.js";
 
 /** @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} Bytes */
 /** A file that is read when it is asked for. @typedef {import("./zip.js").Entry} Part */
-/**
- * @typedef {object} Found
- * @property {string} name  of the mesh itself, without `.gz`
- * @property {Uint8Array<ArrayBuffer>} bytes
- * @property {string[]} others  further meshes that were not taken
- */
 
 const base = (/** @type {string} */ name) => name.slice(name.lastIndexOf("/") + 1);
 const folder = (/** @type {string} */ name) => name.slice(0, name.lastIndexOf("/") + 1);
@@ -98,7 +92,11 @@ async function withBuffers(bytes, name, parts) {
   return isChanged ? new TextEncoder().encode(JSON.stringify(scene)) : bytes;
 }
 
-/** @param {readonly Bytes[]} files  at least one @throws {import("./generated/types.js").Fault} */
+/**
+ * @param {readonly Bytes[]} files  at least one
+ * @returns the mesh itself, named without `.gz`, and further ones that were not taken
+ * @throws {import("./generated/types.js").Fault}
+ */
 export async function meshAmong(files) {
   const parts = (await Promise.all(files.map(partsOf))).flat();
   const named = parts.filter(({ name }) => isMeshName(withoutGzip(name)));

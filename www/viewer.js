@@ -249,14 +249,9 @@ class SurfaceView {
     return this.#viewer?.camera() ?? new Float32Array();
   }
 
-  /**
-   * @param {ArrayLike<number>} numbers  of `camera`
-   * @returns {boolean} false, and no change, when they make no sense
-   */
+  /** Changes nothing where they make no sense. @param {ArrayLike<number>} numbers  of `camera` */
   setCamera(numbers) {
-    const taken = this.#viewer?.setCamera(Float32Array.from(numbers)) ?? false;
-    this.#redraw();
-    return taken;
+    this.change((viewer) => viewer.setCamera(Float32Array.from(numbers)));
   }
 
   /** The picture as a PNG, as large as it is on screen. @returns {Promise<Blob>} */
@@ -395,11 +390,9 @@ class SurfaceView {
     const estimate = this.#estimateSize(entry.contentRect);
     // The exact size knows how the browser rounds, but not of an emulated pixel ratio.
     const agrees = exact && Math.abs(exact.inlineSize - estimate.width) <= 1;
-    const { width, height } = agrees
-      ? { width: exact.inlineSize, height: exact.blockSize }
-      : estimate;
-    if (width === 0 || height === 0) return;
-    this.#size = { width, height };
+    const size = agrees ? { width: exact.inlineSize, height: exact.blockSize } : estimate;
+    if (size.width === 0 || size.height === 0) return;
+    this.#size = size;
     this.#putStyle();
   }
 
@@ -412,11 +405,14 @@ class SurfaceView {
   #redraw() {
     this.#frame ??= requestAnimationFrame((now) => {
       this.#frame = null;
-      if (this.#draw()) this.#timeFrame(now);
-      if (this.#cameraMoved) {
-        this.#cameraMoved = false;
-        this.#options.onCamera?.(this.camera());
+      if (this.#draw()) {
+        // A device that cannot follow holds up the next frame of the display.
+        requestAnimationFrame((next) => {
+          if (this.#viewer?.recordFrame(next - now)) this.#redraw();
+        });
       }
+      if (this.#cameraMoved) this.#options.onCamera?.(this.camera());
+      this.#cameraMoved = false;
     });
   }
 
@@ -425,16 +421,6 @@ class SurfaceView {
     // A new size clears the canvas, so it waits for the picture that fills it again.
     this.#viewer?.resize(this.#size.width, this.#size.height);
     return this.#viewer?.draw() ?? false;
-  }
-
-  /**
-   * Waits for the next frame of the display: a device that cannot follow holds it up.
-   * @param {number} start  of the frame in which a picture was drawn
-   */
-  #timeFrame(start) {
-    requestAnimationFrame((now) => {
-      if (this.#viewer?.recordFrame(now - start)) this.#redraw();
-    });
   }
 
   /** @type {import("./gestures.js").Move} */

@@ -10,7 +10,7 @@ import { isMesh, readHelp, readInput, readMesh } from "./files.js";
 import { readFlags, typed } from "./options.js";
 import { table } from "./text.js";
 
-/** @typedef {import("./terminal.js").Terminal} Terminal */
+/** @typedef {import("../cli.js").Terminal} Terminal */
 
 /** @type {import("./command.js").Spec} */
 export const bench = {

@@ -10,7 +10,7 @@ import { print } from "./text.js";
 /** @import { Row } from "../generated/schema.js" */
 /** @import { Options, Values } from "./options.js" */
 /** @import { Session } from "./solver.js" */
-/** @import { Terminal } from "./terminal.js" */
+/** @import { Terminal } from "../cli.js" */
 
 /**
  * What a command comes to: the JSON; a text for people, the result in lines unless given; what

@@ -2,28 +2,22 @@
 
 import { accessSync, constants, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import {
-  endingOf,
-  isMeshName,
-  packedEndings,
-  readEndings,
-  writtenAs,
-  writtenEndings,
-} from "../mesh-format.js";
+import * as formats from "../mesh-format.js";
 import { perform } from "../session.js";
 import { meshAmong } from "../unpack.js";
 import { say } from "../words.js";
 import { Failure, failed, orExit, usage } from "./failure.js";
 
 /** @typedef {import("../pkg/solver/solver.js").Session} Session */
-/** @typedef {import("./terminal.js").Terminal} Terminal */
+/** @typedef {import("../cli.js").Terminal} Terminal */
 
 /** Whether a file's name is that of a mesh that can be read, packed or not. @param {string} file */
-export const isMesh = (file) => isMeshName(file) || packedEndings.includes(endingOf(file));
+export const isMesh = (file) =>
+  formats.isMeshName(file) || formats.packedEndings.includes(formats.endingOf(file));
 
 /** Formats, as help names them: those that are written, and those that are read. */
-export const writtenHelp = list(writtenEndings, "or");
-export const readHelp = `${list(readEndings, "or")}, also in ${list(packedEndings, "or")}`;
+export const writtenHelp = list(formats.writtenEndings, "or");
+export const readHelp = `${list(formats.readEndings, "or")}, also in ${list(formats.packedEndings, "or")}`;
 
 /** @param {string[]} names @param {string} word  before the last */
 function list(names, word) {
@@ -37,7 +31,7 @@ function list(names, word) {
 export async function readMesh(file, io) {
   const bytes = Uint8Array.from(readInput(file, io));
   const name = file === "-" ? "stdin" : path.basename(file);
-  const beside = endingOf(name) === ".gltf" ? buffersBeside(file, bytes) : [];
+  const beside = formats.endingOf(name) === ".gltf" ? buffersBeside(file, bytes) : [];
   try {
     const { others, ...mesh } = await meshAmong([{ name, bytes }, ...beside]);
     if (others.length > 0) io.log(say("unpack-others", { name: mesh.name, others }));
@@ -51,11 +45,9 @@ export async function readMesh(file, io) {
 function buffersBeside(file, bytes) {
   const uris = [...new TextDecoder().decode(bytes).matchAll(/"uri"\s*:\s*"([^":]+)"/g)];
   const names = uris.map(([, uri]) => decodeURI(uri));
-  const found = names.filter((name) => existsSync(path.join(path.dirname(file), name)));
-  return found.map((name) => ({
-    name,
-    bytes: Uint8Array.from(readInput(path.join(path.dirname(file), name))),
-  }));
+  const all = names.map((name) => ({ name, place: path.join(path.dirname(file), name) }));
+  const found = all.filter(({ place }) => existsSync(place));
+  return found.map(({ name, place }) => ({ name, bytes: Uint8Array.from(readInput(place)) }));
 }
 
 /**
@@ -103,34 +95,31 @@ export function readInput(file, io) {
   }
 }
 
-/**
- * Refuses a place that cannot be written before the work begins and not after it.
- * @param {(string | undefined)[]} files
- */
-export function checkOutputs(files) {
-  for (const file of files) {
-    if (file === undefined) continue;
-    try {
-      const folder = path.dirname(file);
-      accessSync(folder, constants.W_OK);
-      if (statSync(file, { throwIfNoEntry: false })?.isDirectory()) throw new Error("a folder");
-    } catch (error) {
-      throw usage(`${file} cannot be written: ${reason(error)}.`);
-    }
+/** What is not possible with a place to write to is refused. @param {string} file @param {() => void} work */
+function toWrite(file, work) {
+  try {
+    work();
+  } catch (error) {
+    throw usage(`${file} cannot be written: ${reason(error)}.`);
   }
 }
 
-/**
- * The mesh format that the ending of `file` asks for.
- * @param {string} file @returns {any}  a name that `Session.export` knows
- */
+/** Tries places before the work begins and not after it. @param {(string | undefined)[]} files */
+export function checkOutputs(files) {
+  for (const file of files.filter((one) => one !== undefined)) {
+    toWrite(file, () => {
+      accessSync(path.dirname(file), constants.W_OK);
+      if (statSync(file, { throwIfNoEntry: false })?.isDirectory()) throw new Error("a folder");
+    });
+  }
+}
+
+/** The mesh format that a file's ending asks for. @param {string} file */
 export function formatOf(file) {
-  const format = writtenAs(file);
+  const format = formats.writtenAs(file);
   if (format) return format;
-  throw usage(
-    `${file} does not say which format to write.`,
-    `End its name in ${list(writtenEndings, "or")}.`,
-  );
+  const hint = `End its name in ${list(formats.writtenEndings, "or")}.`;
+  throw usage(`${file} does not say which format to write.`, hint);
 }
 
 /**
@@ -148,13 +137,7 @@ export function writeMesh(session, file, io) {
 }
 
 /** @param {string} file @param {string | Uint8Array} content */
-export function writeOutput(file, content) {
-  try {
-    writeFileSync(file, content);
-  } catch (error) {
-    throw usage(`${file} cannot be written: ${reason(error)}.`);
-  }
-}
+export const writeOutput = (file, content) => toWrite(file, () => writeFileSync(file, content));
 
 /** @param {unknown} error */
 function reason(error) {

@@ -14,7 +14,7 @@ import { format, inWords } from "./text.js";
 /** @import { Outcome, StepReport } from "../generated/types.js" */
 /** @import { Options, Values } from "./options.js" */
 /** @import { Session } from "./solver.js" */
-/** @import { Terminal } from "./terminal.js" */
+/** @import { Terminal } from "../cli.js" */
 
 /** @typedef {import("./command.js").Spec} Spec */
 

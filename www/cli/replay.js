@@ -10,7 +10,7 @@ import { table } from "./text.js";
 
 /** @import { RecipeMesh, ReplayReport, ReplayResult } from "../generated/types.js" */
 /** @typedef {import("../pkg/solver/solver.js").Session} Session */
-/** @typedef {import("./terminal.js").Terminal} Terminal */
+/** @typedef {import("../cli.js").Terminal} Terminal */
 
 /** @type {import("./command.js").Spec} */
 export const replay = {

@@ -286,13 +286,11 @@ export function createEmbedding(page) {
 
   /** A way to the whole page, with the scene as it is. */
   function addFullPage() {
-    const link = document.createElement("a");
-    link.className = "full-page";
-    link.target = "_blank";
-    link.rel = "noopener";
-    link.textContent = say("full-page");
-    link.title = say("full-page.title");
-    link.href = pageAddress(location) + location.hash;
+    const link = Object.assign(document.createElement("a"), {
+      ...{ className: "full-page", target: "_blank", rel: "noopener" },
+      ...{ textContent: say("full-page"), title: say("full-page.title") },
+      href: pageAddress(location) + location.hash,
+    });
     document.getElementById("stage")?.append(link);
     return link;
   }

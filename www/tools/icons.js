@@ -17,19 +17,16 @@ const icons = [
 
 mkdirSync(folder, { recursive: true });
 const browser = await launch();
-try {
-  for (const { name, size, isMaskable } of icons) {
-    const { page, close } = await openPage(browser, { viewport: { width: size, height: size } });
-    const inset = isMaskable ? size / 10 : 0;
-    await page.setContent(
-      `<style>body { margin: 0; ${isMaskable ? "background: #0b6b78" : ""} }
-      svg { display: block; margin: ${inset}px; width: ${size - 2 * inset}px }</style>${svg}`,
-    );
-    const file = path.join(folder, `${name}.png`);
-    writeFileSync(file, await page.screenshot({ omitBackground: true }));
-    console.log(`wrote ${file}`);
-    await close();
-  }
-} finally {
-  await browser.close();
+for (const { name, size, isMaskable } of icons) {
+  const { page, close } = await openPage(browser, { viewport: { width: size, height: size } });
+  const inset = isMaskable ? size / 10 : 0;
+  await page.setContent(
+    `<style>body { margin: 0; ${isMaskable ? "background: #0b6b78" : ""} }
+    svg { display: block; margin: ${inset}px; width: ${size - 2 * inset}px }</style>${svg}`,
+  );
+  const file = path.join(folder, `${name}.png`);
+  writeFileSync(file, await page.screenshot({ omitBackground: true }));
+  console.log(`wrote ${file}`);
+  await close();
 }
+await browser.close();

@@ -12,22 +12,19 @@ const steps = 3;
 
 const server = await serve();
 const browser = await launch();
-try {
-  const { page } = await openPage(browser, {
-    viewport: { width: 1280, height: 720 },
-    colorScheme: "light",
-  });
-  await page.goto(`${server.url}?effects=always${scene}`);
-  await until(page, "Ready");
-  for (let step = 1; step <= steps; step++) {
-    await page.getByRole("button", { name: "Step", exact: true }).click();
-    await until(page, `Paused at step ${step}`);
-  }
-  await page.mouse.move(5, 5);
-  const file = path.join(root, "www", "picture.png");
-  await page.screenshot({ path: file });
-  console.log(`wrote ${file}`);
-} finally {
-  await browser.close();
-  await server.close();
+const { page } = await openPage(browser, {
+  viewport: { width: 1280, height: 720 },
+  colorScheme: "light",
+});
+await page.goto(`${server.url}?effects=always${scene}`);
+await until(page, "Ready");
+for (let step = 1; step <= steps; step++) {
+  await page.getByRole("button", { name: "Step", exact: true }).click();
+  await until(page, `Paused at step ${step}`);
 }
+await page.mouse.move(5, 5);
+const file = path.join(root, "www", "picture.png");
+await page.screenshot({ path: file });
+console.log(`wrote ${file}`);
+await browser.close();
+await server.close();

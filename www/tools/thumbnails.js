@@ -55,18 +55,15 @@ async function take(name, scene, viewport) {
 /** @param {{ id: string }} one */
 const isWanted = ({ id }) => wanted.length === 0 || wanted.includes(id);
 
-try {
-  for (const { id, options } of samples.filter(isWanted)) {
-    const half = { width: 150, height: 150 };
-    await take(id, { sample: id }, half);
-    if (options.flow !== "flips") await take(`${id}-after`, { sample: id, step: MOST }, half);
-  }
-  for (const { id, sample, colour, steps, options, arrangement } of figures.filter(isWanted)) {
-    const step = steps === "rest" ? MOST : Math.min(steps, MOST);
-    const words = { sample, ...options, ...arrangement, colour, ...(step > 0 && { step }) };
-    await take(id, words, { width: 240, height: 150 });
-  }
-} finally {
-  await browser.close();
-  await server.close();
+for (const { id, options } of samples.filter(isWanted)) {
+  const half = { width: 150, height: 150 };
+  await take(id, { sample: id }, half);
+  if (options.flow !== "flips") await take(`${id}-after`, { sample: id, step: MOST }, half);
 }
+for (const { id, sample, colour, steps, options, arrangement } of figures.filter(isWanted)) {
+  const step = steps === "rest" ? MOST : Math.min(steps, MOST);
+  const words = { sample, ...options, ...arrangement, colour, ...(step > 0 && { step }) };
+  await take(id, words, { width: 240, height: 150 });
+}
+await browser.close();
+await server.close();
