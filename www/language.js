@@ -3,18 +3,14 @@
 // Numbers keep the decimal point in every language: they are copied into other programs, and
 // stand beside the same numbers in files, tables and papers.
 
-import { speakWords } from "./words.js";
+import { currentLanguage, speak } from "./words.js";
+
+export { currentLanguage, speak };
 
 /** Languages on offer, each by its own name. */
 export const languages = /** @type {const} */ ({ en: "English", de: "Deutsch" });
 
 /** @typedef {keyof typeof languages} Language */
-
-/** @type {Language} */
-let language = "en";
-
-/** The language that the page is in. */
-export const currentLanguage = () => language;
 
 /** @param {string | null | undefined} tag  as `de-CH` @returns {Language | null} */
 function known(tag) {
@@ -50,12 +46,6 @@ export function remember(key, value) {
   }
 }
 
-/** Speaks another language from now on. @param {Language} wanted */
-export async function speak(wanted) {
-  await speakWords(wanted);
-  language = wanted;
-}
-
 /** The page in the language of its reader, before any of it is built. */
 export async function openLanguage() {
   const wanted = chooseLanguage(location.search, remembered("language"), navigator.languages);
@@ -65,5 +55,5 @@ export async function openLanguage() {
     // Better in English than not at all.
     console.error(error);
   }
-  document.documentElement.lang = language;
+  document.documentElement.lang = currentLanguage();
 }

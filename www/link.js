@@ -23,10 +23,7 @@ import { plainArrangement } from "./options.js";
 
 /** @typedef {{ search: string, hash: string }} Address */
 
-/**
- * A link in an address. A query is understood too, for whoever writes one by hand.
- * @param {Address} address
- */
+/** A link in an address; a query too, as one writes by hand. @param {Address} address */
 export const linkIn = ({ search, hash }) =>
   hash.length > 1 ? { text: hash.slice(1), isOwn: true } : { text: search.slice(1), isOwn: false };
 

@@ -33,10 +33,7 @@ function drawCaption(context, caption, stage) {
   }
 }
 
-/**
- * @param {HTMLElement} root  that the pictures stand in
- * @param {() => Tile[]} tiles  those that are seen
- */
+/** @param {HTMLElement} root  around the pictures @param {() => Tile[]} tiles  that are seen */
 export function createMontage(root, tiles) {
   /** As large as the stage is on the screen. */
   function canvas() {

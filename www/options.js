@@ -83,10 +83,7 @@ const basic = [
 /** @param {string} name  of an option */
 export const isBasic = (name) => basic.includes(name);
 
-/**
- * An option as text, which the solver reads.
- * @param {unknown} value @param {string} [name]  of the option
- */
+/** An option as text, which the solver reads. @param {unknown} value @param {string} [name] */
 export const asText = (value, name) =>
   Array.isArray(value) && value.length === 0
     ? "none"

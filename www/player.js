@@ -18,10 +18,7 @@ export const speeds = [0.25, 0.5, 1, 2, 4];
 /** Seconds between two pictures that count: a window in the background plays on from where it was. */
 const LONGEST = 0.25;
 
-/**
- * A clip and how far it is played.
- * @typedef {{ clip: Clip, isOpen: () => boolean, u: number }} Track
- */
+/** How far a clip is played. @typedef {{ clip: Clip, isOpen: () => boolean, u: number }} Track */
 
 /** @typedef {"still" | "playing" | "easing"} Motion */
 
@@ -68,14 +65,15 @@ export function createPlayer({
   /** @param {Track} track  share of the way that is left, of what there is */
   const rest = ({ clip, u }) => Math.max(clip.total - u, 0);
 
+  /** The same as a share of it. @param {Track} track */
+  const share = (track) => (track.clip.total > 0 ? rest(track) / track.clip.total : 1);
+
   /** How long the clip lasts. */
   const seconds = () => tracks()[0]?.clip.seconds ?? secondsOf(0);
 
   /** When the clip is to end: as long as usual, and what came late not in a rush. */
   function plan() {
-    const [lead] = tracks();
-    const share = lead.clip.total > 0 ? rest(lead) / lead.clip.total : 1;
-    end = Math.max(seconds() * toPlay, spent + 0.6 * seconds() * share);
+    end = Math.max(seconds() * toPlay, spent + 0.6 * seconds() * share(tracks()[0]));
   }
 
   /** @param {Track} track @param {number} by  seconds */
@@ -170,7 +168,7 @@ export function createPlayer({
     const [lead] = tracks();
     [spent, end, wasOpen, ease, sinceStep] = [0, 0, true, null, 0];
     lastStart = lastArrival = performance.now();
-    toPlay = lead.clip.total > 0 ? rest(lead) / lead.clip.total : 1;
+    toPlay = share(lead);
     if (tracks().some((one) => one.isOpen())) toPlay = Math.max(toPlay, 0.5);
     last = performance.now();
     motion.value = "playing";

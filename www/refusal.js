@@ -1,8 +1,6 @@
 // What the page and the worker refuse themselves, in the shape of the solver's refusals.
 
-/**
- * @param {string} kind @param {string} id  of the words @param {Record<string, unknown>} [values]
- */
+/** @param {string} kind @param {string} id  of words @param {Record<string, unknown>} [values] */
 export const refusal = (kind, id, values = {}) => ({
   kind,
   message: { id, values },

@@ -2,7 +2,6 @@
 // shader compiler, is several times as large, and is fetched only then. `?renderer=webgl`
 // or `?renderer=webgpu` in the page's address forces the choice.
 
-import { hasContext } from "./webgl-context.js";
 import { fault, say, sayFault } from "./words.js";
 
 /** @typedef {Pick<typeof import("./pkg/viewer/viewer.js"), "Viewer" | "firstSurface">} ViewerModule */
@@ -108,4 +107,37 @@ async function load(name, reason, isForced = false) {
     const why = error instanceof Error ? error.message : String(error);
     throw fault("ViewerNotLoaded", "viewer-not-loaded", { reason: why });
   }
+}
+
+// Other than a WebGPU device the WebGL context of a canvas belongs to the canvas for good: the
+// browser takes it away and gives it back, to the same canvas, when it can.
+
+/** How long a browser may take to give a context back. */
+const RESTORE_MILLISECONDS = 4000;
+
+/** Waits a while for a lost context: whether it is back. @param {HTMLCanvasElement} canvas */
+export async function contextBack(canvas) {
+  const context = canvas.getContext("webgl2");
+  if (!context?.isContextLost()) return true;
+  await new Promise((resolve) => {
+    canvas.addEventListener("webglcontextrestored", resolve, { once: true });
+    setTimeout(resolve, RESTORE_MILLISECONDS);
+  });
+  return !context.isContextLost();
+}
+
+/**
+ * Lets a context go now, and not when garbage is collected: browsers allow few at a time.
+ * @param {HTMLCanvasElement} canvas
+ */
+export function releaseContext(canvas) {
+  canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
+}
+
+/** @returns {boolean} whether this browser has WebGL2 */
+function hasContext() {
+  const canvas = document.createElement("canvas");
+  const found = canvas.getContext("webgl2") !== null;
+  releaseContext(canvas);
+  return found;
 }

@@ -28,10 +28,7 @@ export function grown(set, triangles, value) {
   return next;
 }
 
-/**
- * The edges between a set and its complement.
- * @param {Uint8Array} set @param {Uint32Array} edges  two ends each
- */
+/** The edges out of a set. @param {Uint8Array} set @param {Uint32Array} edges  two ends each */
 export function rim(set, edges) {
   /** @type {number[]} */
   const found = [];

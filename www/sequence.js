@@ -12,10 +12,7 @@ export const MOST_BYTES = 1 << 30;
 /** How much of a file there is at once for the compressor. */
 const PIECE = 1 << 20;
 
-/**
- * The stored steps that are taken: every n-th and the last.
- * @param {Session} session @param {number} every
- */
+/** Stored steps: every n-th and the last. @param {Session} session @param {number} every */
 function* chosen(session, every) {
   const { start, last } = perform(session, "timeline");
   perform(session, "seek", { step: start });

@@ -3,8 +3,7 @@
 // not keep: of a new device it tells, and is told again.
 
 import { listenForGestures } from "./gestures.js";
-import { giveUpWebgpu, openViewer } from "./renderer.js";
-import { contextBack, releaseContext } from "./webgl-context.js";
+import { contextBack, giveUpWebgpu, openViewer, releaseContext } from "./renderer.js";
 import { fault, say } from "./words.js";
 
 /**
@@ -280,10 +279,7 @@ class SurfaceView {
     this.#draw();
   }
 
-  /**
-   * Colours of a colour map from low to high, r, g, b bytes each.
-   * @param {boolean} signed @param {number} count
-   */
+  /** A colour map from low to high, r, g, b bytes. @param {boolean} signed @param {number} count */
   colourBar(signed, count) {
     return this.#viewer?.colourBar(signed, count) ?? new Uint8Array(3 * count);
   }
@@ -329,10 +325,7 @@ class SurfaceView {
     this.#options.onRenewed?.();
   }
 
-  /**
-   * Replaces a lost device. A browser that loses it again and again has given up on it.
-   * @param {string} reason
-   */
+  /** Replaces a lost device; one lost again and again is given up. @param {string} reason */
   async #recover(reason) {
     this.#viewer?.free();
     this.#viewer = null;

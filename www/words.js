@@ -142,9 +142,10 @@ export const fault = (kind, id, values, hint = `${id}.hint`) => ({
 /** Words that are read only once there is a solver. @type {Promise<string> | null} */
 let rest = null;
 let speaking = /** @type {"en" | "de"} */ ("en");
+export const currentLanguage = () => speaking;
 
 /** Says what follows in another language. @param {"en" | "de"} language */
-export async function speakWords(language) {
+export async function speak(language) {
   const words = await fetchWords(language, "first");
   const more = rest ? await fetchWords(language, "rest") : "";
   speaking = language;

@@ -10,10 +10,7 @@ const wasm = new URL("../pkg/solver/solver_bg.wasm", import.meta.url);
 
 let isLoaded = false;
 
-/**
- * What the solver can do without a session.
- * @throws {Failure} when the solver has not been built
- */
+/** What the solver can do without a session. @throws {Failure} where it has not been built */
 export async function loadSolver() {
   if (!existsSync(wasm)) {
     const hint = "Run `npm run build` once in the project's folder.";

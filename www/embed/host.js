@@ -248,10 +248,7 @@ export function createEmbedding(page) {
     /** Whether the mesh comes from whoever embeds, and not from the address. */
     isFed: asked.has("wait"),
 
-    /**
-     * Once the page listens to what is asked of it.
-     * @param {Promise<unknown>} opened  the scene of the address
-     */
+    /** Once the page listens. @param {Promise<unknown>} opened  the scene of the address */
     begin(opened) {
       const theme = asked.get("theme");
       if (theme === "light" || theme === "dark") run.view({ theme });

@@ -13,10 +13,7 @@ export const MOST_WAITING = 100;
 
 /** @typedef {{ id: string | number, type: string } & Record<string, unknown>} Request */
 
-/**
- * @param {unknown} data
- * @returns {Request | null} null where it is no request of ours, and not to be answered
- */
+/** Null where it is no request of ours, and not to be answered. @param {unknown} data */
 export function asRequest(data) {
   if (typeof data !== "object" || data === null) return null;
   const { umbilic, id, type } = /** @type {Record<string, unknown>} */ (data);
@@ -31,10 +28,7 @@ const short = (said) => String(said).slice(0, 60);
 export const unknownRequest = (/** @type {string} */ type, /** @type {string[]} */ known) =>
   fault("UnknownRequest", "embed-no-request", { type: short(type), known }, "embed-known");
 
-/**
- * @param {unknown} scene  words of a link: text with or without `#`, or an object
- * @returns {string} the same from `#` on
- */
+/** Words of a link, as text or as an object, from `#` on. @param {unknown} scene */
 export function asHash(scene) {
   if (typeof scene === "string") return `#${scene.replace(/^#/, "")}`;
   const isObject = typeof scene === "object" && scene !== null && !Array.isArray(scene);

@@ -53,10 +53,7 @@ export function ask(program, parameters) {
   return status === 0 ? stdout.trim() : null;
 }
 
-/**
- * Runs a script's work; a refusal is printed and becomes exit code 1.
- * @param {() => void | Promise<void>} work
- */
+/** Runs a script's work; a refusal is printed, with exit code 1. @param {() => unknown} work */
 export async function script(work) {
   try {
     await work();

@@ -93,10 +93,7 @@ function flags() {
   return ["-C", "target-feature=+simd128", remap(cargoHome, "cargo"), remap(root, "umbilic")];
 }
 
-/**
- * wasm-bindgen's tool, built when it is missing or older than what it is made of.
- * @returns {string} path of the program
- */
+/** Path of wasm-bindgen's tool, built when it is missing or older than what it is made of. */
 function bindgenTool() {
   const folder = path.join(targetDir, "tools");
   const suffix = process.platform === "win32" ? ".exe" : "";
