@@ -47,22 +47,20 @@ export function print({ message, warnings = [], changes, repairs = [], ...rest }
   const sides = before ? { before, after } : initial && { initial, final };
   // A file that was no surface has nothing to stand before it.
   const all = sides || !after ? others : { ...others, ...after };
-  const lines = (/** @type {string[][]} */ rows) => (rows.length > 0 ? table(rows) : "");
+  const rows = entries(all).map(([key, value]) => [key, format(value)]);
+  const lines = (/** @type {string[]} */ list, kind = "") =>
+    list.map((line) => `${kind}${line}\n`).join("");
+  const said = (/** @type {{ message: string }} */ one) => one.message;
   const parts = [
     message ? `${message}\n` : "",
-    changes ? changes.map(said).join("") || "Nothing was to be repaired.\n" : "",
-    lines(entries(all).map(([key, value]) => [key, format(value)])),
+    changes ? lines(changes.map(said)) || "Nothing was to be repaired.\n" : "",
+    rows.length > 0 ? table(rows) : "",
     sides ? compared(sides) : "",
-    warnings.map((/** @type {string} */ warning) => `warning: ${warning}\n`).join(""),
-    repairs
-      .map((/** @type {{ message: string }} */ { message }) => `repair: ${message}\n`)
-      .join(""),
+    lines(warnings, "warning: "),
+    lines(repairs.map(said), "repair: "),
   ];
   return parts.filter((part) => part !== "").join("\n");
 }
-
-/** @param {{ message: string }} change */
-const said = ({ message }) => `${message}\n`;
 
 /** Two objects of the same keys side by side. @param {Record<string, object>} sides */
 function compared(sides) {
