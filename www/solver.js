@@ -44,7 +44,7 @@ const kept = /** @type {const} */ (["colour", "arrange", "look"]);
 /** What moves the surface: it ends the run at hand, and what comes of it is shown. */
 const moves = [
   ...["configure", "continueWith", "step", "regularise", "undo", "back", "reset", "seek"],
-  ...["branch", "follow", "restore"],
+  ...["branch", "follow"],
 ];
 /** What else ends the run at hand. */
 const ends = [
@@ -81,7 +81,8 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   let run = 0;
   /** @type {Shown} */
   let scene = {
-    ...{ origin: null, loaded: null, isConfigured: false, options: {}, again: {}, last: null },
+    ...{ origin: null, loaded: null, last: null },
+    ...{ isConfigured: false, options: {}, again: {} },
   };
   /** Those of before the edits that can be undone. @type {Pick<Shown, "origin" | "loaded">[]} */
   let origins = [];
@@ -160,7 +161,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   /**
    * @template {Name} N @param {N} name @param {Asked<N>} [fields]
    * @param {boolean} [isEnd]  whether it ends the run at hand
-   * @param {boolean} [shown]  whether a frame follows the answer
+   * @param {boolean} [shown]  whether a frame follows the answer @returns {Promise<Answered<N>>}
    */
   function send(name, fields, isEnd = false, shown = false) {
     if (isEnd) run += 1;
@@ -221,8 +222,9 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
       frame.positions.every((c, n) => c === now.positions[n]);
     if (!frame || isStart) return send("reset", {}, true, true);
     // Far from the origin an edited mesh is read into a place of its own.
-    const by = before.shift.map((c, n) => c - now.shift[n]);
-    const exact = by.some(Boolean) ? frame.exact.map((c, n) => c + by[n % 3]) : frame.exact;
+    const apart = before.shift.map((c, n) => c - now.shift[n]);
+    const isApart = apart.some(Boolean);
+    const exact = isApart ? frame.exact.map((c, n) => c + apart[n % 3]) : frame.exact;
     const { triangles, state } = frame;
     return send("restore", { exact, triangles, step: state.step, time: state.time }, true, true);
   }
