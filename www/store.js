@@ -51,15 +51,6 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
  */
 
 /**
- * @typedef {object} Comparison
- * @property {readonly Rival[]} rivals
- * @property {"progress" | "step" | "time"} lockstep
- * @property {"side" | number} shown   all side by side, or one in the place of all
- * @property {number | null} difference  the pane that distances are measured to, and colours show
- * @property {boolean} withStart  whether the start stands beside
- */
-
-/**
  * @typedef {object} Note  a line for the status line
  * @property {number} id
  * @property {"note" | "answer" | "error"} kind  errors stay until they are dismissed
@@ -68,14 +59,16 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
  * @property {readonly { label: string, act: () => unknown }[]} offers
  */
 
-/** @type {Readonly<Comparison>} */
+/** The flow of the page without any beside it. */
 export const alone = Object.freeze({
-  rivals: [],
-  lockstep: "progress",
-  shown: "side",
-  difference: null,
-  withStart: false,
+  rivals: /** @type {readonly Rival[]} */ ([]),
+  lockstep: /** @type {"progress" | "step" | "time"} */ ("progress"),
+  shown: /** @type {"side" | number} */ ("side"), // all side by side, or one in the place of all
+  /** The pane that distances are measured to, and colours show. */
+  difference: /** @type {number | null} */ (null),
+  withStart: /** @type {boolean} */ (false), // whether the start stands beside
 });
+/** @typedef {typeof alone} Comparison */
 
 /** What the page shows. */
 export const initial = Object.freeze({
@@ -103,7 +96,7 @@ export const initial = Object.freeze({
   figure: /** @type {import("./library.js").Figure | null} */ (null),
   /** Of a figure of two halves: the one that is shown backwards is computed; the film is shown. */
   film: /** @type {"back" | "whole" | null} */ (null),
-  comparison: /** @type {Readonly<Comparison>} */ (alone),
+  comparison: alone,
   colour: /** @type {FieldName} */ ("none"),
   range: /** @type {readonly [number, number] | null} */ (null), // of colours, held for the run
   goal: /** @type {number | null} */ (null), // the step a link asks for, while running to it

@@ -14,18 +14,12 @@ import { fault, say } from "./words.js";
  */
 
 /**
- * @typedef {object} Style
- * @property {"smooth" | "flat"} [shading]
- * @property {boolean} [wireframe]  the mesh's own edges
- * @property {boolean} [boundary]   the boundary loops
- * @property {boolean} [inside]     back and front are told apart of a closed surface too, as one
- *   that passes through itself shows both
- * @property {number} [cut]         share of its depth that is cut away in front
- * @property {"light" | "dark"} [theme]
- * @property {boolean} [contrast]   colour maps of high contrast
- * @property {number} [lineWidth]   of an edge, in CSS pixels
- * @property {"auto" | "always" | "never"} [effects]  darkened corners and a shadow; by itself
- *   what the device has time for, and nothing where it draws in software
+ * `cut` is a share; with `inside`, back and front are told apart of a closed surface too, as one
+ * that passes through itself shows both; `lineWidth` is of an edge, in CSS pixels. `effects` are
+ * darkened corners and a shadow: by itself what the device has time for, and nothing where it draws
+ * in software.
+ * @typedef {Partial<Pick<import("./store.js").View, "shading" | "wireframe" | "boundary" | "cut" | "contrast">
+ *   & { inside: boolean, theme: "light" | "dark", lineWidth: number, effects: "auto" | "always" | "never" }>} Style
  */
 
 /**

@@ -4,10 +4,8 @@
 import { refusal } from "./refusal.js";
 
 /**
- * @typedef {object} Entry
- * @property {string} name  with its folders
- * @property {number} size  once unpacked
- * @property {() => Promise<Uint8Array<ArrayBuffer>>} read
+ * A file in an archive: `name` with its folders, `size` once unpacked.
+ * @typedef {{ name: string, size: number, read: () => Promise<Uint8Array<ArrayBuffer>> }} Entry
  */
 
 /** At most so many bytes are unpacked, */
