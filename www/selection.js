@@ -1,4 +1,4 @@
-// Sets of vertices, a byte each, and the triangles at some.
+// Sets of vertices as a byte each.
 
 /**
  * Gives a value to the vertices within a ball.
@@ -35,19 +35,5 @@ export function rim(set, edges) {
   for (let e = 0; e < edges.length; e += 2) {
     if (set[edges[e]] !== set[edges[e + 1]]) found.push(edges[e], edges[e + 1]);
   }
-  return Uint32Array.from(found);
-}
-
-/**
- * Triangles with one of these corners.
- * @param {Uint32Array} corners  of all triangles, three each @param {ArrayLike<number>} vertices
- */
-export function trianglesAt(corners, vertices) {
-  const wanted = new Set(Array.from(vertices));
-  /** @type {Set<number>} */
-  const found = new Set();
-  corners.forEach((v, k) => {
-    if (wanted.has(v)) found.add(Math.floor(k / 3));
-  });
   return Uint32Array.from(found);
 }

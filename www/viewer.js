@@ -210,11 +210,6 @@ class SurfaceView {
     return hit ? [hit[0], hit[1], hit[2], hit[3] * this.#scale] : null;
   }
 
-  /** The camera turned so that triangles are seen from in front, if one is. @param {Uint32Array} triangles */
-  facing(triangles) {
-    return this.#viewer?.facing(triangles) ?? null;
-  }
-
   /**
    * @param {{ clientX: number, clientY: number }} event
    * @param {Uint32Array} ends  two vertices an edge

@@ -14,7 +14,7 @@
 use std::f32::consts::{FRAC_PI_2, PI};
 
 use glam::camera::rh::proj::directx::perspective;
-use glam::{Mat3, Mat4, Quat, Vec2, Vec3};
+use glam::{Mat4, Quat, Vec2, Vec3};
 
 /// Tangent of half the field of view along the shorter side (28° in all): long enough
 /// a lens that a torus looks round, short enough that near and far can be told apart.
@@ -267,20 +267,6 @@ impl Camera {
             self.follows = false;
         }
         proper
-    }
-
-    /// The same turned about its target, so that it looks against a direction; `None` where that is
-    /// the axis of the turntable, or no direction.
-    pub fn facing(&self, direction: Vec3) -> Option<Self> {
-        let backward = direction.try_normalize()?;
-        let across = self.up.cross(backward);
-        // Beside the axis rounding would choose the way round.
-        let right = across.try_normalize().filter(|_| across.length() > 1e-5)?;
-        let axes = Mat3::from_cols(right, backward.cross(right), backward);
-        Some(Self {
-            world_from_view: Quat::from_mat3(&axes),
-            ..self.clone()
-        })
     }
 
     /// Where what is seen at a pixel begins, on the near clip plane, and its direction.
@@ -576,31 +562,6 @@ mod tests {
         for point in on_sphere(Vec3::new(3.0, 1.0, 2.0), 1.5) {
             assert!(pixel(&camera, point).distance(pixel(&restored, point)) < 0.05);
         }
-    }
-
-    #[test]
-    fn a_camera_faces_a_direction_upright_but_not_along_its_axis() {
-        let mut camera = looking_at(Vec3::new(3.0, 1.0, 2.0), 1.5, SIZES[0]);
-        camera.orbit(100.0, -250.0);
-        camera.roll(0.7);
-        let axis = camera.up;
-        for direction in on_sphere(Vec3::ZERO, 3.0) {
-            if direction.normalize().cross(axis).length() < 1e-3 {
-                continue;
-            }
-            let turned = camera.facing(direction).expect("a camera");
-            let [right, backward] = [Vec3::X, Vec3::Z].map(|v| turned.world_from_view * v);
-            assert!(
-                backward.distance(direction.normalize()) < 1e-5,
-                "{direction}"
-            );
-            assert!(right.dot(axis).abs() < 1e-5, "{direction}");
-            let numbers = |camera: &Camera| (camera.target, camera.distance, camera.up);
-            assert_eq!(numbers(&turned), numbers(&camera));
-        }
-        assert_eq!(camera.facing(axis), None);
-        assert_eq!(camera.facing(-2.0 * axis), None);
-        assert_eq!(camera.facing(Vec3::ZERO), None);
     }
 
     #[test]

@@ -72,27 +72,9 @@ pub fn nearest_edge(
     best.1
 }
 
-/// The vector area of these triangles, along their mean normal.
-pub fn vector_area(drawing: &Drawing, triangles: &[u32]) -> Vec3 {
-    let at = drawing.positions();
-    let corners = |&t: &u32| drawing.triangles().get(3 * t as usize..)?.first_chunk();
-    let area = |&[a, b, c]: &[u32; 3]| (at(b) - at(a)).cross(at(c) - at(a));
-    0.5 * triangles.iter().filter_map(corners).map(area).sum::<Vec3>()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_vector_area_is_of_the_triangles_named() {
-        // A square in the plane z = 0 from below, and one upright.
-        let positions = [0., 0., 0., 0., 1., 0., 1., 0., 0., 0., 0., 2.];
-        let drawing = Drawing::new(&positions, &[0, 1, 2, 0, 2, 3], false).expect("a valid mesh");
-        assert_eq!(vector_area(&drawing, &[0]), Vec3::new(0.0, 0.0, -0.5));
-        assert_eq!(vector_area(&drawing, &[0, 1]), Vec3::new(0.0, -1.0, -0.5));
-        assert_eq!(vector_area(&drawing, &[7]), Vec3::ZERO);
-    }
 
     #[test]
     fn the_nearer_of_two_squares_is_picked() {

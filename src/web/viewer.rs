@@ -215,12 +215,6 @@ impl Viewer {
         Some(vec![x, y, z, self.0.pixel_size_at(hit.point)])
     }
 
-    /// The numbers of the camera turned so that these triangles are seen from in front; none along
-    /// its axis.
-    pub fn facing(&self, triangles: &[u32]) -> Option<Vec<f32>> {
-        Some(self.0.facing(triangles)?.to_array().to_vec())
-    }
-
     /// Which of these edges, two vertices each, is seen within `reach` of a pixel: its number.
     #[wasm_bindgen(js_name = nearestEdge)]
     pub fn nearest_edge(

@@ -171,14 +171,3 @@ test("Why? says what is the matter and offers what helps", async () => {
   assert.deepEqual(faults, []);
   await close();
 });
-
-test("what is the matter is turned to, where it has a place", async () => {
-  const { page, faults, close } = await site.open("sample=cylinder-gaps&flow=circle");
-  await button(page, "Step").click();
-  await button(page, "Why?").click();
-  assert.doesNotMatch(page.url(), /camera=/);
-  await button(page, "Show it").click();
-  await page.waitForURL(/camera=/);
-  assert.deepEqual(faults, []);
-  await close();
-});

@@ -1,7 +1,7 @@
 // @ts-check
 // Why the flow stands as it does, where that is, and what helps.
 
-import { trianglesAt } from "../selection.js";
+import { facing, trianglesAt, vectorArea } from "../facing.js";
 import { say } from "../words.js";
 import { stepsOf } from "./run.js";
 
@@ -48,23 +48,22 @@ export function createWhy(core, { adopt, edit }, run) {
       }),
     close: () => patch({ why: null, marks: null }),
 
-    /** The camera that sees triangles from in front: the stage knows. @type {(triangles: Uint32Array) => Float32Array | null} */
-    facing: () => null,
-
     /**
      * Marks elements, and turns to them.
-     * @param {Pick<Diagnosis, "vertices" | "faces" | "edges">} elements @param {boolean} [turns]
+     * @param {Pick<Diagnosis, "vertices" | "faces" | "edges">} elements
+     * @param {Float32Array | null} camera
      */
-    point({ vertices, faces, edges }, turns = true) {
+    point({ vertices, faces, edges }, camera) {
       const { mesh } = get();
       const point = core.lead.clip.surface(core.lead.u);
       if (!mesh || !point?.positions) return;
+      const { positions } = point;
       const all = point.drawable?.triangles ?? mesh.triangles;
       const triangles = Uint32Array.from(new Set([...faces, ...trianglesAt(all, vertices)]));
       patch({ marks: { edges, triangles } });
       const near = triangles.length > 0 ? triangles : trianglesAt(all, edges.subarray(0, 2));
-      const camera = turns && why.facing(near);
-      if (camera) patch({ camera });
+      const turned = camera && facing(camera, vectorArea(positions, all, near));
+      if (turned) patch({ camera: turned });
     },
 
     /** Carries a remedy out, and goes on with the flow. @param {Remedy} remedy */
@@ -94,7 +93,7 @@ export function createWhy(core, { adopt, edit }, run) {
     const kinds = repaired.filter(({ done }) => !done);
     const vertices = Uint32Array.from(new Set(kinds.flatMap((item) => [...item.vertices])));
     const none = new Uint32Array();
-    if (vertices.length > 0) why.point({ vertices, faces: none, edges: none }, false);
+    if (vertices.length > 0) why.point({ vertices, faces: none, edges: none }, null);
     const count = kinds.reduce((sum, item) => sum + item.count, 0);
     core.notes.answer(say("repaired-all", { count }));
     patch({ tab: "surface" });
@@ -132,7 +131,7 @@ export function createWhy(core, { adopt, edit }, run) {
     const list = (/** @type {string} */ name) => Uint32Array.from(detail?.[name] ?? []);
     const elements = { vertices: list("vertices"), faces: list("faces"), edges: new Uint32Array() };
     const isHere = ofFlows.includes(kind) && elements.vertices.length + elements.faces.length > 0;
-    const place = { label: say("why-show"), act: () => why.point(elements) };
+    const place = { label: say("why-show"), act: () => why.point(elements, get().camera) };
     const repair = repairs?.length ? [{ label: say("repair"), act: () => edit.repair() }] : [];
     return [...(isHere ? [place] : []), ...repair, ...(known[kind] ?? [])];
   };

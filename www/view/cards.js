@@ -85,7 +85,7 @@ function why(page) {
   const show = () => {
     if (!diagnosis) return;
     if (shown.isShown) page.edit.mark(null);
-    else page.why.point(diagnosis);
+    else page.why.point(diagnosis, page.stage.camera());
     page.patch({ why: { ...shown, isShown: !shown.isShown } });
   };
   return html`<section class="card why" aria-labelledby="why-heading">

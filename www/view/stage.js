@@ -290,8 +290,6 @@ export function createStage(page, root, { samples, effects }) {
     draw();
   });
 
-  page.why.facing = (triangles) => first.viewer?.facing(triangles) ?? null;
-
   return {
     renderer,
     absence,
@@ -322,6 +320,7 @@ export function createStage(page, root, { samples, effects }) {
       }
     },
     fit: () => first.viewer?.fit(),
+    camera: () => first.viewer?.camera() ?? null,
     label: () => surfaceLabel(page.get(), page.shown()),
     /** What a brush is about to hold; null: what the flow holds. @param {Uint8Array | null} set */
     brush(set) {

@@ -18,7 +18,7 @@ use crate::viewer::drawing::{Drawing, expect_range};
 use crate::viewer::error::ViewerError;
 use crate::viewer::frame::{Frame, Line};
 use crate::viewer::motion::SLOTS;
-use crate::viewer::pick::{Hit, nearest_edge, pick, vector_area};
+use crate::viewer::pick::{Hit, nearest_edge, pick};
 use crate::viewer::quality::Effects;
 use crate::viewer::segments::segments;
 use crate::viewer::style::{BOUNDARY_WIDTH, CHOSEN_WIDTH, FieldRange, OVERLAY_WIDTH, Style};
@@ -278,11 +278,6 @@ impl Viewer {
     pub fn pick(&self, at: Vec2) -> Option<Hit> {
         let (origin, direction) = self.camera.ray(at.x, at.y);
         pick(&self.drawing, origin, direction)
-    }
-
-    /// The camera turned so that these triangles are seen from in front; none along its axis.
-    pub fn facing(&self, triangles: &[u32]) -> Option<Camera> {
-        self.camera.facing(vector_area(&self.drawing, triangles))
     }
 
     /// Which of these edges, two vertices each, is seen next to a pixel.
