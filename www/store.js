@@ -13,7 +13,7 @@ import { defaults, plainArrangement } from "./options.js";
 export const tabs = /** @type {const} */ (["surface", "flow", "measure", "compare", "share"]);
 /** @typedef {typeof tabs[number]} Tab */
 export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remesh", "invert"]);
-/** @typedef {typeof tools[number] | "pick" | "edge"} Mode */
+/** @typedef {typeof tools[number] | "pick"} Mode */
 
 /** What a surface is coloured by.
  * @typedef {import("./generated/types.js").FieldName | "none"} FieldName

@@ -3,11 +3,9 @@
 
 import { html, nothing } from "lit-html";
 import { fetchRest, say } from "../words.js";
+import { page } from "./page.js";
 import { button, lazy } from "./parts.js";
 
-/** @import { Page } from "../actions.js" */
-
-/** What each dialog holds. */
 const contents = {
   library: lazy(() =>
     Promise.all([import("./library.js"), fetchRest()]).then(([{ library }]) => library),
@@ -27,17 +25,15 @@ export const isDialogOpen = (s) => s.dialog !== null && contents[s.dialog].isThe
 /** Fetches what dialogs hold, so that they open at once. */
 export const fetchDialogs = () => Promise.all(Object.values(contents).map(({ fetch }) => fetch()));
 
-/** @param {Page} page */
-export const dialog = (page) => {
+export function dialog() {
   const { dialog: open } = page.state.value;
-  return open ? contents[open](page) : nothing;
-};
+  return open ? contents[open]() : nothing;
+}
 
-/** @param {Page} page */
-export function question(page) {
+export function question() {
   const asked = page.state.value.question;
   return asked
     ? html`<p id="question">${asked.text}</p><div class="row">
-        ${button(say("run-them"), () => asked.answer(true), { kind: "primary" })}${button(say("leave-it"), () => asked.answer(false))}</div>`
+        ${button(say("run-them"), () => asked.answer(true), "primary")}${button(say("leave-it"), () => asked.answer(false))}</div>`
     : nothing;
 }

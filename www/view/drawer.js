@@ -1,16 +1,17 @@
 // @ts-check
-// The rail of tabs and the drawer of the one that is open.
+// The rail of tabs and the drawer of the one that is open. On a phone it is a sheet with a handle:
+// dragged up it takes the place of the surface, dragged down it is as before, and then closed. A
+// tap does the same without dragging.
 
+import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
 import { tabs } from "../store.js";
 import { say } from "../words.js";
+import { page } from "./page.js";
 import { close, icon, lazy } from "./parts.js";
-import { handle, isTall } from "./sheet.js";
 
-/** @import { Page } from "../actions.js" */
 /** @import { Tab } from "../store.js" */
 
-/** @type {Record<Tab, (page: Page) => unknown>} */
 const contents = {
   surface: lazy(() => import("./surface.js").then(({ surface }) => surface)),
   flow: lazy(() => import("./flow.js").then(({ flow }) => flow)),
@@ -19,44 +20,86 @@ const contents = {
   share: lazy(() => import("./share.js").then(({ share }) => share)),
 };
 
-/** Opens a tab, or shuts it. @param {Page} page @param {Tab} tab */
-export function turn(page, tab) {
+/** Whether a sheet has its full height. */
+const isTall = signal(false);
+/** So far, in CSS pixels, a finger may slip on a tap. */
+const SLIP = 6;
+
+/** Opens a tab, or shuts it. @param {Tab} tab */
+export function turn(tab) {
   const isOpen = page.get().tab === tab;
   page.patch({ tab: isOpen ? null : tab, section: null, welcome: false });
   if (page.get().mode && (isOpen || tab !== "surface")) page.edit.mode(null);
 }
 
-/** @param {Page} page */
-export function rail(page) {
-  const { tab } = page.state.value;
-  /** @param {KeyboardEvent} event */
-  function move(event) {
-    const by = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
-    const all = [.../** @type {HTMLElement} */ (event.currentTarget).querySelectorAll("button")];
-    const at = all.indexOf(/** @type {HTMLButtonElement} */ (event.target));
-    if (by === undefined || at < 0) return;
-    event.preventDefault();
-    all[(at + by + all.length) % all.length].focus();
-  }
-  return html`<div class="tabs" role="tablist" aria-label=${say("panels")} @keydown=${move}>${tabs.map(
-    (name, n) =>
-      html`<button type="button" role="tab" id="tab-${name}" aria-selected=${String(name === tab)}
-        aria-controls="drawer" title="${say(`tab-${name}`)} (${n + 1})" tabindex=${name === (tab ?? "surface") ? 0 : -1}
-        @click=${(/** @type {MouseEvent} */ event) => {
-          // Of a click the space bar knows nothing any more: it plays.
-          if (event.detail > 0) /** @type {HTMLElement} */ (event.currentTarget).blur();
-          turn(page, name);
-        }}>${icon(name)}<span>${say(`tab-${name}`)}</span></button>`,
-  )}</div>`;
+/** Keys of the rail. @param {KeyboardEvent} event */
+function move(event) {
+  const by = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
+  const all = [.../** @type {HTMLElement} */ (event.currentTarget).querySelectorAll("button")];
+  const at = all.indexOf(/** @type {HTMLButtonElement} */ (event.target));
+  if (by === undefined || at < 0) return;
+  event.preventDefault();
+  all[(at + by + all.length) % all.length].focus();
 }
 
-/** @param {Page} page */
-export function drawer(page) {
+export function rail() {
+  const { tab } = page.state.value;
+  const press = (/** @type {Tab} */ name) => (/** @type {MouseEvent} */ event) => {
+    // Of a click the space bar knows nothing any more: it plays.
+    if (event.detail > 0) /** @type {HTMLElement} */ (event.currentTarget).blur();
+    turn(name);
+  };
+  const buttons = tabs.map((name, n) => {
+    const label = say(`tab-${name}`);
+    return html`<button type="button" role="tab" id="tab-${name}" aria-selected=${String(name === tab)}
+      aria-controls="drawer" title="${label} (${n + 1})" tabindex=${name === (tab ?? "surface") ? 0 : -1}
+      @click=${press(name)}>${icon(name)}<span>${label}</span></button>`;
+  });
+  return html`<div class="tabs" role="tablist" aria-label=${say("panels")} @keydown=${move}>${buttons}</div>`;
+}
+
+export function drawer() {
   const { tab } = page.state.value;
   if (!tab) return nothing;
-  const shut = () => turn(page, tab);
+  const shut = () => turn(tab);
+  const press = (/** @type {MouseEvent} */ event) => {
+    // By a pointer it was dragged or tapped before.
+    if (event.detail === 0) isTall.value = !isTall.value;
+  };
   return html`<div class="panel ${isTall.value ? "tall" : ""}" role="tabpanel" aria-labelledby="tab-${tab}">
-    <header><h2>${say(`tab-${tab}`)}</h2>${handle(shut)}${close(shut)}</header>
-    <div class="body" tabindex="-1">${contents[tab](page)}</div>
+    <header><h2>${say(`tab-${tab}`)}</h2>
+      <button type="button" class="grip" aria-label=${say("full-height")} aria-pressed=${String(isTall.value)}
+        @pointerdown=${(/** @type {PointerEvent} */ event) => drag(event, shut)} @click=${press}></button>
+      ${close(shut)}</header>
+    <div class="body" tabindex="-1">${contents[tab]()}</div>
   </div>`;
+}
+
+/** @param {PointerEvent} down @param {() => void} shut */
+function drag(down, shut) {
+  const grip = /** @type {HTMLElement} */ (down.currentTarget);
+  const panel = /** @type {HTMLElement} */ (grip.closest(".panel"));
+  const start = panel.getBoundingClientRect().height;
+  const most = start + (document.getElementById("stage")?.clientHeight ?? 0);
+  let by = 0;
+  grip.setPointerCapture(down.pointerId);
+  grip.onpointermove = (event) => {
+    by = down.clientY - event.clientY;
+    if (Math.abs(by) <= SLIP) return;
+    panel.classList.add("dragged");
+    panel.style.height = `${Math.max(0, Math.min(most, start + by))}px`;
+  };
+  const end = () => {
+    grip.onpointermove = grip.onpointerup = grip.onpointercancel = null;
+    panel.style.height = "";
+    panel.classList.remove("dragged");
+  };
+  grip.onpointercancel = end;
+  grip.onpointerup = () => {
+    end();
+    if (Math.abs(by) <= SLIP) isTall.value = !isTall.value;
+    else if (by > 0) isTall.value = true;
+    else if (isTall.value && start + by > start / 3) isTall.value = false;
+    else shut();
+  };
 }

@@ -6,9 +6,9 @@ import temml from "temml";
 import { formatNumber } from "../number.js";
 import { flowOf, isRead } from "../options.js";
 import { say } from "../words.js";
+import { page } from "./page.js";
 
 /** @import { Monitored, State as Reading } from "../generated/types.js" */
-/** @import { Page } from "../actions.js" */
 /** @import { S } from "../store.js" */
 
 /** Formulas that were set once. @type {Map<string, Element>} */
@@ -138,8 +138,7 @@ function stepOf({ options }) {
   return steps[own] ?? steps[`${family} ${options.scheme}`] ?? steps[family];
 }
 
-/** @param {Page} page */
-export function equation(page) {
+export function equation() {
   page.player.tick.value;
   const s = page.state.value;
   const shown = page.shown();

@@ -4,8 +4,9 @@
 import { signal } from "@preact/signals-core";
 import { html, nothing, svg } from "lit-html";
 import { say } from "../words.js";
+import { page } from "./page.js";
 
-/** @import { TemplateResult } from "lit-html" */
+/** @typedef {() => unknown} View  of the state, as it is */
 
 /** Outlines on a grid of 20; those of `solid` are filled. @type {Record<string, string>} */
 const paths = {
@@ -49,10 +50,12 @@ export const mark = html`<svg class="mark" viewBox="0 0 24 24" aria-hidden="true
   <path d="M12 12V2.500M12 12l8.2 4.700M12 12l-8.2 4.700M4.5 7.500c3.5.6 6 2.3 7.5 4.5 1.5-2.2 4-3.9 7.5-4.500M12 12c1 3 .8 6-.8 9.3" />
 </svg>`;
 
+/** What all buttons may have. @typedef {{ disabled?: boolean, pressed?: boolean }} Pressable */
+
 /**
  * A button of an icon alone.
- * @param {string} name  of the icon @param {string} label @param {() => unknown} act
- * @param {{ key?: string, pressed?: boolean, disabled?: boolean }} [more]
+ * @param {string} name  of the icon @param {string} label @param {View} act
+ * @param {Pressable & { key?: string }} [more]
  */
 export const iconButton = (name, label, act, { key = "", pressed, disabled = false } = {}) =>
   html`<button type="button" class="icon-button" aria-label=${label}
@@ -60,27 +63,25 @@ export const iconButton = (name, label, act, { key = "", pressed, disabled = fal
     aria-disabled=${String(disabled)} @click=${() => disabled || act()}>${icon(name)}</button>`;
 
 /**
- * @param {unknown} label @param {() => unknown} act
- * @param {{ kind?: string, icon?: string, disabled?: boolean, pressed?: boolean, title?: string }} [more]
+ * @param {unknown} label @param {View} act @param {string} [kind]  class names
+ * @param {Pressable & { icon?: string, title?: string }} [more]
  */
 export const button = (
   label,
   act,
-  { kind = "", icon: name, disabled = false, pressed, title } = {},
+  kind = "",
+  { icon: name, disabled = false, pressed, title } = {},
 ) =>
   html`<button type="button" class="button ${kind}" aria-disabled=${String(disabled)} title=${title ?? nothing}
     aria-pressed=${pressed ?? nothing} @click=${() => disabled || act()}>${name ? icon(name) : nothing}${label}</button>`;
 
-let lastId = 0;
 /** Ids that stay what they are while a name does. @type {Map<string, string>} */
 const ids = new Map();
 /** @param {string} name */
 export function idOf(name) {
-  const known = ids.get(name);
-  if (known) return known;
-  lastId += 1;
-  ids.set(name, `f${lastId}`);
-  return idOf(name);
+  const id = ids.get(name) ?? `f${ids.size + 1}`;
+  ids.set(name, id);
+  return id;
 }
 
 /** Puts what is chosen into a signal. @template T @param {{ value: T }} signal @returns {(value: T) => void} */
@@ -88,12 +89,13 @@ export const into = (signal) => (value) => {
   signal.value = value;
 };
 
-/** @typedef {{ id: string, label: string }} Choice */
+/** @template {string} Id @typedef {{ id: Id, label: string, group?: string }} Choice */
 
 /**
  * One of a few, side by side.
- * @param {string} label @param {readonly Choice[]} choices @param {string} chosen
- * @param {(id: string) => unknown} choose
+ * @template {string} Id
+ * @param {string} label @param {readonly Choice<Id>[]} choices @param {Id} chosen
+ * @param {(id: Id) => unknown} choose
  */
 export const segmented = (label, choices, chosen, choose) =>
   html`<fieldset class="field"><legend>${label}</legend><span class="segments">${choices.map(
@@ -102,42 +104,78 @@ export const segmented = (label, choices, chosen, choose) =>
         @change=${() => choose(id)} /><span>${text}</span></label>`,
   )}</span></fieldset>`;
 
+/** A control under its name. @param {string} label @param {unknown} control  whose id is of the name @param {unknown} [hint] */
+export const labelled = (label, control, hint = "") =>
+  html`<div class="field"><label for=${idOf(label)}>${label}</label>
+    ${control}${hint ? html`<p class="hint">${hint}</p>` : nothing}</div>`;
+
 /**
- * One of many.
- * @param {string} label @param {readonly (Choice & { group?: string })[]} choices @param {string} chosen
- * @param {(id: string) => unknown} choose @param {string} [hint]
+ * One of many, in groups where they have some.
+ * @template {string} Id
+ * @param {string} label @param {readonly Choice<Id>[]} choices @param {Id} chosen
+ * @param {(id: Id) => unknown} choose @param {string} [hint]
  */
-export function select(label, choices, chosen, choose, hint = "") {
-  const id = idOf(label);
-  const groups = [...new Set(choices.map(({ group }) => group))];
-  const options = (/** @type {typeof choices} */ some) =>
-    some.map(
-      (one) => html`<option value=${one.id} ?selected=${one.id === chosen}>${one.label}</option>`,
-    );
-  return html`<div class="field"><label for=${id}>${label}</label>
-    <select id=${id} .value=${chosen} @change=${(/** @type {any} */ event) => choose(event.target.value)}>
-      ${groups.map((group) => {
-        const some = choices.filter((one) => one.group === group);
-        return group === undefined
-          ? options(some)
-          : html`<optgroup label=${group}>${options(some)}</optgroup>`;
-      })}
-    </select>${hint ? html`<p class="hint">${hint}</p>` : nothing}</div>`;
+export function select(label, choices, chosen, choose, hint) {
+  const groups = new Set(choices.map(({ group }) => group));
+  const options = [...groups].map((group) => {
+    const some = choices
+      .filter((one) => one.group === group)
+      .map(
+        (one) => html`<option value=${one.id} ?selected=${one.id === chosen}>${one.label}</option>`,
+      );
+    return group === undefined ? some : html`<optgroup label=${group}>${some}</optgroup>`;
+  });
+  return labelled(
+    label,
+    html`<select id=${idOf(label)} .value=${chosen} @change=${(/** @type {any} */ event) => choose(event.target.value)}>
+      ${options}</select>`,
+    hint,
+  );
 }
 
 /** @param {string} label @param {boolean} on @param {(on: boolean) => unknown} turn @param {string} [hint] */
-export const toggle = (label, on, turn, hint = "") =>
-  html`<div class="field"><label for=${idOf(label)}>${label}</label>
-    <input id=${idOf(label)} type="checkbox" class="switch" .checked=${on}
-      @change=${(/** @type {any} */ event) => turn(event.target.checked)} />
-    ${hint ? html`<p class="hint">${hint}</p>` : nothing}</div>`;
+export const toggle = (label, on, turn, hint) =>
+  labelled(
+    label,
+    html`<input id=${idOf(label)} type="checkbox" class="switch" .checked=${on}
+      @change=${(/** @type {any} */ event) => turn(event.target.checked)} />`,
+    hint,
+  );
+
+/**
+ * What may stand in a field of a number; where it is wrong, the browser says so.
+ * @typedef {{ kind?: string, min?: unknown, max?: unknown, step?: unknown, placeholder?: unknown }} Typed
+ */
+
+/**
+ * @param {string} label  from which its id is made @param {string | number | null} value
+ * @param {(value: number | null) => unknown} set  null: the field was emptied @param {Typed} [more]
+ */
+export const number = (
+  label,
+  value,
+  set,
+  { kind = "", min = nothing, max = nothing, step = "any", placeholder = nothing } = {},
+) =>
+  html`<input id=${idOf(label)} class=${kind} type="number" inputmode="decimal" min=${min} max=${max} step=${step}
+    placeholder=${placeholder} .value=${String(value ?? "")} @change=${(
+      /** @type {any} */ { target },
+    ) => target.reportValidity() && set(target.value === "" ? null : target.valueAsNumber)} />`;
+
+/** The same in a line of text. @type {typeof number} */
+export const shortNumber = (label, value, set, more) =>
+  html`<label class="inline" for=${idOf(label)}>${label} ${number(label, value, set, { kind: "short", ...more })}</label>`;
+
+/** @param {string} label @param {number} value @param {number} min @param {number} max @param {(value: number) => unknown} set */
+export const slider = (label, value, min, max, set) =>
+  html`<label class="inline">${label} <input type="range" min=${min} max=${max} .value=${String(value)}
+    @input=${(/** @type {any} */ { target }) => set(target.valueAsNumber)} /></label>`;
 
 /**
  * A part that is opened by its heading; its contents are made only then.
- * @param {import("../actions.js").Page} page @param {string} name @param {string} heading
- * @param {() => unknown} contents @param {string} [aside]
+ * @param {string} name @param {string} heading @param {View} contents @param {string} [aside]
  */
-export function section(page, name, heading, contents, aside = "") {
+export function section(name, heading, contents, aside = "") {
   const isOpen = page.state.value.section === name;
   const turn = () => page.patch({ section: isOpen ? null : name });
   return html`<section class="more">
@@ -147,14 +185,14 @@ export function section(page, name, heading, contents, aside = "") {
   </section>`;
 }
 
-/**
- * Rows of names and values.
- * @param {string} name  of the table @param {readonly (readonly [string, unknown, string?])[]} rows
- */
+/** A name and a value, and how the value is found by others; what is none is left out. @typedef {readonly [string, unknown, string?] | false | null | undefined} Reading */
+
+/** Rows of names and values. @param {string} name  of the table @param {readonly Reading[]} rows */
 export const table = (name, rows) =>
-  html`<table class="rows" aria-label=${name}><tbody>${rows.map(
-    ([head, value, key]) =>
-      html`<tr><th scope="row">${head}</th><td data-reading=${key ?? nothing}>${value}</td></tr>`,
+  html`<table class="rows" aria-label=${name}><tbody>${rows.map((row) =>
+    row
+      ? html`<tr><th scope="row">${row[0]}</th><td data-reading=${row[2] ?? nothing}>${row[1]}</td></tr>`
+      : nothing,
   )}</tbody></table>`;
 
 /**
@@ -170,27 +208,25 @@ export const grid = (name, heads, rows) =>
 /** What of the program stands in words. @param {string} key */
 export const keycap = (key) => html`<kbd>${key}</kbd>`;
 
-/** Closes the part at hand. @param {() => unknown} act @returns {TemplateResult} */
+/** Closes the part at hand. @param {View} act */
 export const close = (act) => iconButton("close", say("close"), act);
 
 /**
  * A view that is fetched when it is first shown, or before by `fetch`: the first picture does not
  * wait for it.
- * @param {() => Promise<(page: import("../actions.js").Page) => unknown>} load
+ * @param {() => Promise<View>} load
  */
 export function lazy(load) {
-  /** @type {import("@preact/signals-core").Signal<((page: import("../actions.js").Page) => unknown) | null>} */
-  const view = signal(null);
+  const view = signal(/** @type {View | null} */ (null));
   /** @type {Promise<void> | null} */
   let asked = null;
   const fetch = () => {
     asked ??= load().then(into(view));
     return asked;
   };
-  /** @param {import("../actions.js").Page} page @returns {unknown} */
-  const show = (page) => {
+  const show = () => {
     if (!view.value) fetch().catch(page.report);
-    return view.value?.(page) ?? nothing;
+    return view.value?.() ?? nothing;
   };
   return Object.assign(show, { fetch, isThere: () => view.value !== null });
 }

@@ -5,26 +5,26 @@ import { html, nothing } from "lit-html";
 import { flowLabel } from "../options.js";
 import { sceneTitle } from "../status.js";
 import { say } from "../words.js";
+import { page } from "./page.js";
 import { icon, lazy, mark } from "./parts.js";
 
 /** Once there is a surface to see, which nothing is to hold up. */
 const picture = lazy(() =>
-  import("./pictures.js").then(({ addressOf }) => (page) => {
+  import("./pictures.js").then(({ addressOf }) => () => {
     const { source } = page.state.value;
     const address = source?.kind === "sample" && addressOf(source.id);
     return address ? html`<img src=${address} alt="" />` : nothing;
   }),
 );
 
-/** @param {import("../actions.js").Page} page */
-export function top(page) {
+export function top() {
   const { source, options, phase } = page.state.value;
   const title = sceneTitle(source);
   return html`
     <h1 class="brand">${mark}<span>Umbilic</span></h1>
     <button type="button" class="pick" aria-haspopup="dialog" title="${say("library")} (/)"
       @click=${() => page.patch({ dialog: "library" })}>
-      ${phase === "ready" ? picture(page) : nothing}<span id="title">${title || say("library")}</span>
+      ${phase === "ready" ? picture() : nothing}<span id="title">${title || say("library")}</span>
       <span class="flow">${title ? flowLabel(options.flow) : ""}</span>${icon("down")}
     </button>
     <span class="space"></span>
