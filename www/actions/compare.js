@@ -11,17 +11,17 @@ import { alone } from "../store.js";
 import { say, sayFault } from "../words.js";
 import { take } from "./core.js";
 
+/** @import { Scene } from "../link.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Comparison, Rival } from "../store.js" */
 /** @import { Core } from "./core.js" */
 
+/** @typedef {"flow" | "p" | "regularise" | "scheme" | "then"} Contrast */
+
 /** What a second pane does otherwise at first: the first that makes sense. @type {Record<string, readonly Partial<Options>[]>} */
 const contrasts = {
   flow: [{ flow: "mean-curvature" }, { flow: "circle" }],
-  p: [
-    { flow: "p-willmore", p: 4 },
-    { flow: "p-willmore", p: 2 },
-  ],
+  p: [4, 2].map((p) => ({ flow: "p-willmore", p })),
   regularise: [
     { flow: "p-willmore", regularise: "off", remesh: "off" },
     { flow: "p-willmore", regularise: "nonlinear", remesh: "off" },
@@ -29,11 +29,12 @@ const contrasts = {
   scheme: [{ scheme: "paper" }, { scheme: "auto" }],
 };
 
-/** @typedef {"flow" | "p" | "regularise" | "scheme" | "then"} Contrast */
+/** Flows of panes that are added, in this order. @type {Options["flow"][]} */
+const others = ["circle", "mean-curvature", "p-willmore", "surface-diffusion", "willmore"];
 
 /** @param {Core} core */
 export function createCompare(core) {
-  const { get, patch, notes, player, lead, rivals, enqueue, rest, solver } = core;
+  const { get, patch, notes, player, lead, rivals, atRest, solver } = core;
   let lastId = 0;
 
   /** @param {Partial<Comparison>} change */
@@ -45,20 +46,26 @@ export function createCompare(core) {
     });
   /** @param {number} id */
   const rivalOf = (id) => get().comparison.rivals.find((one) => one.id === id);
+  /** What all panes do. */
+  const allOptions = () => {
+    const { options, comparison } = get();
+    return [options, ...comparison.rivals.map(({ change }) => optionsOf(options, change))];
+  };
 
-  /** @param {number} id @param {string} reason */
-  function lost(id, reason) {
-    changed(id, { phase: "lost", reason, running: false });
-    notes.error({ message: say("pane-lost", { reason }), hint: say("pane-lost.hint") });
+  /** @param {Rival["change"]} change @returns {Rival} */
+  function fresh(change) {
+    lastId += 1;
+    const empty = { reason: "", running: false, reading: null, held: null };
+    return { ...empty, id: lastId, change, phase: "loading" };
   }
 
   /** @param {number} id */
   function employ(id) {
     const own = createSolver({
-      onReady() {},
-      onProgress() {},
-      onSilent() {},
-      onCrashed: (reason) => lost(id, reason),
+      onCrashed(reason) {
+        changed(id, { phase: "lost", reason, running: false });
+        notes.error({ message: say("pane-lost", { reason }), hint: say("pane-lost.hint") });
+      },
       onStopped(reading, fault) {
         changed(id, { reading, running: false, reason: fault?.message ?? "" });
         const { last } = track.clip;
@@ -66,17 +73,14 @@ export function createCompare(core) {
         player.place(lead.u);
       },
       onFrame(frame) {
-        const { motion } = player;
         take(track, frame, false);
         if (!frame.stored) changed(id, { reading: frame.state });
-        if (motion.peek() === "still") player.place(lead.u);
+        if (core.isStill()) player.place(lead.u);
       },
     });
     const track = {
-      clip: new Clip(),
-      u: 0,
+      ...{ clip: new Clip(), u: 0, solver: own },
       isOpen: () => rivalOf(id)?.running ?? false,
-      solver: own,
       mesh: /** @type {unknown} */ (null),
     };
     rivals.set(id, track);
@@ -95,47 +99,42 @@ export function createCompare(core) {
     try {
       if (track.mesh !== mesh) await track.solver.same(origin);
       track.mesh = mesh;
-      const wanted = optionsOf(options, change);
-      const configured = await track.solver.configure(withSelection(wanted, mesh));
+      const wanted = withSelection(optionsOf(options, change), mesh);
+      const { state: reading, heldVertices: held } = await track.solver.configure(wanted);
       const first = track.clip.points[0];
-      if (colour !== "none") {
-        const field = await track.solver.colour(colour);
-        if (first) first.field = field;
-      }
-      const { state: reading, heldVertices: held } = configured;
+      const field = colour === "none" ? null : await track.solver.colour(colour);
+      if (first && field) first.field = field;
       changed(id, { phase: "ready", reason: "", reading, held });
     } catch (error) {
       const fault = /** @type {any} */ (error);
       if (fault?.kind === LOST) return;
       const said = typeof fault?.message === "object" ? sayFault(fault) : fault;
-      changed(id, { phase: "lost", reason: String(said?.message ?? error) });
-      notes.error({ message: String(said?.message ?? error), hint: said?.hint ?? "" });
+      const message = String(said?.message ?? error);
+      changed(id, { phase: "lost", reason: message });
+      notes.error({ message, hint: said?.hint ?? "" });
     }
     player.place(lead.u);
   }
 
   /** Whose time is another cannot be kept in step by it. */
   function keepUnits() {
-    const { options, comparison } = get();
-    const all = [options, ...comparison.rivals.map(({ change }) => optionsOf(options, change))];
-    if (comparison.lockstep === "time" && !timeUnitsAgree(all)) compared({ lockstep: "progress" });
+    const isTime = get().comparison.lockstep === "time";
+    if (isTime && !timeUnitsAgree(allOptions())) compared({ lockstep: "progress" });
+  }
+
+  /** A pane from its start, as far as the first has come. @param {number} id @param {Partial<Options>} change */
+  async function follow(id, change) {
+    await begin(id, change);
+    keepUnits();
+    const { last, points } = lead.clip;
+    if (last && points.length > 1) await runOne(id, core.isOver() ? null : last.state.step);
   }
 
   /** @param {Partial<Options>} change */
   async function add(change) {
-    lastId += 1;
-    const id = lastId;
-    const rival = { id, change, reason: "", running: false, reading: null, held: null };
-    compared({ rivals: [...get().comparison.rivals, { ...rival, phase: "loading" }] });
-    await begin(id, change);
-    keepUnits();
-    await catchUp(id);
-  }
-
-  /** A pane that was begun anew goes as far as the first has come. @param {number} id */
-  async function catchUp(id) {
-    const { last, points } = lead.clip;
-    if (last && points.length > 1) await runOne(id, core.isOver() ? null : last.state.step);
+    const rival = fresh(change);
+    compared({ rivals: [...get().comparison.rivals, rival] });
+    await follow(rival.id, change);
   }
 
   /** @param {number} id @param {number | null} [until] */
@@ -144,115 +143,95 @@ export function createCompare(core) {
     const rival = rivalOf(id);
     if (!track || rival?.phase !== "ready") return;
     const { last } = track.clip;
-    if (last && rival.reading && last.state.step !== rival.reading.step) {
+    if (last && rival.reading && last.state.step !== rival.reading.step)
       await track.solver.seek(last.state.step);
-    }
     changed(id, { running: true });
     await track.solver.run(until);
   }
 
   /** Ends the workers of panes that are no more. */
   function dismiss() {
-    const ids = get().comparison.rivals.map(({ id }) => id);
     for (const [id, track] of rivals) {
-      if (ids.includes(id)) continue;
+      if (rivalOf(id)) continue;
       rivals.delete(id);
       track.solver.dismiss();
     }
-    if (ids.length === 0) patch({ comparison: alone });
+    if (get().comparison.rivals.length === 0) patch({ comparison: alone });
     player.redraw();
   }
 
   function close() {
-    compared({ rivals: [], shown: "side", difference: null });
+    compared({ rivals: [] });
     dismiss();
   }
 
-  core.settleRival = async (id) => {
-    if (!rivalOf(id)?.running) return;
-    const reading = await rivals.get(id)?.solver.pause();
-    changed(id, { running: false, ...(reading ? { reading } : {}) });
-  };
-  core.runRivals = async () => {
-    await Promise.all(get().comparison.rivals.map(({ id }) => runOne(id)));
-  };
-  core.followRivals = async () => {
-    const { options, comparison } = get();
-    if (options.flow === "flips") close();
-    else await Promise.all(comparison.rivals.map(({ id, change }) => begin(id, change)));
-    keepUnits();
-  };
-  core.colourRivals = async (name) => {
-    for (const track of rivals.values()) {
-      for (const point of track.clip.points) point.field = null;
-      await track.solver.colour(name).catch(() => null);
-      if (track.clip.points.length > 0) track.solver.stored().catch(() => {});
-    }
+  core.beside = {
+    settle: () =>
+      Promise.all(
+        [...rivals].map(async ([id, track]) => {
+          if (!track.isOpen()) return;
+          const reading = await track.solver.pause();
+          changed(id, { running: false, ...(reading && { reading }) });
+        }),
+      ),
+    run: () => Promise.all(get().comparison.rivals.map(({ id }) => runOne(id))),
+    async follow() {
+      const { options, comparison } = get();
+      if (options.flow === "flips") close();
+      else await Promise.all(comparison.rivals.map(({ id, change }) => begin(id, change)));
+      keepUnits();
+    },
+    async colour(name) {
+      for (const { clip, solver: own } of rivals.values()) {
+        for (const point of clip.points) point.field = null;
+        await own.colour(name).catch(() => null);
+        if (clip.points.length > 0) own.stored().catch(() => {});
+      }
+    },
   };
 
-  const compare = {
+  return {
     /** What of a comparison is asked for at first; never a twin. @param {Contrast} what */
     contrast: (what) =>
-      enqueue(async () => {
-        await rest();
+      atRest(async () => {
         close();
         const { options, reading } = get();
-        if (what === "then") {
-          if (reading) compared({ withStart: true });
-          return;
-        }
-        for (const one of contrasts[what]) {
-          const change = changeOf(options, optionsOf(options, one));
-          if (Object.keys(change).length === 0) continue;
-          // An exponent is of a flow that reads it.
-          const own = { ...options, ...one };
-          if (change.flow && what !== "flow" && !isRead(what, options))
-            await core.configure(optionsOf(options, { flow: own.flow }));
-          const now = get().options;
-          await add(changeOf(now, optionsOf(now, one)));
-          return;
-        }
+        if (what === "then") return reading && compared({ withStart: true });
+        const differs = (/** @type {Partial<Options>} */ one) =>
+          changeOf(options, optionsOf(options, one));
+        const one = contrasts[what].find((each) => Object.keys(differs(each)).length > 0);
+        if (!one) return;
+        // An exponent is of a flow that reads it.
+        if (differs(one).flow && what !== "flow" && !isRead(what, options))
+          await core.configure(optionsOf(options, { flow: one.flow ?? options.flow }));
+        await add(changeOf(get().options, optionsOf(get().options, one)));
       }),
     /** One more, with the first difference that is not there yet. */
     add: () =>
-      enqueue(async () => {
-        await rest();
-        const { options, comparison } = get();
-        if (comparison.rivals.length >= MOST_PANES - 1) return;
-        const taken = [
-          options,
-          ...comparison.rivals.map(({ change }) => optionsOf(options, change)),
-        ];
-        const flows = ["circle", "mean-curvature", "p-willmore", "surface-diffusion", "willmore"];
-        const flow = flows.find((id) => taken.every((one) => one.flow !== id)) ?? "mmcv";
-        await add({ flow: /** @type {Options["flow"]} */ (flow) });
+      atRest(async () => {
+        const taken = allOptions().map(({ flow }) => flow);
+        const flow = others.find((id) => !taken.includes(id)) ?? "mmcv";
+        if (taken.length < MOST_PANES) await add({ flow });
       }),
     /** @param {number} id @param {Partial<Options>} edit */
     change: (id, edit) =>
-      enqueue(async () => {
-        await rest();
+      atRest(async () => {
         const rival = rivalOf(id);
         if (!rival) return;
         const { options } = get();
         const before = optionsOf(options, rival.change);
         const isOther = edit.flow !== undefined && edit.flow !== before.flow;
         const wanted = isOther ? optionsOf(options, edit) : { ...before, ...edit };
-        await begin(id, changeOf(options, wanted));
-        keepUnits();
-        await catchUp(id);
+        await follow(id, changeOf(options, wanted));
       }),
     /** @param {number} id */
     remove: (id) =>
-      enqueue(async () => {
-        await rest();
-        compared({
-          rivals: get().comparison.rivals.filter((one) => one.id !== id),
-          shown: "side",
-          difference: null,
-        });
+      atRest(() => {
+        const rest = get().comparison.rivals.filter((one) => one.id !== id);
+        compared({ rivals: rest, shown: "side", difference: null });
         dismiss();
       }),
-    close: () => enqueue(() => rest().then(close)),
+    close: () => atRest(close),
     /** @param {Partial<Pick<Comparison, "lockstep" | "shown" | "difference">>} change */
     show(change) {
       compared(change);
@@ -265,24 +244,13 @@ export function createCompare(core) {
       if (count > 1) compared({ shown: shown === "side" ? 1 : (shown + 1) % count });
       else notes.answer(say("nothing-to-flip"));
     },
-    /** Before the flow of a link is configured. @param {import("../link.js").Scene["comparison"]} linked */
+    /** Before the flow of a link is configured. @param {Scene["comparison"]} linked */
     prepare(linked) {
       close();
       if (!linked) return;
       const { panes, shown, difference } = linked;
       const lockstep = linked.lockstep === "time" ? "time" : "progress";
-      const made = panes.map(({ change }) => {
-        lastId += 1;
-        return {
-          id: lastId,
-          change,
-          phase: /** @type {const} */ ("loading"),
-          reason: "",
-          running: false,
-          reading: null,
-          held: null,
-        };
-      });
+      const made = panes.map(({ change }) => fresh(change));
       compared({ rivals: made, lockstep, shown, difference });
     },
     /** Where the panes of a link stand. @param {readonly (number | null)[]} steps @param {number} main */
@@ -293,5 +261,4 @@ export function createCompare(core) {
         ),
       ),
   };
-  return compare;
 }

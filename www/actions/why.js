@@ -6,8 +6,8 @@ import { say } from "../words.js";
 import { stepsOf } from "./run.js";
 
 /** @import { Diagnosis, Remedy } from "../generated/types.js" */
-/** @import { Fault } from "../words.js" */
-/** @import { Core } from "./core.js" */
+/** @import { Options } from "../options.js" */
+/** @import { Core, Offer } from "./core.js" */
 
 /** Refusals of a flow, not of a file: their elements are those of the mesh on screen. */
 const ofFlows = ["NotTriangular", "ZeroLengthEdge", "SelectionOutOfRange", "Unfit"];
@@ -18,7 +18,7 @@ const ofFlows = ["NotTriangular", "ZeroLengthEdge", "SelectionOutOfRange", "Unfi
  * @param {ReturnType<typeof import("./run.js").createRun>} run
  */
 export function createWhy(core, { adopt, edit }, run) {
-  const { get, patch, solver, enqueue, rest } = core;
+  const { get, patch, solver, atRest } = core;
 
   /** Other options, from the start or from the surface as it is. @param {Remedy} remedy */
   async function change(remedy) {
@@ -42,8 +42,7 @@ export function createWhy(core, { adopt, edit }, run) {
   const why = {
     /** Opens the card that says why. */
     ask: () =>
-      enqueue(async () => {
-        await rest();
+      atRest(async () => {
         if (get().reading) patch({ why: { diagnosis: await solver.why(), isShown: false } });
       }),
     close: () => patch({ why: null, marks: null }),
@@ -57,35 +56,31 @@ export function createWhy(core, { adopt, edit }, run) {
       const { mesh } = get();
       const point = core.lead.clip.surface(core.lead.u);
       if (!mesh || !point?.positions) return;
-      const { positions } = point;
       const all = point.drawable?.triangles ?? mesh.triangles;
       const triangles = Uint32Array.from(new Set([...faces, ...trianglesAt(all, vertices)]));
       patch({ marks: { edges, triangles } });
       const near = triangles.length > 0 ? triangles : trianglesAt(all, edges.subarray(0, 2));
-      const turned = camera && facing(camera, vectorArea(positions, all, near));
+      const turned = camera && facing(camera, vectorArea(point.positions, all, near));
       if (turned) patch({ camera: turned });
     },
 
     /** Carries a remedy out, and goes on with the flow. @param {Remedy} remedy */
     async remedy(remedy) {
+      const { id, fromStart } = remedy;
       why.close();
-      if (remedy.id === "refine") return patch({ tab: "measure", section: "study" });
-      if (remedy.id === "regularise") {
-        if (remedy.fromStart) await enqueue(() => rest().then(() => change(remedy)));
-        await edit.regularise();
-      }
-      if (remedy.id === "repair") await edit.repair();
-      if (remedy.id === "subdivide") await edit.subdivide("loop");
-      await enqueue(async () => {
-        await rest();
+      if (id === "refine") return patch({ tab: "measure", section: "study" });
+      if (id === "regularise" && fromStart) await atRest(() => change(remedy));
+      if (id === "regularise") await edit.regularise();
+      if (id === "repair") await edit.repair();
+      if (id === "subdivide") await edit.subdivide("loop");
+      await atRest(async () => {
         const { reading } = get();
         if (!reading) return;
-        if (remedy.id === "back")
-          return void (await solver.seek(Math.max(reading.step - remedy.steps, 0)));
-        if (remedy.id === "keepAndFlips") await flip();
+        if (id === "back") await solver.seek(Math.max(reading.step - remedy.steps, 0));
+        else if (id === "keepAndFlips") await flip();
         else if (Object.keys(remedy.change).length > 0) await change(remedy);
       });
-      if (remedy.id !== "back") await run.play();
+      if (id !== "back") await run.play();
     },
   };
 
@@ -99,41 +94,35 @@ export function createWhy(core, { adopt, edit }, run) {
     patch({ tab: "surface" });
   };
 
-  /** What helps against a refusal of a mesh that is on screen. @param {Fault} fault */
   core.offers = ({ kind, detail, repairs }) => {
     const { mesh, options } = get();
     if (!mesh) return [];
-    const { flow, free, fixed } = options;
-    const circle =
-      flow === "circle"
-        ? []
-        : [
-            {
-              label: say("remedy-use-flow", { flow: { id: "flow-circle", values: {} } }),
-              act: () => run.configure({ flow: "circle" }),
-            },
-          ];
+    /** @param {string} label @param {Partial<Options>} edit @returns {Offer} */
+    const to = (label, edit) => ({ label, act: () => run.configure(edit) });
+    const toCircle = say("remedy-use-flow", { flow: { id: "flow-circle", values: {} } });
+    const circle = options.flow === "circle" ? [] : [to(toCircle, { flow: "circle" })];
     const fill = () => patch({ tab: "surface", mode: "fill" });
-    /** @type {Record<string, { label: string, act: () => unknown }[]>} */
+    const isPart = options.free || options.fixed;
+    /** @type {Record<string, Offer[]>} */
     const known = {
       NotClosed: [{ label: say("tool-fill"), act: fill }, ...circle],
       NotOriented: circle,
       NothingFree: [
-        { label: say("offer-fixed"), act: () => run.configure({ boundary: "fixed" }) },
-        ...(free || fixed
-          ? [{ label: say("offer-free"), act: () => run.configure({ free: null, fixed: null }) }]
-          : []),
+        to(say("offer-fixed"), { boundary: "fixed" }),
+        ...(isPart ? [to(say("offer-free"), { free: null, fixed: null })] : []),
       ],
-      TooLarge: [
-        { label: say("remedy-recommended-scheme"), act: () => run.configure({ scheme: "auto" }) },
-      ],
+      TooLarge: [to(say("remedy-recommended-scheme"), { scheme: "auto" })],
     };
     const list = (/** @type {string} */ name) => Uint32Array.from(detail?.[name] ?? []);
     const elements = { vertices: list("vertices"), faces: list("faces"), edges: new Uint32Array() };
     const isHere = ofFlows.includes(kind) && elements.vertices.length + elements.faces.length > 0;
     const place = { label: say("why-show"), act: () => why.point(elements, get().camera) };
-    const repair = repairs?.length ? [{ label: say("repair"), act: () => edit.repair() }] : [];
-    return [...(isHere ? [place] : []), ...repair, ...(known[kind] ?? [])];
+    const repair = { label: say("repair"), act: () => edit.repair() };
+    return [
+      ...(isHere ? [place] : []),
+      ...(repairs?.length ? [repair] : []),
+      ...(known[kind] ?? []),
+    ];
   };
   return why;
 }

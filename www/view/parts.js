@@ -2,53 +2,15 @@
 // Pieces that every view is made of.
 
 import { signal } from "@preact/signals-core";
-import { html, nothing, svg } from "lit-html";
+import { html, nothing } from "lit-html";
 import { say } from "../words.js";
 import { page } from "./page.js";
 
 /** @typedef {() => unknown} View  of the state, as it is */
 
-/** Outlines on a grid of 20; those of `solid` are filled. @type {Record<string, string>} */
-const paths = {
-  play: "M5.8 3.8v12.4l10-6.2z",
-  pause: "M5.6 4h3.2v12H5.6zM11.2 4h3.2v12h-3.2z",
-  again: "M4.3 7A6.6 6.6 0 1 1 3.4 10.800M3 3.200V7.700H7.5",
-  back: "M14 5l-6 5 6 5zM5.5 5v10",
-  next: "M6 5l6 5-6 5zM14.5 5v10",
-  start: "M9.5 5l-5 5 5 5zM15.5 5l-5 5 5 5z",
-  loop: "M4 9V8a3 3 0 0 1 3-3h8M13 2.500L15.5 5 13 7.500M16 11v1a3 3 0 0 1-3 3H5M7 12.500L4.5 15 7 17.5",
-  expand: "M4 12.500V16h3.500M16 7.500V4h-3.500M4 16l4.5-4.500M16 4l-4.5 4.5",
-  surface: "M10 2.500l7 3.800v7.400l-7 3.8-7-3.800V6.300zM3 6.300l7 3.9 7-3.900M10 10.200v7.3",
-  flow: "M2.5 13c2.5 0 2.5-6 5-6s2.5 6 5 6 2.5-4 5-4",
-  measure: "M3 17V9M8 17V4M13 17v-6M18 17H2.5",
-  compare: "M3 4h6v12H3zM11 4h6v12h-6z",
-  share: "M10 12V3M6.5 6L10 2.7 13.5 6M4 10v6.500h12V10",
-  library: "M3 3h6v6H3zM11 3h6v6h-6zM3 11h6v6H3zM11 11h6v6h-6z",
-  present: "M3 4h14v9.500H3zM10 13.500V17M6.5 17h7",
-  help: "M7.3 7.400a2.7 2.7 0 1 1 4 2.400c-.9.5-1.3 1-1.3 2M10 14.600v.4",
-  close: "M5 5l10 10M15 5L5 15",
-  down: "M6 8l4 4 4-4",
-  search: "M9 3.500a5.5 5.5 0 1 0 0 11 5.5 5.5 0 0 0 0-11zM13 13l4 4",
-  lock: "M5 9.500h10V17H5zM7 9.500V7a3 3 0 0 1 6 0v2.5",
-  open: "M3 6V4.500h5L9.5 6H17v10H3zM3 6h14",
-  paint: "M16.5 3.500L9 11M9 11c-2-.5-4 .5-4 3 0 1.5-1 2-2 2.3 3 1.2 7 .4 7.3-2.6z",
-  fill: "M10 4c4 0 7 2.5 7 6s-3 6-7 6-7-2.5-7-6 3-6 7-6zM10 8v4M8 10h4",
-  invert:
-    "M10 3a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM10 8.800a1.2 1.2 0 1 0 0 2.4 1.2 1.2 0 0 0 0-2.400z",
-  remesh: "M3 16l4-8 5 8zM7 8l4-5 4 6-3 7M15 9l2 7h-5",
-  subdivide: "M10 3l7 13H3zM6.5 9.500h7L10 16z",
-  undo: "M7 4.500L3.5 8 7 11.500M3.5 8H12a4.5 4.5 0 0 1 0 9H8",
-};
-const solid = ["play", "pause", "back", "next", "start"];
-
-/** @param {string} name */
+/** An outline of those in `index.html`. @param {string} name */
 export const icon = (name) =>
-  html`<svg class="icon ${solid.includes(name) ? "solid" : ""}" viewBox="0 0 20 20" aria-hidden="true">${svg`<path d=${paths[name]} />`}</svg>`;
-
-export const mark = html`<svg class="mark" viewBox="0 0 24 24" aria-hidden="true">
-  <circle cx="12" cy="12" r="10.5" />
-  <path d="M12 12V2.500M12 12l8.2 4.700M12 12l-8.2 4.700M4.5 7.500c3.5.6 6 2.3 7.5 4.5 1.5-2.2 4-3.9 7.5-4.500M12 12c1 3 .8 6-.8 9.3" />
-</svg>`;
+  html`<svg class="icon" aria-hidden="true"><use href="#icon-${name}" /></svg>`;
 
 /** What all buttons may have. @typedef {{ disabled?: boolean, pressed?: boolean }} Pressable */
 

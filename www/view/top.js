@@ -6,7 +6,7 @@ import { flowLabel } from "../options.js";
 import { sceneTitle } from "../status.js";
 import { say } from "../words.js";
 import { page } from "./page.js";
-import { icon, lazy, mark } from "./parts.js";
+import { icon, lazy } from "./parts.js";
 
 /** Once there is a surface to see, which nothing is to hold up. */
 const picture = lazy(() =>
@@ -21,7 +21,6 @@ export function top() {
   const { source, options, phase } = page.state.value;
   const title = sceneTitle(source);
   return html`
-    <h1 class="brand">${mark}<span>Umbilic</span></h1>
     <button type="button" class="pick" aria-haspopup="dialog" title="${say("library")} (/)"
       @click=${() => page.patch({ dialog: "library" })}>
       ${phase === "ready" ? picture() : nothing}<span id="title">${title || say("library")}</span>
