@@ -34,7 +34,7 @@ const others = ["circle", "mean-curvature", "p-willmore", "surface-diffusion", "
 
 /** @param {Core} core */
 export function createCompare(core) {
-  const { get, patch, notes, player, lead, rivals, atRest, solver } = core;
+  const { get, patch, notes, player, lead, rivals, solver } = core;
   let lastId = 0;
 
   /** @param {Partial<Comparison>} change */
@@ -190,48 +190,48 @@ export function createCompare(core) {
     },
   };
 
-  return {
+  const changes = {
     /** What of a comparison is asked for at first; never a twin. @param {Contrast} what */
-    contrast: (what) =>
-      atRest(async () => {
-        close();
-        const { options, reading } = get();
-        if (what === "then") return reading && compared({ withStart: true });
-        const differs = (/** @type {Partial<Options>} */ one) =>
-          changeOf(options, optionsOf(options, one));
-        const one = contrasts[what].find((each) => Object.keys(differs(each)).length > 0);
-        if (!one) return;
-        // An exponent is of a flow that reads it.
-        if (differs(one).flow && what !== "flow" && !isRead(what, options))
-          await core.configure(optionsOf(options, { flow: one.flow ?? options.flow }));
-        await add(changeOf(get().options, optionsOf(get().options, one)));
-      }),
+    async contrast(what) {
+      close();
+      const { options, reading } = get();
+      if (what === "then") return reading && compared({ withStart: true });
+      const differs = (/** @type {Partial<Options>} */ one) =>
+        changeOf(options, optionsOf(options, one));
+      const one = contrasts[what].find((each) => Object.keys(differs(each)).length > 0);
+      if (!one) return;
+      // An exponent is of a flow that reads it.
+      if (differs(one).flow && what !== "flow" && !isRead(what, options))
+        await core.configure(optionsOf(options, { flow: one.flow ?? options.flow }));
+      await add(changeOf(get().options, optionsOf(get().options, one)));
+    },
     /** One more, with the first difference that is not there yet. */
-    add: () =>
-      atRest(async () => {
-        const taken = allOptions().map(({ flow }) => flow);
-        const flow = others.find((id) => !taken.includes(id)) ?? "mmcv";
-        if (taken.length < MOST_PANES) await add({ flow });
-      }),
+    async add() {
+      const taken = allOptions().map(({ flow }) => flow);
+      const flow = others.find((id) => !taken.includes(id)) ?? "mmcv";
+      if (taken.length < MOST_PANES) await add({ flow });
+    },
     /** @param {number} id @param {Partial<Options>} edit */
-    change: (id, edit) =>
-      atRest(async () => {
-        const rival = rivalOf(id);
-        if (!rival) return;
-        const { options } = get();
-        const before = optionsOf(options, rival.change);
-        const isOther = edit.flow !== undefined && edit.flow !== before.flow;
-        const wanted = isOther ? optionsOf(options, edit) : { ...before, ...edit };
-        await follow(id, changeOf(options, wanted));
-      }),
+    async change(id, edit) {
+      const rival = rivalOf(id);
+      if (!rival) return;
+      const { options } = get();
+      const before = optionsOf(options, rival.change);
+      const isOther = edit.flow !== undefined && edit.flow !== before.flow;
+      const wanted = isOther ? optionsOf(options, edit) : { ...before, ...edit };
+      await follow(id, changeOf(options, wanted));
+    },
     /** @param {number} id */
-    remove: (id) =>
-      atRest(() => {
-        const rest = get().comparison.rivals.filter((one) => one.id !== id);
-        compared({ rivals: rest, shown: "side", difference: null });
-        dismiss();
-      }),
-    close: () => atRest(close),
+    remove(id) {
+      const rest = get().comparison.rivals.filter((one) => one.id !== id);
+      compared({ rivals: rest, shown: "side", difference: null });
+      dismiss();
+    },
+    close,
+  };
+
+  return {
+    ...core.atRest(changes),
     /** @param {Partial<Pick<Comparison, "lockstep" | "shown" | "difference">>} change */
     show(change) {
       compared(change);

@@ -167,14 +167,33 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   }
 
   // One thing at a time: a load followed by its options must not mix with another load.
+  /** @type {Promise<unknown>} */
   let queue = Promise.resolve();
   // What was asked of a solver that is gone is not asked of the next one.
   let age = 0;
-  /** @param {() => Promise<unknown>} job @returns {Promise<void>} */
+  /** @template T @param {() => T | Promise<T>} job @returns {Promise<T | void>} */
   function enqueue(job) {
     const asked = age;
-    queue = queue.then(() => (asked === age ? job() : null)).then(() => {}, report);
-    return queue;
+    const done = queue.then(() => (asked === age ? job() : undefined)).catch(report);
+    queue = done;
+    return done;
+  }
+
+  /**
+   * What changes the run is done once all is at rest, and where it may be.
+   * @template {Record<string, (...given: any[]) => unknown>} T
+   * @param {T} jobs @param {() => boolean} [may]
+   * @returns {{ [K in keyof T]: (...given: Parameters<T[K]>) => Promise<Awaited<ReturnType<T[K]>> | void> }}
+   */
+  function atRest(jobs, may = () => true) {
+    const queued = Object.entries(jobs).map(([name, job]) => {
+      const done = async (/** @type {any[]} */ given) => {
+        await rest();
+        if (may()) return job(...given);
+      };
+      return [name, (/** @type {any[]} */ ...given) => enqueue(() => done(given))];
+    });
+    return Object.fromEntries(queued);
   }
 
   /** Ends a run, and puts the solver where the display stands: at a true step. */
@@ -304,10 +323,8 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   const nothing = async () => {};
   const core = {
     ...{ store, state: store.state, get, patch, notes, solver, player, lead, rivals },
-    ...{ enqueue, rest, settle, anew, refill, show, shown, shownIndex, isStill },
+    ...{ enqueue, atRest, rest, settle, anew, refill, show, shown, shownIndex, isStill },
     ...{ configure, colour, run, revive, report },
-    /** Does what changes the run, once all is at rest. @param {() => unknown} job */
-    atRest: (job) => enqueue(() => rest().then(job)),
     /** Whether the last step is the last there will be. */
     isOver: () => isOver(lead.clip.last?.state.status ?? "ready"),
     // What the groups of actions know, and put in their place.

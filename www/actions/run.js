@@ -28,9 +28,6 @@ export function createRun(core, adopt) {
     !core.isOver() || (lead.clip.last?.state.status === "stepLimit" && isAtEnd());
   /** The solvers of all panes. */
   const all = () => [solver, ...[...rivals.values()].map((track) => track.solver)];
-  /** @param {() => unknown} job  on the run at hand */
-  const move = (job) => atRest(() => (isUsable() ? job() : null));
-
   async function play() {
     if (!isUsable() || isMoving()) return;
     patch({ welcome: false, isNew: false, mode: null, preview: null });
@@ -46,6 +43,59 @@ export function createRun(core, adopt) {
     }
   }
 
+  const moves = {
+    /** Each press is a step. */
+    step() {
+      const next = lead.clip.points[core.shownIndex() + 1];
+      return next ? solver.seek(next.state.step) : Promise.all(all().map((one) => one.step()));
+    },
+    async back() {
+      const before = lead.clip.points[core.shownIndex() - 1];
+      if (before) await solver.seek(before.state.step);
+      else if (get().film === null && get().reading?.canStepBack) await solver.back();
+    },
+    async reset() {
+      if (get().film) return void (await solver.seek(lead.clip.points[0].state.step));
+      core.anew(true);
+      for (const track of rivals.values()) {
+        track.clip.clear();
+        track.u = 0;
+      }
+      await Promise.all(all().map((one) => one.reset()));
+    },
+    /** Shows a stored step. @param {number} step */
+    seek: (step) => solver.seek(step),
+    /** Starts, and pauses by itself there; the display follows at once. @param {number} step */
+    runTo(step) {
+      patch({ running: true, goal: step });
+      return solver.run(step);
+    },
+    /** @param {number} id */
+    async branch(id) {
+      core.anew(true);
+      await solver.branch(id);
+      await core.refill();
+    },
+  };
+
+  const { configure } = atRest({
+    /** @param {Partial<Options>} change @param {{ fromStart?: boolean }} [how] */
+    async configure(change, { fromStart = false } = {}) {
+      const { options: before, reading, applies, comparison } = get();
+      const options = optionsOf(before, change);
+      const isUnderWay = reading !== null && reading.step > 0;
+      if (before.flow === "flips" && options.flow !== "flips" && isUnderWay) {
+        // The point of better edges is what is done with them next.
+        await adopt(options, say("count-flips", { count: reading.step }));
+        return notes.answer(say("flips-adopted"));
+      }
+      const isFlips = [before.flow, options.flow].includes("flips");
+      const isAlone = comparison.rivals.length === 0;
+      const isHere = applies === "here" && !fromStart && isUnderWay && !isFlips && isAlone;
+      await core.configure(options, isHere ? "continueWith" : "configure");
+    },
+  });
+
   const run = {
     play: () => enqueue(play),
     pause() {
@@ -54,37 +104,8 @@ export function createRun(core, adopt) {
       return enqueue(settle);
     },
     toggle: () => (isMoving() ? run.pause() : run.play()),
+    ...atRest(moves, isUsable),
 
-    /** Each press is a step. */
-    step: () =>
-      move(() => {
-        const next = lead.clip.points[core.shownIndex() + 1];
-        return next ? solver.seek(next.state.step) : Promise.all(all().map((one) => one.step()));
-      }),
-    back: () =>
-      move(async () => {
-        const before = lead.clip.points[core.shownIndex() - 1];
-        if (before) await solver.seek(before.state.step);
-        else if (get().film === null && get().reading?.canStepBack) await solver.back();
-      }),
-    reset: () =>
-      move(() => {
-        if (get().film) return solver.seek(lead.clip.points[0].state.step);
-        core.anew(true);
-        for (const track of rivals.values()) {
-          track.clip.clear();
-          track.u = 0;
-        }
-        return Promise.all(all().map((one) => one.reset()));
-      }),
-    /** Shows a stored step. @param {number} step */
-    seek: (step) => move(() => solver.seek(step)),
-    /** Starts, and pauses by itself there; the display follows at once. @param {number} step */
-    runTo: (step) =>
-      move(() => {
-        patch({ running: true, goal: step });
-        return solver.run(step);
-      }),
     /** While the scrubber is held. @param {number} u */
     scrub(u) {
       if (!core.isStill()) player.stop();
@@ -95,13 +116,6 @@ export function createRun(core, adopt) {
       player.rest(lead.clip.nearest(lead.u));
       return enqueue(settle);
     },
-    /** @param {number} id */
-    branch: (id) =>
-      move(async () => {
-        core.anew(true);
-        await solver.branch(id);
-        await core.refill();
-      }),
     /** @param {number} value */
     speed(value) {
       player.speed.value = value;
@@ -110,22 +124,7 @@ export function createRun(core, adopt) {
       player.loops.value = !player.loops.peek();
     },
 
-    /** @param {Partial<Options>} change @param {{ fromStart?: boolean }} [how] */
-    configure: (change, { fromStart = false } = {}) =>
-      atRest(async () => {
-        const { options: before, reading, applies, comparison } = get();
-        const options = optionsOf(before, change);
-        const isUnderWay = reading !== null && reading.step > 0;
-        if (before.flow === "flips" && options.flow !== "flips" && isUnderWay) {
-          // The point of better edges is what is done with them next.
-          await adopt(options, say("count-flips", { count: reading.step }));
-          return notes.answer(say("flips-adopted"));
-        }
-        const isFlips = [before.flow, options.flow].includes("flips");
-        const isAlone = comparison.rivals.length === 0;
-        const isHere = applies === "here" && !fromStart && isUnderWay && !isFlips && isAlone;
-        await core.configure(options, isHere ? "continueWith" : "configure");
-      }),
+    configure,
     /** @param {"start" | "here"} applies */
     applies: (applies) => patch({ applies }),
     /** What an opened mesh is for: noise taken off it, or all that bends. @param {"smooth" | "relax"} goal */

@@ -3,7 +3,6 @@
 
 import { facing, trianglesAt, vectorArea } from "../facing.js";
 import { say } from "../words.js";
-import { stepsOf } from "./run.js";
 
 /** @import { Diagnosis, Remedy } from "../generated/types.js" */
 /** @import { Options } from "../options.js" */
@@ -17,34 +16,41 @@ const ofFlows = ["NotTriangular", "ZeroLengthEdge", "SelectionOutOfRange", "Unfi
  * @param {ReturnType<typeof import("./edit.js").createEdit>} edits
  * @param {ReturnType<typeof import("./run.js").createRun>} run
  */
-export function createWhy(core, { adopt, edit }, run) {
-  const { get, patch, solver, atRest } = core;
+export function createWhy(core, edits, run) {
+  const { get, patch, solver } = core;
+  const { edit } = edits;
 
   /** Other options, from the start or from the surface as it is. @param {Remedy} remedy */
-  async function change(remedy) {
-    const { options, reading } = get();
-    const wanted = { ...options, ...remedy.change };
-    if (remedy.fromStart || !reading || reading.step === 0) await core.configure(wanted);
-    else await adopt(wanted, stepsOf(reading.step));
-  }
+  const change = ({ change, fromStart }) =>
+    (fromStart ? core.configure : edits.restart)({ ...get().options, ...change });
 
   /** All flips that gain anything, and back to the flow. */
   async function flip() {
-    const { options, reading, arrangement } = get();
-    const flips = /** @type {const} */ ({ flow: "flips", criterion: "localised" });
-    await adopt({ ...options, ...flips }, stepsOf(reading?.step ?? 0));
-    await solver.arrange({ ...arrangement, flipsPerStep: null });
-    await solver.step();
-    await solver.arrange(arrangement);
-    await adopt(options, say("edit-flips"));
+    const { options } = get();
+    await edits.restart({ ...options, flow: "flips", criterion: "localised" });
+    await edits.flipAll();
+    await edits.adopt(options, say("edit-flips"));
   }
 
-  const why = {
+  const { ask, begin, undergo } = core.atRest({
+    begin: change,
     /** Opens the card that says why. */
-    ask: () =>
-      atRest(async () => {
-        if (get().reading) patch({ why: { diagnosis: await solver.why(), isShown: false } });
-      }),
+    async ask() {
+      if (get().reading) patch({ why: { diagnosis: await solver.why(), isShown: false } });
+    },
+    /** @param {Remedy} remedy */
+    async undergo(remedy) {
+      const { id, steps } = remedy;
+      const { reading } = get();
+      if (!reading) return;
+      if (id === "back") await solver.seek(Math.max(reading.step - steps, 0));
+      else if (id === "keepAndFlips") await flip();
+      else if (Object.keys(remedy.change).length > 0) await change(remedy);
+    },
+  });
+
+  const why = {
+    ask,
     close: () => patch({ why: null, marks: null }),
 
     /**
@@ -69,17 +75,11 @@ export function createWhy(core, { adopt, edit }, run) {
       const { id, fromStart } = remedy;
       why.close();
       if (id === "refine") return patch({ tab: "measure", section: "study" });
-      if (id === "regularise" && fromStart) await atRest(() => change(remedy));
+      if (id === "regularise" && fromStart) await begin(remedy);
       if (id === "regularise") await edit.regularise();
       if (id === "repair") await edit.repair();
       if (id === "subdivide") await edit.subdivide("loop");
-      await atRest(async () => {
-        const { reading } = get();
-        if (!reading) return;
-        if (id === "back") await solver.seek(Math.max(reading.step - remedy.steps, 0));
-        else if (id === "keepAndFlips") await flip();
-        else if (Object.keys(remedy.change).length > 0) await change(remedy);
-      });
+      await undergo(remedy);
       if (id !== "back") await run.play();
     },
   };
