@@ -1,4 +1,3 @@
-// @ts-check
 // Flows beside that of the page: a worker and a clip each. They solve at their own pace; the
 // player shows them in step.
 

@@ -1,4 +1,3 @@
-// @ts-check
 // What all actions share: the solver, the clip that its frames make, the queue in which things
 // are done one at a time, and how a lost solver is replaced.
 

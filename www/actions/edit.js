@@ -1,4 +1,3 @@
-// @ts-check
 // What makes another mesh of the one at hand, and the way back; what is looked at more closely.
 
 import { flowOf, toFlow } from "../options.js";

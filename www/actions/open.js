@@ -1,4 +1,3 @@
-// @ts-check
 // What is opened: samples, figures, files, links and recipes.
 
 import { LOST } from "../channel.js";

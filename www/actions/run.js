@@ -1,4 +1,3 @@
-// @ts-check
 // Playing, stepping, going back; which flow, and with what.
 
 import { optionsOf } from "../comparison.js";

@@ -1,4 +1,3 @@
-// @ts-check
 // Why the flow stands as it does, where that is, and what helps.
 
 import { facing, trianglesAt, vectorArea } from "../facing.js";

@@ -1,4 +1,3 @@
-// @ts-check
 // Cards over the stage, that somebody asked for: the welcome, why it stands so, a question.
 
 import { html, nothing } from "lit-html";

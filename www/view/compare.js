@@ -1,4 +1,3 @@
-// @ts-check
 // The tab that sets flows side by side.
 
 import { html, nothing } from "lit-html";

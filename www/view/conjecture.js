@@ -1,4 +1,3 @@
-// @ts-check
 // The conjecture that area and localised energy fall together: on the mesh at hand, a dot an
 // edge, and on random quadrilaterals.
 

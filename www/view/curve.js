@@ -1,4 +1,3 @@
-// @ts-check
 // The energy over the clip: what is played is filled, true steps are ticks; of flows side by side
 // all their energies. It is the scrubber.
 

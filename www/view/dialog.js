@@ -1,4 +1,3 @@
-// @ts-check
 // Whichever dialog is open, and a question.
 
 import { html, nothing } from "lit-html";

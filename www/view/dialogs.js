@@ -1,4 +1,3 @@
-// @ts-check
 // What opens over everything: help with its keys, the list of commands, the larger plot.
 
 import { signal } from "@preact/signals-core";

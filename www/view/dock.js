@@ -1,4 +1,3 @@
-// @ts-check
 // The dock: the status line, Play and steps, the number, the curve, the clock.
 
 import { html, nothing } from "lit-html";

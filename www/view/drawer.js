@@ -1,4 +1,3 @@
-// @ts-check
 // The rail of tabs and the drawer of the one that is open. On a phone it is a sheet with a handle:
 // dragged up it takes the place of the surface, dragged down it is as before, and then closed. A
 // tap does the same without dragging.
@@ -8,7 +7,7 @@ import { html, nothing } from "lit-html";
 import { tabs } from "../store.js";
 import { say } from "../words.js";
 import { page } from "./page.js";
-import { close, icon, lazy } from "./parts.js";
+import { close, icon, lazy, rove } from "./parts.js";
 
 /** @import { Tab } from "../store.js" */
 
@@ -32,16 +31,6 @@ export function turn(tab) {
   if (page.get().mode && (isOpen || tab !== "surface")) page.edit.mode(null);
 }
 
-/** Keys of the rail. @param {KeyboardEvent} event */
-function move(event) {
-  const by = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
-  const all = [.../** @type {HTMLElement} */ (event.currentTarget).querySelectorAll("button")];
-  const at = all.indexOf(/** @type {HTMLButtonElement} */ (event.target));
-  if (by === undefined || at < 0) return;
-  event.preventDefault();
-  all[(at + by + all.length) % all.length].focus();
-}
-
 export function rail() {
   const { tab } = page.state.value;
   const press = (/** @type {Tab} */ name) => (/** @type {MouseEvent} */ event) => {
@@ -55,7 +44,7 @@ export function rail() {
       aria-controls="drawer" title="${label} (${n + 1})" tabindex=${name === (tab ?? "surface") ? 0 : -1}
       @click=${press(name)}>${icon(name)}<span>${label}</span></button>`;
   });
-  return html`<div class="tabs" role="tablist" aria-label=${say("panels")} @keydown=${move}>${buttons}</div>`;
+  return html`<div class="tabs" role="tablist" aria-label=${say("panels")} @keydown=${(/** @type {KeyboardEvent} */ event) => rove(event, "button")}>${buttons}</div>`;
 }
 
 export function drawer() {

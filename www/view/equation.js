@@ -1,4 +1,3 @@
-// @ts-check
 // The energy and the equation of the flow in force, symbol by symbol, with their values.
 
 import { html } from "lit-html";

@@ -1,4 +1,3 @@
-// @ts-check
 // The tab of the flow. Its fields come from the rows of options: no flow is known by name.
 
 import { html, nothing } from "lit-html";
@@ -7,7 +6,7 @@ import { formatNumber, formatShort } from "../number.js";
 import { asText, choiceLabel, choicesOf, isBasic, isRead } from "../options.js";
 import { say } from "../words.js";
 import { page } from "./page.js";
-import { button, labelled, number, section, segmented, select, toggle } from "./parts.js";
+import { button, labelled, number, rove, section, segmented, select, toggle } from "./parts.js";
 
 /** @import { Flow, Row } from "../generated/schema.js" */
 /** @import { Options } from "../options.js" */
@@ -21,15 +20,11 @@ function suits({ meshes }) {
   return !info || ((meshes.open || info.closed) && (meshes.oneSided || info.oriented));
 }
 
-/** Keys of a list of options, of which one has the focus. @param {KeyboardEvent} event */
+/** Keys of the list of flows, of which one has the focus. @param {KeyboardEvent} event */
 function move(event) {
-  const list = /** @type {HTMLElement} */ (event.currentTarget);
-  const all = /** @type {HTMLElement[]} */ ([...list.querySelectorAll("[role=option]")]);
-  const at = all.indexOf(/** @type {HTMLElement} */ (event.target));
-  const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-  if (event.key === "Enter" || event.key === " ") all[at]?.click();
-  else if (by !== undefined) all[(at + by + all.length) % all.length].focus();
-  else return;
+  const isChoice = event.key === "Enter" || event.key === " ";
+  if (isChoice) /** @type {HTMLElement} */ (event.target).click();
+  else if (!rove(event, "[role=option]")) return;
   event.preventDefault();
   event.stopPropagation();
 }

@@ -1,4 +1,3 @@
-// @ts-check
 // The legend: what colours mean, and behind it how the surface is drawn.
 
 import { html, nothing } from "lit-html";

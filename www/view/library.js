@@ -1,4 +1,3 @@
-// @ts-check
 // The library: samples and figures of the papers together, by what happens to them.
 
 import "../style/library.css";

@@ -1,4 +1,3 @@
-// @ts-check
 // The tab of numbers: readings, what the figure of a paper says, the histogram, and what is
 // looked at more closely.
 

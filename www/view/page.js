@@ -1,4 +1,3 @@
-// @ts-check
 // The page that all views are of: there is one. Its stage, its tools and what else is made of the
 // document are put beside it where it is built (main.js).
 

@@ -1,4 +1,3 @@
-// @ts-check
 // Pieces that every view is made of.
 
 import { signal } from "@preact/signals-core";
@@ -14,12 +13,8 @@ export const icon = (name) =>
 
 /** What all buttons may have. @typedef {{ disabled?: boolean, pressed?: boolean }} Pressable */
 
-/**
- * A button of an icon alone.
- * @param {string} name  of the icon @param {string} label @param {View} act
- * @param {Pressable & { key?: string }} [more]
- */
-export const iconButton = (name, label, act, { key = "", pressed, disabled = false } = {}) =>
+/** A button of an icon alone. @param {string} name @param {string} label @param {View} act @param {Pressable & { key?: string }} [more] */
+export const iconButton = (name, label, act, { key, pressed, disabled = false } = {}) =>
   html`<button type="button" class="icon-button" aria-label=${label}
     title=${key ? `${label} (${key})` : label} aria-pressed=${pressed ?? nothing}
     aria-disabled=${String(disabled)} @click=${() => disabled || act()}>${icon(name)}</button>`;
@@ -28,14 +23,9 @@ export const iconButton = (name, label, act, { key = "", pressed, disabled = fal
  * @param {unknown} label @param {View} act @param {string} [kind]  class names
  * @param {Pressable & { icon?: string, title?: string }} [more]
  */
-export const button = (
-  label,
-  act,
-  kind = "",
-  { icon: name, disabled = false, pressed, title } = {},
-) =>
-  html`<button type="button" class="button ${kind}" aria-disabled=${String(disabled)} title=${title ?? nothing}
-    aria-pressed=${pressed ?? nothing} @click=${() => disabled || act()}>${name ? icon(name) : nothing}${label}</button>`;
+export const button = (label, act, kind = "", { disabled = false, ...more } = {}) =>
+  html`<button type="button" class="button ${kind}" aria-disabled=${String(disabled)} title=${more.title ?? nothing}
+    aria-pressed=${more.pressed ?? nothing} @click=${() => disabled || act()}>${more.icon ? icon(more.icon) : nothing}${label}</button>`;
 
 /** Ids that stay what they are while a name does. @type {Map<string, string>} */
 const ids = new Map();
@@ -105,22 +95,14 @@ export const toggle = (label, on, turn, hint) =>
   );
 
 /**
- * What may stand in a field of a number; where it is wrong, the browser says so.
- * @typedef {{ kind?: string, min?: unknown, max?: unknown, step?: unknown, placeholder?: unknown }} Typed
- */
-
-/**
+ * A field of a number; where what is typed is none or out of bounds, the browser says so.
  * @param {string} label  from which its id is made @param {string | number | null} value
- * @param {(value: number | null) => unknown} set  null: the field was emptied @param {Typed} [more]
+ * @param {(value: number | null) => unknown} set  null: the field was emptied
+ * @param {{ kind?: string, min?: unknown, max?: unknown, step?: unknown, placeholder?: unknown }} [more]
  */
-export const number = (
-  label,
-  value,
-  set,
-  { kind = "", min = nothing, max = nothing, step = "any", placeholder = nothing } = {},
-) =>
-  html`<input id=${idOf(label)} class=${kind} type="number" inputmode="decimal" min=${min} max=${max} step=${step}
-    placeholder=${placeholder} .value=${String(value ?? "")} @change=${(
+export const number = (label, value, set, { kind = "", min, max, step, placeholder } = {}) =>
+  html`<input id=${idOf(label)} class=${kind} type="number" inputmode="decimal" min=${min ?? nothing} max=${max ?? nothing}
+    step=${step ?? "any"} placeholder=${placeholder ?? nothing} .value=${String(value ?? "")} @change=${(
       /** @type {any} */ { target },
     ) => target.reportValidity() && set(target.value === "" ? null : target.valueAsNumber)} />`;
 
@@ -133,10 +115,7 @@ export const slider = (label, value, min, max, set) =>
   html`<label class="inline">${label} <input type="range" min=${min} max=${max} .value=${String(value)}
     @input=${(/** @type {any} */ { target }) => set(target.valueAsNumber)} /></label>`;
 
-/**
- * A part that is opened by its heading; its contents are made only then.
- * @param {string} name @param {string} heading @param {View} contents @param {string} [aside]
- */
+/** A part that is opened by its heading; its contents are made only then. @param {string} name @param {string} heading @param {View} contents @param {string} [aside] */
 export function section(name, heading, contents, aside = "") {
   const isOpen = page.state.value.section === name;
   const turn = () => page.patch({ section: isOpen ? null : name });
@@ -157,15 +136,24 @@ export const table = (name, rows) =>
       : nothing,
   )}</tbody></table>`;
 
-/**
- * A table of numbers that may be long.
- * @param {string} name @param {readonly string[]} heads @param {readonly (readonly unknown[])[]} rows
- */
+/** A table of numbers that may be long. @param {string} name @param {readonly string[]} heads @param {readonly (readonly unknown[])[]} rows */
 export const grid = (name, heads, rows) =>
   html`<div class="scroll" tabindex="0" role="group" aria-label=${name}><table class="grid" aria-label=${name}>
     <thead><tr>${heads.map((head) => html`<th scope="col">${head}</th>`)}</tr></thead>
     <tbody>${rows.map((row) => html`<tr>${row.map((cell) => html`<td>${cell}</td>`)}</tr>`)}</tbody>
   </table></div>`;
+
+/** Moves the focus along a row of elements, by keys. @param {KeyboardEvent} event @param {string} elements @returns {boolean} whether it was such a key */
+export function rove(event, elements) {
+  const row = /** @type {HTMLElement} */ (event.currentTarget);
+  const all = /** @type {HTMLElement[]} */ ([...row.querySelectorAll(elements)]);
+  const at = all.indexOf(/** @type {HTMLElement} */ (event.target));
+  const by = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
+  if (by === undefined || at < 0) return false;
+  event.preventDefault();
+  all[(at + by + all.length) % all.length].focus();
+  return true;
+}
 
 /** What of the program stands in words. @param {string} key */
 export const keycap = (key) => html`<kbd>${key}</kbd>`;
@@ -173,19 +161,12 @@ export const keycap = (key) => html`<kbd>${key}</kbd>`;
 /** Closes the part at hand. @param {View} act */
 export const close = (act) => iconButton("close", say("close"), act);
 
-/**
- * A view that is fetched when it is first shown, or before by `fetch`: the first picture does not
- * wait for it.
- * @param {() => Promise<View>} load
- */
+/** A view that is fetched when it is first shown, or before by `fetch`: the first picture does not wait for it. @param {() => Promise<View>} load */
 export function lazy(load) {
   const view = signal(/** @type {View | null} */ (null));
-  /** @type {Promise<void> | null} */
-  let asked = null;
-  const fetch = () => {
-    asked ??= load().then(into(view));
-    return asked;
-  };
+  /** @type {Promise<void> | undefined} */
+  let asked;
+  const fetch = () => (asked ??= load().then(into(view)));
   const show = () => {
     if (!view.value) fetch().catch(page.report);
     return view.value?.() ?? nothing;

@@ -1,4 +1,3 @@
-// @ts-check
 // The phase diagram of vesicles: energy over reduced volume, of three branches of shapes. Every
 // point is a surface that a click opens.
 

@@ -1,4 +1,3 @@
-// @ts-check
 // Small pictures of samples and figures, taken by tools/thumbnails.js.
 
 import { html } from "lit-html";

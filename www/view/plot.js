@@ -1,4 +1,3 @@
-// @ts-check
 // Plots with full axes: the large curve, against steps or time, linear or logarithmic.
 
 import { signal } from "@preact/signals-core";

@@ -1,4 +1,3 @@
-// @ts-check
 // Presenting: the surface, the number, a title and the curve, large enough for the last row, and
 // the keys of a presenter's clicker.
 

@@ -1,4 +1,3 @@
-// @ts-check
 // The tab for what leaves the page: the link, pictures, films, meshes, recipes, code for other pages.
 
 import { signal } from "@preact/signals-core";

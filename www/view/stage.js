@@ -1,7 +1,7 @@
-// @ts-check
 // The surfaces on the stage: one picture a pane, all under one camera.
 
 import { effect, signal } from "@preact/signals-core";
+import { html, render } from "lit-html";
 import { distances, letter, sayChange } from "../comparison.js";
 import { formatNumber } from "../number.js";
 import { choiceLabel, flowLabel, rowOf } from "../options.js";
@@ -79,14 +79,8 @@ const noteOf = (state, options) =>
 /** @param {HTMLElement} element @param {number} n  −1 without one @param {Shown} shown */
 function caption(element, n, { title, note }) {
   element.hidden = n < 0;
-  const text = [n < 0 ? "" : letter(n), title, note];
-  if (element.dataset.text === text.join("|")) return;
-  element.dataset.text = text.join("|");
   element.className = `pane-${n}`;
-  const parts = ["i", "b", "small"].map((name, k) =>
-    Object.assign(document.createElement(name), { textContent: text[k] }),
-  );
-  element.replaceChildren(...parts);
+  render(html`<i>${n < 0 ? "" : letter(n)}</i><b>${title}</b><small>${note}</small>`, element);
 }
 
 /**

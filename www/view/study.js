@@ -1,4 +1,3 @@
-// @ts-check
 // A refinement study: energies at several resolutions, with orders and what that means.
 
 import { signal } from "@preact/signals-core";

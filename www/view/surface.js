@@ -1,4 +1,3 @@
-// @ts-check
 // The tab of the surface: what it is, what was found in it, what can be changed.
 
 import { html, nothing } from "lit-html";

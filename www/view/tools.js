@@ -1,4 +1,3 @@
-// @ts-check
 // Tools are modes: while one is chosen, clicks and drags on the surface are its own, and a bar
 // says what is done. The surface changes only when that is asked for.
 

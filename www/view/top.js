@@ -1,4 +1,3 @@
-// @ts-check
 // The bar at the top: what is shown, presenting, help.
 
 import { html, nothing } from "lit-html";

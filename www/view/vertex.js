@@ -1,4 +1,3 @@
-// @ts-check
 // A vertex with its circles and its numbers; circumcircles, lines of curvature.
 
 import { html, nothing } from "lit-html";
