@@ -35,11 +35,7 @@ const stem = (file) => file.replace(/\.[^.]+$/, "");
 /** No sample, and no file that could be named by its content. @param {string} name @returns {Source} */
 const edited = (name) => ({ kind: "file", name });
 
-/**
- * @param {Core} core
- * @param {ReturnType<typeof import("./run.js").createRun>} run
- * @param {ReturnType<typeof import("./compare.js").createCompare>} compare
- */
+/** @param {Core} core @param {ReturnType<typeof import("./run.js").createRun>} run @param {ReturnType<typeof import("./compare.js").createCompare>} compare */
 export function createOpen(core, run, compare) {
   const { get, patch, notes, solver, enqueue, rest, anew } = core;
 
@@ -198,10 +194,7 @@ export function createOpen(core, run, compare) {
     notes.answer(say("recipe-wants-mesh", { name: mesh.name }));
   }
 
-  /**
-   * Whether a file is the one a link was made with; null where the link does not say.
-   * @param {Scene} scene @param {Uint8Array<ArrayBuffer>} bytes
-   */
+  /** Whether a file is the one a link was made with; null where the link does not say. @param {Scene} scene @param {Uint8Array<ArrayBuffer>} bytes */
   async function isLinked({ mesh, hash }, bytes) {
     if (mesh === null || hash === null) return null;
     const digest = await sha256(bytes);

@@ -12,10 +12,7 @@ import { say } from "../words.js";
 /** What going on from a surface takes back when it is undone. @param {number} count */
 export const stepsOf = (count) => say("count-steps", { count });
 
-/**
- * @param {Core} core
- * @param {(options: Options, what: string) => Promise<void>} adopt  makes the surface the start
- */
+/** @param {Core} core @param {(options: Options, what: string) => Promise<void>} adopt  makes the surface the start */
 export function createRun(core, adopt) {
   const { get, patch, notes, solver, player, lead, rivals, enqueue, atRest, settle } = core;
 

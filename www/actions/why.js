@@ -10,11 +10,7 @@ import { say } from "../words.js";
 /** Refusals of a flow, not of a file: their elements are those of the mesh on screen. */
 const ofFlows = ["NotTriangular", "ZeroLengthEdge", "SelectionOutOfRange", "Unfit"];
 
-/**
- * @param {Core} core
- * @param {ReturnType<typeof import("./edit.js").createEdit>} edits
- * @param {ReturnType<typeof import("./run.js").createRun>} run
- */
+/** @param {Core} core @param {ReturnType<typeof import("./edit.js").createEdit>} edits @param {ReturnType<typeof import("./run.js").createRun>} run */
 export function createWhy(core, edits, run) {
   const { get, patch, solver } = core;
   const { edit } = edits;
@@ -52,11 +48,7 @@ export function createWhy(core, edits, run) {
     ask,
     close: () => patch({ why: null, marks: null }),
 
-    /**
-     * Marks elements, and turns to them.
-     * @param {Pick<Diagnosis, "vertices" | "faces" | "edges">} elements
-     * @param {Float32Array | null} camera
-     */
+    /** Marks elements, and turns to them. @param {Pick<Diagnosis, "vertices" | "faces" | "edges">} elements @param {Float32Array | null} camera */
     point({ vertices, faces, edges }, camera) {
       const { mesh } = get();
       const point = core.lead.clip.surface(core.lead.u);

@@ -71,10 +71,7 @@ function decades({ default: usual, range }, label, value, set) {
     @input=${show} @change=${(/** @type {any} */ event) => set(at(event))} />`;
 }
 
-/**
- * @param {Row} row @param {any} options
- * @param {(change: any) => unknown} change  of options, or of how edge flips are shown
- */
+/** @param {Row} row @param {any} options @param {(change: any) => unknown} change  of options, or of how edge flips are shown */
 export function field(row, options, change) {
   const { name, kind, absent, unit, range } = row;
   const label = say(`option-${name}`);

@@ -19,10 +19,7 @@ export const iconButton = (name, label, act, { key, pressed, disabled = false } 
     title=${key ? `${label} (${key})` : label} aria-pressed=${pressed ?? nothing}
     aria-disabled=${String(disabled)} @click=${() => disabled || act()}>${icon(name)}</button>`;
 
-/**
- * @param {unknown} label @param {View} act @param {string} [kind]  class names
- * @param {Pressable & { icon?: string, title?: string }} [more]
- */
+/** @param {unknown} label @param {View} act @param {string} [kind]  class names @param {Pressable & { icon?: string, title?: string }} [more] */
 export const button = (label, act, kind = "", { disabled = false, ...more } = {}) =>
   html`<button type="button" class="button ${kind}" aria-disabled=${String(disabled)} title=${more.title ?? nothing}
     aria-pressed=${more.pressed ?? nothing} @click=${() => disabled || act()}>${more.icon ? icon(more.icon) : nothing}${label}</button>`;

@@ -50,10 +50,7 @@ function findings({ refinedBy, trends, p }) {
   ];
 }
 
-/**
- * Work of a solver of its own, so that the flow on screen goes on.
- * @param {(own: Solver, isWanted: () => boolean) => Promise<unknown>} job
- */
+/** Work of a solver of its own, so that the flow on screen goes on. @param {(own: Solver, isWanted: () => boolean) => Promise<unknown>} job */
 export function workAside(job) {
   const said = signal("");
   const solver = signal(/** @type {Solver | null} */ (null));
