@@ -51,8 +51,8 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
 /** What a frame has beside the surface. @typedef {{ curves: Curves | null, jump: CurvatureJump | null, look: Look | null }} Extras */
 
 /**
- * What goes on beside the flow of the page.
- * @typedef {object} Rival
+ * What goes on beside the flow of the page, in a worker of its own: a clip, and what of it is known.
+ * @typedef {object} Beside
  * @property {number} id
  * @property {Partial<Options>} change  what it does otherwise than the first
  * @property {"loading" | "ready" | "lost"} phase
@@ -60,7 +60,10 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
  * @property {boolean} running
  * @property {Reading | null} reading
  * @property {Uint8Array | null} held
+ * @property {unknown} mesh     that its solver has
+ * @property {import("./solver.js").Solver} solver
  */
+/** @typedef {Beside & import("./player.js").Track} Rival */
 
 /**
  * @typedef {object} Comparison

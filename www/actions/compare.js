@@ -33,83 +33,73 @@ const others = ["circle", "mean-curvature", "p-willmore", "surface-diffusion", "
 
 /** @param {Core} core */
 export function createCompare(core) {
-  const { get, patch, notes, player, lead, rivals, solver } = core;
+  const { get, patch, notes, player, lead, solver } = core;
+  const rivals = () => get().comparison.rivals;
   let lastId = 0;
 
   /** @param {Partial<Comparison>} change */
   const compared = (change) => patch({ comparison: { ...get().comparison, ...change } });
-  /** @param {number} id @param {Partial<Rival>} change */
-  const changed = (id, change) =>
-    compared({
-      rivals: get().comparison.rivals.map((one) => (one.id === id ? { ...one, ...change } : one)),
-    });
-  /** @param {number} id */
-  const rivalOf = (id) => get().comparison.rivals.find((one) => one.id === id);
+  /** @param {Rival} rival @param {Partial<Rival>} change */
+  function changed(rival, change) {
+    Object.assign(rival, change);
+    compared({});
+  }
   /** What all panes do. */
   const allOptions = () => {
-    const { options, comparison } = get();
-    return [options, ...comparison.rivals.map(({ change }) => optionsOf(options, change))];
+    const { options } = get();
+    return [options, ...rivals().map(({ change }) => optionsOf(options, change))];
   };
 
-  /** @param {Rival["change"]} change @returns {Rival} */
-  function fresh(change) {
+  /** @param {Rival["change"]} change */
+  function employ(change) {
+    const clip = new Clip();
     lastId += 1;
-    const empty = { reason: "", running: false, reading: null, held: null };
-    return { ...empty, id: lastId, change, phase: "loading" };
-  }
-
-  /** @param {number} id */
-  function employ(id) {
-    const own = createSolver({
-      onCrashed(reason) {
-        changed(id, { phase: "lost", reason, running: false });
-        notes.error({ message: say("pane-lost", { reason }), hint: say("pane-lost.hint") });
-      },
-      onStopped(reading, fault) {
-        changed(id, { reading, running: false, reason: fault?.message ?? "" });
-        const { last } = track.clip;
-        if (last?.state.step === reading.step) last.state = reading;
-        player.place(lead.u);
-      },
-      onFrame(frame) {
-        take(track, frame, false);
-        if (!frame.stored) changed(id, { reading: frame.state });
-        if (core.isStill()) player.place(lead.u);
-      },
-    });
-    const track = {
-      ...{ clip: new Clip(), u: 0, solver: own },
-      isOpen: () => rivalOf(id)?.running ?? false,
-      mesh: /** @type {unknown} */ (null),
+    /** @type {Rival} */
+    const rival = {
+      ...{ clip, u: 0, id: lastId, change, phase: "loading", reason: "", running: false },
+      ...{ reading: null, held: null, mesh: null, isOpen: () => rival.running },
+      solver: createSolver({
+        onCrashed(reason) {
+          changed(rival, { phase: "lost", reason, running: false });
+          notes.error({ message: say("pane-lost", { reason }), hint: say("pane-lost.hint") });
+        },
+        onStopped(reading, fault) {
+          changed(rival, { reading, running: false, reason: fault?.message ?? "" });
+          if (clip.last?.state.step === reading.step) clip.last.state = reading;
+          player.place(lead.u);
+        },
+        onFrame(frame) {
+          take(rival, frame, false);
+          if (!frame.stored) changed(rival, { reading: frame.state });
+          if (core.isStill()) player.place(lead.u);
+        },
+      }),
     };
-    rivals.set(id, track);
-    return track;
+    return rival;
   }
 
-  /** Puts a pane at the start. @param {number} id @param {Partial<Options>} change */
-  async function begin(id, change) {
-    const track = /** @type {ReturnType<typeof employ>} */ (rivals.get(id) ?? employ(id));
+  /** Puts a pane at the start. @param {Rival} rival @param {Rival["change"]} change */
+  async function begin(rival, change) {
+    const { clip, solver: own } = rival;
     const { mesh, options, colour } = get();
     const origin = solver.origin();
     if (!mesh || !origin) return;
-    changed(id, { phase: "loading", change, running: false });
-    track.clip.clear(mesh.triangles);
-    track.u = 0;
+    changed(rival, { phase: "loading", change, running: false, u: 0 });
+    clip.clear(mesh.triangles);
     try {
-      if (track.mesh !== mesh) await track.solver.same(origin);
-      track.mesh = mesh;
+      if (rival.mesh !== mesh) await own.same(origin);
+      rival.mesh = mesh;
       const wanted = withSelection(optionsOf(options, change), mesh);
-      const { state: reading, heldVertices: held } = await track.solver.configure(wanted);
-      const first = track.clip.points[0];
-      const field = colour === "none" ? null : await track.solver.colour(colour);
-      if (first && field) first.field = field;
-      changed(id, { phase: "ready", reason: "", reading, held });
+      const { state: reading, heldVertices: held } = await own.configure(wanted);
+      const field = colour === "none" ? null : await own.colour(colour);
+      if (clip.points[0]) clip.points[0].field = field;
+      changed(rival, { phase: "ready", reason: "", reading, held });
     } catch (error) {
       const fault = /** @type {any} */ (error);
       if (fault?.kind === LOST) return;
       const said = typeof fault?.message === "object" ? sayFault(fault) : fault;
       const message = String(said?.message ?? error);
-      changed(id, { phase: "lost", reason: message });
+      changed(rival, { phase: "lost", reason: message });
       notes.error({ message, hint: said?.hint ?? "" });
     }
     player.place(lead.u);
@@ -121,67 +111,58 @@ export function createCompare(core) {
     if (isTime && !timeUnitsAgree(allOptions())) compared({ lockstep: "progress" });
   }
 
-  /** A pane from its start, as far as the first has come. @param {number} id @param {Partial<Options>} change */
-  async function follow(id, change) {
-    await begin(id, change);
+  /** A pane from its start, as far as the first has come. @param {Rival} rival @param {Rival["change"]} change */
+  async function follow(rival, change) {
+    await begin(rival, change);
     keepUnits();
     const { last, points } = lead.clip;
-    if (last && points.length > 1) await runOne(id, core.isOver() ? null : last.state.step);
+    if (last && points.length > 1) await runOne(rival, core.isOver() ? null : last.state.step);
   }
 
-  /** @param {Partial<Options>} change */
+  /** @param {Rival["change"]} change */
   async function add(change) {
-    const rival = fresh(change);
-    compared({ rivals: [...get().comparison.rivals, rival] });
-    await follow(rival.id, change);
+    const rival = employ(change);
+    compared({ rivals: [...rivals(), rival] });
+    await follow(rival, change);
   }
 
-  /** @param {number} id @param {number | null} [until] */
-  async function runOne(id, until = null) {
-    const track = rivals.get(id);
-    const rival = rivalOf(id);
-    if (!track || rival?.phase !== "ready") return;
-    const { last } = track.clip;
-    if (last && rival.reading && last.state.step !== rival.reading.step)
-      await track.solver.seek(last.state.step);
-    changed(id, { running: true });
-    await track.solver.run(until);
+  /** @param {Rival} rival @param {number | null} [until] */
+  async function runOne(rival, until = null) {
+    const { phase, clip, reading, solver: own } = rival;
+    if (phase !== "ready") return;
+    const { last } = clip;
+    if (last && reading && last.state.step !== reading.step) await own.seek(last.state.step);
+    changed(rival, { running: true });
+    await own.run(until);
   }
 
-  /** Ends the workers of panes that are no more. */
-  function dismiss() {
-    for (const [id, track] of rivals) {
-      if (rivalOf(id)) continue;
-      rivals.delete(id);
-      track.solver.dismiss();
-    }
-    if (get().comparison.rivals.length === 0) patch({ comparison: alone });
+  /** Panes that are no more. @param {readonly Rival[]} some */
+  function dismiss(some) {
+    for (const rival of some) rival.solver.dismiss();
+    const rest = rivals().filter((rival) => !some.includes(rival));
+    if (rest.length === 0) patch({ comparison: alone });
+    else compared({ rivals: rest, shown: "side", difference: null });
     player.redraw();
   }
-
-  function close() {
-    compared({ rivals: [] });
-    dismiss();
-  }
+  const close = () => dismiss(rivals());
 
   core.beside = {
     settle: () =>
       Promise.all(
-        [...rivals].map(async ([id, track]) => {
-          if (!track.isOpen()) return;
-          const reading = await track.solver.pause();
-          changed(id, { running: false, ...(reading && { reading }) });
+        rivals().map(async (rival) => {
+          if (!rival.running) return;
+          const reading = await rival.solver.pause();
+          changed(rival, { running: false, ...(reading && { reading }) });
         }),
       ),
-    run: () => Promise.all(get().comparison.rivals.map(({ id }) => runOne(id))),
+    run: () => Promise.all(rivals().map((rival) => runOne(rival))),
     async follow() {
-      const { options, comparison } = get();
-      if (options.flow === "flips") close();
-      else await Promise.all(comparison.rivals.map(({ id, change }) => begin(id, change)));
+      if (get().options.flow === "flips") close();
+      else await Promise.all(rivals().map((rival) => begin(rival, rival.change)));
       keepUnits();
     },
     async colour(name) {
-      for (const { clip, solver: own } of rivals.values()) {
+      for (const { clip, solver: own } of rivals()) {
         for (const point of clip.points) point.field = null;
         await own.colour(name).catch(() => null);
         if (clip.points.length > 0) own.stored().catch(() => {});
@@ -210,22 +191,16 @@ export function createCompare(core) {
       const flow = others.find((id) => !taken.includes(id)) ?? "mmcv";
       if (taken.length < MOST_PANES) await add({ flow });
     },
-    /** @param {number} id @param {Partial<Options>} edit */
-    async change(id, edit) {
-      const rival = rivalOf(id);
-      if (!rival) return;
+    /** @param {Rival} rival @param {Partial<Options>} edit */
+    async change(rival, edit) {
       const { options } = get();
       const before = optionsOf(options, rival.change);
       const isOther = edit.flow !== undefined && edit.flow !== before.flow;
       const wanted = isOther ? optionsOf(options, edit) : { ...before, ...edit };
-      await follow(id, changeOf(options, wanted));
+      await follow(rival, changeOf(options, wanted));
     },
-    /** @param {number} id */
-    remove(id) {
-      const rest = get().comparison.rivals.filter((one) => one.id !== id);
-      compared({ rivals: rest, shown: "side", difference: null });
-      dismiss();
-    },
+    /** @param {Rival} rival */
+    remove: (rival) => dismiss([rival]),
     close,
   };
 
@@ -249,15 +224,13 @@ export function createCompare(core) {
       if (!linked) return;
       const { panes, shown, difference } = linked;
       const lockstep = linked.lockstep === "time" ? "time" : "progress";
-      const made = panes.map(({ change }) => fresh(change));
+      const made = panes.map(({ change }) => employ(change));
       compared({ rivals: made, lockstep, shown, difference });
     },
     /** Where the panes of a link stand. @param {readonly (number | null)[]} steps @param {number} main */
     runTo: (steps, main) =>
       Promise.all(
-        get().comparison.rivals.map(({ id }, n) =>
-          (steps[n] ?? main) > 0 ? runOne(id, steps[n] ?? main) : null,
-        ),
+        rivals().map((rival, n) => (steps[n] ?? main) > 0 && runOne(rival, steps[n] ?? main)),
       ),
   };
 }

@@ -15,7 +15,6 @@ import { say, sayFault } from "../words.js";
 /** @import { Notes } from "../notes.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Track } from "../player.js" */
-/** @import { Solver } from "../solver.js" */
 /** @import { FieldName, Store } from "../store.js" */
 /** @import { Fault } from "../words.js" */
 
@@ -65,8 +64,8 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   let lastProgress = 0;
   /** @type {Track} */
   const lead = { clip: new Clip(), u: 0, isOpen: () => get().running };
-  /** Those that go on beside it. @type {Map<number, Track & { solver: Solver }>} */
-  const rivals = new Map();
+  /** With those that go on beside it. */
+  const tracks = () => [lead, ...get().comparison.rivals];
 
   const solver = createSolver(
     {
@@ -94,7 +93,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   );
 
   const player = createPlayer({
-    tracks: () => [lead, ...rivals.values()],
+    tracks,
     lockstep: () => get().comparison.lockstep,
     isCalm,
     nextFrame,
@@ -321,7 +320,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
 
   const nothing = async () => {};
   const core = {
-    ...{ store, state: store.state, get, patch, notes, solver, player, lead, rivals },
+    ...{ store, state: store.state, get, patch, notes, solver, player, lead, tracks },
     ...{ enqueue, atRest, rest, settle, anew, refill, show, shown, shownIndex, isStill },
     ...{ configure, colour, run, revive, report },
     /** Whether the last step is the last there will be. */

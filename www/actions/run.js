@@ -14,7 +14,7 @@ export const stepsOf = (count) => say("count-steps", { count });
 
 /** @param {Core} core @param {(options: Options, what: string) => Promise<void>} adopt  makes the surface the start */
 export function createRun(core, adopt) {
-  const { get, patch, notes, solver, player, lead, rivals, enqueue, atRest, settle } = core;
+  const { get, patch, notes, solver, player, lead, enqueue, atRest, settle } = core;
 
   const isUsable = () => get().reading !== null && get().phase === "ready";
   const isMoving = () => get().running || !core.isStill();
@@ -23,7 +23,7 @@ export function createRun(core, adopt) {
   const maySolve = () =>
     !core.isOver() || (lead.clip.last?.state.status === "stepLimit" && isAtEnd());
   /** The solvers of all panes. */
-  const all = () => [solver, ...[...rivals.values()].map((track) => track.solver)];
+  const all = () => [solver, ...get().comparison.rivals.map((rival) => rival.solver)];
   async function play() {
     if (!isUsable() || isMoving()) return;
     patch({ welcome: false, isNew: false, mode: null, preview: null });
@@ -53,9 +53,9 @@ export function createRun(core, adopt) {
     async reset() {
       if (get().film) return void (await solver.seek(lead.clip.points[0].state.step));
       core.anew(true);
-      for (const track of rivals.values()) {
-        track.clip.clear();
-        track.u = 0;
+      for (const rival of get().comparison.rivals) {
+        rival.clip.clear();
+        rival.u = 0;
       }
       await Promise.all(all().map((one) => one.reset()));
     },

@@ -14,17 +14,18 @@ import { button, iconButton, keycap, segmented, select } from "./parts.js";
 const contrasts = /** @type {const} */ (["flow", "p", "regularise", "scheme", "then"]);
 
 /** A pane, and what it does otherwise. @param {Rival} rival @param {number} n */
-function form({ id, change, phase, reason }, n) {
+function form(rival, n) {
+  const { change, phase, reason } = rival;
   const own = optionsOf(page.state.value.options, change);
   const name = letter(n + 1);
-  const set = (/** @type {Rival["change"]} */ edit) => page.compare.change(id, edit);
+  const set = (/** @type {Rival["change"]} */ edit) => page.compare.change(rival, edit);
   const others = flows.filter((flow) => flow.id !== "flips");
   const choices = others.map((flow) => ({ id: flow.id, label: flowLabel(flow.id) }));
   return html`<fieldset class="pane-form"><legend><b class="pane-${n + 1}">${name}</b></legend>
     ${select(say("pane-flow", { name }), choices, own.flow, (flow) => set({ flow }))}
     ${[...fieldsOf(own, true), rowOf("tau")].map((row) => field(row, own, set))}
     ${phase === "lost" ? html`<p class="hint danger">${reason}</p>` : nothing}
-    ${iconButton("close", say("remove-pane", { name }), () => page.compare.remove(id))}</fieldset>`;
+    ${iconButton("close", say("remove-pane", { name }), () => page.compare.remove(rival))}</fieldset>`;
 }
 
 /** How the panes are shown. @param {boolean} agree  whether their times can be compared */

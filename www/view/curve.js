@@ -171,7 +171,7 @@ const remeshed = (step, { objective: [before, after] }) =>
 /** The curves of all flows, as shares of their starts, on a logarithmic axis. */
 export function comparedCurve() {
   const { lockstep } = page.state.value.comparison;
-  const tracks = [page.lead, ...page.rivals.values()];
+  const tracks = page.tracks();
   const ends = tracks.map(({ clip }) => clip.last?.state[lockstep === "time" ? "time" : "step"]);
   const furthest = Math.max(...ends.map((end) => end ?? 0), 1e-12);
   const lines = tracks.map(({ clip }) => {

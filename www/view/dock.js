@@ -97,7 +97,7 @@ function energy() {
   const s = page.state.value;
   const first = page.lead.clip.points[0]?.state.energy ?? 0;
   if (s.comparison.rivals.length > 0) {
-    const numbers = [page.lead, ...page.rivals.values()].map(({ clip, u }, n) => {
+    const numbers = page.tracks().map(({ clip, u }, n) => {
       const [now, start] = [clip.points[clip.nearest(u)], clip.points[0]];
       const text = formatBeside(now?.state.energy, start?.state.energy ?? 0);
       return html`<span class="pane-${n}"><b>${text}</b> ${letter(n)}</span>`;

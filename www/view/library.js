@@ -8,7 +8,6 @@ import { firsts, sampleName, sayFigure, shelves } from "../library.js";
 import { say } from "../words.js";
 import { page } from "./page.js";
 import { button, close, icon, idOf, into, keycap } from "./parts.js";
-import { addressOf, pictureOf } from "./pictures.js";
 
 /** @import { Figure, Sample } from "../library.js" */
 
@@ -16,6 +15,19 @@ const filter = signal("all");
 const search = signal("");
 
 /** @typedef {ReturnType<typeof asItem>} Item */
+
+/** Small pictures of samples and figures, taken by tools/thumbnails.js. @type {Record<string, string>} */
+const pictures = import.meta.glob("../thumbnails/*.webp", {
+  query: "?url",
+  import: "default",
+  eager: true,
+});
+
+/** @param {string} name */
+export function pictureOf(name) {
+  const address = pictures[`../thumbnails/${name}.webp`];
+  return address ? html`<img src=${address} alt="" loading="lazy" />` : null;
+}
 
 /** @param {Sample} sample */
 const asItem = ({ id, group }) => ({
@@ -41,13 +53,13 @@ const plain = (text) => text.toLowerCase().replaceAll(".", "");
 function card({ id, title, text, note, open }) {
   const { figure, source } = page.state.value;
   const isOpen = id === (figure ? figure.id : source?.kind === "sample" && source.id);
-  const after = addressOf(`${id}-after`);
+  const after = pictureOf(`${id}-after`);
   const act = () => {
     page.patch({ dialog: null, welcome: false });
     open();
   };
   return html`<button type="button" class="entry" aria-current=${isOpen ? "true" : nothing} @click=${act}>
-    <span class="thumb ${after ? "two" : ""}">${pictureOf(id)}${after ? html`<img src=${after} alt="" loading="lazy" />` : nothing}
+    <span class="thumb ${after ? "two" : ""}">${pictureOf(id) ?? icon("surface")}${after}
       ${isOpen ? html`<em>${say("open-now")}</em>` : nothing}</span>
     <span class="text"><b>${title}</b><span>${text}</span>${note ? html`<small>${note}</small>` : nothing}</span></button>`;
 }

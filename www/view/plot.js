@@ -86,8 +86,7 @@ export function axesOf({ size: [width, height], left, x: [from, to], y: [low, hi
 export function plot() {
   page.player.tick.value;
   const s = page.state.value;
-  const tracks = [page.lead, ...page.rivals.values()];
-  const lines = tracks.map(({ clip }) =>
+  const lines = page.tracks().map(({ clip }) =>
     thinned(clip.points).flatMap(({ state }) => {
       const value = quantities[quantity.value](state);
       return value === null ? [] : [[state[abscissa.value], value]];

@@ -136,13 +136,13 @@ export function createStage(root, { samples, effects }) {
         note: noteOf(page.shown(), options),
       },
     ];
-    for (const { id, change, phase, reason, held } of comparison.rivals) {
-      const track = page.rivals.get(id);
-      const other = track?.clip.surface(track.u);
-      const at = track?.clip.points[track.clip.nearest(track.u)]?.state;
+    for (const rival of comparison.rivals) {
+      const { id, change, phase, reason, held, clip, u } = rival;
+      const other = clip.surface(u);
+      const at = clip.points[clip.nearest(u)]?.state;
       shown.push({
         ...{ ...bare, key: `rival-${id}`, drawable: other?.drawable ?? mesh },
-        ...(track ? motionOf(s, track) : still(mesh.positions, null, s.range)),
+        ...motionOf(s, rival),
         marked: other?.marked ?? none,
         held: other?.drawable ? null : held,
         title: sayChange(options, change),

@@ -9,10 +9,9 @@ import { icon, lazy } from "./parts.js";
 
 /** Once there is a surface to see, which nothing is to hold up. */
 const picture = lazy(() =>
-  import("./pictures.js").then(({ addressOf }) => () => {
+  import("./library.js").then(({ pictureOf }) => () => {
     const { source } = page.state.value;
-    const address = source?.kind === "sample" && addressOf(source.id);
-    return address ? html`<img src=${address} alt="" />` : nothing;
+    return source?.kind === "sample" ? pictureOf(source.id) : nothing;
   }),
 );
 
