@@ -11,15 +11,22 @@ import { keepOffline } from "./offline.js";
 import { createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
 import { cards } from "./view/cards.js";
-import { dialog, fetchDialogs, isDialogOpen, question } from "./view/dialog.js";
 import { dock } from "./view/dock.js";
-import { drawer, rail, turn } from "./view/drawer.js";
 import { legend } from "./view/legend.js";
 import { page } from "./view/page.js";
 import { listenToClicker, present } from "./view/present.js";
+import {
+  dialog,
+  drawer,
+  fetchDialogs,
+  isDialogOpen,
+  question,
+  rail,
+  top,
+  turn,
+} from "./view/shell.js";
 import { createStage } from "./view/stage.js";
 import { inversionHandle, listenToTools, toolBar } from "./view/tools.js";
-import { top } from "./view/top.js";
 import { fetchRest } from "./words.js";
 
 /** @import { Mode, S } from "./store.js" */

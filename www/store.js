@@ -34,7 +34,7 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
  * @typedef {{ source: Source, options: Options, what: string }} Earlier
  */
 
-/** Edges, two ends each, and triangles to be seen. @typedef {{ edges: Uint32Array, triangles: Uint32Array }} Marks */
+/** Edges, two ends each, and triangles to be seen; those that are turned to. @typedef {{ edges: Uint32Array, triangles: Uint32Array, near?: Uint32Array }} Marks */
 
 /**
  * @typedef {object} View

@@ -313,11 +313,12 @@ class SurfaceView {
 
   /**
    * @param {{ clientX: number, clientY: number }} event
-   * @returns {number[] | null} the point of the surface there, and the size of a CSS pixel
+   * @returns {number[] | null} the point of the surface there, the size of a CSS pixel, and the
+   *   nearest vertex
    */
   pick(event) {
     const hit = this.#viewer?.pick(...this.#pixelOf(event));
-    return hit ? [hit[0], hit[1], hit[2], hit[3] * this.#scale] : null;
+    return hit ? [hit[0], hit[1], hit[2], hit[3] * this.#scale, hit[4]] : null;
   }
 
   /**
@@ -349,6 +350,11 @@ class SurfaceView {
   /** Centres the surface and fills the picture with it, from the present direction. */
   fit() {
     this.#move((viewer) => viewer.fit());
+  }
+
+  /** Turns to some triangles, so that they are seen from in front. @param {Uint32Array} triangles */
+  face(triangles) {
+    this.#move((viewer) => viewer.face(triangles));
   }
 
   /** Fits from the standard direction. */

@@ -207,12 +207,13 @@ impl Viewer {
         self.0.camera().unproject(x, y, depth).to_array().to_vec()
     }
 
-    /// The point of the surface under a pixel: three coordinates and the size of a pixel there,
-    /// or none.
+    /// The point of the surface under a pixel: three coordinates, the size of a pixel and the
+    /// nearest vertex there, or none.
     pub fn pick(&self, x: f32, y: f32) -> Option<Vec<f32>> {
         let hit = self.0.pick(Vec2::new(x, y))?;
         let [x, y, z] = hit.point.to_array();
-        Some(vec![x, y, z, self.0.pixel_size_at(hit.point)])
+        let size = self.0.pixel_size_at(hit.point);
+        Some(vec![x, y, z, size, hit.vertex as f32])
     }
 
     /// Which of these edges, two vertices each, is seen within `reach` of a pixel: its number.
@@ -290,6 +291,11 @@ impl Viewer {
     /// Centres the surface and fills the picture with it, from the present direction.
     pub fn fit(&mut self) {
         self.0.camera_mut().fit();
+    }
+
+    /// Turns to some triangles, so that they are seen from in front.
+    pub fn face(&mut self, triangles: &[u32]) {
+        self.0.face(triangles);
     }
 
     /// Fits from the standard direction.

@@ -3,7 +3,6 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { facing, trianglesAt } from "../../www/facing.js";
 import { flows } from "../../www/generated/schema.js";
 import { formatBeside, formatNumber } from "../../www/number.js";
 import { defaults, settled } from "../../www/options.js";
@@ -14,7 +13,7 @@ import { clause, statusText, surfaceLabel, symbol } from "../../www/status.js";
 import { initial } from "../../www/store.js";
 import { labelled, thinned } from "../../www/view/curve.js";
 import { isLogarithmic, ticksOf } from "../../www/view/plot.js";
-import { boxOf, nearestVertex } from "../../www/view/tools.js";
+import { boxOf } from "../../www/view/tools.js";
 
 /** @param {any} [change] @returns {any} */
 const reading = (change) => ({
@@ -186,26 +185,9 @@ test("the rim of a region is where one end of an edge is in it", () => {
   assert.equal(rim(Uint8Array.from([1, 1, 1, 1]), edges).length, 0);
 });
 
-test("a box has its middle and its diagonal, and a point its nearest vertex", () => {
+test("a box has its middle and its diagonal", () => {
   const positions = Float32Array.of(0, 0, 0, 2, 0, 0, 2, 4, 4);
   assert.deepEqual(boxOf(positions), { middle: [1, 2, 2], size: 6 });
-  assert.equal(nearestVertex(positions, [1.8, 0.1, 0]), 1);
-});
-
-test("a camera is turned so that a place is seen from in front", () => {
-  // Target, distance, rotation, axis.
-  const camera = Float32Array.of(0, 0, 0, 5, 0, 0, 0, 1, 0, 1, 0);
-  const turned = facing(camera, [1, 0, 0]);
-  assert.ok(turned);
-  const [x, y, z, w] = turned.subarray(4, 8);
-  // The direction to the eye, (0, 0, 1) turned.
-  const backward = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
-  assert.ok(
-    backward.every((value, n) => Math.abs(value - [1, 0, 0][n]) < 1e-6),
-    String(backward),
-  );
-  assert.equal(facing(camera, [0, 1, 0]), null, "along the axis");
-  assert.deepEqual([...trianglesAt(Uint32Array.of(0, 1, 2, 2, 3, 4), [3])], [1]);
 });
 
 test("every flow has a symbol for what it lowers, whatever was chosen for another", () => {

@@ -1,11 +1,17 @@
 // Why the flow stands as it does, where that is, and what helps.
 
-import { facing, trianglesAt, vectorArea } from "../facing.js";
 import { say } from "../words.js";
 
 /** @import { Diagnosis, Remedy } from "../generated/types.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Core, Offer } from "./core.js" */
+
+/** Triangles with one of these corners. @param {Uint32Array} corners  of all, three each @param {ArrayLike<number>} vertices */
+function trianglesAt(corners, vertices) {
+  const wanted = new Set(Array.from(vertices));
+  const found = [...corners.keys()].filter((k) => wanted.has(corners[k]));
+  return new Set(found.map((k) => Math.floor(k / 3)));
+}
 
 /** Refusals of a flow, not of a file: their elements are those of the mesh on screen. */
 const ofFlows = ["NotTriangular", "ZeroLengthEdge", "SelectionOutOfRange", "Unfit"];
@@ -48,17 +54,16 @@ export function createWhy(core, edits, run) {
     ask,
     close: () => patch({ why: null, marks: null }),
 
-    /** Marks elements, and turns to them. @param {Pick<Diagnosis, "vertices" | "faces" | "edges">} elements @param {Float32Array | null} camera */
-    point({ vertices, faces, edges }, camera) {
+    /** Marks elements, and turns to them. @param {Pick<Diagnosis, "vertices" | "faces" | "edges">} elements @param {boolean} [turns] */
+    point({ vertices, faces, edges }, turns = true) {
       const { mesh } = get();
       const point = core.lead.clip.surface(core.lead.u);
-      if (!mesh || !point?.positions) return;
+      if (!mesh || !point) return;
       const all = point.drawable?.triangles ?? mesh.triangles;
       const triangles = Uint32Array.from(new Set([...faces, ...trianglesAt(all, vertices)]));
-      patch({ marks: { edges, triangles } });
-      const near = triangles.length > 0 ? triangles : trianglesAt(all, edges.subarray(0, 2));
-      const turned = camera && facing(camera, vectorArea(point.positions, all, near));
-      if (turned) patch({ camera: turned });
+      const edge = trianglesAt(all, edges.subarray(0, 2));
+      const near = triangles.length > 0 ? triangles : Uint32Array.from(edge);
+      patch({ marks: { edges, triangles, ...(turns && { near }) } });
     },
 
     /** Carries a remedy out, and goes on with the flow. @param {Remedy} remedy */
@@ -79,7 +84,7 @@ export function createWhy(core, edits, run) {
     const kinds = repaired.filter(({ done }) => !done);
     const vertices = Uint32Array.from(new Set(kinds.flatMap((item) => [...item.vertices])));
     const none = new Uint32Array();
-    if (vertices.length > 0) why.point({ vertices, faces: none, edges: none }, null);
+    if (vertices.length > 0) why.point({ vertices, faces: none, edges: none }, false);
     const count = kinds.reduce((sum, item) => sum + item.count, 0);
     core.notes.answer(say("repaired-all", { count }));
     patch({ tab: "surface" });
@@ -107,7 +112,7 @@ export function createWhy(core, edits, run) {
     const list = (/** @type {string} */ name) => Uint32Array.from(detail?.[name] ?? []);
     const elements = { vertices: list("vertices"), faces: list("faces"), edges: new Uint32Array() };
     const isHere = ofFlows.includes(kind) && elements.vertices.length + elements.faces.length > 0;
-    const place = { label: say("why-show"), act: () => why.point(elements, get().camera) };
+    const place = { label: say("why-show"), act: () => why.point(elements) };
     const repair = { label: say("repair"), act: () => edit.repair() };
     return [
       ...(isHere ? [place] : []),

@@ -56,7 +56,7 @@ function why() {
       : say("nothing-wrong");
   const show = () => {
     if (isShown || !diagnosis) page.edit.mark(null);
-    else page.why.point(diagnosis, page.stage.camera());
+    else page.why.point(diagnosis);
     page.patch({ why: { diagnosis, isShown: !isShown } });
   };
   const remedies = diagnosis?.remedies.map((remedy, n) => {

@@ -97,6 +97,8 @@ export function createStage(root, { samples, effects }) {
   /** What a brush is about to hold. @type {Uint8Array | null} */
   let brushed = null;
   let ring = { set: /** @type {unknown} */ (null), found: none };
+  /** Triangles that were turned to. @type {Uint32Array | null} */
+  let faced = null;
   /** Told after each picture. @type {Set<() => unknown>} */
   const listeners = new Set();
 
@@ -258,6 +260,9 @@ export function createStage(root, { samples, effects }) {
       pane.draw(s, one, style);
       if (pane.lacks) draw();
     });
+    const { near = null } = s.marks ?? {};
+    if (near && near !== faced) first.viewer?.face(near);
+    faced = near;
     const isTrue = page.player.motion.peek() === "still";
     const look = (isTrue && (s.preview ?? s.extras)?.look) || null;
     const of = look && `${look.ends.length} ${look.probe?.vertex} ${dark} ${page.shown()?.step}`;

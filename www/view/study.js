@@ -10,45 +10,11 @@ import { say } from "../words.js";
 import { page } from "./page.js";
 import { button, grid, into, select } from "./parts.js";
 
-/** @import { StudyReport, Trend } from "../generated/types.js" */
+/** @import { StudyReport } from "../generated/types.js" */
 /** @import { Solver } from "../solver.js" */
-
-/** @type {Readonly<Record<string, string>>} */
-const symbols = {
-  area: "A",
-  circle: "W/2",
-  cotangent: "∫H² cot",
-  fitted: "∫H² fit",
-  power: "∫|H|^p",
-};
 
 const result = signal(/** @type {StudyReport | null} */ (null));
 const subject = signal("shape");
-
-/** What a quantity does, in one sentence. @param {Trend} trend @param {number} p */
-function finding({ quantity, tendency, smooth, isKnown, values, orders }, p) {
-  const [last, order] = [values.at(-1) ?? 0, orders.at(-1)];
-  const settles = smooth === null ? "settles" : "nears";
-  const found = tendency === "converges" && !isKnown ? settles : tendency;
-  return say("trend", {
-    name: say("trend-name", { quantity, p }),
-    tendency: found === "elsewhere" && !smooth ? "elsewhereThanZero" : found,
-    smooth: formatNumber(smooth, 5),
-    order: order?.toFixed(1) ?? "–",
-    ratio: smooth ? formatNumber(last / smooth, 3) : "–",
-  });
-}
-
-/** @param {StudyReport} study */
-function findings({ refinedBy, trends, p }) {
-  const circle = trends.find(({ quantity }) => quantity === "circle")?.tendency ?? "";
-  return [
-    ...trends.map((trend) => finding(trend, p)),
-    ...(refinedBy === "polyhedron" ? [say("study-polyhedron")] : []),
-    ...(["elsewhere", "diverges"].includes(circle) ? [say("study-lattice")] : []),
-    say("study-minimisers"),
-  ];
-}
 
 /** Work of a solver of its own, so that the flow on screen goes on. @param {(own: Solver, isWanted: () => boolean) => Promise<unknown>} job */
 export function workAside(job) {
@@ -108,8 +74,12 @@ const { said, turn } = workAside(async (own, isWanted) => {
 
 /** @param {StudyReport} study */
 function shown(study) {
-  const { trends, rows, refinedBy, mostVertices: most, finished } = study;
-  const heads = [say("reading-vertices"), "h", ...trends.map(({ quantity }) => symbols[quantity])];
+  const { trends, rows, refinedBy, mostVertices: most, findings } = study;
+  const heads = [
+    say("reading-vertices"),
+    "h",
+    ...trends.map(({ quantity }) => say("trend-symbol", { quantity })),
+  ];
   const measured = rows.map(({ vertices, h }, k) => [
     vertices,
     formatNumber(h, 3),
@@ -125,7 +95,7 @@ function shown(study) {
   const isAny = trends.some((one) => one.smooth !== null);
   const all = isAny ? [...measured, [say("study-smooth"), "0", ...smooth]] : measured;
   return html`<p class="hint">${say("study-refined-by", { refinedBy, most })}</p>${grid(say("study"), heads, all)}
-    ${finished ? html`<ul class="findings">${findings(study).map((text) => html`<li>${text}</li>`)}</ul>` : nothing}`;
+    ${findings.length > 0 ? html`<ul class="findings">${findings.map((one) => html`<li>${say(one)}</li>`)}</ul>` : nothing}`;
 }
 
 export function study() {

@@ -33,19 +33,6 @@ export function boxOf(positions) {
   return { middle: high.map((value, axis) => (value + low[axis]) / 2), size };
 }
 
-/** The vertex nearest to a point. @param {Float32Array} positions @param {number[]} point */
-export function nearestVertex(positions, [x, y, z]) {
-  let [best, nearest] = [Infinity, 0];
-  for (let v = 0; v < positions.length / 3; v += 1) {
-    const square =
-      (positions[3 * v] - x) ** 2 +
-      (positions[3 * v + 1] - y) ** 2 +
-      (positions[3 * v + 2] - z) ** 2;
-    if (square < best) [best, nearest] = [square, v];
-  }
-  return nearest;
-}
-
 const viewer = () => page.stage.first.viewer;
 const positions = () =>
   page.lead.clip.surface(page.lead.u)?.positions ??
@@ -218,7 +205,7 @@ export function listenToTools() {
     if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > STILL) return;
     if (mode === "fill") clickLoop(event);
     const hit = mode === "pick" && viewer()?.pick(event);
-    if (hit) page.edit.inspect({ probe: nearestVertex(positions(), hit) });
+    if (hit) page.edit.inspect({ probe: hit[4] });
   });
 }
 

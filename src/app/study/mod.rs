@@ -29,6 +29,7 @@ use crate::energy::circle::{Boundary, CircleEnergy};
 use crate::energy::p_willmore::integrated_power;
 use crate::geometry::measure;
 use crate::mesh;
+use crate::message::Message;
 use crate::operator::FittedOperators;
 use exact::Exact;
 use glam::DVec3;
@@ -137,6 +138,8 @@ pub struct StudyReport {
     pub trends: Vec<Trend>,
     /// Whether there is no finer one to come.
     pub finished: bool,
+    /// What that means, once there is none.
+    pub findings: Vec<Message>,
     /// Vertices of the finest mesh at most.
     pub most_vertices: usize,
 }
@@ -197,14 +200,35 @@ impl Study {
         Ok(())
     }
 
+    fn findings(&self, trends: &[Trend]) -> Vec<Message> {
+        let more = |name| Message::new("study", name, vec![]);
+        let is_polyhedron = self.subject.refined_by() == RefinedBy::Polyhedron;
+        let is_off = |trend: &Trend| {
+            trend.quantity == "circle"
+                && matches!(trend.tendency, Tendency::Elsewhere | Tendency::Diverges)
+        };
+        let said = trends.iter().map(|trend| trend.said(self.p));
+        said.chain(is_polyhedron.then(|| more("Polyhedron")))
+            .chain(trends.iter().any(is_off).then(|| more("Lattice")))
+            .chain([more("Minimisers")])
+            .collect()
+    }
+
     /// What is known so far.
     pub fn report(&self) -> StudyReport {
+        let trends = trend::trends(&self.rows, self.exact, self.p);
+        let findings = if self.finished {
+            self.findings(&trends)
+        } else {
+            Vec::new()
+        };
         StudyReport {
             refined_by: self.subject.refined_by(),
             p: self.p,
             rows: self.rows.clone(),
-            trends: trend::trends(&self.rows, self.exact, self.p),
+            trends,
             finished: self.finished,
+            findings,
             most_vertices: self.limits.vertices,
         }
     }

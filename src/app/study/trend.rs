@@ -2,6 +2,7 @@
 
 use super::Resolution;
 use super::exact::Exact;
+use crate::message::{Message, Value};
 use serde::Serialize;
 
 /// Where the values of a quantity lead.
@@ -42,6 +43,36 @@ pub struct Trend {
     pub orders: Vec<Option<f64>>,
     /// Where it leads.
     pub tendency: Tendency,
+}
+
+impl Trend {
+    /// What the quantity does, in one sentence.
+    pub(super) fn said(&self, p: f64) -> Message {
+        let name = vec![("quantity", self.quantity.into()), ("p", p.into())];
+        let tendency = match self.tendency {
+            Tendency::Exact => "exact",
+            Tendency::Converges if self.is_known => "converges",
+            Tendency::Converges if self.smooth.is_some() => "nears",
+            Tendency::Converges => "settles",
+            Tendency::Elsewhere if self.smooth.is_none_or(|smooth| smooth == 0.0) => {
+                "elsewhereThanZero"
+            }
+            Tendency::Elsewhere => "elsewhere",
+            Tendency::Diverges => "diverges",
+            Tendency::Unknown => "unknown",
+        };
+        let measured = |number: Option<f64>| number.map_or(Value::None, Value::Number);
+        let smooth = self.smooth.filter(|smooth| *smooth != 0.0);
+        let ratio = self.values.last().zip(smooth);
+        let values = vec![
+            ("name", Message::new("trend", "Name", name).into()),
+            ("tendency", tendency.into()),
+            ("smooth", measured(self.smooth)),
+            ("order", measured(self.orders.last().copied().flatten())),
+            ("ratio", measured(ratio.map(|(last, smooth)| last / smooth))),
+        ];
+        Message::new("trend", "", values)
+    }
 }
 
 /// Relative error of what is right up to roundoff and the conditioning of the sums.

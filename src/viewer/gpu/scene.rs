@@ -280,6 +280,12 @@ impl Viewer {
         pick(&self.drawing, origin, direction)
     }
 
+    /// Turns to some triangles, so that they are seen from in front.
+    pub fn face(&mut self, triangles: &[u32]) {
+        let direction = self.drawing.vector_area(triangles);
+        self.camera_mut().face(direction);
+    }
+
     /// Which of these edges, two vertices each, is seen next to a pixel.
     ///
     /// # Errors

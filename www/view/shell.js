@@ -1,17 +1,43 @@
-// The rail of tabs and the drawer of the one that is open. On a phone it is a sheet with a handle:
-// dragged up it takes the place of the surface, dragged down it is as before, and then closed. A
-// tap does the same without dragging.
+// What stands around the stage: the bar at the top, the rail of tabs with the drawer of the one that
+// is open, dialogs and a question. On a phone the drawer is a sheet with a handle: dragged up it takes
+// the place of the surface, dragged down it is as before, and then closed. A tap does the same.
 
 import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
+import { flowLabel } from "../options.js";
+import { sceneTitle } from "../status.js";
 import { tabs } from "../store.js";
-import { say } from "../words.js";
+import { fetchRest, say } from "../words.js";
 import { page } from "./page.js";
-import { close, icon, lazy, rove } from "./parts.js";
+import { button, close, icon, lazy, rove } from "./parts.js";
 
-/** @import { Tab } from "../store.js" */
+/** @import { S, Tab } from "../store.js" */
 
-const contents = {
+/** Once there is a surface to see, which nothing is to hold up. */
+const picture = lazy(() =>
+  import("./library.js").then(({ pictureOf }) => () => {
+    const { source } = page.state.value;
+    return source?.kind === "sample" ? pictureOf(source.id) : nothing;
+  }),
+);
+
+export function top() {
+  const { source, options, phase } = page.state.value;
+  const title = sceneTitle(source);
+  return html`
+    <button type="button" class="pick" aria-haspopup="dialog" title="${say("library")} (/)"
+      @click=${() => page.patch({ dialog: "library" })}>
+      ${phase === "ready" ? picture() : nothing}<span id="title">${title || say("library")}</span>
+      <span class="flow">${title ? flowLabel(options.flow) : ""}</span>${icon("down")}
+    </button>
+    <span class="space"></span>
+    <button type="button" class="button quiet" title="${say("present")} (F)" aria-label=${say("present")}
+      @click=${() => page.present()}>${icon("present")}<span>${say("present")}</span></button>
+    <button type="button" class="button quiet" aria-haspopup="dialog" title="${say("help")} (?)" aria-label=${say("help")}
+      @click=${() => page.patch({ dialog: "help" })}>${icon("help")}<span>${say("help")}</span></button>`;
+}
+
+const panels = {
   surface: lazy(() => import("./surface.js").then(({ surface }) => surface)),
   flow: lazy(() => import("./flow.js").then(({ flow }) => flow)),
   measure: lazy(() => import("./measure.js").then(({ measure }) => measure)),
@@ -60,7 +86,7 @@ export function drawer() {
       <button type="button" class="grip" aria-label=${say("full-height")} aria-pressed=${String(isTall.value)}
         @pointerdown=${(/** @type {PointerEvent} */ event) => drag(event, shut)} @click=${press}></button>
       ${close(shut)}</header>
-    <div class="body" tabindex="-1">${contents[tab]()}</div>
+    <div class="body" tabindex="-1">${panels[tab]()}</div>
   </div>`;
 }
 
@@ -91,4 +117,36 @@ function drag(down, shut) {
     else if (isTall.value && start + by > start / 3) isTall.value = false;
     else shut();
   };
+}
+
+const dialogs = {
+  library: lazy(() =>
+    Promise.all([import("./library.js"), fetchRest()]).then(([{ library }]) => library),
+  ),
+  help: lazy(() => import("./dialogs.js").then(({ help }) => help)),
+  commands: lazy(() => import("./dialogs.js").then(({ palette }) => palette)),
+  plot: lazy(() => import("./dialogs.js").then(({ largePlot }) => largePlot)),
+};
+
+/**
+ * Whether a dialog is open and its contents are fetched: shown before, it would leave the
+ * focus on nothing, and what is typed into it would be lost.
+ * @param {S} s
+ */
+export const isDialogOpen = (s) => s.dialog !== null && dialogs[s.dialog].isThere();
+
+/** Fetches what dialogs hold, so that they open at once. */
+export const fetchDialogs = () => Promise.all(Object.values(dialogs).map(({ fetch }) => fetch()));
+
+export function dialog() {
+  const { dialog: open } = page.state.value;
+  return open ? dialogs[open]() : nothing;
+}
+
+export function question() {
+  const asked = page.state.value.question;
+  return asked
+    ? html`<p id="question">${asked.text}</p><div class="row">
+        ${button(say("run-them"), () => asked.answer(true), "primary")}${button(say("leave-it"), () => asked.answer(false))}</div>`
+    : nothing;
 }
