@@ -207,13 +207,27 @@ impl Viewer {
         self.0.camera().unproject(x, y, depth).to_array().to_vec()
     }
 
-    /// The point of the surface under a pixel: three coordinates, the size of a pixel and the
-    /// nearest vertex there, or none.
-    pub fn pick(&self, x: f32, y: f32) -> Option<Vec<f32>> {
-        let hit = self.0.pick(Vec2::new(x, y))?;
-        let [x, y, z] = hit.point.to_array();
-        let size = self.0.pixel_size_at(hit.point);
-        Some(vec![x, y, z, size, hit.vertex as f32])
+    /// The vertex of the surface next to a pixel, or none.
+    pub fn pick(&self, x: f32, y: f32) -> Option<usize> {
+        Some(self.0.pick(Vec2::new(x, y))?.vertex)
+    }
+
+    /// Gives a value to the vertices of a set, a byte each, that lie within `reach` pixels of what
+    /// is seen at one; none where nothing is.
+    pub fn painted(&self, set: &[u8], x: f32, y: f32, reach: f32, value: u8) -> Option<Vec<u8>> {
+        self.0.painted(set, Vec2::new(x, y), reach, value)
+    }
+
+    /// Spreads a value of such a set by one ring of neighbours.
+    pub fn grown(&self, set: &[u8], value: u8) -> Option<Vec<u8>> {
+        self.0.grown(set, value)
+    }
+
+    /// The box about the surface: three coordinates of its middle, and its diagonal.
+    #[wasm_bindgen(js_name = boundingBox)]
+    pub fn bounding_box(&self) -> Vec<f32> {
+        let (middle, diagonal) = self.0.bounding_box();
+        vec![middle.x, middle.y, middle.z, diagonal]
     }
 
     /// Which of these edges, two vertices each, is seen within `reach` of a pixel: its number.

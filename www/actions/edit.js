@@ -7,7 +7,7 @@ import { stepsOf } from "./run.js";
 
 /** @import { FillOptions, Loaded, RemeshOptions, RepairOptions, LookOptions } from "../generated/types.js" */
 /** @import { Options } from "../options.js" */
-/** @import { Marks, Mode } from "../store.js" */
+/** @import { Mode } from "../store.js" */
 /** @import { Core } from "./core.js" */
 
 /** Edits that the session keeps to be undone. */
@@ -156,8 +156,6 @@ export function createEdit(core) {
       patch({ mode, preview: null, marks: null });
       if (mode && !core.isStill()) enqueue(rest);
     },
-    /** @param {Marks | null} marks */
-    mark: (marks) => patch({ marks }),
     /** @param {Partial<LookOptions>} change */
     inspect: (change) =>
       enqueue(async () => {

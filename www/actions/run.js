@@ -112,17 +112,11 @@ export function createRun(core, adopt) {
       player.rest(lead.clip.nearest(lead.u));
       return enqueue(settle);
     },
-    /** @param {number} value */
-    speed(value) {
-      player.speed.value = value;
-    },
     loop() {
       player.loops.value = !player.loops.peek();
     },
 
     configure,
-    /** @param {"start" | "here"} applies */
-    applies: (applies) => patch({ applies }),
     /** What an opened mesh is for: noise taken off it, or all that bends. @param {"smooth" | "relax"} goal */
     async aim(goal) {
       patch({ isNew: false });
@@ -148,11 +142,6 @@ export function createRun(core, adopt) {
         patch({ comparison: { ...get().comparison, difference: null } });
         return core.colour(name);
       }),
-    /** @param {readonly [number, number] | null} range  null: that of the start */
-    range: (range) => patch({ range }),
-
-    /** @param {Float32Array} camera */
-    look: (camera) => patch({ camera }),
     /** @param {Partial<View>} change */
     view: (change) => patch({ view: Object.freeze({ ...get().view, ...change }) }),
 

@@ -2740,6 +2740,10 @@ trends: Array<Trend>,
  */
 finished: boolean, 
 /**
+ * What that means, once there is none.
+ */
+findings: Array<Message>, 
+/**
  * Vertices of the finest mesh at most.
  */
 mostVertices: number, };

@@ -55,7 +55,7 @@ function why() {
       ? say("why-ended", { ended: statusText(s, reading, false), reason: reading.message })
       : say("nothing-wrong");
   const show = () => {
-    if (isShown || !diagnosis) page.edit.mark(null);
+    if (isShown || !diagnosis) page.patch({ marks: null });
     else page.why.point(diagnosis);
     page.patch({ why: { diagnosis, isShown: !isShown } });
   };

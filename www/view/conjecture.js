@@ -38,7 +38,8 @@ async function ask() {
     chosen.value = null;
     const against = Math.min(report.counterexamples, 20_000);
     const ends = Array.from({ length: against }, (_, n) => cornersOf(report, n).slice(0, 2));
-    page.edit.mark({ edges: Uint32Array.from(ends.flat()), triangles: new Uint32Array() });
+    const edges = Uint32Array.from(ends.flat());
+    page.patch({ marks: { edges, triangles: new Uint32Array() } });
   } catch (error) {
     page.report(error);
   } finally {
@@ -57,7 +58,7 @@ async function choose(report, n) {
     return own.includes(i) && own.includes(j) && (own.includes(k) || own.includes(l));
   };
   const triangles = Uint32Array.from({ length: all.length / 3 }, (_, t) => t).filter(isBeside);
-  page.edit.mark({ edges: Uint32Array.of(i, j), triangles });
+  page.patch({ marks: { edges: Uint32Array.of(i, j), triangles } });
   chosen.value = { n, quad: await page.solver.quadrilateral(corners) };
 }
 

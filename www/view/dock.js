@@ -8,7 +8,7 @@ import { clause, isTrouble, statusText, symbol } from "../status.js";
 import { say } from "../words.js";
 import { comparedCurve, curve } from "./curve.js";
 import { page } from "./page.js";
-import { button, icon, iconButton } from "./parts.js";
+import { button, icon, iconButton, into } from "./parts.js";
 
 /** @import { Note } from "../store.js" */
 
@@ -118,7 +118,7 @@ function clock() {
   return html`<div class="settings">
     <span class="clock" aria-hidden="true"><b>${spent.toFixed(1)}</b> / ${seconds.toFixed(1)} s</span>
     <button type="button" class="speed" aria-label=${say("speed", { times: player.speed.value })} title=${say("speed-keys")}
-      @click=${() => page.run.speed(next)}>${player.speed.value}×</button>
+      @click=${() => into(player.speed)(next)}>${player.speed.value}×</button>
     ${iconButton("loop", say("loop"), page.run.loop, { key: "L", pressed: player.loops.value })}
     ${iconButton("expand", say("larger-plot"), () => page.patch({ dialog: "plot" }), { key: "E" })}${branches()}
   </div>`;

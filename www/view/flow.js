@@ -166,7 +166,7 @@ export function flow() {
           ${button(say("clear-paint"), () => page.edit.select(null), "small")}</p>`
         : nothing
     }
-    ${isUnderWay ? segmented(say("applies"), begins, applies, page.run.applies) : nothing}
+    ${isUnderWay ? segmented(say("applies"), begins, applies, (id) => page.patch({ applies: id })) : nothing}
     ${reading?.flips ? button(say("flip-all"), page.edit.finish, "small") : nothing}
     ${fieldsOf(options, false).length > 0 ? section("advanced", say("advanced"), advanced, say("advanced-what")) : nothing}`;
 }

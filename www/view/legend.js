@@ -52,7 +52,7 @@ function scale() {
 /** Colours of this step alone. */
 function fit() {
   const field = page.lead.clip.surface(page.lead.u)?.field;
-  if (field) page.run.range(rangeOf(field));
+  if (field) page.patch({ range: rangeOf(field) });
 }
 
 function optionsOf() {

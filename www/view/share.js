@@ -5,7 +5,7 @@ import { html, nothing } from "lit-html";
 import { createFilm } from "../film.js";
 import { formats, named, savedMeshes } from "../options.js";
 import { elementCode, iframeCode, pageAddress, sayLack, sizes } from "../share.js";
-import { sceneTitle } from "../status.js";
+import { sceneTitle, surfaceLabel } from "../status.js";
 import { say } from "../words.js";
 import { page } from "./page.js";
 import { button, into, labelled, number, section, select } from "./parts.js";
@@ -41,7 +41,7 @@ async function copyCode() {
   const isElement = embedAs.value === "element";
   const code = isElement
     ? elementCode(address, hash, size)
-    : iframeCode(address, hash, page.stage.label(), size);
+    : iframeCode(address, hash, surfaceLabel(page.get(), page.shown()), size);
   await copy(code, say("code-copied"));
 }
 

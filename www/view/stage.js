@@ -7,7 +7,6 @@ import { formatNumber } from "../number.js";
 import { choiceLabel, flowLabel, rowOf } from "../options.js";
 import { overlayOf } from "../overlay.js";
 import { roundedUp } from "../range.js";
-import { rim } from "../selection.js";
 import { surfaceLabel, symbol } from "../status.js";
 import { isDark } from "../store.js";
 import { say } from "../words.js";
@@ -57,6 +56,13 @@ function paneName(name) {
   return flowLabel(name);
 }
 
+/** The edges between a set of vertices and its complement. @param {Uint8Array} set @param {Uint32Array} edges  two ends each */
+export function rim(set, edges) {
+  const isOf = (/** @type {number} */ _, /** @type {number} */ k) =>
+    set[edges[k & ~1]] !== set[edges[k | 1]];
+  return edges.filter(isOf);
+}
+
 /** @param {S} s @param {Pane} pane */
 function paneNote({ reading }, { name, state }) {
   if (state) return say("pane-step", { step: state.step });
@@ -99,8 +105,8 @@ export function createStage(root, { samples, effects }) {
   let ring = { set: /** @type {unknown} */ (null), found: none };
   /** Triangles that were turned to. @type {Uint32Array | null} */
   let faced = null;
-  /** Told after each picture. @type {Set<() => unknown>} */
-  const listeners = new Set();
+  /** Changes with each picture. */
+  const pictures = signal(0);
 
   /** @param {S} s @param {Uint8Array | null} set */
   function ringOf({ options, mesh }, set) {
@@ -186,7 +192,7 @@ export function createStage(root, { samples, effects }) {
   const options = {
     samples,
     onFault: fail,
-    onCamera: page.run.look,
+    onCamera: (camera) => page.patch({ camera }),
     onRenderer: ({ name, reason }) => {
       renderer.value = say("drawn-with", { name, reason });
       root.dataset.renderer = renderer.value;
@@ -267,7 +273,7 @@ export function createStage(root, { samples, effects }) {
     const look = (isTrue && (s.preview ?? s.extras)?.look) || null;
     const of = look && `${look.ends.length} ${look.probe?.vertex} ${dark} ${page.shown()?.step}`;
     first.overlay(look && overlayOf(look, dark), of);
-    for (const listener of listeners) listener();
+    pictures.value += 1;
   }
 
   effect(() => {
@@ -280,12 +286,7 @@ export function createStage(root, { samples, effects }) {
   });
 
   return {
-    ...{ renderer, absence, range, canvas, root, first, others },
-    /** @param {() => unknown} listener  told after each picture @returns {() => void} ends that */
-    onDrawn(listener) {
-      listeners.add(listener);
-      return () => listeners.delete(listener);
-    },
+    ...{ renderer, absence, range, canvas, root, first, others, pictures },
     /**
      * Opens the picture. Never rejects.
      * @param {boolean} isPlain  whether it begins with the first sample, of which the viewer
@@ -302,8 +303,6 @@ export function createStage(root, { samples, effects }) {
       }
     },
     fit: () => first.viewer?.fit(),
-    camera: () => first.viewer?.camera() ?? null,
-    label: () => surfaceLabel(page.get(), page.shown()),
     /** What a brush is about to hold; null: what the flow holds. @param {Uint8Array | null} set */
     brush(set) {
       brushed = set;

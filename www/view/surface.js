@@ -67,7 +67,8 @@ function defects({ info, repaired }) {
 
 async function showCrossings() {
   const found = await page.solver.selfIntersections().catch(page.report);
-  if (found) page.edit.mark({ edges: new Uint32Array(), triangles: found.triangles });
+  if (!found) return;
+  page.patch({ marks: { edges: new Uint32Array(), triangles: found.triangles } });
 }
 
 /** @param {Loaded} mesh */

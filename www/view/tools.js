@@ -4,7 +4,6 @@
 import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
 import { formatNumber } from "../number.js";
-import { grown, painted } from "../selection.js";
 import { say } from "../words.js";
 import { page } from "./page.js";
 import { button, into, keycap, shortNumber, slider } from "./parts.js";
@@ -21,26 +20,9 @@ const STEP = 6;
 /** What the centre keeps from the edge of the picture to be in reach, in CSS pixels. */
 const MARGIN = 28;
 
-/** Middle and diagonal of the box about the surface. @param {Float32Array} positions */
-export function boxOf(positions) {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i += 1) {
-    low[i % 3] = Math.min(low[i % 3], positions[i]);
-    high[i % 3] = Math.max(high[i % 3], positions[i]);
-  }
-  const size = Math.hypot(...high.map((value, axis) => value - low[axis]));
-  return { middle: high.map((value, axis) => (value + low[axis]) / 2), size };
-}
-
 const viewer = () => page.stage.first.viewer;
-const positions = () =>
-  page.lead.clip.surface(page.lead.u)?.positions ??
-  page.get().mesh?.positions ??
-  new Float32Array();
-
 // Paint.
-/** 1 where held. */
+/** 1 where held. @type {Uint8Array} */
 let held = new Uint8Array();
 /** Until the first stroke, which begins a region, all may move. */
 let isUntouched = true;
@@ -49,7 +31,7 @@ const frees = signal(true);
 const radius = signal(24);
 const free = signal(0);
 
-/** @param {Uint8Array<ArrayBuffer>} vertices @param {boolean} [isNew] */
+/** @param {Uint8Array} vertices @param {boolean} [isNew] */
 function hold(vertices, isNew = false) {
   held = vertices;
   isUntouched = isNew;
@@ -64,16 +46,12 @@ function takeHeld() {
 }
 /** @param {PointerEvent} event */
 function stroke(event) {
-  const hit = viewer()?.pick(event);
-  if (!hit) return;
-  const [x, y, z, pixel] = hit;
-  const isRegion = isUntouched && frees.peek();
-  const next = isRegion ? new Uint8Array(held.length).fill(1) : held.slice();
-  painted(next, positions(), [x, y, z], radius.peek() * pixel, frees.peek() ? 0 : 1);
-  hold(next);
+  const set = isUntouched && frees.peek() ? new Uint8Array(held.length).fill(1) : held;
+  const next = viewer()?.painted(event, set, radius.peek(), frees.peek() ? 0 : 1);
+  if (next) hold(next);
 }
 /** @param {0 | 1} value  what spreads by a ring */
-const spread = (value) => hold(grown(held, page.get().mesh?.triangles ?? new Uint32Array(), value));
+const spread = (value) => hold(viewer()?.grown(held, value) ?? held);
 function holdBoundary() {
   const next = held.slice();
   for (const v of page.get().mesh?.boundaryEdges ?? []) next[v] = 1;
@@ -100,7 +78,7 @@ function turnLoop(n) {
   const isOn = others.length < chosen.peek().length;
   chosen.value = isOn ? others : [...others, n].sort((a, b) => a - b);
   const edges = Uint32Array.from(chosen.peek().flatMap((one) => edgesOf(loops.peek()[one])));
-  page.edit.mark({ edges, triangles: new Uint32Array() });
+  page.patch({ marks: { edges, triangles: new Uint32Array() } });
 }
 /** @param {MouseEvent} event */
 function clickLoop(event) {
@@ -174,21 +152,16 @@ async function begin(mode) {
     loops.value = (await page.solver.loops().catch(page.report)) ?? [];
   }
   if (mode === "invert") {
-    box = boxOf(positions());
+    box = viewer()?.box() ?? box;
     centre.value = firstCentre();
     preview();
   }
 }
 
-const pictures = signal(0);
-
 /** What a pointer does on the surface while a mode lasts. */
 export function listenToTools() {
-  const { canvas, onDrawn } = page.stage;
+  const { canvas } = page.stage;
   page.store.select((s) => s.mode).subscribe(begin);
-  onDrawn(() => {
-    if (page.get().mode === "invert") queueMicrotask(() => into(pictures)(pictures.peek() + 1));
-  });
   let pressed = { x: 0, y: 0 };
   canvas.addEventListener("pointerdown", (event) => {
     pressed = { x: event.clientX, y: event.clientY };
@@ -204,8 +177,8 @@ export function listenToTools() {
     const { mode } = page.get();
     if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > STILL) return;
     if (mode === "fill") clickLoop(event);
-    const hit = mode === "pick" && viewer()?.pick(event);
-    if (hit) page.edit.inspect({ probe: hit[4] });
+    const probe = mode === "pick" ? viewer()?.pick(event) : null;
+    if (probe != null) page.edit.inspect({ probe });
   });
 }
 
@@ -230,9 +203,10 @@ function key(event) {
 
 /** The centre of the inversion on the picture. */
 export function inversionHandle() {
-  pictures.value;
+  if (page.state.value.mode !== "invert") return nothing;
+  page.stage.pictures.value;
   centre.value;
-  const projected = page.state.value.mode === "invert" ? viewer()?.project(point()) : null;
+  const projected = viewer()?.project(point());
   if (!projected) return nothing;
   const seen = { ...projected, ...within(projected) };
   const take = (/** @type {PointerEvent} */ event) => {

@@ -44,8 +44,8 @@ function probed(probe) {
   const count = edges.filter(({ beta }) => beta === null).length;
   const note = say("vertex-boundary", { counts: String(energy !== null), count });
   const rows = edges.map(({ neighbour, length, beta }) => {
-    const edge = { edges: Uint32Array.of(vertex, neighbour), triangles: new Uint32Array() };
-    const [mark, unmark] = [() => page.edit.mark(edge), () => page.edit.mark(null)];
+    const marks = { edges: Uint32Array.of(vertex, neighbour), triangles: new Uint32Array() };
+    const [mark, unmark] = [() => page.patch({ marks }), () => page.patch({ marks: null })];
     const go = () => page.edit.inspect({ probe: neighbour });
     return [
       html`<button type="button" class="link" aria-label=${say("vertex-go", { neighbour })} @focus=${mark} @pointerenter=${mark}

@@ -6,9 +6,7 @@ use crate::message::{Message, Value};
 use serde::Serialize;
 
 /// Where the values of a quantity lead.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tendency {
     /// Right on every mesh, up to roundoff.
     Exact,
@@ -37,11 +35,13 @@ pub struct Trend {
     pub is_known: bool,
     /// |value − smooth| of each resolution; where no smooth value is known, the distance to
     /// the finest.
+    #[serde(skip)]
     pub errors: Vec<f64>,
     /// Observed order between this and the resolution before: log of the ratio of errors, or
     /// where no smooth value is known of successive differences, over that of the widths.
     pub orders: Vec<Option<f64>>,
     /// Where it leads.
+    #[serde(skip)]
     pub tendency: Tendency,
 }
 
