@@ -35,10 +35,7 @@ function display(agree) {
   const { show } = page.compare;
   /** @type {Comparison["lockstep"][]} */
   const steps = agree ? ["progress", "time", "step"] : ["progress", "step"];
-  const places = [
-    { id: "side", label: say("side-by-side") },
-    { id: "place", label: say("in-place") },
-  ];
+  const places = named(["side", "place"], "show-panes");
   const distances = [options, ...rivals].map((_, n) => ({
     id: String(n),
     label: say("distance-to", { name: letter(n) }),

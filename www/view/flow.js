@@ -3,7 +3,7 @@
 import { html, nothing } from "lit-html";
 import * as schema from "../generated/schema.js";
 import { formatNumber, formatShort } from "../number.js";
-import { asText, choiceLabel, choicesOf, isBasic, isRead } from "../options.js";
+import { asText, choiceLabel, choicesOf, isBasic, isRead, named } from "../options.js";
 import { say } from "../words.js";
 import { page } from "./page.js";
 import { button, labelled, number, rove, section, segmented, select, toggle } from "./parts.js";
@@ -153,19 +153,13 @@ export function flow() {
   const advanced = () =>
     html`${fields(false)}${button(say("recommended"), page.run.recommend, "small")}`;
   const isPart = (options.free !== null || options.fixed !== null) && configured !== null;
-  const all = (mesh?.positions.length ?? 0) / 3;
-  const begins = [
-    { id: /** @type {const} */ ("start"), label: say("start-word") },
-    { id: /** @type {const} */ ("here"), label: say("this-step") },
-  ];
+  const count = { free: configured?.freeVertices ?? 0, all: (mesh?.positions.length ?? 0) / 3 };
+  const part = html`<p class="hint">${say("region-count", count)}
+    ${button(say("clear-paint"), () => page.edit.select(null), "small")}</p>`;
+  const begins = named(["start", "here"], "applies");
   const isUnderWay = (reading?.step ?? 0) > 0 && mesh;
   return html`${flows()}<hr />${fields(true)}${display()}
-    ${
-      isPart
-        ? html`<p class="hint">${say("region-count", { free: configured.freeVertices, all })}
-          ${button(say("clear-paint"), () => page.edit.select(null), "small")}</p>`
-        : nothing
-    }
+    ${isPart ? part : nothing}
     ${isUnderWay ? segmented(say("applies"), begins, applies, (id) => page.patch({ applies: id })) : nothing}
     ${reading?.flips ? button(say("flip-all"), page.edit.finish, "small") : nothing}
     ${fieldsOf(options, false).length > 0 ? section("advanced", say("advanced"), advanced, say("advanced-what")) : nothing}`;

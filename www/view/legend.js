@@ -9,14 +9,7 @@ import { say } from "../words.js";
 import { page } from "./page.js";
 import { button, icon, segmented, select, slider, toggle } from "./parts.js";
 
-/** @import { View } from "../store.js" */
-
 const STOPS = 17;
-
-/** @type {View["theme"][]} */
-const themes = ["auto", "light", "dark"];
-/** @type {View["shading"][]} */
-const shadings = ["smooth", "flat"];
 
 /** The value that a ball of the surface's area has. @returns {number | null} */
 function round() {
@@ -68,9 +61,9 @@ function optionsOf() {
     ${toggle(say("boundary-lines"), view.boundary, (boundary) => set({ boundary }))}
     ${slider(say("cut"), view.cut, 0, 95, (cut) => set({ cut }))}
     ${crosses ? toggle(say("double-curves"), lookOptions.crossings, doubled) : nothing}
-    ${segmented(say("shading"), named(shadings, "shading"), view.shading, (shading) => set({ shading }))}
+    ${segmented(say("shading"), named(["smooth", "flat"], "shading"), view.shading, (shading) => set({ shading }))}
     ${toggle(say("high-contrast"), view.contrast || presenting, (contrast) => set({ contrast }))}
-    ${segmented(say("theme"), named(themes, "theme"), view.theme, (theme) => {
+    ${segmented(say("theme"), named(["auto", "light", "dark"], "theme"), view.theme, (theme) => {
       set({ theme });
       remember("theme", theme);
     })}

@@ -56,35 +56,26 @@ function readings() {
   const made = clip.points[clip.at(u).index]?.drawable;
   const { genus, vertices, faces } = mesh.info;
   const isCircle = options.flow === "circle";
-  /** @param {string} id @param {unknown} value @returns {readonly [string, unknown, string]} */
-  const row = (id, value) => [say(`reading-${id}`), value, id];
+  /** @param {string} id @param {unknown} value @param {string} [name] @returns {readonly [string, unknown, string]} */
+  const row = (id, value, name = say(`reading-${id}`)) => [name, value, id];
   const { tension, pressure } = shown?.multipliers ?? {};
-  const volume = shown && volumeOf(shown);
+  const volume = shown ? volumeOf(shown) : "";
   const rows = [
-    ...(shown && volume
-      ? [
-          row("energy", formatNumber(shown.energy, 6)),
-          isCircle &&
-            /** @type {const} */ (["W/2", formatNumber(shown.energyNormalised, 6), "half"]),
-          row("step", String(shown.step)),
-          row("time", formatNumber(shown.time)),
-          row("dt", stepSize(shown)),
-          row("area", since(formatNumber(shown.area, 6), shown.area, first?.area)),
-          row("volume", film ? volume : since(volume, shown.volume, first?.volume)),
-        ]
-      : []),
+    shown && row("energy", formatNumber(shown.energy, 6)),
+    shown && isCircle && row("half", formatNumber(shown.energyNormalised, 6), "W/2"),
+    shown && row("step", String(shown.step)),
+    shown && row("time", formatNumber(shown.time)),
+    shown && row("dt", stepSize(shown)),
+    shown && row("area", since(formatNumber(shown.area, 6), shown.area, first?.area)),
+    shown && row("volume", film ? volume : since(volume, shown.volume, first?.volume)),
     row("genus", genus === null ? say("genus-none") : String(genus)),
     row("vertices", String(made ? made.positions.length / 3 : vertices)),
     row("faces", String(made ? made.triangles.length / 3 : faces)),
-    ...(shown
-      ? [
-          row("angle", `${formatNumber(shown.minAngleDegrees, 4)}°`),
-          row("milliseconds", formatNumber(shown.milliseconds || null, 3)),
-          shown.crossings !== undefined && row("crossings", String(shown.crossings)),
-          tension != null && row("tension", formatNumber(tension, 4)),
-          pressure != null && row("pressure", formatNumber(pressure, 4)),
-        ]
-      : []),
+    shown && row("angle", `${formatNumber(shown.minAngleDegrees, 4)}°`),
+    shown && row("milliseconds", formatNumber(shown.milliseconds || null, 3)),
+    shown?.crossings !== undefined && row("crossings", String(shown.crossings)),
+    tension != null && row("tension", formatNumber(tension, 4)),
+    pressure != null && row("pressure", formatNumber(pressure, 4)),
     extras?.jump && row("jump", formatNumber(extras.jump.relative, 3)),
   ];
   return html`${table(say("readings"), rows)}${isCircle ? html`<p class="hint">${say("what-w-says")}</p>` : nothing}`;

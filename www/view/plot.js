@@ -113,14 +113,10 @@ export function plot() {
     id,
     label: id === "energy" ? `${say("reading-energy")} ${symbol(s)}` : say(`quantity-${id}`),
   }));
-  const [against, scales] = [
-    /** @type {const} */ (["step", "time"]),
-    /** @type {const} */ (["auto", "log", "linear"]),
-  ];
   return html`<div class="row plot-options">
       ${select(say("quantity"), names, quantity.value, into(quantity))}
-      ${segmented(say("against"), named(against, "against"), abscissa.value, into(abscissa))}
-      ${segmented(say("scale"), named(scales, "scale"), s.view.scale, (scale) => page.run.view({ scale }))}
+      ${segmented(say("against"), named(["step", "time"], "against"), abscissa.value, into(abscissa))}
+      ${segmented(say("scale"), named(["auto", "log", "linear"], "scale"), s.view.scale, (scale) => page.run.view({ scale }))}
     </div>
     ${drawing(say("plot-label", { what: say(`quantity-${quantity.value}`) }), "img", [curves, shown ? upright(shown[abscissa.value]) : nothing])}`;
 }

@@ -55,23 +55,20 @@ async function measure() {
 
 function zip() {
   const { format: as, every, size } = sequence;
-  const chooseFormat = (/** @type {string} */ id) => {
-    as.value = id;
-    measure();
-  };
-  const chooseEvery = (/** @type {number | null} */ count) => {
-    every.value = count ?? 1;
-    measure();
-  };
-  const input = number(say("every"), every.value, chooseEvery, { min: 1, step: 1 });
+  const choose =
+    (/** @type {{ value: any }} */ to) => (/** @type {string | number | null} */ value) => {
+      to.value = value ?? 1;
+      measure();
+    };
+  const input = number(say("every"), every.value, choose(every), { min: 1, step: 1 });
   const save = () => page.save.sequence(as.value, every.value);
-  return html`${select(say("each-step-as"), named(savedMeshes, "save-as"), as.value, chooseFormat)}
+  return html`${select(say("each-step-as"), named(savedMeshes, "save-as"), as.value, choose(as))}
     ${labelled(say("every"), html`<span class="number">${input}</span>`, size.value)}
     ${button(say("save-steps"), save, "", { icon: "share" })}`;
 }
 
 function embed() {
-  const kinds = named(/** @type {const} */ (["iframe", "element"]), "embed");
+  const kinds = named(["iframe", "element"], "embed");
   const sizesOf = sizes.map((id) => ({ id, label: id }));
   return html`${select(say("embed-as"), kinds, embedAs.value, into(embedAs))}
     ${select(say("embed-size"), sizesOf, embedSize.value, into(embedSize))}

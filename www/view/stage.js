@@ -73,14 +73,11 @@ function paneNote({ reading }, { name, state }) {
 }
 
 /** @param {Reading | null | undefined} state @param {Options} options */
-const noteOf = (state, options) =>
-  state
-    ? say("pane-note", {
-        step: state.step,
-        symbol: symbol({ options }),
-        energy: formatNumber(state.energy, 4),
-      })
-    : "";
+function noteOf(state, options) {
+  if (!state) return "";
+  const energy = formatNumber(state.energy, 4);
+  return say("pane-note", { step: state.step, symbol: symbol({ options }), energy });
+}
 
 /** @param {HTMLElement} element @param {number} n  −1 without one @param {Shown} shown */
 function caption(element, n, { title, note }) {

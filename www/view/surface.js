@@ -25,26 +25,17 @@ function findings({ info, repaired }) {
   const angle = page.shown()?.minAngleDegrees ?? info.minAngleDegrees;
   const isEven = angle >= EVEN;
   const fill = button(say("fill-start"), () => page.edit.mode("fill"), "small primary");
-  return html`<h3>${say("found")}</h3>${defects({ info, repaired })}
-    ${
-      boundaryLoops > 0
-        ? finding(say("found-holes", { count: boundaryLoops }), say("found-holes.hint"), fill)
-        : finding(say("found-closed"), say(oriented ? "found-two-sided" : "found-one-sided"))
-    }
-    ${finding(
-      say(isEven ? "found-even" : "found-uneven"),
-      say("found-angle", { angle: formatNumber(angle, 3) }),
-      isEven ? nothing : button(say("even-out"), page.edit.regularise, "small"),
-    )}
-    ${
-      selfIntersections
-        ? finding(
-            say("crossings", { count: selfIntersections }),
-            say("crossings-hint"),
-            button(say("why-show"), showCrossings, "small"),
-          )
-        : nothing
-    }
+  const rim =
+    boundaryLoops > 0
+      ? finding(say("found-holes", { count: boundaryLoops }), say("found-holes.hint"), fill)
+      : finding(say("found-closed"), say(oriented ? "found-two-sided" : "found-one-sided"));
+  const even = isEven ? nothing : button(say("even-out"), page.edit.regularise, "small");
+  const inside = say("found-angle", { angle: formatNumber(angle, 3) });
+  const show = button(say("why-show"), showCrossings, "small");
+  const crossings = say("crossings", { count: selfIntersections ?? 0 });
+  return html`<h3>${say("found")}</h3>${defects({ info, repaired })}${rim}
+    ${finding(say(isEven ? "found-even" : "found-uneven"), inside, even)}
+    ${selfIntersections ? finding(crossings, say("crossings-hint"), show) : nothing}
     ${info.warnings.map((warning) => html`<p class="hint">${say(warning)}</p>`)}`;
 }
 
