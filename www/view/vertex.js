@@ -19,10 +19,9 @@ const angle = (radians) => `${formatNumber(radians, 6)} (${degrees(radians)})`;
 const list = (values) => values.map((value) => formatNumber(value, 5)).join(", ");
 
 /** @param {Probe} probe */
-function rowsOf({ position, edges, sum, turn, energy, defect, principal, radii, ...probe }) {
-  const [least, most] = [Math.min(...radii), Math.max(...radii)].map((r) => formatNumber(r, 4));
-  /** @type {import("./parts.js").Reading[]} */
-  const rows = [
+function numbers({ vertex, position, edges, sum, turn, energy, defect, principal, ...probe }) {
+  const radii = [Math.min(...probe.radii), Math.max(...probe.radii)];
+  return table(say("vertex-numbers", { vertex }), [
     [say("vertex-position"), list(position)],
     [say("vertex-valence"), String(edges.length)],
     turn !== null && ["β₃", degrees(turn)],
@@ -33,9 +32,8 @@ function rowsOf({ position, edges, sum, turn, energy, defect, principal, radii, 
     [say("vertex-gauss"), probe.boundary ? "–" : formatNumber(probe.gaussCurvature, 6)],
     [say("vertex-principal"), principal ? list(principal) : "–"],
     [say("vertex-area"), formatNumber(probe.area, 6)],
-    [say("vertex-radii"), `${least} … ${most}`],
-  ];
-  return rows;
+    [say("vertex-radii"), radii.map((radius) => formatNumber(radius, 4)).join(" … ")],
+  ]);
 }
 
 /** @param {Probe} probe */
@@ -55,7 +53,7 @@ function probed(probe) {
     ];
   });
   return html`${boundary ? html`<p class="hint">${note}</p>` : nothing}
-    ${table(say("vertex-numbers", { vertex }), rowsOf(probe))}
+    ${numbers(probe)}
     ${grid(say("vertex-edges"), [say("vertex-to"), say("vertex-length"), "β"], rows)}`;
 }
 
