@@ -39,13 +39,9 @@ export const into = (signal) => (value) => {
 };
 
 /** @template {string} Id @typedef {{ id: Id, label: string, group?: string }} Choice */
+/** @typedef {<Id extends string>(label: string, choices: readonly Choice<Id>[], chosen: Id, choose: (id: Id) => unknown, hint?: string) => unknown} Choosing */
 
-/**
- * One of a few, side by side.
- * @template {string} Id
- * @param {string} label @param {readonly Choice<Id>[]} choices @param {Id} chosen
- * @param {(id: Id) => unknown} choose
- */
+/** One of a few, side by side. @type {Choosing} */
 export const segmented = (label, choices, chosen, choose) =>
   html`<fieldset class="field"><legend>${label}</legend><span class="segments">${choices.map(
     ({ id, label: text }) =>
@@ -58,29 +54,20 @@ export const labelled = (label, control, hint = "") =>
   html`<div class="field"><label for=${idOf(label)}>${label}</label>
     ${control}${hint ? html`<p class="hint">${hint}</p>` : nothing}</div>`;
 
-/**
- * One of many, in groups where they have some.
- * @template {string} Id
- * @param {string} label @param {readonly Choice<Id>[]} choices @param {Id} chosen
- * @param {(id: Id) => unknown} choose @param {string} [hint]
- */
-export function select(label, choices, chosen, choose, hint) {
-  const groups = new Set(choices.map(({ group }) => group));
-  const options = [...groups].map((group) => {
-    const some = choices
-      .filter((one) => one.group === group)
-      .map(
-        (one) => html`<option value=${one.id} ?selected=${one.id === chosen}>${one.label}</option>`,
-      );
-    return group === undefined ? some : html`<optgroup label=${group}>${some}</optgroup>`;
+/** One of many, in groups where they have some. @type {Choosing} */
+export const select = (label, choices, chosen, choose, hint) => {
+  const groups = [...new Set(choices.map(({ group }) => group))].map((group) => {
+    const some = choices.filter((one) => one.group === group);
+    const options = some.map(
+      ({ id, label: text }) =>
+        html`<option value=${id} ?selected=${id === chosen}>${text}</option>`,
+    );
+    return group === undefined ? options : html`<optgroup label=${group}>${options}</optgroup>`;
   });
-  return labelled(
-    label,
-    html`<select id=${idOf(label)} .value=${chosen} @change=${(/** @type {any} */ event) => choose(event.target.value)}>
-      ${options}</select>`,
-    hint,
-  );
-}
+  const change = (/** @type {any} */ { target }) => choose(target.value);
+  const list = html`<select id=${idOf(label)} .value=${chosen} @change=${change}>${groups}</select>`;
+  return labelled(label, list, hint);
+};
 
 /** @param {string} label @param {boolean} on @param {(on: boolean) => unknown} turn @param {string} [hint] */
 export const toggle = (label, on, turn, hint) =>
