@@ -21,6 +21,7 @@ const STEP = 6;
 const MARGIN = 28;
 
 const viewer = () => page.stage.first.viewer;
+
 // Paint.
 /** 1 where held. @type {Uint8Array} */
 let held = new Uint8Array();
@@ -165,8 +166,9 @@ export function listenToTools() {
   let pressed = { x: 0, y: 0 };
   canvas.addEventListener("pointerdown", (event) => {
     pressed = { x: event.clientX, y: event.clientY };
-    isPainting = page.get().mode === "paint" && event.isPrimary && event.button === 0;
-    if (isPainting) stroke(event);
+    if (page.get().mode !== "paint" || !event.isPrimary || event.button !== 0) return;
+    isPainting = true;
+    stroke(event);
   });
   canvas.addEventListener("pointermove", (event) => isPainting && event.isPrimary && stroke(event));
   for (const kind of ["pointerup", "pointercancel"])
