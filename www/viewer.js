@@ -313,7 +313,7 @@ class SurfaceView {
 
   /** The vertex there. @param {{ clientX: number, clientY: number }} event @returns {number | null} */
   pick(event) {
-    return this.#viewer?.pick(...this.#pixelOf(event)) ?? null;
+    return this.#viewer?.pick(...this.#pixelOf(event))?.[3] ?? null;
   }
 
   /**

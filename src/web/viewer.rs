@@ -207,9 +207,12 @@ impl Viewer {
         self.0.camera().unproject(x, y, depth).to_array().to_vec()
     }
 
-    /// The vertex of the surface next to a pixel, or none.
-    pub fn pick(&self, x: f32, y: f32) -> Option<usize> {
-        Some(self.0.pick(Vec2::new(x, y))?.vertex)
+    /// The point of the surface under a pixel: three coordinates and the vertex next to it, or
+    /// none.
+    pub fn pick(&self, x: f32, y: f32) -> Option<Vec<f32>> {
+        let hit = self.0.pick(Vec2::new(x, y))?;
+        let [x, y, z] = hit.point.to_array();
+        Some(vec![x, y, z, hit.vertex as f32])
     }
 
     /// Gives a value to the vertices of a set, a byte each, that lie within `reach` pixels of what
