@@ -8,27 +8,72 @@ use umbilic::app::{
     RegulariseOptions, RemeshOptions, RepairOptions, Session,
 };
 use umbilic::energy::circle::Boundary;
+use umbilic::flow::equation::{MONITORED, STEPS, SYMBOLS, functional};
 use umbilic::flow::option::{Kind, Options, Range, Row, Value};
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::flow::spec::{FLOWS, Family, FlowRow};
 use umbilic::io::Format;
 
-const WRITTEN: &str = "www/generated/schema.js";
-
 #[test]
-fn the_schema_in_javascript_is_that_of_the_tables() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(WRITTEN);
-    let text = schema();
-    if std::env::var_os("UPDATE_SCHEMA").is_some() {
-        std::fs::create_dir_all(path.parent().expect("a folder")).expect("the folder is made");
-        std::fs::write(&path, &text).expect("the schema is written");
+fn the_tables_in_javascript_are_those_of_the_solver() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/generated");
+    for (name, text) in [("schema.js", schema()), ("equation.js", equation())] {
+        let path = folder.join(name);
+        if std::env::var_os("UPDATE_SCHEMA").is_some() {
+            std::fs::create_dir_all(&folder).expect("the folder is made");
+            std::fs::write(&path, &text).expect("the table is written");
+        }
+        let found = std::fs::read_to_string(&path).unwrap_or_default();
+        let same = found == text;
+        assert!(
+            same,
+            "{name} is out of date: UPDATE_SCHEMA=1 cargo test --test schema"
+        );
     }
-    let found = std::fs::read_to_string(&path).unwrap_or_default();
-    let same = found == text;
-    assert!(
-        same,
-        "{WRITTEN} is out of date: UPDATE_SCHEMA=1 cargo test --test schema"
-    );
+}
+
+/// What the page states of a flow: beside the schema, as it is fetched only with its view.
+fn equation() -> String {
+    let functionals = MONITORED.iter().map(|one| {
+        let name = serde_json::to_value(one).expect("JSON");
+        (name.as_str().expect("a name").to_owned(), functional(*one))
+    });
+    let functionals: serde_json::Map<String, Json> =
+        functionals.map(|(name, tex)| (name, json!(tex))).collect();
+    let steps: serde_json::Map<String, Json> = STEPS
+        .iter()
+        .map(|(name, tex)| ((*name).to_owned(), json!(tex)))
+        .collect();
+    let object = |kind: &str, name: &str, value: serde_json::Map<String, Json>| {
+        let lines: Vec<String> = value
+            .iter()
+            .map(|(key, value)| format!("  {:?}: {value},", key))
+            .collect();
+        format!(
+            "/** @type {{Readonly<Record<string, {kind}>>}} */\nexport const {name} = {{\n{}\n}};\n",
+            lines.join("\n")
+        )
+    };
+    let symbols: Vec<Json> = SYMBOLS
+        .iter()
+        .map(|one| serde_json::to_value(one).expect("JSON"))
+        .collect();
+    let head = "// @ts-check
+// The functional, the step and the symbols of each flow. Written from src/flow/equation.rs by
+// `UPDATE_SCHEMA=1 cargo test --test schema`.
+
+/**
+ * A symbol, and where it matters: where all that is said of it holds.
+ * @typedef {{ tex: string, id: string, families: readonly string[], reads: string | null, keeps: string | null, inFormula: boolean, isSet: boolean }} Symbol
+ */
+";
+    [
+        head.to_owned(),
+        object("readonly string[]", "functionals", functionals),
+        object("string", "steps", steps),
+        list("readonly Symbol[]", "symbols", &symbols),
+    ]
+    .join("\n")
 }
 
 fn schema() -> String {

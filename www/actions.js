@@ -27,7 +27,6 @@ export function createPage(store, environment) {
  * @typedef {object} Views
  * @property {import("./view/stage.js").Stage} stage
  * @property {ReturnType<typeof import("./save.js").createSave>} save
- * @property {ReturnType<typeof import("./view/tools.js").createTools>} tools
  * @property {import("@preact/signals-core").Signal<boolean>} keysOn
  * @property {import("@preact/signals-core").Signal<({ id: string } & import("./library.js").Finding) | null>} finding
  *   of the figure that was last judged

@@ -18,7 +18,7 @@ export const keyName = (key) => (named.includes(key) ? say(`key-${key}`) : key.t
 /** @param {Page} page @param {number} by */
 function faster(page, by) {
   const at = speeds.indexOf(page.player.speed.peek()) + by;
-  page.run.speed(speeds[Math.min(Math.max(at, 0), speeds.length - 1)]);
+  page.player.speed.value = speeds[Math.min(Math.max(at, 0), speeds.length - 1)];
 }
 
 /** @param {Page} page */

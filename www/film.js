@@ -44,7 +44,7 @@ export function createFilm(page) {
     };
     const timer = setInterval(show, 500);
     // A canvas gives a frame when it is drawn.
-    const end = stage.onDrawn(() => whole && montage.paint(whole));
+    const end = stage.pictures.subscribe(() => whole && montage.paint(whole));
     film.addEventListener("dataavailable", ({ data }) => data.size > 0 && parts.push(data));
     film.addEventListener("error", () =>
       page.notes.error({ message: say("film-failed"), hint: say("film-failed.hint") }),

@@ -2,7 +2,6 @@
 
 import { effect, signal } from "@preact/signals-core";
 import { html, nothing, render } from "lit-html";
-import { createPage } from "./actions.js";
 import { commands, listenForKeys } from "./commands.js";
 import { openLanguage, remembered } from "./language.js";
 import { createLinkWriter, linkIn, plainScene } from "./link.js";
@@ -10,20 +9,27 @@ import { packedEndings, readEndings } from "./mesh-format.js";
 import { keepOffline } from "./offline.js";
 import { createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
-import { createStore, isDark } from "./store.js";
+import { isDark } from "./store.js";
 import { cards } from "./view/cards.js";
-import { dialog, fetchDialogs, isDialogOpen, question } from "./view/dialog.js";
 import { dock } from "./view/dock.js";
-import { drawer, rail, turn } from "./view/drawer.js";
 import { legend } from "./view/legend.js";
+import { page } from "./view/page.js";
 import { listenToClicker, present } from "./view/present.js";
+import {
+  dialog,
+  drawer,
+  fetchDialogs,
+  isDialogOpen,
+  question,
+  rail,
+  top,
+  turn,
+} from "./view/shell.js";
 import { createStage } from "./view/stage.js";
-import { createTools } from "./view/tools.js";
-import { top } from "./view/top.js";
+import { inversionHandle, listenToTools, toolBar } from "./view/tools.js";
 import { fetchRest } from "./words.js";
 
-/** @import { Page } from "./actions.js" */
-/** @import { Mode, S, Tab } from "./store.js" */
+/** @import { Mode, S } from "./store.js" */
 
 // Sentences are made when the views are: the language comes first.
 await openLanguage();
@@ -31,10 +37,7 @@ await openLanguage();
 /** @param {string} id @returns {HTMLElement} */
 const byId = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
-const calm = matchMedia("(prefers-reduced-motion: reduce)");
 const dark = matchMedia("(prefers-color-scheme: dark)");
-const store = createStore();
-const bare = createPage(store, { isCalm: () => calm.matches });
 const file = /** @type {HTMLInputElement} */ (byId("file"));
 const asked = new URLSearchParams(location.search);
 // Fewer samples a pixel draw faster where there is no graphics card; pictures to be kept are
@@ -44,12 +47,11 @@ const quality = {
   effects: /** @type {"always" | "auto"} */ (asked.get("effects") === "always" ? "always" : "auto"),
 };
 
-/** @type {Page} */
-const page = Object.assign(/** @type {any} */ (bare), {
+Object.assign(page, {
   keysOn: signal(remembered("keys") !== "off"),
   finding: signal(null),
   chooseFile: () => file.click(),
-  turn: (/** @type {Tab} */ tab) => turn(page, tab),
+  turn,
   tool(/** @type {Mode} */ mode) {
     page.patch({ tab: "surface" });
     page.edit.mode(mode);
@@ -57,9 +59,9 @@ const page = Object.assign(/** @type {any} */ (bare), {
   present: (/** @type {boolean | undefined} */ on) =>
     page.patch({ presenting: on ?? !page.get().presenting, dialog: null, welcome: false }),
 });
-page.stage = createStage(page, byId("panes"), quality);
+page.stage = createStage(byId("panes"), quality);
 page.save = createSave(page);
-page.tools = createTools(page);
+listenToTools();
 
 const theme = remembered("theme");
 page.run.view({
@@ -68,20 +70,17 @@ page.run.view({
 });
 dark.addEventListener("change", () => page.run.view({ systemDark: dark.matches }));
 
-/** A view in its place, anew whenever what it shows changes. @param {string} id @param {(page: Page) => unknown} view */
+/** A view in its place, anew whenever what it shows changes. @param {string} id @param {() => unknown} view */
 const mount = (id, view) =>
   effect(() => {
-    render(view(page) ?? nothing, byId(id));
+    render(view() ?? nothing, byId(id));
   });
 
 mount("top", top);
 mount("rail", rail);
 mount("drawer", drawer);
 mount("dock", dock);
-mount(
-  "cards",
-  (p) => html`${p.tools.bar()}${p.tools.handle()}${cards(p)}${legend(p)}${present(p)}`,
-);
+mount("cards", () => html`${toolBar()}${inversionHandle()}${cards()}${legend()}${present()}`);
 for (const [id, view, isOpen] of /** @type {const} */ ([
   ["dialog", dialog, isDialogOpen],
   ["ask", question, (/** @type {S} */ s) => s.question !== null],
@@ -126,7 +125,7 @@ effect(() => {
   const place = `${figure.id} ${reading.step} ${reading.energy}`;
   if (!isFar || place === judged) return;
   judged = place;
-  page.edit.judge(figure).then(
+  page.solver.judge(figure.id).then(
     (found) => {
       if (found && judged === place) page.finding.value = { id: figure.id, ...found };
     },
@@ -135,7 +134,7 @@ effect(() => {
 });
 
 listenForKeys(page);
-listenToClicker(page);
+listenToClicker();
 file.accept = [...readEndings, ...packedEndings, ".bin", ".json"].join();
 file.setAttribute("aria-keyshortcuts", commands.find(({ id }) => id === "open")?.keys[0] ?? "");
 

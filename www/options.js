@@ -111,5 +111,5 @@ export const savedMeshes = /** @type {import("./element.js").MeshFormat[]} */ (
 /** All that can be saved. @type {readonly import("./element.js").ExportFormat[]} */
 export const formats = [...savedMeshes, "csv", "recipe", "png"];
 
-/** @param {readonly string[]} ids @param {"colour" | "save-as"} kind */
+/** What is chosen from, in words. @template {string} const Id @param {readonly Id[]} ids @param {string} kind */
 export const named = (ids, kind) => ids.map((id) => ({ id, label: say(`${kind}-${id}`) }));

@@ -70,12 +70,18 @@ export function withSelection(options, mesh) {
   return { ...options, free: list(mesh?.free), fixed: list(mesh?.fixed) };
 }
 
+/** Who does not want to know. @type {Listener} */
+const deaf = {
+  ...{ onReady() {}, onFrame() {}, onStopped() {}, onProgress() {}, onCrashed() {}, onSilent() {} },
+};
+
 /**
- * @param {Listener} listener
+ * @param {Partial<Listener>} told
  * @param {{ patience?: number, pause?: number }} [waits]  in milliseconds: for a sign of life, and
  *   between attempts to bring the scene back
  */
-export function createSolver(listener, { patience, pause = PAUSE } = {}) {
+export function createSolver(told, { patience, pause = PAUSE } = {}) {
+  const listener = { ...deaf, ...told };
   const { onSilent } = listener;
   const channel = createChannel({ onEvent, onLost, onSilent }, patience);
   let run = 0;

@@ -12,7 +12,7 @@ import { defaults, plainArrangement } from "./options.js";
 export const tabs = /** @type {const} */ (["surface", "flow", "measure", "compare", "share"]);
 /** @typedef {typeof tabs[number]} Tab */
 export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remesh", "invert"]);
-/** @typedef {typeof tools[number] | "pick" | "edge"} Mode */
+/** @typedef {typeof tools[number] | "pick"} Mode */
 
 /** What a surface is coloured by. @typedef {import("./generated/types.js").FieldName | "none"} FieldName */
 /** @typedef {import("./generated/types.js").Field} Field */
@@ -28,7 +28,7 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
 
 /** What an edit was made of. @typedef {{ source: Source, options: Options, what: string }} Earlier */
 
-/** Edges, two ends each, and triangles to be seen. @typedef {{ edges: Uint32Array, triangles: Uint32Array }} Marks */
+/** Edges, two ends each, and triangles to be seen; those that are turned to. @typedef {{ edges: Uint32Array, triangles: Uint32Array, near?: Uint32Array }} Marks */
 
 /**
  * How the surface is drawn: with what a link says of it, in colours, where `contrast`, that are told
@@ -39,8 +39,8 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
 /** What a frame has beside the surface. @typedef {{ curves: Curves | null, jump: CurvatureJump | null, look: Look | null }} Extras */
 
 /**
- * What goes on beside the flow of the page.
- * @typedef {object} Rival
+ * What goes on beside the flow of the page, in a worker of its own: a clip, and what of it is known.
+ * @typedef {object} Beside
  * @property {number} id
  * @property {Partial<Options>} change  what it does otherwise than the first
  * @property {"loading" | "ready" | "lost"} phase
@@ -48,7 +48,10 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
  * @property {boolean} running
  * @property {Reading | null} reading
  * @property {Uint8Array | null} held
+ * @property {unknown} mesh     that its solver has
+ * @property {import("./solver.js").Solver} solver
  */
+/** @typedef {Beside & import("./player.js").Track} Rival */
 
 /**
  * @typedef {object} Note  a line for the status line

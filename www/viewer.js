@@ -201,13 +201,28 @@ class SurfaceView {
     this.#isResting = isResting;
   }
 
-  /**
-   * @param {{ clientX: number, clientY: number }} event
-   * @returns {number[] | null} the point of the surface there, and the size of a CSS pixel
-   */
+  /** The vertex there. @param {{ clientX: number, clientY: number }} event @returns {number | null} */
   pick(event) {
-    const hit = this.#viewer?.pick(...this.#pixelOf(event));
-    return hit ? [hit[0], hit[1], hit[2], hit[3] * this.#scale] : null;
+    return this.#viewer?.pick(...this.#pixelOf(event))?.[3] ?? null;
+  }
+
+  /**
+   * A set of vertices, a byte each, with a value within some CSS pixels of the surface there.
+   * @param {{ clientX: number, clientY: number }} event
+   * @param {Uint8Array} set @param {number} reach @param {0 | 1} value
+   */
+  painted(event, set, reach, value) {
+    const [x, y] = this.#pixelOf(event);
+    return this.#viewer?.painted(set, x, y, reach * this.#scale, value) ?? null;
+  }
+
+  /** The same set with a value spread by one ring. @param {Uint8Array} set @param {0 | 1} value */
+  grown = (set, value) => this.#viewer?.grown(set, value) ?? null;
+
+  /** Middle and diagonal of the box about the surface. */
+  box() {
+    const [x, y, z, size] = this.#viewer?.boundingBox() ?? [0, 0, 0, 1];
+    return { middle: [x, y, z], size };
   }
 
   /**
@@ -235,6 +250,14 @@ class SurfaceView {
   /** Centres the surface and fills the picture with it, from the present direction. */
   fit() {
     this.#move("fit");
+  }
+
+  /** Turns to some triangles, so that they are seen from in front. @param {Uint32Array} triangles */
+  face(triangles) {
+    this.change((viewer) => {
+      viewer.face(triangles);
+      this.#cameraMoved = true;
+    });
   }
 
   /** The camera as a few numbers, for links and for `setCamera`. */

@@ -16,6 +16,7 @@ pub mod cost;
 pub mod curvature;
 pub mod driver;
 mod ending;
+pub mod equation;
 pub mod error;
 pub mod flips;
 mod guard;

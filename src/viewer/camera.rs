@@ -14,7 +14,7 @@
 use std::f32::consts::{FRAC_PI_2, PI};
 
 use glam::camera::rh::proj::directx::perspective;
-use glam::{Mat4, Quat, Vec2, Vec3};
+use glam::{Mat3, Mat4, Quat, Vec2, Vec3};
 
 /// Tangent of half the field of view along the shorter side (28° in all): long enough
 /// a lens that a torus looks round, short enough that near and far can be told apart.
@@ -163,6 +163,17 @@ impl Camera {
         let turn = Quat::from_axis_angle(self.backward(), -angle);
         self.world_from_view = (turn * self.world_from_view).normalize();
         self.up = (turn * self.up).normalize();
+    }
+
+    /// Looks against a direction, at the same point from as far. Nothing changes where there is
+    /// none, or where it is that of the turntable's axis.
+    pub fn face(&mut self, direction: Vec3) {
+        let backward = direction.normalize_or_zero();
+        let Some(right) = self.up.cross(backward).try_normalize() else {
+            return;
+        };
+        let axes = Mat3::from_cols(right, backward.cross(right), backward);
+        self.world_from_view = Quat::from_mat3(&axes);
     }
 
     /// Moves the surface with a pointer that moved by `(dx, dy)` pixels (y down).
@@ -342,6 +353,25 @@ mod tests {
     fn pixel(camera: &Camera, point: Vec3) -> Vec2 {
         let ndc = camera.clip_from_world().project_point3(point);
         (Vec2::new(ndc.x, -ndc.y) + 1.0) * 0.5 * camera.viewport
+    }
+
+    #[test]
+    fn a_place_is_faced_at_the_same_point_from_as_far_with_the_axis_upright() {
+        let before = looking_at(Vec3::new(1.0, 2.0, 3.0), 2.0, SIZES[0]);
+        for direction in [Vec3::X, Vec3::new(-3.0, 0.2, 1.0), Vec3::NEG_Z] {
+            let mut camera = before.clone();
+            camera.face(7.0 * direction);
+            assert!(camera.backward().distance(direction.normalize()) < 1e-6);
+            assert!((camera.eye().distance(camera.target) - before.distance).abs() < 1e-5);
+            assert_eq!(camera.target, before.target);
+            let right = camera.world_from_view * Vec3::X;
+            assert!(right.dot(camera.up).abs() < 1e-6, "upright");
+        }
+        for none in [Vec3::ZERO, Vec3::Y, Vec3::NEG_Y] {
+            let mut camera = before.clone();
+            camera.face(none);
+            assert_eq!(camera, before);
+        }
     }
 
     fn on_sphere(center: Vec3, radius: f32) -> Vec<Vec3> {

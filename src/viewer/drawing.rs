@@ -338,6 +338,18 @@ impl Drawing {
         &self.triangles
     }
 
+    /// The vector area of some triangles: their mean normal, of twice the length of their area.
+    /// Those that there are not count nothing.
+    pub fn vector_area(&self, triangles: &[u32]) -> Vec3 {
+        let at = self.positions();
+        let areas = triangles.iter().filter_map(|t| {
+            let [a, b, c] = *self.triangles.get(3 * *t as usize..)?.first_chunk()?;
+            let [a, b, c] = [at(a), at(b), at(c)];
+            Some((b - a).cross(c - a))
+        });
+        areas.sum()
+    }
+
     /// Corners of the highlighted triangles.
     pub fn marked(&self) -> &[u32] {
         &self.marked
@@ -459,6 +471,15 @@ mod tests {
         let mut drawing = square();
         drawing.set_marked_triangles(&[1]).expect("exists");
         assert_eq!(drawing.marked(), [0, 2, 3]);
+    }
+
+    #[test]
+    fn a_vector_area_is_that_of_the_triangles_as_they_are_seen() {
+        let positions = [0., 0., 0., 2., 0., 0., 0., 3., 0., 0., 0., 4.];
+        let drawing = Drawing::new(&positions, &[0, 1, 2, 0, 2, 3], false).expect("a valid mesh");
+        assert_eq!(drawing.vector_area(&[0]), Vec3::new(0., 0., 6.));
+        assert_eq!(drawing.vector_area(&[0, 1, 9]), Vec3::new(12., 0., 6.));
+        assert_eq!(drawing.vector_area(&[]), Vec3::ZERO);
     }
 
     #[test]

@@ -10,12 +10,13 @@
 //! | [`drawing`] | arrays of the surface as drawn; [`seams`], [`normals`] and [`edges`] serve it |
 //! | [`motion`] | the surface between two steps of a flow |
 //! | [`segments`] | lines of space drawn over it |
-//! | [`pick`] | what lies under a pixel |
+//! | [`pick`], [`brush`] | what lies under a pixel; sets of vertices that are painted |
 //! | [`colour`] | colour maps, palettes of the themes |
 //! | [`style`], [`quality`] | what the page asks for, and what the device has time for |
 //! | [`frame`] | uniform blocks, mirrored in WGSL |
 //! | `gpu` | device, passes and shaders; redraws only when something changed |
 
+pub mod brush;
 pub mod camera;
 pub mod colour;
 pub mod drawing;

@@ -12,6 +12,8 @@ pub struct Hit {
     pub triangle: u32,
     /// The point on it.
     pub point: Vec3,
+    /// The nearest of its vertices.
+    pub vertex: usize,
 }
 
 /// The first triangle along a ray, from either side (Möller & Trumbore
@@ -34,9 +36,15 @@ pub fn pick(drawing: &Drawing, origin: Vec3, direction: Vec3) -> Option<Hit> {
             nearest = Some((depth, t));
         }
     }
-    nearest.map(|(depth, triangle)| Hit {
+    let (depth, triangle) = nearest?;
+    let point = origin + depth * direction;
+    let corners = &drawing.triangles()[3 * triangle as usize..][..3];
+    let far = |corner: &&u32| at(**corner).distance(point);
+    let corner = corners.iter().min_by(|a, b| far(a).total_cmp(&far(b)))?;
+    Some(Hit {
         triangle,
-        point: origin + depth * direction,
+        point,
+        vertex: drawing.source(*corner as usize),
     })
 }
 
@@ -89,7 +97,11 @@ mod tests {
         let down = |x, y| pick(&drawing, Vec3::new(x, y, 9.0), Vec3::NEG_Z);
         let hit = down(0.75, 0.25).expect("above the square");
         assert_eq!((hit.triangle, hit.point), (2, Vec3::new(0.75, 0.25, 1.0)));
-        assert_eq!(down(0.25, 0.75).map(|hit| hit.triangle), Some(3));
+        assert_eq!(hit.vertex, 5, "its nearest corner");
+        assert_eq!(
+            down(0.25, 0.75).map(|hit| (hit.triangle, hit.vertex)),
+            Some((3, 7))
+        );
         assert_eq!(down(1.25, 0.75), None);
         let up = pick(&drawing, Vec3::new(0.75, 0.25, -9.0), Vec3::Z);
         assert_eq!(up.map(|hit| hit.triangle), Some(0));

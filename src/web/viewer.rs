@@ -207,12 +207,30 @@ impl Viewer {
         self.0.camera().unproject(x, y, depth).to_array().to_vec()
     }
 
-    /// The point of the surface under a pixel: three coordinates and the size of a pixel there,
-    /// or none.
+    /// The point of the surface under a pixel: three coordinates and the vertex next to it, or
+    /// none.
     pub fn pick(&self, x: f32, y: f32) -> Option<Vec<f32>> {
         let hit = self.0.pick(Vec2::new(x, y))?;
         let [x, y, z] = hit.point.to_array();
-        Some(vec![x, y, z, self.0.pixel_size_at(hit.point)])
+        Some(vec![x, y, z, hit.vertex as f32])
+    }
+
+    /// Gives a value to the vertices of a set, a byte each, that lie within `reach` pixels of what
+    /// is seen at one; none where nothing is.
+    pub fn painted(&self, set: &[u8], x: f32, y: f32, reach: f32, value: u8) -> Option<Vec<u8>> {
+        self.0.painted(set, Vec2::new(x, y), reach, value)
+    }
+
+    /// Spreads a value of such a set by one ring of neighbours.
+    pub fn grown(&self, set: &[u8], value: u8) -> Option<Vec<u8>> {
+        self.0.grown(set, value)
+    }
+
+    /// The box about the surface: three coordinates of its middle, and its diagonal.
+    #[wasm_bindgen(js_name = boundingBox)]
+    pub fn bounding_box(&self) -> Vec<f32> {
+        let (middle, diagonal) = self.0.bounding_box();
+        vec![middle.x, middle.y, middle.z, diagonal]
     }
 
     /// Which of these edges, two vertices each, is seen within `reach` of a pixel: its number.
@@ -290,6 +308,11 @@ impl Viewer {
     /// Centres the surface and fills the picture with it, from the present direction.
     pub fn fit(&mut self) {
         self.0.camera_mut().fit();
+    }
+
+    /// Turns to some triangles, so that they are seen from in front.
+    pub fn face(&mut self, triangles: &[u32]) {
+        self.0.face(triangles);
     }
 
     /// Fits from the standard direction.

@@ -3,18 +3,16 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { facing, trianglesAt } from "../../www/facing.js";
 import { flows } from "../../www/generated/schema.js";
 import { formatBeside, formatNumber } from "../../www/number.js";
 import { defaults, settled } from "../../www/options.js";
 import { histogram, rangeOf, roundedUp } from "../../www/range.js";
 import { fileName } from "../../www/save.js";
-import { grown, painted, rim } from "../../www/selection.js";
 import { clause, statusText, surfaceLabel, symbol } from "../../www/status.js";
 import { initial } from "../../www/store.js";
 import { labelled, thinned } from "../../www/view/curve.js";
 import { isLogarithmic, ticksOf } from "../../www/view/plot.js";
-import { boxOf, nearestVertex } from "../../www/view/tools.js";
+import { rim } from "../../www/view/stage.js";
 
 /** @param {any} [change] @returns {any} */
 const reading = (change) => ({
@@ -160,52 +158,10 @@ test("an axis has round ticks, and powers of ten where it falls far", () => {
   assert.equal(isLogarithmic("linear", [100, 1]), false);
 });
 
-test("a brush paints what lies in its ball, and regions grow by rings", () => {
-  const positions = Float32Array.from([0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0]);
-  const set = Uint8Array.from([1, 1, 1, 1, 1]);
-  painted(set, positions, [1.6, 0.2, 0], 0.7, 0);
-  assert.deepEqual([...set], [1, 0, 0, 1, 1]);
-  for (const aside of [
-    [1.6, 0.9, 0],
-    [1.6, 0, 0.9],
-  ]) {
-    painted(set, positions, aside, 0.7, 1);
-    assert.deepEqual([...set], [1, 0, 0, 1, 1], "out of reach");
-  }
-  // A strip: each triangle has three vertices in a row.
-  const strip = Uint32Array.from([0, 1, 2, 1, 2, 3, 2, 3, 4]);
-  assert.deepEqual([...grown(set, strip, 0)], [0, 0, 0, 0, 0]);
-  assert.deepEqual([...grown(set, strip.subarray(0, 6), 1)], [1, 1, 1, 1, 1]);
-  assert.deepEqual([...grown(Uint8Array.from([0, 1, 1, 1, 1]), strip, 0)], [0, 0, 0, 1, 1]);
-  assert.deepEqual([...set], [1, 0, 0, 1, 1], "the set itself is not changed by growing");
-});
-
 test("the rim of a region is where one end of an edge is in it", () => {
   const edges = Uint32Array.from([0, 1, 1, 2, 2, 3, 3, 0]);
   assert.deepEqual([...rim(Uint8Array.from([1, 1, 0, 0]), edges)], [1, 2, 3, 0]);
   assert.equal(rim(Uint8Array.from([1, 1, 1, 1]), edges).length, 0);
-});
-
-test("a box has its middle and its diagonal, and a point its nearest vertex", () => {
-  const positions = Float32Array.of(0, 0, 0, 2, 0, 0, 2, 4, 4);
-  assert.deepEqual(boxOf(positions), { middle: [1, 2, 2], size: 6 });
-  assert.equal(nearestVertex(positions, [1.8, 0.1, 0]), 1);
-});
-
-test("a camera is turned so that a place is seen from in front", () => {
-  // Target, distance, rotation, axis.
-  const camera = Float32Array.of(0, 0, 0, 5, 0, 0, 0, 1, 0, 1, 0);
-  const turned = facing(camera, [1, 0, 0]);
-  assert.ok(turned);
-  const [x, y, z, w] = turned.subarray(4, 8);
-  // The direction to the eye, (0, 0, 1) turned.
-  const backward = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
-  assert.ok(
-    backward.every((value, n) => Math.abs(value - [1, 0, 0][n]) < 1e-6),
-    String(backward),
-  );
-  assert.equal(facing(camera, [0, 1, 0]), null, "along the axis");
-  assert.deepEqual([...trianglesAt(Uint32Array.of(0, 1, 2, 2, 3, 4), [3])], [1]);
 });
 
 test("every flow has a symbol for what it lowers, whatever was chosen for another", () => {

@@ -1,4 +1,3 @@
-// @ts-check
 // Flows beside that of the page: a worker and a clip each. They solve at their own pace; the
 // player shows them in step.
 
@@ -11,17 +10,17 @@ import { alone } from "../store.js";
 import { say, sayFault } from "../words.js";
 import { take } from "./core.js";
 
+/** @import { Scene } from "../link.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Comparison, Rival } from "../store.js" */
 /** @import { Core } from "./core.js" */
 
+/** @typedef {"flow" | "p" | "regularise" | "scheme" | "then"} Contrast */
+
 /** What a second pane does otherwise at first: the first that makes sense. @type {Record<string, readonly Partial<Options>[]>} */
 const contrasts = {
   flow: [{ flow: "mean-curvature" }, { flow: "circle" }],
-  p: [
-    { flow: "p-willmore", p: 4 },
-    { flow: "p-willmore", p: 2 },
-  ],
+  p: [4, 2].map((p) => ({ flow: "p-willmore", p })),
   regularise: [
     { flow: "p-willmore", regularise: "off", remesh: "off" },
     { flow: "p-willmore", regularise: "nonlinear", remesh: "off" },
@@ -29,230 +28,184 @@ const contrasts = {
   scheme: [{ scheme: "paper" }, { scheme: "auto" }],
 };
 
-/** @typedef {"flow" | "p" | "regularise" | "scheme" | "then"} Contrast */
+/** Flows of panes that are added, in this order. @type {Options["flow"][]} */
+const others = ["circle", "mean-curvature", "p-willmore", "surface-diffusion", "willmore"];
 
 /** @param {Core} core */
 export function createCompare(core) {
-  const { get, patch, notes, player, lead, rivals, enqueue, rest, solver } = core;
+  const { get, patch, notes, player, lead, solver } = core;
+  const rivals = () => get().comparison.rivals;
   let lastId = 0;
 
   /** @param {Partial<Comparison>} change */
   const compared = (change) => patch({ comparison: { ...get().comparison, ...change } });
-  /** @param {number} id @param {Partial<Rival>} change */
-  const changed = (id, change) =>
-    compared({
-      rivals: get().comparison.rivals.map((one) => (one.id === id ? { ...one, ...change } : one)),
-    });
-  /** @param {number} id */
-  const rivalOf = (id) => get().comparison.rivals.find((one) => one.id === id);
-
-  /** @param {number} id @param {string} reason */
-  function lost(id, reason) {
-    changed(id, { phase: "lost", reason, running: false });
-    notes.error({ message: say("pane-lost", { reason }), hint: say("pane-lost.hint") });
+  /** @param {Rival} rival @param {Partial<Rival>} change */
+  function changed(rival, change) {
+    Object.assign(rival, change);
+    compared({});
   }
+  /** What all panes do. */
+  const allOptions = () => {
+    const { options } = get();
+    return [options, ...rivals().map(({ change }) => optionsOf(options, change))];
+  };
 
-  /** @param {number} id */
-  function employ(id) {
-    const own = createSolver({
-      onReady() {},
-      onProgress() {},
-      onSilent() {},
-      onCrashed: (reason) => lost(id, reason),
-      onStopped(reading, fault) {
-        changed(id, { reading, running: false, reason: fault?.message ?? "" });
-        const { last } = track.clip;
-        if (last?.state.step === reading.step) last.state = reading;
-        player.place(lead.u);
-      },
-      onFrame(frame) {
-        const { motion } = player;
-        take(track, frame, false);
-        if (!frame.stored) changed(id, { reading: frame.state });
-        if (motion.peek() === "still") player.place(lead.u);
-      },
-    });
-    const track = {
-      clip: new Clip(),
-      u: 0,
-      isOpen: () => rivalOf(id)?.running ?? false,
-      solver: own,
-      mesh: /** @type {unknown} */ (null),
+  /** @param {Rival["change"]} change */
+  function employ(change) {
+    const clip = new Clip();
+    lastId += 1;
+    /** @type {Rival} */
+    const rival = {
+      ...{ clip, u: 0, id: lastId, change, phase: "loading", reason: "", running: false },
+      ...{ reading: null, held: null, mesh: null, isOpen: () => rival.running },
+      solver: createSolver({
+        onCrashed(reason) {
+          changed(rival, { phase: "lost", reason, running: false });
+          notes.error({ message: say("pane-lost", { reason }), hint: say("pane-lost.hint") });
+        },
+        onStopped(reading, fault) {
+          changed(rival, { reading, running: false, reason: fault?.message ?? "" });
+          if (clip.last?.state.step === reading.step) clip.last.state = reading;
+          player.place(lead.u);
+        },
+        onFrame(frame) {
+          take(rival, frame, false);
+          if (!frame.stored) changed(rival, { reading: frame.state });
+          if (core.isStill()) player.place(lead.u);
+        },
+      }),
     };
-    rivals.set(id, track);
-    return track;
+    return rival;
   }
 
-  /** Puts a pane at the start. @param {number} id @param {Partial<Options>} change */
-  async function begin(id, change) {
-    const track = /** @type {ReturnType<typeof employ>} */ (rivals.get(id) ?? employ(id));
+  /** Puts a pane at the start. @param {Rival} rival @param {Rival["change"]} change */
+  async function begin(rival, change) {
+    const { clip, solver: own } = rival;
     const { mesh, options, colour } = get();
     const origin = solver.origin();
     if (!mesh || !origin) return;
-    changed(id, { phase: "loading", change, running: false });
-    track.clip.clear(mesh.triangles);
-    track.u = 0;
+    changed(rival, { phase: "loading", change, running: false, u: 0 });
+    clip.clear(mesh.triangles);
     try {
-      if (track.mesh !== mesh) await track.solver.same(origin);
-      track.mesh = mesh;
-      const wanted = optionsOf(options, change);
-      const configured = await track.solver.configure(withSelection(wanted, mesh));
-      const first = track.clip.points[0];
-      if (colour !== "none") {
-        const field = await track.solver.colour(colour);
-        if (first) first.field = field;
-      }
-      const { state: reading, heldVertices: held } = configured;
-      changed(id, { phase: "ready", reason: "", reading, held });
+      if (rival.mesh !== mesh) await own.same(origin);
+      rival.mesh = mesh;
+      const wanted = withSelection(optionsOf(options, change), mesh);
+      const { state: reading, heldVertices: held } = await own.configure(wanted);
+      const field = colour === "none" ? null : await own.colour(colour);
+      if (clip.points[0]) clip.points[0].field = field;
+      changed(rival, { phase: "ready", reason: "", reading, held });
     } catch (error) {
       const fault = /** @type {any} */ (error);
       if (fault?.kind === LOST) return;
       const said = typeof fault?.message === "object" ? sayFault(fault) : fault;
-      changed(id, { phase: "lost", reason: String(said?.message ?? error) });
-      notes.error({ message: String(said?.message ?? error), hint: said?.hint ?? "" });
+      const message = String(said?.message ?? error);
+      changed(rival, { phase: "lost", reason: message });
+      notes.error({ message, hint: said?.hint ?? "" });
     }
     player.place(lead.u);
   }
 
   /** Whose time is another cannot be kept in step by it. */
   function keepUnits() {
-    const { options, comparison } = get();
-    const all = [options, ...comparison.rivals.map(({ change }) => optionsOf(options, change))];
-    if (comparison.lockstep === "time" && !timeUnitsAgree(all)) compared({ lockstep: "progress" });
+    const isTime = get().comparison.lockstep === "time";
+    if (isTime && !timeUnitsAgree(allOptions())) compared({ lockstep: "progress" });
   }
 
-  /** @param {Partial<Options>} change */
-  async function add(change) {
-    lastId += 1;
-    const id = lastId;
-    const rival = { id, change, reason: "", running: false, reading: null, held: null };
-    compared({ rivals: [...get().comparison.rivals, { ...rival, phase: "loading" }] });
-    await begin(id, change);
+  /** A pane from its start, as far as the first has come. @param {Rival} rival @param {Rival["change"]} change */
+  async function follow(rival, change) {
+    await begin(rival, change);
     keepUnits();
-    await catchUp(id);
-  }
-
-  /** A pane that was begun anew goes as far as the first has come. @param {number} id */
-  async function catchUp(id) {
     const { last, points } = lead.clip;
-    if (last && points.length > 1) await runOne(id, core.isOver() ? null : last.state.step);
+    if (last && points.length > 1) await runOne(rival, core.isOver() ? null : last.state.step);
   }
 
-  /** @param {number} id @param {number | null} [until] */
-  async function runOne(id, until = null) {
-    const track = rivals.get(id);
-    const rival = rivalOf(id);
-    if (!track || rival?.phase !== "ready") return;
-    const { last } = track.clip;
-    if (last && rival.reading && last.state.step !== rival.reading.step) {
-      await track.solver.seek(last.state.step);
-    }
-    changed(id, { running: true });
-    await track.solver.run(until);
+  /** @param {Rival["change"]} change */
+  async function add(change) {
+    const rival = employ(change);
+    compared({ rivals: [...rivals(), rival] });
+    await follow(rival, change);
   }
 
-  /** Ends the workers of panes that are no more. */
-  function dismiss() {
-    const ids = get().comparison.rivals.map(({ id }) => id);
-    for (const [id, track] of rivals) {
-      if (ids.includes(id)) continue;
-      rivals.delete(id);
-      track.solver.dismiss();
-    }
-    if (ids.length === 0) patch({ comparison: alone });
+  /** @param {Rival} rival @param {number | null} [until] */
+  async function runOne(rival, until = null) {
+    const { phase, clip, reading, solver: own } = rival;
+    if (phase !== "ready") return;
+    const { last } = clip;
+    if (last && reading && last.state.step !== reading.step) await own.seek(last.state.step);
+    changed(rival, { running: true });
+    await own.run(until);
+  }
+
+  /** Panes that are no more. @param {readonly Rival[]} some */
+  function dismiss(some) {
+    for (const rival of some) rival.solver.dismiss();
+    const rest = rivals().filter((rival) => !some.includes(rival));
+    if (rest.length === 0) patch({ comparison: alone });
+    else compared({ rivals: rest, shown: "side", difference: null });
     player.redraw();
   }
+  const close = () => dismiss(rivals());
 
-  function close() {
-    compared({ rivals: [], shown: "side", difference: null });
-    dismiss();
-  }
-
-  core.settleRival = async (id) => {
-    if (!rivalOf(id)?.running) return;
-    const reading = await rivals.get(id)?.solver.pause();
-    changed(id, { running: false, ...(reading ? { reading } : {}) });
-  };
-  core.runRivals = async () => {
-    await Promise.all(get().comparison.rivals.map(({ id }) => runOne(id)));
-  };
-  core.followRivals = async () => {
-    const { options, comparison } = get();
-    if (options.flow === "flips") close();
-    else await Promise.all(comparison.rivals.map(({ id, change }) => begin(id, change)));
-    keepUnits();
-  };
-  core.colourRivals = async (name) => {
-    for (const track of rivals.values()) {
-      for (const point of track.clip.points) point.field = null;
-      await track.solver.colour(name).catch(() => null);
-      if (track.clip.points.length > 0) track.solver.stored().catch(() => {});
-    }
+  core.beside = {
+    settle: () =>
+      Promise.all(
+        rivals().map(async (rival) => {
+          if (!rival.running) return;
+          const reading = await rival.solver.pause();
+          changed(rival, { running: false, ...(reading && { reading }) });
+        }),
+      ),
+    run: () => Promise.all(rivals().map((rival) => runOne(rival))),
+    async follow() {
+      if (get().options.flow === "flips") close();
+      else await Promise.all(rivals().map((rival) => begin(rival, rival.change)));
+      keepUnits();
+    },
+    async colour(name) {
+      for (const { clip, solver: own } of rivals()) {
+        for (const point of clip.points) point.field = null;
+        await own.colour(name).catch(() => null);
+        if (clip.points.length > 0) own.stored().catch(() => {});
+      }
+    },
   };
 
-  const compare = {
+  const changes = {
     /** What of a comparison is asked for at first; never a twin. @param {Contrast} what */
-    contrast: (what) =>
-      enqueue(async () => {
-        await rest();
-        close();
-        const { options, reading } = get();
-        if (what === "then") {
-          if (reading) compared({ withStart: true });
-          return;
-        }
-        for (const one of contrasts[what]) {
-          const change = changeOf(options, optionsOf(options, one));
-          if (Object.keys(change).length === 0) continue;
-          // An exponent is of a flow that reads it.
-          const own = { ...options, ...one };
-          if (change.flow && what !== "flow" && !isRead(what, options))
-            await core.configure(optionsOf(options, { flow: own.flow }));
-          const now = get().options;
-          await add(changeOf(now, optionsOf(now, one)));
-          return;
-        }
-      }),
+    async contrast(what) {
+      close();
+      const { options, reading } = get();
+      if (what === "then") return reading && compared({ withStart: true });
+      const differs = (/** @type {Partial<Options>} */ one) =>
+        changeOf(options, optionsOf(options, one));
+      const one = contrasts[what].find((each) => Object.keys(differs(each)).length > 0);
+      if (!one) return;
+      // An exponent is of a flow that reads it.
+      if (differs(one).flow && what !== "flow" && !isRead(what, options))
+        await core.configure(optionsOf(options, { flow: one.flow ?? options.flow }));
+      await add(changeOf(get().options, optionsOf(get().options, one)));
+    },
     /** One more, with the first difference that is not there yet. */
-    add: () =>
-      enqueue(async () => {
-        await rest();
-        const { options, comparison } = get();
-        if (comparison.rivals.length >= MOST_PANES - 1) return;
-        const taken = [
-          options,
-          ...comparison.rivals.map(({ change }) => optionsOf(options, change)),
-        ];
-        const flows = ["circle", "mean-curvature", "p-willmore", "surface-diffusion", "willmore"];
-        const flow = flows.find((id) => taken.every((one) => one.flow !== id)) ?? "mmcv";
-        await add({ flow: /** @type {Options["flow"]} */ (flow) });
-      }),
-    /** @param {number} id @param {Partial<Options>} edit */
-    change: (id, edit) =>
-      enqueue(async () => {
-        await rest();
-        const rival = rivalOf(id);
-        if (!rival) return;
-        const { options } = get();
-        const before = optionsOf(options, rival.change);
-        const isOther = edit.flow !== undefined && edit.flow !== before.flow;
-        const wanted = isOther ? optionsOf(options, edit) : { ...before, ...edit };
-        await begin(id, changeOf(options, wanted));
-        keepUnits();
-        await catchUp(id);
-      }),
-    /** @param {number} id */
-    remove: (id) =>
-      enqueue(async () => {
-        await rest();
-        compared({
-          rivals: get().comparison.rivals.filter((one) => one.id !== id),
-          shown: "side",
-          difference: null,
-        });
-        dismiss();
-      }),
-    close: () => enqueue(() => rest().then(close)),
+    async add() {
+      const taken = allOptions().map(({ flow }) => flow);
+      const flow = others.find((id) => !taken.includes(id)) ?? "mmcv";
+      if (taken.length < MOST_PANES) await add({ flow });
+    },
+    /** @param {Rival} rival @param {Partial<Options>} edit */
+    async change(rival, edit) {
+      const { options } = get();
+      const before = optionsOf(options, rival.change);
+      const isOther = edit.flow !== undefined && edit.flow !== before.flow;
+      const wanted = isOther ? optionsOf(options, edit) : { ...before, ...edit };
+      await follow(rival, changeOf(options, wanted));
+    },
+    /** @param {Rival} rival */
+    remove: (rival) => dismiss([rival]),
+    close,
+  };
+
+  return {
+    ...core.atRest(changes),
     /** @param {Partial<Pick<Comparison, "lockstep" | "shown" | "difference">>} change */
     show(change) {
       compared(change);
@@ -265,33 +218,19 @@ export function createCompare(core) {
       if (count > 1) compared({ shown: shown === "side" ? 1 : (shown + 1) % count });
       else notes.answer(say("nothing-to-flip"));
     },
-    /** Before the flow of a link is configured. @param {import("../link.js").Scene["comparison"]} linked */
+    /** Before the flow of a link is configured. @param {Scene["comparison"]} linked */
     prepare(linked) {
       close();
       if (!linked) return;
       const { panes, shown, difference } = linked;
       const lockstep = linked.lockstep === "time" ? "time" : "progress";
-      const made = panes.map(({ change }) => {
-        lastId += 1;
-        return {
-          id: lastId,
-          change,
-          phase: /** @type {const} */ ("loading"),
-          reason: "",
-          running: false,
-          reading: null,
-          held: null,
-        };
-      });
+      const made = panes.map(({ change }) => employ(change));
       compared({ rivals: made, lockstep, shown, difference });
     },
     /** Where the panes of a link stand. @param {readonly (number | null)[]} steps @param {number} main */
     runTo: (steps, main) =>
       Promise.all(
-        get().comparison.rivals.map(({ id }, n) =>
-          (steps[n] ?? main) > 0 ? runOne(id, steps[n] ?? main) : null,
-        ),
+        rivals().map((rival, n) => (steps[n] ?? main) > 0 && runOne(rival, steps[n] ?? main)),
       ),
   };
-  return compare;
 }

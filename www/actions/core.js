@@ -1,4 +1,3 @@
-// @ts-check
 // What all actions share: the solver, the clip that its frames make, the queue in which things
 // are done one at a time, and how a lost solver is replaced.
 
@@ -11,7 +10,8 @@ import { isOver } from "../session.js";
 import { CANCELLED, createSolver } from "../solver.js";
 import { say, sayFault } from "../words.js";
 
-/** @import { State as Reading } from "../generated/types.js" */
+/** @import { Point } from "../clip.js" */
+/** @import { Frame as Taken, Loaded, Message, State as Reading } from "../generated/types.js" */
 /** @import { Notes } from "../notes.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Track } from "../player.js" */
@@ -21,17 +21,18 @@ import { say, sayFault } from "../words.js";
 /** Milliseconds that the progress of one step stays, so that *Stop now* can be pressed. */
 const LASTS = 2000;
 
-/** @typedef {import("../generated/types.js").Frame & { run: number, stored: boolean }} Frame */
+/** @typedef {Taken & { run: number, stored: boolean }} Frame */
+/** What helps against a refusal. @typedef {{ label: string, act: () => unknown }} Offer */
 
 /**
  * What a clip takes of a frame. Of a surface with triangles of its own, which remeshing made, these
  * are one object as long as they stay, so that the surface moves from step to step.
- * @param {Frame} frame @param {import("../clip.js").Point | undefined} before
+ * @param {Frame} frame @param {Point | undefined} before
  */
 function surfaceOf({ state, positions, field, panes }, before) {
   if (state.flips || panes.length !== 1) return { positions, field, panes, drawable: null };
   const [made] = panes;
-  const known = before?.drawable ?? null;
+  const known = before?.drawable;
   const isSame =
     known?.triangles.length === made.triangles.length &&
     known.triangles.every((v, n) => v === made.triangles[n]);
@@ -39,28 +40,22 @@ function surfaceOf({ state, positions, field, panes }, before) {
   return { positions: made.positions, field: made.field, panes: [], drawable };
 }
 
-/**
- * Puts a frame into a clip.
- * @param {Track} track @param {Frame} frame @param {boolean} follows  whether the display goes there
- */
+/** Puts a frame into a clip. @param {Track} track @param {Frame} frame @param {boolean} follows  whether the display goes there */
 export function take(track, frame, follows) {
-  const { state, flippedTriangles, timeline } = frame;
-  const at = track.clip.at(track.u);
-  const shown = track.clip.points[at.index]?.state.step;
+  const { state, flippedTriangles: marked, timeline, stored } = frame;
+  const { clip } = track;
+  const shown = clip.points[clip.at(track.u).index]?.state.step;
   // The steps of a half that is shown backwards come one before the other.
   const near = state.step < 0 ? state.step + 1 : state.step - 1;
-  const surface = surfaceOf(frame, track.clip.points[track.clip.indexOf(near)]);
-  track.clip.add({ state, ...surface, marked: flippedTriangles }, timeline.last);
-  if (follows) track.u = track.clip.points[track.clip.indexOf(state.step)].sum;
-  else if (frame.stored && shown !== undefined) {
-    // The display stays at its step while others are put in before it.
-    track.u = track.clip.points[Math.max(track.clip.indexOf(shown), 0)].sum;
-  }
+  const surface = surfaceOf(frame, clip.points[clip.indexOf(near)]);
+  clip.add({ state, ...surface, marked }, timeline.last);
+  // The display stays at its step while others are put in before it.
+  const at = follows ? state.step : stored ? shown : undefined;
+  if (at !== undefined) track.u = clip.points[Math.max(clip.indexOf(at), 0)].sum;
 }
 
 /**
- * @param {Store} store
- * @param {Notes} notes
+ * @param {Store} store @param {Notes} notes
  * @param {{ isCalm: () => boolean, nextFrame?: (draw: (time: number) => void) => unknown,
  *   waits?: Parameters<typeof createSolver>[1] }} environment
  */
@@ -69,8 +64,8 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   let lastProgress = 0;
   /** @type {Track} */
   const lead = { clip: new Clip(), u: 0, isOpen: () => get().running };
-  /** Those that go on beside it. @type {Map<number, Track & { solver: import("../solver.js").Solver }>} */
-  const rivals = new Map();
+  /** With those that go on beside it. */
+  const tracks = () => [lead, ...get().comparison.rivals];
 
   const solver = createSolver(
     {
@@ -85,7 +80,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
         const { last } = lead.clip;
         if (last?.state.step === reading.step) last.state = reading;
         player.redraw();
-        if (player.motion.peek() === "still") show(reading.step);
+        if (isStill()) show(reading.step);
       },
       onProgress(progress) {
         lastProgress = performance.now();
@@ -98,42 +93,41 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   );
 
   const player = createPlayer({
-    tracks: () => [lead, ...rivals.values()],
+    tracks,
     lockstep: () => get().comparison.lockstep,
     isCalm,
     nextFrame,
     // What is asked of the solver is of what is shown.
     onEnd: () => void enqueue(settle),
   });
+  const isStill = () => player.motion.peek() === "still";
 
   /** @param {Frame} frame */
   function onFrame(frame) {
     const { state, stored, timeline, curves, jump, look, flow, reports } = frame;
     batch(() => {
-      const isFollowed = !stored && player.motion.peek() === "still";
+      const isFollowed = !stored && isStill();
       take(lead, frame, isFollowed);
       if (isFollowed) player.place(lead.u);
-      const { range } = get();
+      const { range, options, extras } = get();
       const first = lead.clip.points[0]?.field;
       patch({
         timeline,
-        ...(stored ? {} : { reading: state, preview: null }),
-        ...(performance.now() - lastProgress > LASTS ? { progress: null } : {}),
-        ...(isFollowed || !get().extras ? { extras: { curves, jump, look } } : {}),
-        ...(range === null && first ? { range: rangeOf(first) } : {}),
-        ...(flow
-          ? { options: { ...get().options, ...flow.options }, configured: flow.configured }
-          : {}),
+        ...(!stored && { reading: state, preview: null }),
+        ...(performance.now() - lastProgress > LASTS && { progress: null }),
+        ...((isFollowed || !extras) && { extras: { curves, jump, look } }),
+        ...(range === null && first && { range: rangeOf(first) }),
+        ...(flow && { options: { ...options, ...flow.options }, configured: flow.configured }),
       });
       player.arrived();
     });
     const warnings = reports.flatMap((report) => report.warnings);
     unsaid.push(...warnings.map((warning) => ({ warning, step: state.step })));
     // Not before the display is there.
-    if (player.motion.peek() === "still") sayWarnings();
+    if (isStill()) sayWarnings();
   }
 
-  /** Warnings of steps that are not shown yet. @type {{ warning: import("../generated/types.js").Message, step: number }[]} */
+  /** Warnings of steps that are not shown yet. @type {{ warning: Message, step: number }[]} */
   let unsaid = [];
   function sayWarnings() {
     const step = shown()?.step ?? 0;
@@ -165,20 +159,39 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     if (error?.kind === LOST || error?.kind === CANCELLED) return;
     // A worker that could not be asked refuses in no language.
     const fault = typeof error?.message === "object" ? sayFault(error) : error;
-    if (error?.kind) notes.error(fault, core.offers(fault));
-    else notes.error({ message: String(error?.message ?? error), hint: "" });
-    if (!error?.kind) console.error(error);
+    if (error?.kind) return notes.error(fault, core.offers(fault));
+    notes.error({ message: String(error?.message ?? error), hint: "" });
+    console.error(error);
   }
 
   // One thing at a time: a load followed by its options must not mix with another load.
+  /** @type {Promise<unknown>} */
   let queue = Promise.resolve();
   // What was asked of a solver that is gone is not asked of the next one.
   let age = 0;
-  /** @param {() => Promise<unknown>} job @returns {Promise<void>} */
+  /** @template T @param {() => T | Promise<T>} job @returns {Promise<T | void>} */
   function enqueue(job) {
     const asked = age;
-    queue = queue.then(() => (asked === age ? job() : null)).then(() => {}, report);
-    return queue;
+    const done = queue.then(() => (asked === age ? job() : undefined)).catch(report);
+    queue = done;
+    return done;
+  }
+
+  /**
+   * What changes the run is done once all is at rest, and where it may be.
+   * @template {Record<string, (...given: any[]) => unknown>} T
+   * @param {T} jobs @param {() => boolean} [may]
+   * @returns {{ [K in keyof T]: (...given: Parameters<T[K]>) => Promise<Awaited<ReturnType<T[K]>> | void> }}
+   */
+  function atRest(jobs, may = () => true) {
+    const queued = Object.entries(jobs).map(([name, job]) => {
+      const done = async (/** @type {any[]} */ given) => {
+        await rest();
+        if (may()) return job(...given);
+      };
+      return [name, (/** @type {any[]} */ ...given) => enqueue(() => done(given))];
+    });
+    return Object.fromEntries(queued);
   }
 
   /** Ends a run, and puts the solver where the display stands: at a true step. */
@@ -187,7 +200,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
       const reading = await solver.pause();
       patch({ reading, running: false, goal: null, progress: null });
     }
-    await Promise.all([...rivals.keys()].map((id) => core.settleRival(id)));
+    await core.beside.settle();
     if (player.motion.peek() === "playing") return;
     player.stop();
     const wanted = shown();
@@ -199,7 +212,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
 
   /** The display and the solver come to rest. */
   async function rest() {
-    if (player.motion.peek() !== "still") player.stop();
+    if (!isStill()) player.stop();
     await settle();
   }
 
@@ -209,15 +222,11 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     lead.clip.clear(get().mesh?.triangles);
     lead.u = 0;
     unsaid = [];
-    patch({ extras: null, marks: null, film: null, ...(isSame ? {} : { range: null }) });
+    patch({ extras: null, marks: null, film: null, ...(!isSame && { range: null }) });
     player.redraw();
   }
 
-  /**
-   * Another flow, from the start or on from what is shown.
-   * @param {Options} options
-   * @param {"configure" | "continueWith"} [way]
-   */
+  /** Another flow, from the start or on from what is shown. @param {Options} options @param {"configure" | "continueWith"} [way] */
   async function configure(options, way = "configure") {
     const before = get().options;
     // Its frame comes before its answer, and is of this flow.
@@ -232,7 +241,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
       if (way === "configure" && get().reading) await refill().catch(() => {});
       throw error;
     }
-    await core.followRivals();
+    await core.beside.follow();
   }
 
   /** Colours of all steps that are kept. @param {FieldName} name */
@@ -245,7 +254,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     if (point) point.field = field;
     if (clip.points.length === 1 && field) patch({ range: rangeOf(field) });
     player.redraw();
-    await core.colourRivals(name);
+    await core.beside.colour(name);
     if (clip.points.length > 1 && name !== "none") await solver.stored();
   }
 
@@ -256,13 +265,11 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     player.stop();
     return enqueue(async () => {
       const { timeline, earlier, mesh, version } = get();
-      const losses = [
-        ...(timeline && timeline.stored > 1 ? ["steps"] : []),
-        ...(earlier.length > 0 ? ["edits"] : []),
-      ];
-      const what = losses.length > 1 ? "both" : losses[0];
+      const isEdited = earlier.length > 0;
+      const steps = (timeline?.stored ?? 0) > 1 ? "steps" : "";
+      const what = steps && isEdited ? "both" : isEdited ? "edits" : steps;
       // The new solver has a mesh edited here as a file of its own.
-      const origin = earlier.length === 0 ? get().origin : null;
+      const origin = isEdited ? null : get().origin;
       const lost = { running: false, goal: null, progress: null, timeline: null };
       patch({ ...lost, phase: "loading", loadingName: null, earlier: [], origin });
       try {
@@ -278,8 +285,8 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
         }
         patch({ phase: mesh ? "ready" : "empty", reading });
         const { id, values } = tell(reading?.step ?? 0);
-        const hint = [...(what ? [say("lost-with-solver", { what })] : []), say(`${id}.hint`)];
-        notes.error({ message: say(id, values), hint: hint.filter((one) => one).join(" ") });
+        const hint = `${what && say("lost-with-solver", { what })} ${say(`${id}.hint`)}`.trim();
+        notes.error({ message: say(id, values), hint });
       } catch (error) {
         // Ended once more: then another one is on its way.
         if (/** @type {any} */ (error)?.kind === LOST) return;
@@ -311,44 +318,20 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     player.begin(true);
   }
 
+  const nothing = async () => {};
   const core = {
-    store,
-    state: store.state,
-    get,
-    patch,
-    notes,
-    solver,
-    player,
-    lead,
-    rivals,
-    enqueue,
-    rest,
-    settle,
-    anew,
-    refill,
-    show,
-    shown,
-    shownIndex,
-    configure,
-    colour,
-    run,
-    revive,
-    report,
+    ...{ store, state: store.state, get, patch, notes, solver, player, lead, tracks },
+    ...{ enqueue, atRest, rest, settle, anew, refill, show, shown, shownIndex, isStill },
+    ...{ configure, colour, run, revive, report },
     /** Whether the last step is the last there will be. */
     isOver: () => isOver(lead.clip.last?.state.status ?? "ready"),
     // What the groups of actions know, and put in their place.
-    /** @type {(fault: Fault) => readonly { label: string, act: () => unknown }[]} */
+    /** @type {(fault: Fault) => readonly Offer[]} */
     offers: () => [],
-    /** Marks what a repair changed, and says so. @type {(loaded: import("../generated/types.js").Loaded) => void} */
+    /** Marks what a repair changed, and says so. @type {(loaded: Loaded) => void} */
     showRepairs: () => {},
-    /** @type {(id: number) => Promise<unknown>} */
-    settleRival: async () => {},
-    /** @type {() => Promise<unknown>} */
-    followRivals: async () => {},
-    /** @type {() => Promise<unknown>} */
-    runRivals: async () => {},
-    /** @type {(name: FieldName) => Promise<unknown>} */
-    colourRivals: async () => {},
+    /** What goes on beside. @type {Record<"settle" | "follow" | "run", () => Promise<unknown>> & { colour: (name: FieldName) => Promise<unknown> }} */
+    beside: { settle: nothing, follow: nothing, run: nothing, colour: nothing },
   };
   return core;
 }

@@ -1,4 +1,3 @@
-// @ts-check
 // What is opened: samples, figures, files, links and recipes.
 
 import { LOST } from "../channel.js";
@@ -7,30 +6,25 @@ import { figures, samples } from "../generated/library.js";
 import { sampleName } from "../library.js";
 import { linkIn, pageScene, sceneOf } from "../link.js";
 import { defaults } from "../options.js";
-import { alone } from "../store.js";
 import { say } from "../words.js";
 
 /** @import { Loaded, RecipeCard, RepairOptions, ScriptText } from "../generated/types.js" */
 /** @import { Figure, Sample } from "../library.js" */
-/** @import { Scene } from "../link.js" */
+/** @import { Address, Scene } from "../link.js" */
 /** @import { Options } from "../options.js" */
 /** @import { Origin, Source } from "../store.js" */
+/** @import { Fault } from "../words.js" */
 /** @import { Core } from "./core.js" */
 
 /**
- * How a mesh is loaded.
- * @typedef {object} Loading
- * @property {string} name  for the status line
- * @property {Source} source
- * @property {Origin} [origin]  where that is not the source
- * @property {() => Promise<Loaded>} ask
- * @property {Options} options
- * @property {Options} fallback  for a mesh that the options do not suit
- * @property {Partial<Scene>} [scene]
- * @property {Sample["fill"]} [fill]  of what is loaded, before it is shown
+ * How a mesh is loaded: under a name, with options or, where they do not suit it, others. Its
+ * origin is its source unless given; what is to be filled is so before it is shown.
+ * @typedef {{ name: string, source: Source, origin?: Origin, ask: () => Promise<Loaded>, options: Options,
+ *   fallback: Options, scene: Partial<Scene>, fill?: Sample["fill"] }} Loading
  */
 
 /** A file that something begins with. @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} Bytes */
+/** A recipe that was read. @typedef {{ text: string, card: RecipeCard }} Recipe */
 
 /** Faces of a file from which it is taken for a scan. */
 const SCANNED = 2000;
@@ -38,34 +32,25 @@ const SCANNED = 2000;
 /** The name of a file's mesh. @param {string} file */
 const stem = (file) => file.replace(/\.[^.]+$/, "");
 
-/**
- * @param {Core} core
- * @param {ReturnType<typeof import("./run.js").createRun>} run
- * @param {ReturnType<typeof import("./compare.js").createCompare>} compare
- */
+/** No sample, and no file that could be named by its content. @param {string} name @returns {Source} */
+const edited = (name) => ({ kind: "file", name });
+
+/** @param {Core} core @param {ReturnType<typeof import("./run.js").createRun>} run @param {ReturnType<typeof import("./compare.js").createCompare>} compare */
 export function createOpen(core, run, compare) {
   const { get, patch, notes, solver, enqueue, rest, anew } = core;
 
   /** @param {Loading} loading */
-  async function load(loading) {
-    const { name, source, origin = source, ask, options, fallback, scene = {}, fill } = loading;
+  async function load({ name, source, origin = source, ask, options, fallback, scene, fill }) {
     await rest();
     const { mesh: before, phase } = get();
     patch({ phase: "loading", loadingName: name, mode: null, preview: null });
     try {
       const shape = await ask();
       const mesh = fill ? (await solver.fill(fill)).loaded : shape;
+      const camera = scene.camera ?? null;
       notes.clear();
-      patch({
-        ...{ source, origin, mesh, reading: null, timeline: null, configured: null, earlier: [] },
-        ...{
-          figure: null,
-          goal: null,
-          isNew: false,
-          camera: scene.camera ?? null,
-          applies: "start",
-        },
-      });
+      patch({ source, origin, mesh, reading: null, timeline: null, configured: null, earlier: [] });
+      patch({ figure: null, goal: null, isNew: false, camera, applies: "start" });
       anew();
       for (const warning of mesh.info.warnings) notes.note(say(warning), warning.id);
       compare.prepare(scene.comparison ?? null);
@@ -92,25 +77,21 @@ export function createOpen(core, run, compare) {
     }
     const figure = figures.find(({ id }) => id === scene.figure);
     if (figure && source.kind === "sample" && figure.sample === source.id) patch({ figure });
-    if (scene.follows) await followed(scene.follows);
-    else if (scene.step) {
-      patch({ running: true, goal: scene.step });
-      await solver.run(scene.step);
+    const { follows, step = 0 } = scene;
+    if (follows) {
+      await replayed(() => solver.follow(follows));
+      await core.refill();
+    } else if (step) {
+      patch({ running: true, goal: step });
+      await solver.run(step);
     }
-    const steps = scene.comparison?.panes.map(({ step }) => step) ?? [];
-    await compare.runTo(steps, scene.step ?? 0);
-  }
-
-  /** @param {ScriptText} script  whose flow is configured */
-  async function followed(script) {
-    await replayed(() => solver.follow(script));
-    await core.refill();
+    await compare.runTo(scene.comparison?.panes.map((pane) => pane.step) ?? [], step);
   }
 
   /** What is being done again, and may be given up. */
   let isReplaying = false;
-  /** @template T @param {() => Promise<T>} ask @returns {Promise<T>} */
-  async function replayed(ask) {
+  /** @template T @param {() => Promise<T>} ask */
+  function replayed(ask) {
     isReplaying = true;
     patch({ progress: { stage: "replay", fraction: 0 } });
     return ask().finally(() => {
@@ -118,38 +99,29 @@ export function createOpen(core, run, compare) {
       patch({ progress: null });
     });
   }
-
-  /**
-   * Makes the mesh that a recipe or a link begins with, and of it what its edits made.
-   * @param {ScriptText} script
-   * @param {{ origin: Origin, name: string, isPlain: boolean }} made
-   * @param {Bytes | null} file  that it begins with
-   * @param {Pick<Loading, "options" | "fallback" | "scene">} shown
-   */
-  function remade(script, { origin, name, isPlain }, file, shown) {
-    const source = isPlain && origin.kind !== "shape" ? origin : { kind: "file", name };
-    const ask = () => replayed(() => solver.prepare(script, file));
-    return load({ name, source: /** @type {Source} */ (source), origin, ask, ...shown });
-  }
+  /** The mesh that a recipe or a link begins with, and of it what its edits made. @param {ScriptText} script @param {Bytes | null} file */
+  const prepared = (script, file) => () => replayed(() => solver.prepare(script, file));
 
   /** @param {string} id @param {Partial<Scene>} scene */
   function loadSample(id, scene) {
     const sample = samples.find((one) => one.id === id) ?? samples[0];
-    const suggested = { ...defaults, ...sample.options };
-    const options = { ...suggested, ...scene.options };
-    const source = /** @type {const} */ ({ kind: "sample", id: sample.id });
+    const { shape, parameters, fill } = sample;
+    const fallback = { ...defaults, ...sample.options };
+    const shown = { options: { ...fallback, ...scene.options }, fallback, scene };
+    /** @type {Source} */
+    const source = { kind: "sample", id: sample.id };
     if (scene.prepares) {
-      const made = { origin: source, name: sample.shape, isPlain: false };
-      return remade(scene.prepares, made, null, { options, fallback: suggested, scene });
+      const ask = prepared(scene.prepares, null);
+      return load({ ...shown, name: shape, source: edited(shape), origin: source, ask });
     }
-    const ask = () => solver.sample(sample.shape, sample.parameters);
-    const name = sampleName(sample.id);
-    return load({ name, source, ask, options, fallback: suggested, scene, fill: sample.fill });
+    const ask = () => solver.sample(shape, parameters);
+    return load({ ...shown, name: sampleName(sample.id), source, ask, fill });
   }
 
   /**
    * @param {Bytes} file @param {Partial<Scene>} scene
    * @param {Partial<RepairOptions> | null} [repair]  how it is repaired, where it is
+   * @returns {Promise<void>}
    */
   async function loadFile(file, scene, repair = null) {
     const { name: whole, bytes } = file;
@@ -157,27 +129,26 @@ export function createOpen(core, run, compare) {
     // Of what an earlier mesh was shown with, the choice of flow is the user's; the rest
     // says nothing about this one.
     const { flow, boundary, p, keep, regularise } = get().options;
-    const plain = { ...defaults, boundary };
-    const options = { ...plain, flow, p, keep, regularise, ...scene.options };
+    const fallback = { ...defaults, boundary };
+    const options = { ...fallback, flow, p, keep, regularise, ...scene.options };
+    const shown = { options, fallback, scene };
     const own = { name, file: whole, sha256: await sha256(bytes), bytes: bytes.byteLength };
     const source = /** @type {const} */ ({ kind: "file", ...own });
     if (scene.prepares) {
-      const made = { origin: source, name, isPlain: false };
-      const given = { name: whole, bytes };
-      return remade(scene.prepares, made, given, { options, fallback: plain, scene });
+      const ask = prepared(scene.prepares, file);
+      return load({ ...shown, name, source: edited(name), origin: source, ask });
     }
-    const ask = () => solver.load(whole, bytes, repair);
     try {
-      await load({ name: whole, source, ask, options, fallback: plain, scene });
+      const ask = () => solver.load(whole, bytes, repair);
+      await load({ ...shown, name: whole, source, ask });
     } catch (error) {
-      const { message, hint, repairs } = /** @type {import("../words.js").Fault} */ (error);
+      const { message, hint, repairs } = /** @type {Fault} */ (error);
       if (!repairs?.length) throw error;
       // No surface: with one press it is opened as the one that a repair makes of it.
-      const again = () => enqueue(() => loadFile(file, scene, {}));
+      const act = () => enqueue(() => loadFile(file, scene, {}));
       const what = repairs.map((item) => say(item.message));
-      const offers = [{ label: say("repair-and-open"), act: again }];
-      notes.error({ message, hint: [hint, say("repair-would"), ...what].join(" ") }, offers);
-      return;
+      const offers = [{ label: say("repair-and-open"), act }];
+      return notes.error({ message, hint: [hint, say("repair-would"), ...what].join(" ") }, offers);
     }
     const { mesh } = get();
     if (repair && mesh) core.showRepairs(mesh);
@@ -186,7 +157,6 @@ export function createOpen(core, run, compare) {
     patch({ isNew: isPlainly && (mesh?.info.faces ?? 0) >= SCANNED });
   }
 
-  /** A recipe that was read. @typedef {{ text: string, card: RecipeCard }} Recipe */
   /** What the next file is waited for: a recipe's mesh, or that of a link. @type {Recipe | null} */
   let awaited = null;
   /** @type {Scene | null} */
@@ -199,14 +169,13 @@ export function createOpen(core, run, compare) {
     const origin = /** @type {Origin} */ (card.origin);
     const name = "shape" in mesh ? mesh.shape : stem(mesh.name);
     const scene = { arrangement, follows: { recipe: text } };
-    const made = { origin, name, isPlain: card.plain };
-    await remade({ recipe: text }, made, file, { options, fallback: options, scene });
+    const source = card.plain && origin.kind !== "shape" ? origin : edited(name);
+    const ask = prepared({ recipe: text }, file);
+    await load({ name, source, origin, ask, options, fallback: options, scene });
     const { reading } = get();
     if (!reading) return;
-    const values = { expected: card.energy, got: reading.energy };
-    notes.answer(
-      say("recipe-compared", { same: String(reading.energy === card.energy), ...values }),
-    );
+    const [expected, got] = [card.energy, reading.energy];
+    notes.answer(say("recipe-compared", { same: String(got === expected), expected, got }));
   }
 
   /** @param {Uint8Array<ArrayBuffer>} bytes */
@@ -218,18 +187,14 @@ export function createOpen(core, run, compare) {
     if (estimate.isLong && !(await notes.ask(say("recipe-is-long", { steps })))) return;
     if (!("sha256" in mesh)) return followRecipe(recipe, null);
     const { origin, source } = get();
-    const isOpen = origin === source && source?.kind === "file";
-    const known = isOpen && source.sha256 === mesh.sha256 ? solver.file() : null;
+    const isOpen = origin === source && source?.kind === "file" && source.sha256 === mesh.sha256;
+    const known = isOpen ? solver.file() : null;
     if (known) return followRecipe(recipe, { name: mesh.name, bytes: known });
     awaited = recipe;
     notes.answer(say("recipe-wants-mesh", { name: mesh.name }));
   }
 
-  /**
-   * Whether a file is the one a link was made with.
-   * @param {Scene} scene @param {Uint8Array<ArrayBuffer>} bytes
-   * @returns {Promise<boolean | null>} null where the link does not say
-   */
+  /** Whether a file is the one a link was made with; null where the link does not say. @param {Scene} scene @param {Uint8Array<ArrayBuffer>} bytes */
   async function isLinked({ mesh, hash }, bytes) {
     if (mesh === null || hash === null) return null;
     const digest = await sha256(bytes);
@@ -240,22 +205,18 @@ export function createOpen(core, run, compare) {
   let chosen = 0;
 
   /** Settled once nothing runs or loads. */
-  const still = async () => {
+  async function still() {
+    const isBusy = () => get().running || get().phase === "loading";
     for (;;) {
       await enqueue(async () => {});
-      const { running, phase } = get();
-      if (!running && phase !== "loading") return;
+      if (!isBusy()) return;
       await new Promise((resolve) => {
-        const end = core.store.state.subscribe((s) => {
-          if (!s.running && s.phase !== "loading")
-            queueMicrotask(() => {
-              end();
-              resolve(null);
-            });
+        const end = core.state.subscribe(() => {
+          if (!isBusy()) queueMicrotask(() => resolve(end()));
         });
       });
     }
-  };
+  }
 
   /** Says whether what came of a link is what was sent. @param {Scene} scene @param {boolean | null} isFile */
   async function check(scene, isFile = true) {
@@ -267,62 +228,45 @@ export function createOpen(core, run, compare) {
     if (!isScene || mesh !== asked || scene.check === null || !reading) return;
     const found = await solver.checkLink(scene.check, scene.step).catch(() => null);
     if (!found || get().mesh !== asked) return;
-    const why =
-      isFile === false
-        ? "file"
-        : scene.version !== null && scene.version !== version
-          ? "version"
-          : isFile === null
-            ? "unknown"
-            : "same";
+    const isOther = scene.version !== null && scene.version !== version;
+    const known = isOther ? "version" : isFile === null ? "unknown" : "same";
+    const why = isFile === false ? "file" : known;
     const values = { ...found, wanted: scene.step, theirs: scene.version ?? "", ours: version };
     const message = say("link-checked", values);
     const hint = found.outcome === "same" ? "" : say("link-differs", { why, ...values });
-    if (found.outcome === "same" || found.outcome === "near")
-      notes.answer(`${message} ${hint}`.trim());
+    if (["same", "near"].includes(found.outcome)) notes.answer(`${message} ${hint}`.trim());
     else notes.error({ message, hint });
   }
 
-  /**
-   * A mesh, perhaps the one that a recipe or a link waits for.
-   * @param {Bytes} file @param {Partial<Scene>} [given]
-   */
+  /** A mesh, perhaps the one that a recipe or a link waits for. @param {Bytes} file @param {Partial<Scene>} [given] */
   async function loadAwaited(file, given) {
     if (given) return loadFile(file, given);
     const [recipe, scene] = [awaited, linked];
     [awaited, linked] = [null, null];
     if (recipe && "sha256" in recipe.card.mesh) {
       const { name, sha256: digest } = recipe.card.mesh;
-      if ((await sha256(file.bytes)) === digest) {
+      if ((await sha256(file.bytes)) === digest)
         return followRecipe(recipe, { name, bytes: file.bytes });
-      }
       await loadFile(file, {});
-      notes.answer(say("recipe-other-mesh", { name }));
-    } else if (scene) {
-      const isFile = await isLinked(scene, file.bytes);
-      const { prepares: _, follows: __, ...bare } = scene;
-      const isNamed = stem(file.name) === scene.mesh;
-      // What was done to another mesh means nothing on this one.
-      await loadFile(file, isFile || isNamed ? (isFile === false ? bare : scene) : {});
-      if (isFile === false)
-        notes.note(say("link-other-file", { name: file.name, mesh: scene.mesh }));
-      if (isFile || isNamed) check(scene, isFile);
-    } else await loadFile(file, {});
+      return notes.answer(say("recipe-other-mesh", { name }));
+    }
+    if (!scene) return loadFile(file, {});
+    const isFile = await isLinked(scene, file.bytes);
+    const isMeant = isFile || stem(file.name) === scene.mesh;
+    const { prepares: _, follows: __, ...bare } = scene;
+    // What was done to another mesh means nothing on this one.
+    await loadFile(file, isMeant ? (isFile === false ? bare : scene) : {});
+    if (isFile === false) notes.note(say("link-other-file", { name: file.name, mesh: scene.mesh }));
+    if (isMeant) check(scene, isFile);
   }
 
   const open = {
-    load,
-    loadSample,
     still,
     /** @param {string} id @param {Partial<Scene>} [scene] */
     sample: (id, scene = {}) => enqueue(() => loadSample(id, { comparison: null, ...scene })),
     /** A figure of a paper: its sample, flow and parameters. @param {Figure} figure */
-    figure: (figure) =>
-      enqueue(() => {
-        const { options, arrangement, colour } = figure;
-        const scene = { options, arrangement, colour, comparison: null, figure: figure.id };
-        return loadSample(figure.sample, scene);
-      }),
+    figure: ({ id: figure, sample, options, arrangement, colour }) =>
+      open.sample(sample, { options, arrangement, colour, figure }),
     /**
      * A mesh, a recipe, or the mesh that a recipe or a link waits for; of several files the recipe
      * first, then the mesh among them.
@@ -347,7 +291,7 @@ export function createOpen(core, run, compare) {
 
     /**
      * The scene of an address; where a word in it cannot be, there is none.
-     * @param {import("../link.js").Address} address
+     * @param {Address} address
      * @returns {Promise<Scene | null>} null where its length was not wanted
      */
     async readLink(address) {
@@ -355,7 +299,7 @@ export function createOpen(core, run, compare) {
       const steps = scene.manySteps;
       return steps === 0 || (await notes.ask(say("link-is-long", { steps }))) ? scene : null;
     },
-    /** @param {import("../link.js").Address} address @param {Scene} plain  what is shown without one */
+    /** @param {Address} address @param {Scene} plain  what is shown without one */
     async openLink(address, plain) {
       /** @type {unknown} */
       let refusal = null;
@@ -367,14 +311,12 @@ export function createOpen(core, run, compare) {
       if (chosen !== before) return;
       // Where nothing is shown yet, that would be a dead end.
       const scene = read ?? (get().mesh ? null : plain);
-      if (scene) {
-        run.view(scene.view);
-        if (scene.sample) await open.sample(scene.sample, scene);
-        else {
-          linked = scene;
-          const hint = say("link-wants-file.hint");
-          notes.error({ message: say("link-wants-file", { mesh: scene.mesh }), hint });
-        }
+      if (scene) run.view(scene.view);
+      if (scene?.sample) await open.sample(scene.sample, scene);
+      else if (scene) {
+        linked = scene;
+        const hint = say("link-wants-file.hint");
+        notes.error({ message: say("link-wants-file", { mesh: scene.mesh }), hint });
       }
       // Said now: a mesh that is loaded clears what was said before.
       if (refusal) core.report(refusal);
@@ -398,8 +340,6 @@ export function createOpen(core, run, compare) {
       await solver.cancel().catch(core.report);
       return true;
     },
-    /** Nothing is compared any more. */
-    plain: () => patch({ comparison: alone }),
   };
   return open;
 }

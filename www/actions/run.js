@@ -1,8 +1,7 @@
-// @ts-check
 // Playing, stepping, going back; which flow, and with what.
 
-import { defaults, toFlow } from "../options.js";
-import { isOver } from "../session.js";
+import { optionsOf } from "../comparison.js";
+import { defaults } from "../options.js";
 import { say } from "../words.js";
 
 /** @import { Arrangement } from "../generated/types.js" */
@@ -13,25 +12,18 @@ import { say } from "../words.js";
 /** What going on from a surface takes back when it is undone. @param {number} count */
 export const stepsOf = (count) => say("count-steps", { count });
 
-/**
- * @param {Core} core
- * @param {(options: Options, what: string) => Promise<void>} adopt  makes the surface the start
- */
+/** @param {Core} core @param {(options: Options, what: string) => Promise<void>} adopt  makes the surface the start */
 export function createRun(core, adopt) {
-  const { get, patch, notes, solver, player, lead, rivals, enqueue, rest, settle } = core;
+  const { get, patch, notes, solver, player, lead, enqueue, atRest, settle } = core;
 
   const isUsable = () => get().reading !== null && get().phase === "ready";
-  const isMoving = () => get().running || player.motion.peek() !== "still";
+  const isMoving = () => get().running || !core.isStill();
   const isAtEnd = () => lead.u >= lead.clip.total * (1 - 1e-9);
-
   /** Whether anybody has steps to take. */
-  const maySolve = () => {
-    const status = lead.clip.last?.state.status ?? "ready";
-    return !isOver(status) || (status === "stepLimit" && isAtEnd());
-  };
-
-  const others = () => [...rivals.values()].map((track) => track.solver);
-
+  const maySolve = () =>
+    !core.isOver() || (lead.clip.last?.state.status === "stepLimit" && isAtEnd());
+  /** The solvers of all panes. */
+  const all = () => [solver, ...get().comparison.rivals.map((rival) => rival.solver)];
   async function play() {
     if (!isUsable() || isMoving()) return;
     patch({ welcome: false, isNew: false, mode: null, preview: null });
@@ -39,13 +31,66 @@ export function createRun(core, adopt) {
     const isNewFilm = figure?.back && film === null && comparison.rivals.length === 0;
     if (isNewFilm) patch({ film: "back" });
     if (isNewFilm || film === "back") await core.run();
-    else if (core.isOver() && !maySolve() && isAtEnd()) player.begin(true);
+    else if (!maySolve() && isAtEnd()) player.begin(true);
     else {
       if (maySolve()) await core.run();
-      await core.runRivals();
+      await core.beside.run();
       player.begin();
     }
   }
+
+  const moves = {
+    /** Each press is a step. */
+    step() {
+      const next = lead.clip.points[core.shownIndex() + 1];
+      return next ? solver.seek(next.state.step) : Promise.all(all().map((one) => one.step()));
+    },
+    async back() {
+      const before = lead.clip.points[core.shownIndex() - 1];
+      if (before) await solver.seek(before.state.step);
+      else if (get().film === null && get().reading?.canStepBack) await solver.back();
+    },
+    async reset() {
+      if (get().film) return void (await solver.seek(lead.clip.points[0].state.step));
+      core.anew(true);
+      for (const rival of get().comparison.rivals) {
+        rival.clip.clear();
+        rival.u = 0;
+      }
+      await Promise.all(all().map((one) => one.reset()));
+    },
+    /** Shows a stored step. @param {number} step */
+    seek: (step) => solver.seek(step),
+    /** Starts, and pauses by itself there; the display follows at once. @param {number} step */
+    runTo(step) {
+      patch({ running: true, goal: step });
+      return solver.run(step);
+    },
+    /** @param {number} id */
+    async branch(id) {
+      core.anew(true);
+      await solver.branch(id);
+      await core.refill();
+    },
+  };
+
+  const { configure } = atRest({
+    /** @param {Partial<Options>} change @param {{ fromStart?: boolean }} [how] */
+    async configure(change, { fromStart = false } = {}) {
+      const { options: before, reading, applies, comparison } = get();
+      const options = optionsOf(before, change);
+      const isUnderWay = reading !== null && reading.step > 0;
+      if (before.flow === "flips" && options.flow !== "flips" && isUnderWay) {
+        // The point of better edges is what is done with them next.
+        await adopt(options, say("count-flips", { count: reading.step }));
+        return notes.answer(say("flips-adopted"));
+      }
+      const isFlips = [before.flow, options.flow].includes("flips");
+      const isAlone = comparison.rivals.length === 0;
+      const isHere = applies === "here" && !fromStart && isUnderWay && !isFlips && isAlone;
+      await core.configure(options, isHere ? "continueWith" : "configure");
+    },
+  });
 
   const run = {
     play: () => enqueue(play),
@@ -55,56 +100,11 @@ export function createRun(core, adopt) {
       return enqueue(settle);
     },
     toggle: () => (isMoving() ? run.pause() : run.play()),
+    ...atRest(moves, isUsable),
 
-    /** Each press is a step. */
-    step: () =>
-      enqueue(async () => {
-        await rest();
-        if (!isUsable()) return;
-        const next = lead.clip.points[core.shownIndex() + 1];
-        if (next) await solver.seek(next.state.step);
-        else await Promise.all([solver.step(), ...others().map((other) => other.step())]);
-      }),
-    back: () =>
-      enqueue(async () => {
-        await rest();
-        if (!isUsable()) return;
-        const before = lead.clip.points[core.shownIndex() - 1];
-        if (before) await solver.seek(before.state.step);
-        else if (get().film === null && get().reading?.canStepBack) await solver.back();
-      }),
-    reset: () =>
-      enqueue(async () => {
-        await rest();
-        if (!isUsable()) return;
-        if (get().film) return void (await solver.seek(lead.clip.points[0].state.step));
-        core.anew(true);
-        await Promise.all([
-          solver.reset(),
-          ...[...rivals.values()].map((track) => {
-            track.clip.clear();
-            track.u = 0;
-            return track.solver.reset();
-          }),
-        ]);
-      }),
-    /** Shows a stored step. @param {number} step */
-    seek: (step) =>
-      enqueue(async () => {
-        await rest();
-        if (isUsable()) await solver.seek(step);
-      }),
-    /** Starts, and pauses by itself there; the display follows at once. @param {number} step */
-    runTo: (step) =>
-      enqueue(async () => {
-        await rest();
-        if (!isUsable()) return;
-        patch({ running: true, goal: step });
-        await solver.run(step);
-      }),
     /** While the scrubber is held. @param {number} u */
     scrub(u) {
-      if (player.motion.peek() !== "still") player.stop();
+      if (!core.isStill()) player.stop();
       player.place(u);
     },
     /** It was let go. */
@@ -112,48 +112,11 @@ export function createRun(core, adopt) {
       player.rest(lead.clip.nearest(lead.u));
       return enqueue(settle);
     },
-    /** @param {number} id */
-    branch: (id) =>
-      enqueue(async () => {
-        await rest();
-        if (!isUsable()) return;
-        core.anew(true);
-        await solver.branch(id);
-        await core.refill();
-      }),
-    /** @param {number} value */
-    speed: (value) => {
-      player.speed.value = value;
-    },
-    loop: () => {
+    loop() {
       player.loops.value = !player.loops.peek();
     },
 
-    /** @param {Partial<Options>} change @param {{ fromStart?: boolean }} [how] */
-    configure: (change, { fromStart = false } = {}) =>
-      enqueue(async () => {
-        await rest();
-        const { options: before, reading, applies, comparison } = get();
-        const isOther = change.flow !== undefined && change.flow !== before.flow;
-        const options = {
-          ...before,
-          ...(isOther ? toFlow(change.flow ?? before.flow) : {}),
-          ...change,
-        };
-        const isHere =
-          !fromStart &&
-          applies === "here" &&
-          (reading?.step ?? 0) > 0 &&
-          ![before.flow, options.flow].includes("flips") &&
-          comparison.rivals.length === 0;
-        if (before.flow === "flips" && options.flow !== "flips" && reading && reading.step > 0) {
-          // The point of better edges is what is done with them next.
-          await adopt(options, say("count-flips", { count: reading.step }));
-          notes.answer(say("flips-adopted"));
-        } else await core.configure(options, isHere ? "continueWith" : "configure");
-      }),
-    /** @param {"start" | "here"} applies */
-    applies: (applies) => patch({ applies }),
+    configure,
     /** What an opened mesh is for: noise taken off it, or all that bends. @param {"smooth" | "relax"} goal */
     async aim(goal) {
       patch({ isNew: false });
@@ -179,11 +142,6 @@ export function createRun(core, adopt) {
         patch({ comparison: { ...get().comparison, difference: null } });
         return core.colour(name);
       }),
-    /** @param {readonly [number, number] | null} range  null: that of the start */
-    range: (range) => patch({ range }),
-
-    /** @param {Float32Array} camera */
-    look: (camera) => patch({ camera }),
     /** @param {Partial<View>} change */
     view: (change) => patch({ view: Object.freeze({ ...get().view, ...change }) }),
 

@@ -173,7 +173,7 @@ export function createEmbedding(page) {
       if (Object.keys(arrangement).length > 0) await run.arrange(arrangement);
       if (named.has("colour")) await run.colour(colour);
       run.view(view);
-      if (camera) run.look(camera);
+      if (camera) page.patch({ camera });
       if (named.has("step")) await seek(step);
     },
     state: async () => {},

@@ -2330,7 +2330,7 @@ time: number,
 positions?: string, };
 
 /**
- * The surface at one resolution.
+ * The surface at one resolution; the trends have its energies for who only shows them.
  */
 export type Resolution = { 
 /**
@@ -2338,41 +2338,9 @@ export type Resolution = {
  */
 vertices: number, 
 /**
- * Triangles.
- */
-faces: number, 
-/**
  * Mean edge length.
  */
-h: number, 
-/**
- * Area.
- */
-area: number, 
-/**
- * Half the circle-angle energy, ½ Σ W_i over interior vertices; no unit.
- */
-circle: number, 
-/**
- * ∫H² dA by cotangents, over interior vertices.
- */
-cotangent: number, 
-/**
- * ∫H² dA by quadratic fits, Σ m_i H_i² with m_i a third of the area about vertex i.
- */
-fitted: number, 
-/**
- * ∫|H|^p dA by cotangents, unit length^(2−p).
- */
-power: number, 
-/**
- * ∫K dA by quadratic fits.
- */
-gauss: number, 
-/**
- * Vertices that no quadratic surface fits; left out of what is fitted.
- */
-unfit: number, };
+h: number, };
 
 /**
  * Of the energy's axis.
@@ -2724,10 +2692,6 @@ export type StudyReport = {
  */
 refinedBy: RefinedBy, 
 /**
- * Exponent of [`Resolution::power`].
- */
-p: number, 
-/**
  * Coarsest first.
  */
 rows: Array<Resolution>, 
@@ -2739,6 +2703,10 @@ trends: Array<Trend>,
  * Whether there is no finer one to come.
  */
 finished: boolean, 
+/**
+ * What that means, once there is none.
+ */
+findings: Array<Message>, 
 /**
  * Vertices of the finest mesh at most.
  */
@@ -2762,11 +2730,6 @@ export type SubdivisionScheme = "linear" | "loop";
  * Which table.
  */
 export type TableName = "circle" | "p-willmore" | "flips" | "mmcv" | "refinement" | "repair" | "robustness" | "vesicles" | "figures";
-
-/**
- * Where the values of a quantity lead.
- */
-export type Tendency = "exact" | "converges" | "elsewhere" | "diverges" | "unknown";
 
 /**
  * The steps that can be shown.
@@ -2826,19 +2789,10 @@ smooth: number | null,
  */
 isKnown: boolean, 
 /**
- * |value − smooth| of each resolution; where no smooth value is known, the distance to
- * the finest.
- */
-errors: Array<number>, 
-/**
  * Observed order between this and the resolution before: log of the ratio of errors, or
  * where no smooth value is known of successive differences, over that of the widths.
  */
-orders: Array<number | null>, 
-/**
- * Where it leads.
- */
-tendency: Tendency, };
+orders: Array<number | null>, };
 
 /**
  * How near boundary vertices are welded: a word, or a length.

@@ -1,4 +1,3 @@
-// @ts-check
 // The conjecture that area and localised energy fall together: on the mesh at hand, a dot an
 // edge, and on random quadrilaterals.
 
@@ -6,44 +5,41 @@ import { signal } from "@preact/signals-core";
 import { html, nothing, svg } from "lit-html";
 import { formatNumber } from "../number.js";
 import { say } from "../words.js";
+import { page } from "./page.js";
 import { button, grid, select, table } from "./parts.js";
 
 /** @import { ConjectureReport, LabReport, QuadReport } from "../generated/types.js" */
-/** @import { Page } from "../actions.js" */
 
 /** Counterexamples that the list names, and edges that are drawn as dots, at most. */
 const [LISTED, DOTS] = [50, 1500];
 /** Tetrahedra, and as many flattened ones, between two pictures. */
 const BATCH = 10_000;
 
-/** @type {import("@preact/signals-core").Signal<{ report: ConjectureReport, of: unknown } | null>} */
-const survey = signal(null);
-/** @type {import("@preact/signals-core").Signal<{ n: number, quad: QuadReport } | null>} */
-const chosen = signal(null);
-/** @type {import("@preact/signals-core").Signal<LabReport | null>} */
-const drawn = signal(null);
+const survey = signal(/** @type {{ report: ConjectureReport, of: unknown } | null} */ (null));
+const chosen = signal(/** @type {{ n: number, quad: QuadReport } | null} */ (null));
+const drawn = signal(/** @type {LabReport | null} */ (null));
 const isDrawing = signal(false);
 let isAsking = false;
 
 /** With its sign, and a true minus. @param {number} value */
-export const signed = (value) => `${value < 0 ? "−" : "+"}${formatNumber(Math.abs(value), 6)}`;
+const signed = (value) => `${value < 0 ? "−" : "+"}${formatNumber(Math.abs(value), 6)}`;
 
 /** @param {ConjectureReport} report @param {number} n */
 const cornersOf = ({ corners }, n) => [...corners.subarray(4 * n, 4 * n + 4)];
 
-/** Asks what holds on the mesh as it is. @param {Page} page */
-async function ask(page) {
+/** Asks what holds on the mesh as it is. */
+async function ask() {
   const of = page.get().reading;
   if (isAsking || survey.peek()?.of === of) return;
   isAsking = true;
   try {
-    const report = await page.edit.conjecture();
+    const report = await page.solver.conjecture();
     survey.value = { report, of };
     chosen.value = null;
-    const edges = Array.from({ length: Math.min(report.counterexamples, 20_000) }, (_, n) =>
-      cornersOf(report, n).slice(0, 2),
-    ).flat();
-    page.edit.mark({ edges: Uint32Array.from(edges), triangles: new Uint32Array() });
+    const against = Math.min(report.counterexamples, 20_000);
+    const ends = Array.from({ length: against }, (_, n) => cornersOf(report, n).slice(0, 2));
+    const edges = Uint32Array.from(ends.flat());
+    page.patch({ marks: { edges, triangles: new Uint32Array() } });
   } catch (error) {
     page.report(error);
   } finally {
@@ -51,20 +47,19 @@ async function ask(page) {
   }
 }
 
-/** @param {Page} page @param {ConjectureReport} report @param {number} n */
-async function choose(page, report, n) {
+/** @param {ConjectureReport} report @param {number} n */
+async function choose(report, n) {
   const corners = cornersOf(report, n);
   const [i, j, k, l] = corners;
   const pane = page.lead.clip.surface(page.lead.u)?.panes[0];
   const all = pane?.triangles ?? page.get().mesh?.triangles ?? new Uint32Array();
-  const triangles = [];
-  for (let t = 0; 3 * t < all.length; t += 1) {
-    const own = [all[3 * t], all[3 * t + 1], all[3 * t + 2]];
-    if (own.includes(i) && own.includes(j) && (own.includes(k) || own.includes(l)))
-      triangles.push(t);
-  }
-  page.edit.mark({ edges: Uint32Array.of(i, j), triangles: Uint32Array.from(triangles) });
-  chosen.value = { n, quad: await page.edit.quadrilateral(corners) };
+  const isBeside = (/** @type {number} */ t) => {
+    const own = all.subarray(3 * t, 3 * t + 3);
+    return own.includes(i) && own.includes(j) && (own.includes(k) || own.includes(l));
+  };
+  const triangles = Uint32Array.from({ length: all.length / 3 }, (_, t) => t).filter(isBeside);
+  page.patch({ marks: { edges: Uint32Array.of(i, j), triangles } });
+  chosen.value = { n, quad: await page.solver.quadrilateral(corners) };
 }
 
 /** f_a against f_l; both axes are stretched by the cube root, as most edges lie near zero. @param {ConjectureReport} report */
@@ -73,11 +68,15 @@ function scatter({ area, localised, counterexamples }) {
     Math.cbrt(values.reduce((most, v) => Math.max(most, Math.abs(v)), 1e-30));
   const [right, high] = [largest(area), largest(localised)];
   const every = Math.max(1, Math.ceil(area.length / DOTS));
-  const dots = [...area.keys()].filter((n) => n < counterexamples || n % every === 0);
+  const shown = [...area.keys()].filter((n) => n < counterexamples || n % every === 0);
+  const dots = shown.map((n) => {
+    const [x, y] = [(94 * Math.cbrt(area[n])) / right, (-65 * Math.cbrt(localised[n])) / high];
+    const isAgainst = n < counterexamples;
+    return svg`<circle class=${isAgainst ? "against" : ""} cx=${x} cy=${y} r=${isAgainst ? 2 : 0.8} />`;
+  });
   return html`<svg class="scatter" viewBox="-100 -70 200 140" role="img" aria-label=${say("conjecture-plot")}>
     <rect x="-100" y="-70" width="100" height="70" /><rect x="0" y="0" width="100" height="70" />
-    <line x1="-100" x2="100" y1="0" y2="0" /><line x1="0" x2="0" y1="-70" y2="70" />
-    ${dots.map((n) => svg`<circle class=${n < counterexamples ? "against" : ""} cx=${(94 * Math.cbrt(area[n])) / right} cy=${(-65 * Math.cbrt(localised[n])) / high} r=${n < counterexamples ? 2 : 0.8} />`)}
+    <line x1="-100" x2="100" y1="0" y2="0" /><line x1="0" x2="0" y1="-70" y2="70" />${dots}
     <text x="98" y="-3" text-anchor="end">f_a</text><text x="3" y="-62">f_l</text></svg>`;
 }
 
@@ -85,58 +84,49 @@ function scatter({ area, localised, counterexamples }) {
 function quadrilateral({ points, area, localised, totalArea, foldDegrees, minAngleDegrees }) {
   const both = (/** @type {number[]} */ [before, after]) =>
     `${formatNumber(before, 4)}° → ${formatNumber(after, 4)}°`;
+  const place = (/** @type {number[]} */ point) =>
+    `(${point.map((x) => Number(x.toPrecision(6))).join(", ")})`;
   return table(say("quad"), [
     ["f_a", say("quad-gained", { gained: signed(area), area: formatNumber(totalArea, 5) })],
     ["f_l", signed(localised)],
     [say("quad-fold"), both(foldDegrees)],
     [say("reading-angle"), both(minAngleDegrees)],
-    [
-      "i, j, k, l",
-      points.map((point) => `(${point.map((x) => Number(x.toPrecision(6))).join(", ")})`).join(" "),
-    ],
+    ["i, j, k, l", points.map(place).join(" ")],
   ]);
 }
 
-/** @param {Page} page */
-export function conjecture(page) {
+export function conjecture() {
   page.state.value;
-  queueMicrotask(() => ask(page));
-  const found = survey.value;
-  if (!found) return html`<p class="hint">${say("computing")}</p>`;
-  const { report } = found;
-  const { both, neither, areaOnly, localisedOnly, counterexamples } = report;
-  const total = both + neither + areaOnly + localisedOnly;
+  queueMicrotask(ask);
+  if (!survey.value) return html`<p class="hint">${say("computing")}</p>`;
+  const { report } = survey.value;
+  const { both, neither, areaOnly, localisedOnly, counterexamples, area, localised } = report;
   const against = areaOnly + localisedOnly;
+  const total = both + neither + against;
+  const percent = total > 0 ? ((100 * (total - against)) / total).toFixed(2) : "100";
   const names = Array.from({ length: Math.min(counterexamples, LISTED) }, (_, n) => {
     const [i, j] = cornersOf(report, n);
-    return {
-      id: String(n),
-      label: say("counterexample", {
-        i,
-        j,
-        area: signed(report.area[n]),
-        localised: signed(report.localised[n]),
-      }),
-    };
+    const falls = { area: signed(area[n]), localised: signed(localised[n]) };
+    return { id: String(n), label: say("counterexample", { i, j, ...falls }) };
   });
-  return html`<p>${say("conjecture-holds", { total, against, percent: total > 0 ? ((100 * (total - against)) / total).toFixed(2) : "100" })}</p>
-    ${scatter(report)}
+  const look = (/** @type {string} */ id) => choose(report, Number(id)).catch(page.report);
+  const at = String(chosen.value?.n ?? "");
+  return html`<p>${say("conjecture-holds", { total, against, percent })}</p>${scatter(report)}
     ${table(say("conjecture"), [
       [say("both-fall"), both],
       [say("neither-falls"), neither],
       [say("only-area"), areaOnly],
       [say("only-localised"), localisedOnly],
     ])}
-    ${names.length > 0 ? select(say("counterexamples"), names, String(chosen.value?.n ?? ""), (id) => choose(page, report, Number(id)).catch(page.report)) : nothing}
+    ${names.length > 0 ? select(say("counterexamples"), names, at, look) : nothing}
     ${chosen.value ? quadrilateral(chosen.value.quad) : nothing}`;
 }
 
-/** @param {Page} page */
-async function draw(page) {
+async function draw() {
   isDrawing.value = !isDrawing.peek();
   try {
     while (isDrawing.peek() && page.get().section === "lab") {
-      drawn.value = await page.edit.lab(BATCH);
+      drawn.value = await page.solver.lab(BATCH);
       await new Promise(requestAnimationFrame);
     }
   } catch (error) {
@@ -145,26 +135,21 @@ async function draw(page) {
   isDrawing.value = false;
 }
 
-/** @param {Page} page */
-export function lab(page) {
-  const report = drawn.value;
-  const percent = (/** @type {number} */ part, /** @type {number} */ of) =>
-    of === 0 ? "–" : `${((100 * part) / of).toPrecision(3)} %`;
-  return html`${button(say(isDrawing.value ? "lab-stop" : "lab-run"), () => draw(page), { kind: "small" })}
-    ${
-      report
-        ? html`<p>${say("lab-found", { total: report.tetrahedra, against: report.counterexamples[0] + report.counterexamples[1], areaOnly: report.counterexamples[0], localisedOnly: report.counterexamples[1] })}</p>
-        ${grid(
-          say("lab"),
-          [say("quad-fold"), say("lab-total"), say("lab-against"), say("histogram-share")],
-          report.classes.map(({ below, total, counterexamples }, n) => [
-            `${n === 0 ? 0 : report.classes[n - 1].below}–${below}°`,
-            total,
-            counterexamples,
-            percent(counterexamples, total),
-          ]),
-        )}
-        ${report.strongest ? quadrilateral(report.strongest) : nothing}`
-        : nothing
-    }`;
+/** @param {LabReport} report */
+function found({ tetrahedra: total, counterexamples, classes, strongest }) {
+  const [areaOnly, localisedOnly] = counterexamples;
+  const against = areaOnly + localisedOnly;
+  const heads = [say("quad-fold"), say("lab-total"), say("lab-against"), say("histogram-share")];
+  const rows = classes.map(({ below, total: of, counterexamples: part }, n) => [
+    `${classes[n - 1]?.below ?? 0}–${below}°`,
+    of,
+    part,
+    of === 0 ? "–" : `${((100 * part) / of).toPrecision(3)} %`,
+  ]);
+  return html`<p>${say("lab-found", { total, against, areaOnly, localisedOnly })}</p>${grid(say("lab"), heads, rows)}
+    ${strongest ? quadrilateral(strongest) : nothing}`;
 }
+
+export const lab =
+  () => html`${button(say(isDrawing.value ? "lab-stop" : "lab-run"), draw, "small")}
+  ${drawn.value ? found(drawn.value) : nothing}`;

@@ -1,4 +1,3 @@
-// @ts-check
 // The legend: what colours mean, and behind it how the surface is drawn.
 
 import { html, nothing } from "lit-html";
@@ -7,96 +6,66 @@ import { formatShort, formatSigned } from "../number.js";
 import { colours, named } from "../options.js";
 import { rangeOf } from "../range.js";
 import { say } from "../words.js";
-import { button, icon, segmented, select, toggle } from "./parts.js";
-
-/** @import { Page } from "../actions.js" */
+import { page } from "./page.js";
+import { button, icon, segmented, select, slider, toggle } from "./parts.js";
 
 const STOPS = 17;
 
-/** The colours of data from low to high, as the viewer has them. @param {Page} page @param {boolean} signed */
-function ramp(page, signed) {
-  const colours = page.stage.colours(signed, STOPS);
-  const stops = Array.from(
-    { length: colours.length / 3 },
-    (_, n) => `rgb(${[...colours.subarray(3 * n, 3 * n + 3)].join(" ")})`,
-  );
-  return stops.length > 0 ? `background: linear-gradient(90deg, ${stops.join(", ")})` : "";
-}
-
-/** The value that a ball of the surface's area has. @param {Page} page @returns {number | null} */
-function round(page) {
-  const { colour } = page.state.value;
+/** The value that a ball of the surface's area has. @returns {number | null} */
+function round() {
   const area = page.shown()?.area;
   if (!area) return null;
   const radius = Math.sqrt(area / (4 * Math.PI));
-  return (
-    { "mean-curvature": 1 / radius, "gauss-curvature": 1 / radius ** 2 }[
-      /** @type {string} */ (colour)
-    ] ?? null
-  );
+  /** @type {Record<string, number>} */
+  const values = { "mean-curvature": 1 / radius, "gauss-curvature": 1 / radius ** 2 };
+  return values[page.state.value.colour] ?? null;
 }
 
-/** @param {Page} page */
-function scale(page) {
-  const s = page.state.value;
-  const field = page.lead.clip.points[0]?.field;
-  const range = s.comparison.difference === null ? s.range : page.stage.range.value;
+function scale() {
+  const { comparison, range: held } = page.state.value;
+  const isField = comparison.difference === null;
+  const range = isField ? held : page.stage.range.value;
   if (!range) return nothing;
   const [low, high] = range;
-  const signed = s.comparison.difference === null && (field?.signed ?? low < 0);
+  const signed = isField && (page.lead.clip.points[0]?.field?.signed ?? low < 0);
   const place = (/** @type {number} */ value) => (100 * (value - low)) / (high - low);
-  const ball = round(page);
+  const ball = round();
   const hasBall = ball !== null && place(ball) < 88 && place(ball) > (signed ? 58 : 12);
-  /** @type {[number, string, string][]} */
-  const ticks = [
-    [low, signed ? `≤ ${formatSigned(low)}` : formatShort(low), "first"],
-    ...(signed ? [/** @type {[number, string, string]} */ ([0, "0", ""])] : []),
-    ...(hasBall && ball !== null
-      ? [/** @type {[number, string, string]} */ ([ball, say("round"), ""])]
-      : []),
-    [high, `≥ ${formatShort(high)}`, "last"],
-  ];
-  return html`<div class="ramp" .style=${ramp(page, signed)}></div>
-    ${hasBall && ball !== null ? html`<i class="ball" .style=${`--x:${place(ball)}%`}></i>` : nothing}
-    <div class="ticks" aria-hidden="true">${ticks.map(
-      ([value, text, kind]) =>
-        html`<span class=${kind} .style=${`--x:${place(value)}%`}>${text}</span>`,
-    )}</div>
+  const tick = (/** @type {number} */ value, /** @type {string} */ text, kind = "") =>
+    html`<span class=${kind} .style=${`--x:${place(value)}%`}>${text}</span>`;
+  const stops = page.stage.colours(signed, STOPS).join(", ");
+  return html`<div class="ramp" .style=${stops ? `background: linear-gradient(90deg, ${stops})` : ""}></div>
+    ${hasBall ? html`<i class="ball" .style=${`--x:${place(ball)}%`}></i>` : nothing}
+    <div class="ticks" aria-hidden="true">${tick(low, signed ? `≤ ${formatSigned(low)}` : formatShort(low), "first")}
+      ${signed ? tick(0, "0") : nothing}${hasBall ? tick(ball, say("round")) : nothing}
+      ${tick(high, `≥ ${formatShort(high)}`, "last")}</div>
     <p class="held">${icon("lock")}${say("range-held")}</p>`;
 }
 
-/** Colours of this step alone. @param {Page} page */
-function fit(page) {
+/** Colours of this step alone. */
+function fit() {
   const field = page.lead.clip.surface(page.lead.u)?.field;
-  if (field) page.run.range(rangeOf(field));
+  if (field) page.patch({ range: rangeOf(field) });
 }
 
-/** @param {Page} page */
-function optionsOf(page) {
+function optionsOf() {
   const { view, colour, presenting, lookOptions, mesh, reading } = page.state.value;
-  const themes = ["auto", "light", "dark"].map((id) => ({ id, label: say(`theme-${id}`) }));
+  const { view: set } = page.run;
   const tongues = Object.entries(languages).map(([id, label]) => ({ id, label }));
+  const crosses = (reading?.crossings ?? mesh?.info.selfIntersections ?? 0) > 0;
+  const doubled = (/** @type {boolean} */ crossings) => page.edit.inspect({ crossings });
   return html`<div class="options">
-    ${select(say("colour-by"), named(colours, "colour"), colour, (id) => page.run.colour(/** @type {any} */ (id)))}
-    ${colour === "none" ? nothing : html`<div class="row">${button(say("fit-range"), () => fit(page), { kind: "small" })}</div>`}
-    ${toggle(say("wireframe"), view.wireframe, (wireframe) => page.run.view({ wireframe }))}
-    ${toggle(say("boundary-lines"), view.boundary, (boundary) => page.run.view({ boundary }))}
-    <label class="inline">${say("cut")} <input type="range" min="0" max="95" .value=${String(view.cut)}
-      @input=${(/** @type {any} */ { target }) => page.run.view({ cut: target.valueAsNumber })} /></label>
-    ${(reading?.crossings ?? mesh?.info.selfIntersections ?? 0) > 0 ? toggle(say("double-curves"), lookOptions.crossings, (crossings) => page.edit.inspect({ crossings })) : nothing}
-    ${segmented(
-      say("shading"),
-      [
-        { id: "smooth", label: say("shading-smooth") },
-        { id: "flat", label: say("shading-flat") },
-      ],
-      view.shading,
-      (id) => page.run.view({ shading: id === "flat" ? "flat" : "smooth" }),
-    )}
-    ${toggle(say("high-contrast"), view.contrast || presenting, (contrast) => page.run.view({ contrast }))}
-    ${segmented(say("theme"), themes, view.theme, (id) => {
-      page.run.view({ theme: /** @type {any} */ (id) });
-      remember("theme", id);
+    ${select(say("colour-by"), named(colours, "colour"), colour, page.run.colour)}
+    ${colour === "none" ? nothing : html`<div class="row">${button(say("fit-range"), fit, "small")}</div>`}
+    ${toggle(say("wireframe"), view.wireframe, (wireframe) => set({ wireframe }))}
+    ${toggle(say("boundary-lines"), view.boundary, (boundary) => set({ boundary }))}
+    ${slider(say("cut"), view.cut, 0, 95, (cut) => set({ cut }))}
+    ${crosses ? toggle(say("double-curves"), lookOptions.crossings, doubled) : nothing}
+    ${segmented(say("shading"), named(["smooth", "flat"], "shading"), view.shading, (shading) => set({ shading }))}
+    ${toggle(say("high-contrast"), view.contrast || presenting, (contrast) => set({ contrast }))}
+    ${segmented(say("theme"), named(["auto", "light", "dark"], "theme"), view.theme, (theme) => {
+      set({ theme });
+      remember("theme", theme);
     })}
     ${select(say("language"), tongues, currentLanguage(), async (id) => {
       await speak(/** @type {any} */ (id));
@@ -104,22 +73,22 @@ function optionsOf(page) {
       document.documentElement.lang = id;
       page.patch({});
     })}
-    <div class="row">${button(say("fit-view"), () => page.stage.fit(), { kind: "small" })}
+    <div class="row">${button(say("fit-view"), page.stage.fit, "small")}
       <small class="hint">${page.stage.renderer.value}</small></div>
   </div>`;
 }
 
-/** @param {Page} page */
-export function legend(page) {
-  const s = page.state.value;
-  if (!s.mesh || s.welcome) return nothing;
-  const what =
-    s.comparison.difference === null ? say(`colour-${s.colour}`) : say("colour-distance");
-  const isPlain = s.colour === "none" && s.comparison.difference === null;
-  return html`<figure class="legend ${isPlain ? "plain" : ""} ${s.legend ? "open" : ""}" role="group" aria-label=${say("legend")}>
-    ${s.legend ? optionsOf(page) : nothing}
-    <button type="button" class="title" aria-expanded=${String(s.legend)} title="${say("colour-by")} (C)"
-      @click=${() => page.patch({ legend: !s.legend })}><b>${isPlain ? say("look") : what}</b>${icon("down")}</button>
-    ${isPlain ? nothing : html`<div role="img" aria-label=${say("colours-from-to", { what, low: s.range?.[0] ?? 0, high: s.range?.[1] ?? 1 })}>${scale(page)}</div>`}
+export function legend() {
+  const { mesh, welcome, colour, comparison, legend: isOpen, range } = page.state.value;
+  if (!mesh || welcome) return nothing;
+  const isField = comparison.difference === null;
+  const what = say(isField ? `colour-${colour}` : "colour-distance");
+  const isPlain = colour === "none" && isField;
+  const [low, high] = range ?? [0, 1];
+  return html`<figure class="legend ${isPlain ? "plain" : ""} ${isOpen ? "open" : ""}" role="group" aria-label=${say("legend")}>
+    ${isOpen ? optionsOf() : nothing}
+    <button type="button" class="title" aria-expanded=${String(isOpen)} title="${say("colour-by")} (C)"
+      @click=${() => page.patch({ legend: !isOpen })}><b>${isPlain ? say("look") : what}</b>${icon("down")}</button>
+    ${isPlain ? nothing : html`<div role="img" aria-label=${say("colours-from-to", { what, low, high })}>${scale()}</div>`}
   </figure>`;
 }

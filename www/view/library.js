@@ -1,4 +1,3 @@
-// @ts-check
 // The library: samples and figures of the papers together, by what happens to them.
 
 import "../style/library.css";
@@ -7,84 +6,86 @@ import { html, nothing } from "lit-html";
 import { figures, samples } from "../generated/library.js";
 import { firsts, sampleName, sayFigure, shelves } from "../library.js";
 import { say } from "../words.js";
+import { page } from "./page.js";
 import { button, close, icon, idOf, into, keycap } from "./parts.js";
-import { addressOf, pictureOf } from "./pictures.js";
 
-/** @import { Page } from "../actions.js" */
 /** @import { Figure, Sample } from "../library.js" */
 
 const filter = signal("all");
 const search = signal("");
 
-/**
- * @typedef {{ id: string, shelf: string, title: string, text: string, note: string, open: (page: Page) => unknown, isOpen: (s: import("../store.js").S) => boolean }} Item
- */
+/** @typedef {ReturnType<typeof asItem>} Item */
 
-/** @param {Sample} sample @returns {Item} */
+/** Small pictures of samples and figures, taken by tools/thumbnails.js. @type {Record<string, string>} */
+const pictures = import.meta.glob("../thumbnails/*.webp", {
+  query: "?url",
+  import: "default",
+  eager: true,
+});
+
+/** @param {string} name */
+export function pictureOf(name) {
+  const address = pictures[`../thumbnails/${name}.webp`];
+  return address ? html`<img src=${address} alt="" loading="lazy" />` : null;
+}
+
+/** @param {Sample} sample */
 const asItem = ({ id, group }) => ({
-  id,
-  shelf: firsts.includes(id) ? "first" : group,
+  ...{ id, shelf: firsts.includes(id) ? "first" : String(group), note: "" },
   title: sampleName(id),
   text: say(`sample-${id}-shows`),
-  note: "",
-  open: (page) => page.open.sample(id),
-  isOpen: ({ source, figure }) => source?.kind === "sample" && source.id === id && !figure,
+  open: () => page.open.sample(id),
 });
 
 /** @param {Figure} figure @returns {Item} */
 const asFigure = (figure) => ({
-  id: figure.id,
-  shelf: "papers",
+  ...{ id: figure.id, shelf: "papers" },
   title: sayFigure(figure, "title"),
   text: sayFigure(figure, "reports"),
   note: `${say(`paper-${figure.paper}.authors`)}, ${sayFigure(figure)}`,
-  open: (page) => page.open.figure(figure),
-  isOpen: (s) => s.figure?.id === figure.id,
+  open: () => page.open.figure(figure),
 });
 
-/** @param {Item} item @param {string} wanted  in lower case */
-const matches = ({ title, text, note, id }, wanted) =>
-  `${title} ${text} ${note} ${id}`
-    .toLowerCase()
-    .replaceAll(".", "")
-    .includes(wanted.replaceAll(".", ""));
+/** @param {string} text */
+const plain = (text) => text.toLowerCase().replaceAll(".", "");
 
-/** @param {Page} page @param {Item} item */
-function card(page, item) {
-  const isOpen = item.isOpen(page.state.value);
-  const after = addressOf(`${item.id}-after`);
+/** @param {Item} item */
+function card({ id, title, text, note, open }) {
+  const { figure, source } = page.state.value;
+  const isOpen = id === (figure ? figure.id : source?.kind === "sample" && source.id);
+  const after = pictureOf(`${id}-after`);
   const act = () => {
     page.patch({ dialog: null, welcome: false });
-    item.open(page);
+    open();
   };
   return html`<button type="button" class="entry" aria-current=${isOpen ? "true" : nothing} @click=${act}>
-    <span class="thumb ${after ? "two" : ""}">${pictureOf(item.id)}${after ? html`<img src=${after} alt="" loading="lazy" />` : nothing}
+    <span class="thumb ${after ? "two" : ""}">${pictureOf(id) ?? icon("surface")}${after}
       ${isOpen ? html`<em>${say("open-now")}</em>` : nothing}</span>
-    <span class="text"><b>${item.title}</b><span>${item.text}</span>${item.note ? html`<small>${item.note}</small>` : nothing}</span></button>`;
+    <span class="text"><b>${title}</b><span>${text}</span>${note ? html`<small>${note}</small>` : nothing}</span></button>`;
 }
 
-/** @param {Page} page */
-export function library(page) {
-  const all = [...samples.map(asItem), ...figures.map(asFigure)];
-  const wanted = search.value.trim().toLowerCase();
-  const found = all.filter((item) => matches(item, wanted));
-  const shown = shelves.filter((id) => filter.value === "all" || filter.value === id);
+export function library() {
+  const wanted = plain(search.value.trim());
+  const found = [...samples.map(asItem), ...figures.map(asFigure)].filter(
+    ({ title, text, note, id }) => plain(`${title} ${text} ${note} ${id}`).includes(wanted),
+  );
   const chip = (/** @type {string} */ id) =>
-    html`<button type="button" class="button chip" aria-pressed=${String(filter.value === id)} @click=${() => into(filter)(id)}>${say(`shelf-${id}`)}</button>`;
+    button(say(`shelf-${id}`), () => into(filter)(id), "chip", { pressed: filter.value === id });
+  const entries = (/** @type {string} */ id) => {
+    const some = found.filter(({ shelf }) => shelf === id);
+    if (some.length === 0 || !["all", id].includes(filter.value)) return nothing;
+    return html`<section aria-label=${say(`shelf-${id}`)}><h3>${say(`shelf-${id}`)} <small>${say(`shelf-${id}.about`)}</small></h3>
+      <div class="entries">${some.map(card)}</div></section>`;
+  };
+  const id = idOf("library-search");
   return html`<header><h2 id="library-heading">${say("library")}</h2>
-      <label class="search" for=${idOf("library-search")}>${icon("search")}<span class="visually-hidden">${say("search")}</span>
-        <input id=${idOf("library-search")} type="search" placeholder=${say("search-hint")} .value=${search.value}
+      <label class="search" for=${id}>${icon("search")}<span class="visually-hidden">${say("search")}</span>
+        <input id=${id} type="search" placeholder=${say("search-hint")} .value=${search.value}
           @input=${(/** @type {any} */ { target }) => into(search)(target.value)} />${keycap("/")}</label>
       <span class="space"></span>
-      ${button(say("open-mesh"), () => page.chooseFile(), { icon: "open" })}
+      ${button(say("open-mesh"), page.chooseFile, "", { icon: "open" })}
       ${close(() => page.patch({ dialog: null }))}</header>
-    <div class="filters" role="group" aria-label=${say("shelves")}>${chip("all")}${shelves.map(chip)}<span class="space"></span>
+    <div class="filters" role="group" aria-label=${say("shelves")}>${["all", ...shelves].map(chip)}<span class="space"></span>
       <span class="hint" role="note">${say("library-count", { count: found.length })}</span></div>
-    <div class="shelves">${shown.map((id) => {
-      const some = found.filter(({ shelf }) => shelf === id);
-      return some.length === 0
-        ? nothing
-        : html`<section aria-label=${say(`shelf-${id}`)}><h3>${say(`shelf-${id}`)} <small>${say(`shelf-${id}.about`)}</small></h3>
-            <div class="entries">${some.map((item) => card(page, item))}</div></section>`;
-    })}</div>`;
+    <div class="shelves">${shelves.map(entries)}</div>`;
 }

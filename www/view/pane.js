@@ -1,4 +1,3 @@
-// @ts-check
 // One picture on the stage: hands the viewer what has changed and nothing else. Steps are
 // uploaded once; the graphics card makes the surfaces between them.
 
@@ -10,17 +9,9 @@
 /** A surface that is shown at a time; colours over a range that is held. @typedef {NextStep & { range: readonly [number, number] | null }} Step */
 
 /**
- * What a pane shows.
- * @typedef {object} Shown
- * @property {string} key
- * @property {Drawable} drawable    connectivity
- * @property {readonly Step[]} steps  one that is shown, or the two around `time` and their neighbours
- * @property {number} time
- * @property {Uint32Array} marked
- * @property {Uint32Array} highlight
- * @property {Uint8Array | null} held
- * @property {string} title
- * @property {string} note
+ * What a pane shows: connectivity, and of the surface one step, or the two around a time and their neighbours.
+ * @typedef {{ key: string, drawable: Drawable, steps: readonly Step[], time: number, marked: Uint32Array,
+ *   highlight: Uint32Array, held: Uint8Array | null, title: string, note: string }} Shown
  */
 
 /** What the viewer has. @typedef {Partial<Shown> & { mesh?: unknown, camera?: unknown, style?: unknown, overlay?: unknown }} Has */
@@ -37,13 +28,9 @@ function coloured({ field, range }) {
   return field.low === low && field.high === high ? field : { ...field, low, high };
 }
 
+const parts = /** @type {const} */ (["positions", "field", "range", "time", "isStraight"]);
 /** @param {Step} a @param {Step | undefined} b */
-const isSame = (a, b) =>
-  a.positions === b?.positions &&
-  a.field === b.field &&
-  a.range === b.range &&
-  a.time === b.time &&
-  a.isStraight === b.isStraight;
+const isSame = (a, b) => parts.every((part) => a[part] === b?.[part]);
 
 export class PaneView {
   /** @type {Viewer | null} */
@@ -116,10 +103,7 @@ export class PaneView {
     Object.assign(has, shown, { camera: s.camera ?? has.camera });
   }
 
-  /**
-   * Shows the surface of a time, with the steps that the viewer lacks.
-   * @param {Viewer} viewer @param {Shown} shown
-   */
+  /** Shows the surface of a time, with the steps that the viewer lacks. @param {Viewer} viewer @param {Shown} shown */
   #move(viewer, { steps, time, marked }) {
     const from = this.#steps.findIndex((step) => isSame(step, steps[0]));
     const known = from < 0 ? [] : this.#steps.slice(from, from + steps.length);

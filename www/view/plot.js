@@ -1,21 +1,20 @@
-// @ts-check
-// The curve with full axes: against steps or time, linear or logarithmic.
+// Plots with full axes: the large curve, against steps or time, linear or logarithmic.
 
 import { signal } from "@preact/signals-core";
 import { html, nothing, svg } from "lit-html";
 import { letter } from "../comparison.js";
 import { formatShort } from "../number.js";
+import { named } from "../options.js";
 import { symbol } from "../status.js";
 import { say } from "../words.js";
 import { pathOf, thinned } from "./curve.js";
+import { page } from "./page.js";
 import { into, segmented, select } from "./parts.js";
 
-/** @import { Page } from "../actions.js" */
 /** @import { Point } from "../clip.js" */
 
 /** A fall by more than this is easier to read on a logarithmic axis. */
 const WIDE = 30;
-const [WIDTH, HEIGHT, LEFT, BOTTOM, GAP] = [900, 420, 70, 380, 14];
 
 /** @type {Record<string, (state: Point["state"]) => number | null>} */
 const quantities = {
@@ -28,7 +27,7 @@ const quantities = {
 };
 
 const quantity = signal("energy");
-const abscissa = signal("step");
+const abscissa = signal(/** @type {"step" | "time"} */ ("step"));
 
 /** @param {import("../store.js").View["scale"]} scale @param {readonly number[]} values */
 export function isLogarithmic(scale, values) {
@@ -39,72 +38,85 @@ export function isLogarithmic(scale, values) {
   return high / positive.reduce((a, b) => Math.min(a, b)) > WIDE;
 }
 
+/** So many numbers at even distances. @param {number} first @param {number} last @param {number} stride */
+const every = (first, last, stride) =>
+  Array.from(
+    { length: Math.max(0, Math.floor((last - first) / stride) + 1) },
+    (_, n) => first + n * stride,
+  );
+
 /** Round numbers between two. @param {number} low @param {number} high @param {boolean} isLog */
 export function ticksOf(low, high, isLog) {
   if (isLog) {
     const [from, to] = [Math.ceil(Math.log10(low) - 1e-9), Math.floor(Math.log10(high) + 1e-9)];
     const stride = Math.max(1, Math.ceil((to - from) / 6));
-    return Array.from(
-      { length: Math.max(0, Math.floor((to - from) / stride) + 1) },
-      (_, n) => 10 ** (from + n * stride),
-    );
+    return every(from, to, stride).map((exponent) => 10 ** exponent);
   }
   const rough = (high - low || 1) / 5;
   const power = 10 ** Math.floor(Math.log10(rough));
   const stride = ([1, 2, 5, 10].find((one) => one * power >= rough) ?? 10) * power;
-  const first = Math.ceil(low / stride - 1e-9);
-  return Array.from(
-    { length: Math.floor(high / stride + 1e-9) - first + 1 },
-    (_, n) => (first + n) * stride,
-  );
+  const [from, to] = [Math.ceil(low / stride - 1e-9), Math.floor(high / stride + 1e-9)];
+  return every(from, to, 1).map((n) => n * stride);
 }
 
-/** @param {Page} page */
-export function plot(page) {
+/**
+ * Axes with round numbers; where a point lies between them, and what is drawn there.
+ * @param {{ size: readonly [number, number], left: number, x: readonly number[], y: readonly number[], isLog?: boolean }} axes
+ *   the two ends of each
+ */
+export function axesOf({ size: [width, height], left, x: [from, to], y: [low, high], isLog }) {
+  const [gap, bottom] = [14, height - 40];
+  const scaled = (/** @type {number} */ y) => (isLog ? Math.log(Math.max(y, low)) : y);
+  const x = (/** @type {number} */ value) =>
+    left + ((width - left - gap) * (value - from)) / (to - from || 1);
+  const y = (/** @type {number} */ value) =>
+    bottom - ((bottom - gap) * (scaled(value) - scaled(low))) / (scaled(high) - scaled(low) || 1);
+  /** @param {string} label @param {string} role @param {unknown} drawn */
+  const drawing = (label, role, drawn) =>
+    html`<svg class="large-plot" viewBox="0 0 ${width} ${height}" role=${role} aria-label=${label}>
+      ${ticksOf(low, high, isLog ?? false).map((tick) => svg`<line class="grid" x1=${left} x2=${width - gap} y1=${y(tick)} y2=${y(tick)} /><text x=${left - 8} y=${y(tick) + 4} text-anchor="end">${formatShort(tick)}</text>`)}
+      ${ticksOf(from, to, false).map((tick) => svg`<text x=${x(tick)} y=${bottom + 20} text-anchor="middle">${formatShort(tick)}</text>`)}
+      <line class="axis" x1=${left} x2=${width - gap} y1=${bottom} y2=${bottom} />${drawn}</svg>`;
+  /** @param {number} value */
+  const upright = (value) =>
+    svg`<line class="here" x1=${x(value)} x2=${x(value)} y1=${gap} y2=${bottom} />`;
+  return { x, y, drawing, upright };
+}
+
+export function plot() {
   page.player.tick.value;
   const s = page.state.value;
-  const of = quantities[quantity.value];
-  const tracks = [page.lead, ...page.rivals.values()];
-  const lines = tracks.map(({ clip }) =>
+  const lines = page.tracks().map(({ clip }) =>
     thinned(clip.points).flatMap(({ state }) => {
-      const value = of(state);
-      return value === null ? [] : [[abscissa.value === "time" ? state.time : state.step, value]];
+      const value = quantities[quantity.value](state);
+      return value === null ? [] : [[state[abscissa.value], value]];
     }),
   );
   const values = lines.flat().map(([, value]) => value);
   const isLog = isLogarithmic(s.view.scale, values);
   const usable = isLog ? values.filter((value) => value > 0) : values;
-  const low = Math.min(...usable, isLog ? Infinity : 0);
-  const high = Math.max(...usable, isLog ? 0 : 1e-12);
-  const right = Math.max(...lines.flat().map(([x]) => x), 1e-12);
-  const left = Math.min(...lines.flat().map(([x]) => x), right);
-  const f = (/** @type {number} */ value) => (isLog ? Math.log(Math.max(value, low)) : value);
-  const y = (/** @type {number} */ value) =>
-    BOTTOM - ((BOTTOM - GAP) * (f(value) - f(low))) / (f(high) - f(low) || 1);
-  const x = (/** @type {number} */ value) =>
-    LEFT + ((WIDTH - LEFT - GAP) * (value - left)) / (right - left || 1);
+  const along = lines.flat().map(([x]) => x);
+  const right = Math.max(...along, 1e-12);
+  const { x, y, drawing, upright } = axesOf({
+    ...{ size: [900, 420], left: 70, x: [Math.min(...along, right), right], isLog },
+    y: [Math.min(...usable, isLog ? Infinity : 0), Math.max(...usable, isLog ? 0 : 1e-12)],
+  });
+  const curves = lines.map((list, n) => {
+    const points = list.map(([a, b]) => [x(a), y(b)]);
+    const [endX, endY] = points.at(-1) ?? [];
+    return points.length < 2
+      ? nothing
+      : svg`<path class="pane-${n}" d=${pathOf(points)} /><text class="pane-${n}" x=${endX} y=${endY - 8} text-anchor="end">${lines.length > 1 ? letter(n) : ""}</text>`;
+  });
   const shown = page.shown();
-  const here = shown && (abscissa.value === "time" ? shown.time : shown.step);
   const names = Object.keys(quantities).map((id) => ({
     id,
     label: id === "energy" ? `${say("reading-energy")} ${symbol(s)}` : say(`quantity-${id}`),
   }));
-  const scales = ["auto", "log", "linear"].map((id) => ({ id, label: say(`scale-${id}`) }));
   return html`<div class="row plot-options">
       ${select(say("quantity"), names, quantity.value, into(quantity))}
-      ${segmented(
-        say("against"),
-        ["step", "time"].map((id) => ({ id, label: say(`against-${id}`) })),
-        abscissa.value,
-        into(abscissa),
-      )}
-      ${segmented(say("scale"), scales, s.view.scale, (id) => page.run.view({ scale: /** @type {any} */ (id) }))}
+      ${segmented(say("against"), named(["step", "time"], "against"), abscissa.value, into(abscissa))}
+      ${segmented(say("scale"), named(["auto", "log", "linear"], "scale"), s.view.scale, (scale) => page.run.view({ scale }))}
     </div>
-    <svg class="large-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label=${say("plot-label", { what: say(`quantity-${quantity.value}`) })}>
-      ${ticksOf(low, high, isLog).map((tick) => svg`<line class="grid" x1=${LEFT} x2=${WIDTH - GAP} y1=${y(tick)} y2=${y(tick)} /><text x=${LEFT - 8} y=${y(tick) + 4} text-anchor="end">${formatShort(tick)}</text>`)}
-      ${ticksOf(left, right, false).map((tick) => svg`<text x=${x(tick)} y=${BOTTOM + 20} text-anchor="middle">${formatShort(tick)}</text>`)}
-      <line class="axis" x1=${LEFT} x2=${WIDTH - GAP} y1=${BOTTOM} y2=${BOTTOM} />
-      ${lines.map((list, n) => (list.length < 2 ? nothing : svg`<path class="pane-${n}" d=${pathOf(list.map(([a, b]) => [x(a), y(b)]))} /><text class="pane-${n}" x=${x(list[list.length - 1][0])} y=${y(list[list.length - 1][1]) - 8} text-anchor="end">${lines.length > 1 ? letter(n) : ""}</text>`))}
-      ${here === null || here === undefined ? nothing : svg`<line class="here" x1=${x(here)} x2=${x(here)} y1=${GAP} y2=${BOTTOM} />`}
-    </svg>`;
+    ${drawing(say("plot-label", { what: say(`quantity-${quantity.value}`) }), "img", [curves, shown ? upright(shown[abscissa.value]) : nothing])}`;
 }

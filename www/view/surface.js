@@ -1,4 +1,3 @@
-// @ts-check
 // The tab of the surface: what it is, what was found in it, what can be changed.
 
 import { html, nothing } from "lit-html";
@@ -6,11 +5,12 @@ import { samples } from "../generated/library.js";
 import { sampleName } from "../library.js";
 import { formatNumber } from "../number.js";
 import { sceneTitle } from "../status.js";
+import { tools } from "../store.js";
 import { say } from "../words.js";
-import { button, idOf, select } from "./parts.js";
+import { page } from "./page.js";
+import { button, idOf, select, shortNumber } from "./parts.js";
 
-/** @import { Page } from "../actions.js" */
-/** @import { RepairItem } from "../generated/types.js" */
+/** @import { Loaded, RepairItem } from "../generated/types.js" */
 
 /** Below this angle triangles are called uneven, in degrees. */
 const EVEN = 15;
@@ -19,119 +19,82 @@ const EVEN = 15;
 const finding = (text, hint, act = nothing) =>
   html`<div class="finding"><div>${text}<div class="hint">${hint}</div></div>${act}</div>`;
 
-/** @param {Page} page */
-function findings(page) {
-  const { mesh } = page.state.value;
-  if (!mesh) return nothing;
-  const { boundaryLoops, minAngleDegrees, selfIntersections, oriented } = mesh.info;
-  const small = { kind: "small" };
-  const angle = page.shown()?.minAngleDegrees ?? minAngleDegrees;
+/** @param {Loaded} mesh */
+function findings({ info, repaired }) {
+  const { boundaryLoops, selfIntersections, oriented } = info;
+  const angle = page.shown()?.minAngleDegrees ?? info.minAngleDegrees;
   const isEven = angle >= EVEN;
-  return html`<h3>${say("found")}</h3>
-    ${defects(page)}
-    ${
-      boundaryLoops > 0
-        ? finding(
-            say("found-holes", { count: boundaryLoops }),
-            say("found-holes.hint"),
-            button(say("fill-start"), () => page.edit.mode("fill"), { kind: "small primary" }),
-          )
-        : finding(say("found-closed"), say(oriented ? "found-two-sided" : "found-one-sided"))
-    }
-    ${finding(
-      say(isEven ? "found-even" : "found-uneven"),
-      say("found-angle", { angle: formatNumber(angle, 3) }),
-      isEven ? nothing : button(say("even-out"), page.edit.regularise, small),
-    )}
-    ${
-      selfIntersections
-        ? finding(
-            say("crossings", { count: selfIntersections }),
-            say("crossings-hint"),
-            button(say("why-show"), () => showCrossings(page), small),
-          )
-        : nothing
-    }
-    ${mesh.info.warnings.map((warning) => html`<p class="hint">${say(warning)}</p>`)}`;
+  const fill = button(say("fill-start"), () => page.edit.mode("fill"), "small primary");
+  const rim =
+    boundaryLoops > 0
+      ? finding(say("found-holes", { count: boundaryLoops }), say("found-holes.hint"), fill)
+      : finding(say("found-closed"), say(oriented ? "found-two-sided" : "found-one-sided"));
+  const even = isEven ? nothing : button(say("even-out"), page.edit.regularise, "small");
+  const inside = say("found-angle", { angle: formatNumber(angle, 3) });
+  const show = button(say("why-show"), showCrossings, "small");
+  const crossings = say("crossings", { count: selfIntersections ?? 0 });
+  return html`<h3>${say("found")}</h3>${defects({ info, repaired })}${rim}
+    ${finding(say(isEven ? "found-even" : "found-uneven"), inside, even)}
+    ${selfIntersections ? finding(crossings, say("crossings-hint"), show) : nothing}
+    ${info.warnings.map((warning) => html`<p class="hint">${say(warning)}</p>`)}`;
 }
 
-/** What a repair would change, or has changed. @param {Page} page */
-function defects(page) {
-  const { mesh } = page.state.value;
-  if (!mesh) return nothing;
-  const { repaired, info } = mesh;
+/** What a repair would change, or has changed. @param {Pick<Loaded, "info" | "repaired">} mesh */
+function defects({ info, repaired }) {
   /** @param {readonly RepairItem[]} items */
   const list = (items) =>
-    html`<ul class="changes">${items.map((item) => html`<li>${say(item.message)}</li>`)}</ul>`;
+    html`<ul class="changes">${items.map(({ message }) => html`<li>${say(message)}</li>`)}</ul>`;
   const wanting = info.repairs.filter(({ done }) => !done);
-  const start = button(say("repair"), () => page.edit.repair(), { kind: "small primary" });
-  const id = idOf("weld");
-  const length = () => /** @type {HTMLInputElement} */ (document.getElementById(id)).valueAsNumber;
-  const weld = button(say("weld"), () => page.edit.repair({ weld: length() }), { kind: "small" });
-  return html`${
-    wanting.length > 0
-      ? finding(say("found-broken"), html`${say("found-broken.hint")}${list(wanting)}`, start)
-      : nothing
-  }${
-    info.gap === undefined
-      ? nothing
-      : finding(
-          say("found-gap"),
-          html`${say("found-gap.hint")} <label class="inline" for=${id}>${say("weld-length")}
-          <input id=${id} class="short" type="number" min="0" step="any" .value=${info.gap.toPrecision(3)} /></label>`,
-          weld,
-        )
-  }${repaired.length > 0 ? finding(say("found-repaired"), list(repaired)) : nothing}`;
+  const start = button(say("repair"), () => page.edit.repair(), "small primary");
+  const name = say("weld-length");
+  const field = () => /** @type {HTMLInputElement} */ (document.getElementById(idOf(name)));
+  const weld = () => page.edit.repair({ weld: field().valueAsNumber });
+  const gap = shortNumber(name, info.gap?.toPrecision(3) ?? "", () => {}, { min: 0 });
+  return html`
+    ${wanting.length > 0 ? finding(say("found-broken"), html`${say("found-broken.hint")}${list(wanting)}`, start) : nothing}
+    ${info.gap === undefined ? nothing : finding(say("found-gap"), html`${say("found-gap.hint")} ${gap}`, button(say("weld"), weld, "small"))}
+    ${repaired.length > 0 ? finding(say("found-repaired"), list(repaired)) : nothing}`;
 }
 
-/** @param {Page} page */
-async function showCrossings(page) {
-  const found = await page.edit.selfIntersections().catch(page.report);
-  if (found) page.edit.mark({ edges: new Uint32Array(), triangles: found.triangles });
+async function showCrossings() {
+  const found = await page.solver.selfIntersections().catch(page.report);
+  if (!found) return;
+  page.patch({ marks: { edges: new Uint32Array(), triangles: found.triangles } });
 }
 
-/** @param {Page} page */
-export function surface(page) {
-  const s = page.state.value;
-  const { mesh, source, mode, earlier, comparison } = s;
-  const isAlone = comparison.rivals.length === 0;
+/** @param {Loaded} mesh */
+function changes({ info }) {
+  const { mode, earlier } = page.state.value;
+  const undone = earlier.at(-1);
+  const isMeant = { fill: info.boundaryLoops > 0, remesh: info.oriented };
+  const meant = tools.filter(
+    (tool) => /** @type {Record<string, boolean>} */ (isMeant)[tool] ?? true,
+  );
+  const chips = meant.map((tool) => {
+    const turn = () => page.edit.mode(mode === tool ? null : tool);
+    return button(say(`tool-${tool}`), turn, "chip", { icon: tool, pressed: mode === tool });
+  });
+  const isUnderWay = (page.shown()?.step ?? 0) > 0;
+  return html`<hr /><h3>${say("change-it")}</h3><div class="row">${chips}</div>
+    <div class="row">${button(say("even-out"), page.edit.regularise, "small")}
+      ${isUnderWay ? button(say("start-from-here"), page.edit.adopt, "small") : nothing}
+      ${undone ? button(say("undo", { what: undone.what }), page.edit.undo, "small", { icon: "undo" }) : nothing}</div>`;
+}
+
+export function surface() {
+  const { mesh, source, comparison } = page.state.value;
+  const title = sceneTitle(source);
+  const isSample = source?.kind === "sample";
+  const own = isSample || !source ? [] : [{ id: "", label: title, group: say("yours") }];
   const choices = samples.map(({ id, group }) => ({
-    id,
-    label: sampleName(id),
+    ...{ id, label: sampleName(id) },
     group: say(`group-${group}`),
   }));
-  const isSample = source?.kind === "sample";
-  const own =
-    isSample || !source ? [] : [{ id: "", label: sceneTitle(source), group: say("yours") }];
-  const undone = earlier.at(-1);
-  /** @param {"paint" | "fill" | "subdivide" | "remesh" | "invert"} tool */
-  const tool = (tool) =>
-    button(say(`tool-${tool}`), () => page.edit.mode(mode === tool ? null : tool), {
-      kind: "chip",
-      icon: tool,
-      pressed: mode === tool,
-    });
-  return html`
-    ${
-      mesh
-        ? html`<div><b class="name">${sceneTitle(source)}</b><p class="hint">${say("mesh-size", {
-            vertices: mesh.info.vertices,
-            faces: mesh.info.faces,
-            loops: mesh.info.boundaryLoops,
-          })}</p></div>`
-        : nothing
-    }
+  const { vertices = 0, faces = 0, boundaryLoops: loops = 0 } = mesh?.info ?? {};
+  const size = say("mesh-size", { vertices, faces, loops });
+  return html`${mesh ? html`<div><b class="name">${title}</b><p class="hint">${size}</p></div>` : nothing}
     ${select(say("sample"), [...own, ...choices], isSample ? source.id : "", (id) => id && page.open.sample(id))}
-    <div class="row">${button(say("library"), () => page.patch({ dialog: "library" }), { icon: "library" })}
-      ${button(say("open-mesh"), () => page.chooseFile(), { icon: "open" })}</div>
-    <hr />${findings(page)}
-    ${
-      mesh && isAlone
-        ? html`<hr /><h3>${say("change-it")}</h3>
-        <div class="row">${tool("paint")}${mesh.info.boundaryLoops > 0 ? tool("fill") : nothing}${tool("subdivide")}${mesh.info.oriented ? tool("remesh") : nothing}${tool("invert")}</div>
-        <div class="row">${button(say("even-out"), page.edit.regularise, { kind: "small" })}
-          ${(page.shown()?.step ?? 0) > 0 ? button(say("start-from-here"), page.edit.adopt, { kind: "small" }) : nothing}
-          ${undone ? button(say("undo", { what: undone.what }), page.edit.undo, { kind: "small", icon: "undo" }) : nothing}</div>`
-        : nothing
-    }`;
+    <div class="row">${button(say("library"), () => page.patch({ dialog: "library" }), "", { icon: "library" })}
+      ${button(say("open-mesh"), page.chooseFile, "", { icon: "open" })}</div>
+    <hr />${mesh ? findings(mesh) : nothing}${mesh && comparison.rivals.length === 0 ? changes(mesh) : nothing}`;
 }

@@ -29,6 +29,7 @@ use crate::energy::circle::{Boundary, CircleEnergy};
 use crate::energy::p_willmore::integrated_power;
 use crate::geometry::measure;
 use crate::mesh;
+use crate::message::Message;
 use crate::operator::FittedOperators;
 use exact::Exact;
 use glam::DVec3;
@@ -67,7 +68,7 @@ pub struct StudyOptions {
     pub p: Option<f64>,
 }
 
-/// The surface at one resolution.
+/// The surface at one resolution; the trends have its energies for who only shows them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
@@ -75,22 +76,30 @@ pub struct Resolution {
     /// Vertices.
     pub vertices: usize,
     /// Triangles.
+    #[serde(skip)]
     pub faces: usize,
     /// Mean edge length.
     pub h: f64,
     /// Area.
+    #[serde(skip)]
     pub area: f64,
     /// Half the circle-angle energy, ½ Σ W_i over interior vertices; no unit.
+    #[serde(skip)]
     pub circle: f64,
     /// ∫H² dA by cotangents, over interior vertices.
+    #[serde(skip)]
     pub cotangent: f64,
     /// ∫H² dA by quadratic fits, Σ m_i H_i² with m_i a third of the area about vertex i.
+    #[serde(skip)]
     pub fitted: f64,
     /// ∫|H|^p dA by cotangents, unit length^(2−p).
+    #[serde(skip)]
     pub power: f64,
     /// ∫K dA by quadratic fits.
+    #[serde(skip)]
     pub gauss: f64,
     /// Vertices that no quadratic surface fits; left out of what is fitted.
+    #[serde(skip)]
     pub unfit: usize,
 }
 
@@ -130,6 +139,7 @@ pub struct StudyReport {
     /// How the surface is refined.
     pub refined_by: RefinedBy,
     /// Exponent of [`Resolution::power`].
+    #[serde(skip)]
     pub p: f64,
     /// Coarsest first.
     pub rows: Vec<Resolution>,
@@ -137,6 +147,8 @@ pub struct StudyReport {
     pub trends: Vec<Trend>,
     /// Whether there is no finer one to come.
     pub finished: bool,
+    /// What that means, once there is none.
+    pub findings: Vec<Message>,
     /// Vertices of the finest mesh at most.
     pub most_vertices: usize,
 }
@@ -197,14 +209,36 @@ impl Study {
         Ok(())
     }
 
+    fn findings(&self, trends: &[Trend]) -> Vec<Message> {
+        let mut said: Vec<Message> = trends.iter().map(|trend| trend.said(self.p)).collect();
+        let mut add = |name| said.push(Message::new("study", name, vec![]));
+        if self.subject.refined_by() == RefinedBy::Polyhedron {
+            add("Polyhedron");
+        }
+        let circle = trends.iter().find(|trend| trend.quantity == "circle");
+        let tendency = circle.map(|trend| trend.tendency);
+        if let Some(Tendency::Elsewhere | Tendency::Diverges) = tendency {
+            add("Lattice");
+        }
+        add("Minimisers");
+        said
+    }
+
     /// What is known so far.
     pub fn report(&self) -> StudyReport {
+        let trends = trend::trends(&self.rows, self.exact, self.p);
+        let findings = if self.finished {
+            self.findings(&trends)
+        } else {
+            Vec::new()
+        };
         StudyReport {
             refined_by: self.subject.refined_by(),
             p: self.p,
             rows: self.rows.clone(),
-            trends: trend::trends(&self.rows, self.exact, self.p),
+            trends,
             finished: self.finished,
+            findings,
             most_vertices: self.limits.vertices,
         }
     }

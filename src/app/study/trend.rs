@@ -2,12 +2,11 @@
 
 use super::Resolution;
 use super::exact::Exact;
+use crate::message::{Message, Value};
 use serde::Serialize;
 
 /// Where the values of a quantity lead.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tendency {
     /// Right on every mesh, up to roundoff.
     Exact,
@@ -36,12 +35,44 @@ pub struct Trend {
     pub is_known: bool,
     /// |value − smooth| of each resolution; where no smooth value is known, the distance to
     /// the finest.
+    #[serde(skip)]
     pub errors: Vec<f64>,
     /// Observed order between this and the resolution before: log of the ratio of errors, or
     /// where no smooth value is known of successive differences, over that of the widths.
     pub orders: Vec<Option<f64>>,
     /// Where it leads.
+    #[serde(skip)]
     pub tendency: Tendency,
+}
+
+impl Trend {
+    /// What the quantity does, in one sentence.
+    pub(super) fn said(&self, p: f64) -> Message {
+        let name = vec![("quantity", self.quantity.into()), ("p", p.into())];
+        let tendency = match self.tendency {
+            Tendency::Exact => "exact",
+            Tendency::Converges if self.is_known => "converges",
+            Tendency::Converges if self.smooth.is_some() => "nears",
+            Tendency::Converges => "settles",
+            Tendency::Elsewhere if self.smooth.is_none_or(|smooth| smooth == 0.0) => {
+                "elsewhereThanZero"
+            }
+            Tendency::Elsewhere => "elsewhere",
+            Tendency::Diverges => "diverges",
+            Tendency::Unknown => "unknown",
+        };
+        let measured = |number: Option<f64>| number.map_or(Value::None, Value::Number);
+        let smooth = self.smooth.filter(|smooth| *smooth != 0.0);
+        let ratio = self.values.last().zip(smooth);
+        let values = vec![
+            ("name", Message::new("trend", "Name", name).into()),
+            ("tendency", tendency.into()),
+            ("smooth", measured(self.smooth)),
+            ("order", measured(self.orders.last().copied().flatten())),
+            ("ratio", measured(ratio.map(|(last, smooth)| last / smooth))),
+        ];
+        Message::new("trend", "", values)
+    }
 }
 
 /// Relative error of what is right up to roundoff and the conditioning of the sums.

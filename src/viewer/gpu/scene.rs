@@ -12,6 +12,7 @@ use super::material::Material;
 use super::readback::{Picture, Readback};
 use super::signal::Signal;
 use super::surface_pass::SurfacePass;
+use crate::viewer::brush;
 use crate::viewer::camera::Camera;
 use crate::viewer::colour::ColourMap;
 use crate::viewer::drawing::{Drawing, expect_range};
@@ -269,7 +270,7 @@ impl Viewer {
     }
 
     /// Size of a pixel in the world, at a point.
-    pub fn pixel_size_at(&self, point: Vec3) -> f32 {
+    fn pixel_size_at(&self, point: Vec3) -> f32 {
         let depth = self.camera.project(point).map_or(0.0, |(_, depth)| depth);
         depth * self.camera.pixel_size()
     }
@@ -278,6 +279,32 @@ impl Viewer {
     pub fn pick(&self, at: Vec2) -> Option<Hit> {
         let (origin, direction) = self.camera.ray(at.x, at.y);
         pick(&self.drawing, origin, direction)
+    }
+
+    /// Turns to some triangles, so that they are seen from in front.
+    pub fn face(&mut self, triangles: &[u32]) {
+        let direction = self.drawing.vector_area(triangles);
+        self.camera_mut().face(direction);
+    }
+
+    /// Gives a value to the vertices of a set, a byte each, that lie within `reach` pixels of
+    /// what is seen at one; none where nothing is, or where the set is of another surface.
+    pub fn painted(&self, set: &[u8], at: Vec2, reach: f32, value: u8) -> Option<Vec<u8>> {
+        let point = self.pick(at)?.point;
+        let radius = reach * self.pixel_size_at(point);
+        let is_own = set.len() == self.drawing.n_vertices();
+        is_own.then(|| brush::painted(&self.drawing, set, point, radius, value))
+    }
+
+    /// Spreads a value of such a set by one ring of neighbours.
+    pub fn grown(&self, set: &[u8], value: u8) -> Option<Vec<u8>> {
+        let is_own = set.len() == self.drawing.n_vertices();
+        is_own.then(|| brush::grown(&self.drawing, set, value))
+    }
+
+    /// Middle and diagonal of the box about the surface.
+    pub fn bounding_box(&self) -> (Vec3, f32) {
+        brush::bounding_box(&self.drawing)
     }
 
     /// Which of these edges, two vertices each, is seen next to a pixel.

@@ -46,13 +46,20 @@ trend-name = { $quantity ->
     [fitted] ∫H² durch quadratische Anpassung
    *[power] ∫|H|^{ $p }
 }
+trend-symbol = { $quantity ->
+    [area] A
+    [circle] W/2
+    [cotangent] ∫H² cot
+    [fitted] ∫H² fit
+   *[power] ∫|H|^p
+}
 trend = { $tendency ->
     [exact] { $name } stimmt bei jeder Auflösung, bis auf Rundung.
-    [converges] { $name } strebt gegen den glatten Wert { $smooth }; beobachtete Ordnung { $order }.
-    [nears] { $name } strebt gegen ∫(H²−K) dA, { $smooth } durch quadratische Anpassung auf dem feinsten Netz.
-    [settles] { $name } beruhigt sich; beobachtete Ordnung { $order }.
-    [elsewhere] { $name } strebt nicht gegen den glatten Wert { $smooth }, sondern gegen etwa das { $ratio }-fache.
-    [elsewhereThanZero] { $name } beruhigt sich, aber nicht beim glatten Wert { $smooth }.
+    [converges] { $name } strebt gegen den glatten Wert { NUMBER($smooth, digits: 5) }; beobachtete Ordnung { NUMBER($order, digits: 2) }.
+    [nears] { $name } strebt gegen ∫(H²−K) dA, { NUMBER($smooth, digits: 5) } durch quadratische Anpassung auf dem feinsten Netz.
+    [settles] { $name } beruhigt sich; beobachtete Ordnung { NUMBER($order, digits: 2) }.
+    [elsewhere] { $name } strebt nicht gegen den glatten Wert { NUMBER($smooth, digits: 5) }, sondern gegen etwa das { $ratio }-fache.
+    [elsewhereThanZero] { $name } beruhigt sich, aber nicht beim glatten Wert { NUMBER($smooth, digits: 5) }.
     [diverges] { $name } beruhigt sich nicht: jede Verfeinerung ändert es so sehr wie die davor.
    *[unknown] Über { $name } sagen zwei Auflösungen nicht mehr.
 }

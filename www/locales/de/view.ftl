@@ -212,8 +212,8 @@ unit = { $kind ->
    *[other] { $unit }
 }
 applies = Änderungen gelten ab
-start-word = Anfang
-this-step = diesem Schritt
+applies-start = Anfang
+applies-here = diesem Schritt
 flip-all = Alle Flips auf einmal
 advanced = Weiteres
 advanced-what = Schrittweite, Verfahren, Grenzen
@@ -325,8 +325,8 @@ axis-time = Zeit
 axis-step = Schritte
 times-differ = Ihre Zeiten sind nicht vergleichbar: die Flüsse messen Zeit in verschiedenen Einheiten.
 show-panes = Zeigen
-side-by-side = Nebeneinander
-in-place = Am selben Ort
+show-panes-side = Nebeneinander
+show-panes-place = Am selben Ort
 in-place-hint = Am selben Ort, eins nach dem anderen:
 pane-colours = Farben
 distance-to = Abstand zu { $name }

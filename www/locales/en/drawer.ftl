@@ -46,13 +46,20 @@ trend-name = { $quantity ->
     [fitted] ∫H² by quadratic fits
    *[power] ∫|H|^{ $p }
 }
+trend-symbol = { $quantity ->
+    [area] A
+    [circle] W/2
+    [cotangent] ∫H² cot
+    [fitted] ∫H² fit
+   *[power] ∫|H|^p
+}
 trend = { $tendency ->
     [exact] { $name } is right at every resolution, up to rounding.
-    [converges] { $name } tends to the smooth value { $smooth }; observed order { $order }.
-    [nears] { $name } tends to ∫(H²−K) dA, { $smooth } by quadratic fits on the finest mesh.
-    [settles] { $name } settles; observed order { $order }.
-    [elsewhere] { $name } does not tend to the smooth value { $smooth }, but to about { $ratio } times it.
-    [elsewhereThanZero] { $name } settles, but not at the smooth value { $smooth }.
+    [converges] { $name } tends to the smooth value { NUMBER($smooth, digits: 5) }; observed order { NUMBER($order, digits: 2) }.
+    [nears] { $name } tends to ∫(H²−K) dA, { NUMBER($smooth, digits: 5) } by quadratic fits on the finest mesh.
+    [settles] { $name } settles; observed order { NUMBER($order, digits: 2) }.
+    [elsewhere] { $name } does not tend to the smooth value { NUMBER($smooth, digits: 5) }, but to about { $ratio } times it.
+    [elsewhereThanZero] { $name } settles, but not at the smooth value { NUMBER($smooth, digits: 5) }.
     [diverges] { $name } does not settle: each refinement changes it as much as the one before.
    *[unknown] Of { $name } two resolutions tell no more.
 }

@@ -212,8 +212,8 @@ unit = { $kind ->
    *[other] { $unit }
 }
 applies = Changes apply from
-start-word = Start
-this-step = This step
+applies-start = Start
+applies-here = This step
 flip-all = All flips at once
 advanced = Advanced
 advanced-what = step size, method, limits
@@ -325,8 +325,8 @@ axis-time = time
 axis-step = steps
 times-differ = Their times cannot be compared: the flows measure time in different units.
 show-panes = Show
-side-by-side = Side by side
-in-place = In place
+show-panes-side = Side by side
+show-panes-place = In place
 in-place-hint = In place, one after the other:
 pane-colours = Colours
 distance-to = Distance to { $name }
