@@ -87,7 +87,9 @@ impl Driver {
         *x = y;
         self.flow.describe(x, &mut report);
         self.run.least = self.run.least.min(value);
+        interrupt::pulse();
         self.warn(x, &mut report);
+        interrupt::pulse();
         let gain = Gain {
             before: before.value,
             after: value,
@@ -115,6 +117,7 @@ impl Driver {
         self.flipped.clear();
         if self.mesh.is_triangular() {
             let survey = survey(&self.mesh, x, y);
+            interrupt::pulse();
             let folded = |f: &&Face| quality::is_folded(&self.mesh, y, **f);
             self.flipped
                 .extend(survey.turned.iter().filter(folded).map(|f| f.0));

@@ -13,6 +13,9 @@ use glam::DVec3;
 /// Below this size only minimum degree is tried: either order takes under a millisecond.
 const DISSECTION_FROM: usize = 500;
 
+/// Rows between two looks at whether to go on.
+const ROWS: usize = 4096;
+
 /// How the order of elimination was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ordering {
@@ -57,16 +60,15 @@ impl Symbolic {
             points.is_none_or(|points| points.len() == n),
             "one point a row"
         );
-        let failed = |error| LinalgError::from_faer(error, n);
         let graph = Graph::new(pattern);
         interrupt::check()?;
-        let best = Elimination::best(&graph, points).map_err(failed)?;
-        interrupt::check()?;
-        Self::of(pattern, &graph, best).map_err(failed)
+        let best = Elimination::best(&graph, points)?;
+        Self::of(pattern, &graph, best)
     }
 
-    fn of(pattern: &Pattern, graph: &Graph, best: Elimination) -> Result<Self, FaerError> {
-        let supernodes = best.supernodes()?;
+    fn of(pattern: &Pattern, graph: &Graph, best: Elimination) -> Result<Self, LinalgError> {
+        let failed = |error| LinalgError::from_faer(error, pattern.n());
+        let supernodes = best.supernodes().map_err(failed)?;
         let Elimination {
             order,
             inverse,
@@ -80,6 +82,9 @@ impl Symbolic {
         rows.reserve_exact(pattern.nnz());
         slots.reserve_exact(pattern.nnz());
         for (k, &j) in order.iter().enumerate() {
+            if k.is_multiple_of(ROWS) {
+                interrupt::check()?;
+            }
             rows.push(k as u32);
             slots.push(pattern.diagonal_slots()[j as usize]);
             for &i in graph
@@ -142,13 +147,19 @@ struct Elimination {
 }
 
 impl Elimination {
-    /// Of minimum degree and nested dissection the order with fewer operations; any where the work
-    /// is given up.
-    fn best(graph: &Graph, points: Option<&[DVec3]>) -> Result<Self, FaerError> {
-        let mut best = Self::new(graph, minimum_degree(graph)?, Ordering::MinimumDegree)?;
+    /// Of minimum degree and nested dissection the order with fewer operations. What is faer's is
+    /// one call each, between which the work can be given up.
+    fn best(graph: &Graph, points: Option<&[DVec3]>) -> Result<Self, LinalgError> {
+        let failed = |error| LinalgError::from_faer(error, graph.n());
+        let order = minimum_degree(graph).map_err(failed)?;
+        interrupt::check()?;
+        let mut best = Self::new(graph, order, Ordering::MinimumDegree).map_err(failed)?;
+        interrupt::check()?;
         if let Some(points) = points.filter(|points| points.len() >= DISSECTION_FROM) {
-            let order = nested_dissection(graph, points)?;
-            let dissected = Self::new(graph, order, Ordering::NestedDissection)?;
+            let order = nested_dissection(graph, points).map_err(failed)?;
+            interrupt::check()?;
+            let dissected = Self::new(graph, order, Ordering::NestedDissection).map_err(failed)?;
+            interrupt::check()?;
             if dissected.flops < best.flops {
                 best = dissected;
             }

@@ -7,7 +7,11 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use glam::DVec3;
 use proptest::prelude::*;
+use std::cell::Cell;
+use std::ops::ControlFlow;
+use std::rc::Rc;
 use std::sync::Arc;
+use umbilic::interrupt;
 use umbilic::linalg::{
     Inertia, Ldlt, LinalgError, Method, Ordering, Pattern, Solver, Symbolic, simd_enabled,
 };
@@ -368,4 +372,32 @@ fn products_run_their_simd_kernel() {
     let lock = include_str!("../../Cargo.lock");
     assert_eq!(lock.matches("name = \"gemm-common\"").count(), 1);
     assert!(include_str!("../../Cargo.toml").contains("\"wasm-simd128-enable\""));
+}
+
+/// Between the calls of faer, and while the structure is written.
+#[test]
+fn an_analysis_can_be_given_up_between_its_parts() {
+    let n = 20_000;
+    let pattern = Pattern::from_cliques(n as usize, (1..n).map(|i| [i - 1, i]));
+    let mut times = 0;
+    loop {
+        let left = Rc::new(Cell::new(times + 1));
+        let count = Rc::clone(&left);
+        let progress: interrupt::Progress = Rc::new(move |_, _| {
+            count.set(count.get() - 1);
+            match count.get() {
+                0 => ControlFlow::Break(()),
+                _ => ControlFlow::Continue(()),
+            }
+        });
+        let found = interrupt::observed(Some(progress), || Symbolic::analyse(&pattern, None));
+        if left.get() > 0 {
+            assert_eq!(found.expect("a structure").n(), n as usize);
+            break;
+        }
+        assert_eq!(found.err(), Some(LinalgError::Interrupted));
+        times += 1;
+    }
+    println!("{times} times");
+    assert!(times >= 8, "{times}");
 }

@@ -80,6 +80,8 @@ pub struct CircleFlow {
     /// W of the best smooth surface with the same handles.
     smooth_minimum: f64,
     schedule: Schedule,
+    /// Whether the last move was taken whole.
+    was_whole: bool,
     /// Energy, gradient and weights at the current positions, under `evaluated` ε.
     evaluation: Evaluation,
     evaluated: Option<Smoothing>,
@@ -124,15 +126,18 @@ impl CircleFlow {
         }
         let energy = CircleEnergy::new(mesh, options.boundary());
         let n_free = free.iter().filter(|is_free| **is_free).count();
-        let schedule = Schedule::new(options, &energy, x, n_free);
+        let bounds = lower_bounds(mesh);
+        let is_sphere = bounds.is_some_and(|bounds| bounds.circle == 0.0);
+        let schedule = Schedule::new(options, &energy, x, n_free, is_sphere);
         Ok(Self {
             mesh: Rc::clone(mesh),
             options: options.clone(),
             problem: Problem::new(mesh, energy, &free, x, h)?,
             start_balance: warning::balance(mesh, x),
             start_area: measure::area(mesh, x),
-            smooth_minimum: lower_bounds(mesh).map_or(0.0, |bounds| bounds.circle),
+            smooth_minimum: bounds.map_or(0.0, |bounds| bounds.circle),
             schedule,
+            was_whole: false,
             evaluation: Evaluation::default(),
             evaluated: None,
             is_assembled: false,
@@ -291,6 +296,7 @@ impl Flow for CircleFlow {
     }
 
     fn accept(&mut self, step: &Move, share: f64) {
+        self.was_whole = share >= 1.0;
         self.remember(step, share);
         std::mem::swap(&mut self.evaluation, &mut self.trial);
         self.evaluated = Some(self.schedule.smoothing());
@@ -313,7 +319,9 @@ impl Flow for CircleFlow {
         let stage = match *occasion {
             Occasion::Before => self.schedule.before_step(is_spherical),
             Occasion::Accepted { before, after } => {
-                self.schedule.after_step(before, after, exact, is_spherical)
+                let is_whole = self.was_whole;
+                self.schedule
+                    .after_step(before, after, exact, is_spherical, is_whole)
             }
             Occasion::Idle { dt, is_guarded } | Occasion::Stuck { dt, is_guarded } => {
                 let tau = dt / self.time_unit();

@@ -3,8 +3,9 @@
 //! The semi-implicit step is a good one near spheres, where its matrix is the Hessian. Away
 //! from them it is not, and in the end gains next to nothing with ever smaller steps: then
 //! L-BFGS goes on in rounds, each from a smoothed energy to the exact one, and hands back near
-//! a sphere. W has cones, at whose tips its gradient says nothing of rest: a surface is at rest
-//! where a whole round lowers W by next to nothing.
+//! a sphere. A sphere whose smoothed steps gain little tries the exact energy before that, which
+//! is kept for as long as it gains. W has cones, at whose tips its gradient says nothing of rest: a
+//! surface is at rest where a whole round lowers W by next to nothing.
 
 use crate::energy::circle::CircleEnergy;
 use crate::energy::circle::angle::Smoothing;
@@ -24,6 +25,14 @@ const PATIENCE: u32 = 5;
 /// With less exact energy per free vertex than this the surface is nearly spherical: as a
 /// rule no cone β = 0 is in the way, and smoothed angles would slow the last digits down.
 const NEARLY_SPHERICAL: f64 = 1e-3;
+/// A sphere below this energy per free vertex may do without smoothed angles too: the exact
+/// energy is tried where smoothed steps gain little, for what is left may be the smoothing …
+const PERHAPS_SPHERICAL: f64 = 1e-2;
+/// … which is so many steps in a row that gain less than this share of W. As many such steps of
+/// the exact energy that had to be shortened end the attempt; where they are whole, the step size
+/// is still growing.
+const LITTLE: f64 = 5e-2;
+const LITTLE_STEPS: u32 = 3;
 /// Where cones are in the way all the same, as on a latitude–longitude mesh, exact steps
 /// shrink without end: below this share of h² they are taken for that.
 const FROZEN: f64 = 1e-3;
@@ -53,6 +62,16 @@ pub(super) fn nearly_spherical(n_free: usize) -> f64 {
     NEARLY_SPHERICAL * n_free as f64
 }
 
+/// Whether the exact energy is tried before the surface is nearly spherical.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Attempt {
+    /// On no other surfaces than spheres, or not any more.
+    Never,
+    /// Not yet.
+    Later,
+    Now,
+}
+
 /// What a change of the schedule is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Stage {
@@ -79,6 +98,10 @@ pub(super) struct Schedule {
     exact: bool,
     /// Whether closeness to a sphere switches to the exact energy.
     trusts_spheres: bool,
+    attempt: Attempt,
+    /// Energy below which it may begin, and steps in a row that speak for it or against it.
+    attempt_below: f64,
+    little_steps: u32,
     /// The paper's scheme: always exact.
     always_exact: bool,
     /// Whether L-BFGS may take over, whether it has, and W at the start of its round.
@@ -95,12 +118,13 @@ pub(super) struct Schedule {
 }
 
 impl Schedule {
-    /// At the start of a run from `x`, with so many vertices that move.
+    /// At the start of a run from `x`, with so many vertices that move, of a sphere or not.
     pub(super) fn new(
         options: &FlowOptions,
         energy: &CircleEnergy,
         x: &[DVec3],
         n_free: usize,
+        is_sphere: bool,
     ) -> Self {
         let always_exact = options.scheme == Scheme::Paper || options.epsilon == 0.0;
         let relaxes = options.goal == Goal::Relax;
@@ -115,6 +139,9 @@ impl Schedule {
         } else {
             bearable(asked, energy, x)
         };
+        let can_finish = options.integrator == Integrator::SemiImplicit
+            && options.scheme == Scheme::Auto
+            && relaxes;
         Self {
             integrator: options.integrator,
             level,
@@ -123,10 +150,15 @@ impl Schedule {
             sharpens,
             exact: always_exact || sharpens && start_energy < nearly_spherical(n_free),
             trusts_spheres: true,
+            attempt: if is_sphere && can_finish && sharpens {
+                Attempt::Later
+            } else {
+                Attempt::Never
+            },
+            attempt_below: PERHAPS_SPHERICAL * n_free as f64,
+            little_steps: 0,
             always_exact,
-            can_finish: options.integrator == Integrator::SemiImplicit
-                && options.scheme == Scheme::Auto
-                && relaxes,
+            can_finish,
             is_finishing: options.integrator == Integrator::Lbfgs,
             round_energy: start_energy,
             is_at_rest: false,
@@ -171,9 +203,10 @@ impl Schedule {
             self.exact = true;
             return Stage::Other(Warning::NearSphere);
         }
+        let tries = is_spherical || self.attempt == Attempt::Now && !self.is_finishing;
         let exact = self.always_exact
             || self.level == 0.0
-            || (self.sharpens && self.trusts_spheres && is_spherical);
+            || (self.sharpens && self.trusts_spheres && tries);
         match (std::mem::replace(&mut self.exact, exact), exact) {
             (false, true) => Stage::Spherical,
             (true, false) => Stage::Other(Warning::AwayFromSphere),
@@ -188,11 +221,13 @@ impl Schedule {
         after: f64,
         energy: f64,
         is_spherical: bool,
+        is_whole: bool,
     ) -> Stage {
         self.steps += 1;
         let hardly_falls = self.least_energy - energy < SLOW * energy.abs();
         self.least_energy = self.least_energy.min(energy);
-        let is_weak = self.last_energy - energy < WEAK * energy.abs();
+        let gained = self.last_energy - energy;
+        let (is_weak, is_little) = (gained < WEAK * energy, gained < LITTLE * energy);
         self.last_energy = energy;
         self.weak_steps = if is_weak { self.weak_steps + 1 } else { 0 };
         let share = if self.is_finishing {
@@ -203,7 +238,11 @@ impl Schedule {
         // Near a sphere the smoothed energy goes on falling when W does not any more.
         let slow = before - after < share * before.abs() || is_spherical && hardly_falls;
         self.slow_steps = if slow { self.slow_steps + 1 } else { 0 };
+        if !is_spherical && self.ends_attempt(energy, is_little, is_whole) {
+            return Stage::Other(Warning::AwayFromSphere);
+        }
         if !self.is_finishing
+            && self.attempt != Attempt::Now
             && self.weak_steps >= WEAK_STEPS
             && self.steps >= FIRST_STEPS
             && self.finish(energy, is_spherical)
@@ -216,6 +255,36 @@ impl Schedule {
         Stage::Same
     }
 
+    /// Lets the attempt at the exact energy begin or end, after a step away from spheres; whether
+    /// it ends.
+    fn ends_attempt(&mut self, energy: f64, is_little: bool, is_whole: bool) -> bool {
+        if !is_little {
+            self.little_steps = 0;
+        } else if !(is_whole && self.attempt == Attempt::Now) {
+            self.little_steps += 1;
+        }
+        if self.little_steps < LITTLE_STEPS || self.is_finishing {
+            return false;
+        }
+        if self.attempt == Attempt::Later && energy < self.attempt_below {
+            self.attempt = Attempt::Now;
+            self.little_steps = 0;
+            return false;
+        }
+        self.give_up_attempt()
+    }
+
+    /// Ends the attempt at the exact energy, if there is one.
+    fn give_up_attempt(&mut self) -> bool {
+        if self.attempt != Attempt::Now {
+            return false;
+        }
+        self.attempt = Attempt::Never;
+        self.exact = false;
+        (self.slow_steps, self.weak_steps) = (0, 0);
+        true
+    }
+
     /// After steps of `tau` = dt/h² that gain nothing, or none: what is left to be tried.
     pub(super) fn at_end(
         &mut self,
@@ -224,6 +293,9 @@ impl Schedule {
         is_spherical: bool,
         is_guarded: bool,
     ) -> Stage {
+        if !is_spherical && self.give_up_attempt() {
+            return Stage::Other(Warning::AwayFromSphere);
+        }
         if self.retreats(tau) {
             return Stage::Other(Warning::ExactHalt);
         }
@@ -323,4 +395,74 @@ fn bearable(asked: f64, energy: &CircleEnergy, x: &[DVec3]) -> f64 {
         }
     }
     last
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::energy::circle::Boundary;
+    use crate::mesh::{build, shape};
+
+    const FREE: usize = 1000;
+
+    fn schedule(is_sphere: bool) -> Schedule {
+        let ball = shape::make("ellipsoid", &[]).expect("a shape");
+        let built = build(&ball.soup).expect("a surface");
+        let energy = CircleEnergy::new(&built.mesh, Boundary::Clamped);
+        let options = FlowOptions::default();
+        let mut schedule = Schedule::new(&options, &energy, &built.positions, FREE, is_sphere);
+        assert_eq!(schedule.before_step(false), Stage::Same);
+        assert!(!schedule.exact);
+        schedule
+    }
+
+    /// Steps to these energies, whole or not; the first stage that is not the same.
+    fn steps(schedule: &mut Schedule, energies: &[f64], is_whole: bool) -> Option<Stage> {
+        let mut stages = energies.iter().flat_map(|&energy| {
+            let after = schedule.after_step(10.0 * energy, 9.0 * energy, energy, false, is_whole);
+            [after, schedule.before_step(false)]
+        });
+        stages.find(|stage| *stage != Stage::Same)
+    }
+
+    #[test]
+    fn spheres_try_the_exact_energy_where_little_is_gained() {
+        let little = [8.0, 7.9, 7.8, 7.7];
+        for (is_sphere, share, is_due) in
+            [(true, 1.0, true), (true, 2.0, false), (false, 1.0, false)]
+        {
+            let mut schedule = schedule(is_sphere);
+            let stage = steps(&mut schedule, &little.map(|w| share * w), true);
+            assert_eq!(stage, is_due.then_some(Stage::Spherical));
+            assert_eq!(schedule.is_near_sphere(), is_due);
+        }
+        assert_eq!(
+            steps(&mut schedule(true), &[8.0, 7.0, 6.0, 5.0, 4.0], true),
+            None
+        );
+    }
+
+    #[test]
+    fn an_attempt_ends_where_shortened_steps_gain_little_and_is_the_only_one() {
+        let mut schedule = schedule(true);
+        steps(&mut schedule, &[8.0, 7.9, 7.8, 7.7], false);
+        assert!(schedule.exact);
+        assert_eq!(steps(&mut schedule, &[7.6, 7.5, 7.4, 7.3, 7.2], true), None);
+        assert_eq!(steps(&mut schedule, &[7.1, 7.0], false), None);
+        assert_eq!(steps(&mut schedule, &[6.0], false), None);
+        assert_eq!(steps(&mut schedule, &[5.9, 5.8], false), None);
+        let ended = Stage::Other(Warning::AwayFromSphere);
+        assert_eq!(steps(&mut schedule, &[5.7], false), Some(ended));
+        assert!(!schedule.exact);
+        assert_eq!(steps(&mut schedule, &[5.5, 5.4, 5.3, 5.2], false), None);
+    }
+
+    #[test]
+    fn an_attempt_that_is_stuck_is_given_up_before_spheres_are() {
+        let mut schedule = schedule(true);
+        steps(&mut schedule, &[8.0, 7.9, 7.8, 7.7], false);
+        let ended = Stage::Other(Warning::AwayFromSphere);
+        assert_eq!(schedule.at_end(1e-9, 7.7, false, false), ended);
+        assert!(!schedule.exact && schedule.trusts_spheres);
+    }
 }

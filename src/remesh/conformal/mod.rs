@@ -102,6 +102,7 @@ impl Regulariser {
                 slots.push([0, 1, 2].map(|c| pattern.slot(3 * high, 3 * low + c) as u32));
             }
         }
+        interrupt::check()?;
         let values = vec![0.0; pattern.nnz()];
         let couplings = couplings(&elements);
         let all = elements.corners().enumerate().flat_map(|(e, corners)| {
@@ -112,6 +113,7 @@ impl Regulariser {
             ends.zip(coupling)
         });
         let ring = Pattern::from_cliques(n, elements.corners());
+        interrupt::check()?;
         let preconditioner = Preconditioner::new(ring, all, x)?;
         Ok(Self {
             elements,
@@ -197,8 +199,10 @@ impl Regulariser {
         if mode != Mode::Nonlinear || farthest < NEARLY_LINEAR * scale {
             return Ok(linear);
         }
+        interrupt::check()?;
         let half_way: Vec<DVec3> = x.iter().zip(&linear).map(|(x, v)| *x + 0.5 * *v).collect();
         let central = self.normals(&half_way);
+        interrupt::check()?;
         self.solve(x, &central, epsilon, None)
     }
 

@@ -1,6 +1,7 @@
 //! The preconditioner of a regularising pass: one scalar matrix for what slides along the
 //! surface, whose factor is that of the connectivity, and the diagonal for what is held.
 
+use crate::interrupt;
 use crate::linalg::{Ldlt, LinalgError, Pattern, Symbolic};
 use glam::DVec3;
 use std::sync::Arc;
@@ -44,7 +45,9 @@ impl Preconditioner {
         for &slot in diagonal {
             values[slot as usize] += shift;
         }
+        interrupt::check()?;
         let symbolic = Symbolic::analyse(&pattern, Some(x))?;
+        interrupt::check()?;
         let mut factor = Ldlt::new(Arc::new(symbolic))?;
         factor.reserve_columns(3)?;
         factor.factor(&values)?;
