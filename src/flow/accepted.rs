@@ -86,7 +86,6 @@ impl Driver {
         interrupt::check()?;
         *x = y;
         self.flow.describe(x, &mut report);
-        self.run.least = self.run.least.min(value);
         self.warn(x, &mut report);
         let gain = Gain {
             before: before.value,

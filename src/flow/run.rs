@@ -24,8 +24,6 @@ pub(super) struct Run {
     /// The step the budget counts from, and the seconds used since.
     pub(super) first_step: usize,
     pub(super) seconds: f64,
-    /// Least value of the functional in this phase.
-    pub(super) least: f64,
     pub(super) window: Window,
     pub(super) given: WarningsGiven,
     /// Whether the next step is to end the run, as it gains nothing.

@@ -10,7 +10,6 @@ use std::rc::Rc;
 #[derive(Clone, Copy, Debug)]
 pub struct Memory {
     ladder: Ladder,
-    last_whole: Option<f64>,
 }
 
 /// What a step may change beside that.
@@ -27,12 +26,11 @@ impl CurvatureFlow {
     pub(super) fn own_memory(&self) -> Memory {
         Memory {
             ladder: self.ladder,
-            last_whole: self.last_whole,
         }
     }
 
-    pub(super) fn recall_own(&mut self, Memory { ladder, last_whole }: Memory) {
-        (self.ladder, self.last_whole) = (ladder, last_whole);
+    pub(super) fn recall_own(&mut self, Memory { ladder }: Memory) {
+        self.ladder = ladder;
         (self.reached, self.top) = (None, None);
         self.forget();
     }

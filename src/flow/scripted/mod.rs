@@ -196,7 +196,6 @@ impl Flow for Scripted {
             .filter(|b| b.0 == is_at_rest)
             .map(|b| Phase {
                 from: Some(x.iter().map(|p| b.1 * p.normalize()).collect()),
-                resets_functional: true,
                 ..Phase::default()
             }))
     }
