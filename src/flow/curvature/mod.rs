@@ -387,6 +387,9 @@ impl Flow for CurvatureFlow {
         occasion: &Occasion,
         cost: &mut Cost,
     ) -> Result<Option<Phase>, FlowError> {
+        if *occasion == Occasion::Before {
+            self.has_tried_whole = false;
+        }
         self.climb_or_descend(x, occasion, cost)
     }
 
