@@ -65,7 +65,7 @@ pub enum Learnt {
 }
 
 /// What a flow must remember beside the positions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum Memory {
     /// Of the circle-angle flow.
     Circle(circle::Memory),

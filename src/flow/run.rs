@@ -39,7 +39,7 @@ pub struct Mark {
 }
 
 /// What a step back restores along with the positions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Checkpoint {
     pub(super) run: Run,
     pub(super) memory: Memory,
