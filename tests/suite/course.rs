@@ -210,7 +210,7 @@ fn any_walk_is_done_again_by_its_recipe() {
             // That no further step is to be taken is known once one was asked for.
             let ended = session.state().expect("state").status.is_final();
             if ended && !again.state().expect("state").status.is_final() {
-                assert_eq!(again.step().expect("no failure"), None);
+                assert!(again.step().expect("no failure").is_none());
             }
             assert!(shown(&again) == shown(&session));
             assert_eq!(
