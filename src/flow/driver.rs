@@ -129,7 +129,13 @@ impl Driver {
             return Ok((None, Decision::GivenUp));
         }
         match outcome {
-            Ok(_) => *x = y,
+            Ok((Some(_), _)) => *x = y,
+            // Asked again, it ends the same.
+            Ok((None, _)) => {
+                let told = (self.refusal, std::mem::take(&mut self.flipped));
+                self.restore(before);
+                (self.refusal, self.flipped) = told;
+            }
             Err(_) => self.restore(before),
         }
         outcome
