@@ -14,7 +14,7 @@ pub(super) enum Engine {
 }
 
 /// What a step back restores along with the positions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Checkpoint {
     Flow(flow::Checkpoint),
     /// Number of edge flips made.

@@ -86,7 +86,6 @@ impl Driver {
         interrupt::check()?;
         *x = y;
         self.flow.describe(x, &mut report);
-        self.run.least = self.run.least.min(value);
         interrupt::pulse();
         self.warn(x, &mut report);
         interrupt::pulse();

@@ -79,7 +79,6 @@ impl Driver {
     /// and the budget stay, what was learnt of the old mesh does not.
     pub fn go_on_after_pass(&mut self, checkpoint: Checkpoint) {
         self.restore(checkpoint);
-        self.run.least = f64::INFINITY;
         self.run.window = Window::default();
         self.run.is_exhausted = false;
         self.run.step_size.restart();
@@ -91,7 +90,6 @@ impl Driver {
         self.run = Run {
             step,
             time,
-            least: f64::INFINITY,
             ..self.run
         };
     }

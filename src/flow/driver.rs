@@ -99,7 +99,6 @@ impl Driver {
             step: 0,
             first_step: 0,
             seconds: 0.0,
-            least: f64::INFINITY,
             window: Window::default(),
             given: WarningsGiven::default(),
             is_exhausted: false,
@@ -130,7 +129,13 @@ impl Driver {
             return Ok((None, Decision::GivenUp));
         }
         match outcome {
-            Ok(_) => *x = y,
+            Ok((Some(_), _)) => *x = y,
+            // Asked again, it ends the same.
+            Ok((None, _)) => {
+                let told = (self.refusal, std::mem::take(&mut self.flipped));
+                self.restore(before);
+                (self.refusal, self.flipped) = told;
+            }
             Err(_) => self.restore(before),
         }
         outcome
@@ -183,9 +188,8 @@ impl Driver {
             None => {
                 let ending = self.stuck(here, before, &mut cost)?;
                 let better = match &ending {
-                    Decision::Stop(status @ (Status::Stalled | Status::Converged), _) => {
-                        self.better(here, *status, &mut cost)?
-                    }
+                    Decision::Stop(Status::Collapsed, _) => None,
+                    Decision::Stop(status, _) => self.better(here, *status, &mut cost)?,
                     _ => None,
                 };
                 let Some(from) = better.and_then(|phase| self.begin(phase, &mut cost.warnings))
@@ -218,7 +222,6 @@ impl Driver {
                 step: self.run.step + 1,
             });
         }
-        self.run.least = self.run.least.min(found.value);
         Ok(found)
     }
 
@@ -235,9 +238,7 @@ impl Driver {
             let first = self.flow.step_size().dt;
             self.run.step_size.dt = self.run.step_size.dt.max(first);
         }
-        if phase.resets_functional {
-            self.run.least = f64::INFINITY;
-        }
+        self.run.is_exhausted |= phase.ends;
         self.run.window = Window::default();
         warnings.extend(phase.event);
         phase.from
@@ -266,7 +267,6 @@ impl Driver {
             rules,
             guard: Guard::new(rules, &self.mesh, x, angles),
             before,
-            least: self.run.least,
             rejected: 0,
             refusal: None,
             is_guarded: false,

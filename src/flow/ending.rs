@@ -5,8 +5,8 @@ use super::rules::Ceiling;
 use super::signs::{NARROW, SHARPENED, SLIVER, UNDER_RESOLVED, WORN};
 use super::termination::{self, Clock, Ending};
 use super::{
-    Advice, Cause, Cost, Decision, FlowError, Functional, Occasion, Phase, Reason, Refusal, Status,
-    StepReport, Warning,
+    Advice, Cause, Cost, Decision, FlowError, Functional, Monitored, Occasion, Phase, Reason,
+    Refusal, Status, StepReport, Warning,
 };
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
@@ -58,9 +58,10 @@ impl Driver {
         self.flow.next_phase(x, &occasion, cost)
     }
 
-    /// How a run has ended once something better was put in place: not at rest.
+    /// How a run has ended once something better was put in place: not at rest, and not where it
+    /// became singular.
     pub(super) fn replaced(&self, ending: Decision) -> Decision {
-        let Decision::Stop(Status::Converged, _) = ending else {
+        let Decision::Stop(Status::Converged | Status::Singular, _) = ending else {
             return ending;
         };
         let advice = self.flow.advice();
@@ -222,7 +223,10 @@ impl Driver {
 
     /// A neck or a tip thinner than the mesh can show, where that is why no step was accepted.
     fn singular(&self, x: &[DVec3]) -> Option<Decision> {
-        let is_geometric = self.run.is_exhausted || termination::is_geometric(self.refusal);
+        // No step however small should add area.
+        let is_geometric = self.run.is_exhausted
+            || termination::is_geometric(self.refusal)
+            || self.flow.monitored() == Monitored::Area;
         if !self.mesh.is_triangular() || !is_geometric {
             return None;
         }

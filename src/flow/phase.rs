@@ -48,8 +48,8 @@ pub struct Phase {
     pub resets_step_size: bool,
     /// Whether it is from now on at least the one that a run would begin with here.
     pub raises_step_size: bool,
-    /// Whether the functional is another, so that what it was before does not count.
-    pub resets_functional: bool,
+    /// Whether nothing more is to be gained, so that the next step ends the run.
+    pub ends: bool,
     /// Worth telling the user.
     pub event: Option<Warning>,
 }
@@ -65,7 +65,7 @@ pub enum Learnt {
 }
 
 /// What a flow must remember beside the positions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum Memory {
     /// Of the circle-angle flow.
     Circle(circle::Memory),

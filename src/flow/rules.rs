@@ -16,15 +16,10 @@ pub enum Folds {
 pub enum Ceiling {
     /// Not at all: each step descends.
     Descent,
-    /// Above the least so far by this share of it, and by this much: for functionals whose
-    /// discrete reading is not quite what the discrete flow descends. As the least counts and
-    /// not the last, rises cannot add up.
-    AboveLeast {
-        /// Share of the least value so far.
-        share: f64,
-        /// Whatever that is.
-        slack: f64,
-    },
+    /// Not above the last value, or above this, below which it cannot be told from zero: for
+    /// functionals whose discrete reading is not quite what the discrete flow descends, so that
+    /// no slope says by how much they should fall.
+    NoRise(f64),
     /// Up to this value.
     Below(f64),
     /// By anything.

@@ -24,8 +24,6 @@ pub(super) struct Run {
     /// The step the budget counts from, and the seconds used since.
     pub(super) first_step: usize,
     pub(super) seconds: f64,
-    /// Least value of the functional in this phase.
-    pub(super) least: f64,
     pub(super) window: Window,
     pub(super) given: WarningsGiven,
     /// Whether the next step is to end the run, as it gains nothing.
@@ -41,7 +39,7 @@ pub struct Mark {
 }
 
 /// What a step back restores along with the positions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Checkpoint {
     pub(super) run: Run,
     pub(super) memory: Memory,

@@ -34,8 +34,6 @@ pub(super) struct Trials<'a> {
     pub(super) guard: Guard,
     /// The functional at `x`.
     pub(super) before: Functional,
-    /// The functional's least value so far.
-    pub(super) least: f64,
     /// Trials refused, and why the last was.
     pub(super) rejected: usize,
     pub(super) refusal: Option<Refusal>,
@@ -209,7 +207,7 @@ impl Trials<'_> {
     fn descends(&self, step: &Move, value: f64, slope: f64) -> bool {
         match step.ceiling.unwrap_or(self.rules.ceiling) {
             Ceiling::Descent => sufficient_decrease(self.before.value, value, slope),
-            Ceiling::AboveLeast { share, slack } => value <= self.least * (1.0 + share) + slack,
+            Ceiling::NoRise(zero) => value <= self.before.value.max(zero),
             Ceiling::Below(most) => value <= most,
             Ceiling::None => true,
         }
@@ -219,7 +217,7 @@ impl Trials<'_> {
     pub(super) fn limit(&self, step: &Move) -> f64 {
         match step.ceiling.unwrap_or(self.rules.ceiling) {
             Ceiling::Descent => self.before.value,
-            Ceiling::AboveLeast { share, slack } => self.least * (1.0 + share) + slack,
+            Ceiling::NoRise(zero) => self.before.value.max(zero),
             Ceiling::Below(most) => most,
             Ceiling::None => f64::INFINITY,
         }

@@ -95,7 +95,7 @@ messages! {
             /// What helps.
             advice: Advice,
         },
-        /// The flow comes to rest with more energy than on the way.
+        /// The flow ends with more energy than it had on the way.
         WorseRest {
             /// What helps.
             advice: Advice,

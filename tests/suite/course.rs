@@ -206,7 +206,12 @@ fn any_walk_is_done_again_by_its_recipe() {
                     }
                 }
             }
-            let again = with_recipe_of(&session);
+            let mut again = with_recipe_of(&session);
+            // That no further step is to be taken is known once one was asked for.
+            let ended = session.state().expect("state").status.is_final();
+            if ended && !again.state().expect("state").status.is_final() {
+                assert!(again.step().expect("no failure").is_none());
+            }
             assert!(shown(&again) == shown(&session));
             assert_eq!(
                 again.options().expect("a mesh"),

@@ -66,6 +66,22 @@ fn an_ellipsoid_under_every_flow() {
     assert!(fitted.last().volume.expect("closed") >= 0.0);
 }
 
+/// Where surface diffusion leads to a worse end, or to none, the best surface on the way is put
+/// back, and the run ends.
+#[test]
+fn a_ladder_that_leads_nowhere_is_left() {
+    for name in ["coarse-torus", "pipe"] {
+        let s = surface(&sample(name, &[]));
+        let end = watch(&s, limited(FlowName::Mmcv, 300), name);
+        assert_eq!(end.status, Status::Stalled, "{name}: {:?}", end.reason);
+        assert!(end.reports.iter().any(|report| report.prepares), "{name}");
+        let own = end.reports.iter().filter(|report| !report.prepares);
+        let best = own.map(|r| r.objective).fold(f64::INFINITY, f64::min);
+        let last = end.last().objective;
+        assert!(last <= (1.0 + 1e-12) * best, "{name}: {last}, was {best}");
+    }
+}
+
 /// What has no curvature variation at all is at rest, however the roundoff of it compares.
 #[test]
 fn a_round_icosahedron_is_at_rest() {

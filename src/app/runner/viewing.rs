@@ -76,7 +76,7 @@ impl Runner {
     /// The checkpoint of the snapshot that is shown.
     pub(in crate::app) fn checkpoint(&self) -> Option<Checkpoint> {
         match &self.position {
-            Position::Viewing(viewed) => Some(viewed.checkpoint),
+            Position::Viewing(viewed) => Some(viewed.checkpoint.clone()),
             Position::Live => self.engine.as_ref().map(Engine::checkpoint),
         }
     }
@@ -142,7 +142,7 @@ impl Runner {
         let checkpoint = self.checkpoint();
         if !Rc::ptr_eq(&self.segment, &self.engine_segment) {
             // It started before; if memory is short now, the next step will say so.
-            if let (Some(checkpoint), Ok(mut flow)) = (checkpoint, self.started()) {
+            if let (Some(checkpoint), Ok(mut flow)) = (checkpoint.clone(), self.started()) {
                 flow.restore(checkpoint);
                 self.engine = Some(flow);
                 self.engine_segment = Rc::clone(&self.segment);
@@ -257,9 +257,10 @@ impl Runner {
     /// # Errors
     /// As [`Driver::start`](crate::flow::Driver::start), if memory is short; nothing has changed.
     pub(in crate::app) fn stand_here(&mut self) -> Result<(), Fault> {
-        let Position::Viewing(Viewed { checkpoint, .. }) = self.position else {
+        let Position::Viewing(Viewed { checkpoint, .. }) = &self.position else {
             return Ok(());
         };
+        let checkpoint = checkpoint.clone();
         let mut flow = self.started()?;
         flow.restore(checkpoint);
         self.engine = Some(flow);

@@ -194,7 +194,6 @@ impl CircleFlow {
         self.quasi_newton = lbfgs::QuasiNewton::default();
         Phase {
             resets_step_size: true,
-            resets_functional: true,
             event,
             ..Phase::default()
         }

@@ -26,6 +26,9 @@ pub(super) struct Ladder {
     has_climbed: bool,
     /// Whether the start was looked at.
     has_looked: bool,
+    /// Steps of the flow itself that are left, after the ladder, to come below what was reached
+    /// without it.
+    on_trial: usize,
 }
 
 impl Ladder {
@@ -36,6 +39,7 @@ impl Ladder {
             rungs: rungs.filter(|_| is_own).unwrap_or(0),
             has_climbed: !is_own || rungs.is_some(),
             has_looked: false,
+            on_trial: 0,
         }
     }
 
@@ -73,13 +77,22 @@ impl CurvatureFlow {
                 }
                 Ok(Some(self.top_reached(x)))
             }
+            Occasion::Accepted { .. } if self.ladder.on_trial > 0 => {
+                self.ladder.on_trial -= 1;
+                let is_over = self.ladder.on_trial == 0;
+                let is_worse = is_over && self.better_than(x, false).is_some();
+                Ok(is_worse.then_some(Phase {
+                    ends: true,
+                    ..Phase::default()
+                }))
+            }
             // No rung leads on.
             Occasion::Stuck { .. } if self.ladder.is_climbing() => {
                 self.ladder.rungs = 0;
                 Ok(Some(self.top_reached(x)))
             }
             Occasion::Idle { .. } | Occasion::Stuck { .. } if may_climb => {
-                let size = self.whole_size(x, cost)?;
+                let size = self.rest_size(x, cost)?;
                 if size <= NEARLY_AT_REST {
                     return Ok(None);
                 }
@@ -94,7 +107,6 @@ impl CurvatureFlow {
                     self.forget();
                     Phase {
                         from: Some(from),
-                        resets_functional: true,
                         event: Some(Warning::BetterBefore),
                         ..Phase::default()
                     }
@@ -107,11 +119,10 @@ impl CurvatureFlow {
     /// The flow's own law goes on from here.
     fn top_reached(&mut self, x: &[DVec3]) -> Phase {
         self.top = Some(Rc::new(x.to_vec()));
+        self.ladder.on_trial = if self.reached.is_some() { RUNGS } else { 0 };
         self.known = None;
-        self.last_whole = None;
         Phase {
             resets_step_size: true,
-            resets_functional: true,
             ..Phase::default()
         }
     }
@@ -120,14 +131,12 @@ impl CurvatureFlow {
         self.ladder.rungs = RUNGS;
         self.ladder.has_climbed = true;
         self.known = None;
-        self.last_whole = None;
         if from.is_some() {
             self.forget();
         }
         Phase {
             from,
             resets_step_size: true,
-            resets_functional: true,
             event: Some(event),
             ..Phase::default()
         }

@@ -7,10 +7,11 @@ use glam::DVec3;
 use std::rc::Rc;
 
 /// What the flow must remember beside the positions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Memory {
     ladder: Ladder,
-    last_whole: Option<f64>,
+    reached: Option<Rc<Vec<DVec3>>>,
+    top: Option<Rc<Vec<DVec3>>>,
 }
 
 /// What a step may change beside that.
@@ -18,8 +19,6 @@ pub struct Learnt {
     memory: Memory,
     size: f64,
     known: Option<(f64, Rc<Move>)>,
-    reached: Option<Rc<Vec<DVec3>>>,
-    top: Option<Rc<Vec<DVec3>>>,
     is_iterative: bool,
 }
 
@@ -27,13 +26,14 @@ impl CurvatureFlow {
     pub(super) fn own_memory(&self) -> Memory {
         Memory {
             ladder: self.ladder,
-            last_whole: self.last_whole,
+            reached: self.reached.clone(),
+            top: self.top.clone(),
         }
     }
 
-    pub(super) fn recall_own(&mut self, Memory { ladder, last_whole }: Memory) {
-        (self.ladder, self.last_whole) = (ladder, last_whole);
-        (self.reached, self.top) = (None, None);
+    pub(super) fn recall_own(&mut self, memory: Memory) {
+        self.ladder = memory.ladder;
+        (self.reached, self.top) = (memory.reached, memory.top);
         self.forget();
     }
 
@@ -42,8 +42,6 @@ impl CurvatureFlow {
             memory: self.own_memory(),
             size: self.size,
             known: self.known.clone(),
-            reached: self.reached.clone(),
-            top: self.top.clone(),
             is_iterative: self.is_iterative,
         }
     }
@@ -51,7 +49,6 @@ impl CurvatureFlow {
     pub(super) fn relearn_own(&mut self, learnt: Learnt) {
         self.recall_own(learnt.memory);
         (self.size, self.known) = (learnt.size, learnt.known);
-        (self.reached, self.top) = (learnt.reached, learnt.top);
         self.is_iterative = learnt.is_iterative;
     }
 }

@@ -73,15 +73,15 @@ const TURN: f64 = 0.5;
 const PREFILL_PASSES: usize = 3;
 /// Refusals in a row, each to a quarter, that end a run.
 const MAX_REFUSALS: i32 = 24;
-/// A reading may lie above the least so far by this share of it; and, for what comes to zero,
-/// by this share of the first, or by this much without a unit.
-const TOLERANCE: f64 = 1e-3;
-const SLACK: f64 = 1e-9;
-const LEAST_SLACK: f64 = 1e-7;
-/// Whole steps each of which is to move the surface by at most this share of the one before
-/// are converging to a rest, and may lead above the least reading by so much more.
+/// Fitted curvatures are not quite those that the reading falls along, and the last steps to a rest
+/// may raise it. None is taken that does: the surface counts as at rest where so many whole steps
+/// more, each at most this share of the one before, would come to one, with a reading no further
+/// from this one than by that share of it.
 const CONTRACTING: f64 = 0.7;
-const TOLERANCE_AT_REST: f64 = 1e-2;
+const MAX_SETTLING: usize = 30;
+const SETTLED: f64 = 1e-2;
+/// A reading that has come to this share of the first cannot be told from zero by fits.
+const NOTHING: f64 = 1e-9;
 /// On the ladder the flow's own energy may rise, but not above so many times that at the start:
 /// a tube may pinch off there.
 const LADDER: f64 = 10.0;
@@ -110,8 +110,8 @@ pub struct CurvatureFlow {
     /// of the flows that go by curvatures alone.
     smooth_minimum: Option<f64>,
     ladder: Ladder,
-    /// Largest |φ| of the whole step that led here, in mean edges.
-    last_whole: Option<f64>,
+    /// Whether the last proposal from here was a whole step.
+    has_tried_whole: bool,
     /// At the present positions, once they are needed; and at a trial.
     curvatures: Option<Curvatures>,
     trial: Option<Curvatures>,
@@ -159,12 +159,12 @@ impl CurvatureFlow {
         let mut flow = Self {
             system: CurvatureSystem::new(law, &region),
             start: x.to_vec(),
+            has_tried_whole: false,
             first_energy: law.energy(&at, measure::area(mesh, x)),
             smooth_minimum: lower_bounds(mesh)
                 .filter(|_| is_bounded)
                 .map(|bounds| bounds.willmore),
             ladder: Ladder::new(law, options.rungs),
-            last_whole: None,
             mesh: Rc::clone(mesh),
             options: options.clone(),
             law,
@@ -202,31 +202,13 @@ impl CurvatureFlow {
         }
     }
 
-    /// What a step may leave, above the least reading so far by this share of it. The area of
-    /// a closed surface is exact, and none is added; that of a patch comes to its rest from above
-    /// only as far as fitted curvatures are those of the mesh.
-    fn ceiling(&self, share: f64) -> Ceiling {
-        Ceiling::AboveLeast {
-            share: if self.watches_area() { 0.0 } else { share },
-            slack: self.slack(),
+    /// Below this the functional cannot be told from zero. No area comes to zero but by vanishing,
+    /// which ends the run.
+    fn nothing(&self) -> f64 {
+        match self.watched() {
+            Law::MeanCurvature | Law::SurfaceDiffusion => 0.0,
+            Law::Willmore | Law::CurvatureVariation => NOTHING * self.first_energy,
         }
-    }
-
-    /// Whether the functional is the area of a closed surface.
-    fn watches_area(&self) -> bool {
-        let is_area = matches!(self.watched(), Law::MeanCurvature | Law::SurfaceDiffusion);
-        is_area && self.is_whole()
-    }
-
-    /// A difference of the functional that is none.
-    fn slack(&self) -> f64 {
-        // No area comes to zero but by vanishing, which ends the run.
-        let least = if self.watches_area() {
-            0.0
-        } else {
-            LEAST_SLACK
-        };
-        SLACK * self.first_energy + least / self.law.normalised(1.0, self.region.length)
     }
 
     /// Whether the present law lowers its functional.
@@ -273,6 +255,7 @@ impl CurvatureFlow {
     }
 
     fn forget(&mut self) {
+        self.has_tried_whole = false;
         self.curvatures = None;
         self.known = None;
     }
@@ -308,7 +291,7 @@ impl Flow for CurvatureFlow {
         }
         Rules {
             ceiling: if self.descends() {
-                self.ceiling(TOLERANCE)
+                Ceiling::NoRise(self.nothing())
             } else {
                 Ceiling::None
             },
@@ -361,6 +344,12 @@ impl Flow for CurvatureFlow {
     }
 
     fn propose(&mut self, x: &[DVec3], dt: f64, cost: &mut Cost) -> Result<Proposal, FlowError> {
+        // A whole step was refused: it may be that none is needed.
+        let may_rest = self.has_tried_whole && !self.is_paper() && !self.ladder.is_climbing();
+        if may_rest && self.rest_size(x, cost)? <= NEARLY_AT_REST {
+            return Ok(Proposal::Nothing);
+        }
+        self.has_tried_whole = dt >= self.full_dt();
         let step = match self.known.take() {
             Some((known, step)) if known == dt => Rc::unwrap_or_clone(step),
             _ => self.solve(x, dt, cost)?,
@@ -387,9 +376,7 @@ impl Flow for CurvatureFlow {
         self.trial_willmore
     }
 
-    fn accept(&mut self, step: &Move, _share: f64) {
-        let is_whole = step.dt >= self.full_dt();
-        self.last_whole = step.update.filter(|_| is_whole);
+    fn accept(&mut self, _step: &Move, _share: f64) {
         self.forget();
         self.curvatures = self.trial.take();
     }
@@ -400,12 +387,15 @@ impl Flow for CurvatureFlow {
         occasion: &Occasion,
         cost: &mut Cost,
     ) -> Result<Option<Phase>, FlowError> {
+        if *occasion == Occasion::Before {
+            self.has_tried_whole = false;
+        }
         self.climb_or_descend(x, occasion, cost)
     }
 
     /// By how much a whole step would move the surface, over what it may.
     fn stationarity(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<f64, FlowError> {
-        match self.whole_size(x, cost) {
+        match self.rest_size(x, cost) {
             Ok(size) => Ok(size / NEARLY_AT_REST),
             // Where a whole step cannot be solved for, the surface is not at rest.
             Err(_) => Ok(f64::INFINITY),

@@ -2,7 +2,9 @@
 
 use super::curvatures::Curvatures;
 use super::gauge;
-use super::{AT_REST, CAP, CONTRACTING, CurvatureFlow, SHORT, TOLERANCE, TOLERANCE_AT_REST};
+use super::{
+    AT_REST, CAP, CONTRACTING, CurvatureFlow, MAX_SETTLING, NEARLY_AT_REST, SETTLED, SHORT,
+};
 use crate::flow::{Cost, FlowError, Move, Search};
 use crate::geometry::measure;
 use glam::DVec3;
@@ -59,10 +61,6 @@ impl CurvatureFlow {
         step.update = Some(self.size);
         step.grows = self.size < SHORT;
         let is_whole = dt >= self.full_dt();
-        let is_contracting = |last: f64| self.size <= CONTRACTING * last;
-        if is_whole && self.descends() && self.last_whole.is_some_and(is_contracting) {
-            step.ceiling = Some(self.ceiling(TOLERANCE_AT_REST));
-        }
         step.rests = is_whole && self.size < AT_REST && !self.ladder.is_climbing();
         Ok(step)
     }
@@ -74,6 +72,56 @@ impl CurvatureFlow {
         let step = self.solve(x, dt, cost)?;
         self.known = Some((dt, Rc::new(step)));
         Ok(self.size)
+    }
+
+    /// The same of a surface that is not at rest: or else how far from its rest the whole steps
+    /// are of which none was taken, where they come to one.
+    pub(super) fn rest_size(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<f64, FlowError> {
+        let size = self.whole_size(x, cost)?;
+        if size <= NEARLY_AT_REST || !self.descends() {
+            return Ok(size);
+        }
+        if self.energy_of(x) <= self.nothing() {
+            return Ok(0.0);
+        }
+        if size > SHORT {
+            return Ok(size);
+        }
+        let known = self.known.take();
+        let rest = self.settle(x, size, cost);
+        self.forget();
+        (self.known, self.size) = (known, size);
+        Ok(rest?.unwrap_or(size))
+    }
+
+    /// The size of the last of whole steps from `x` that come to a rest; of none otherwise.
+    fn settle(
+        &mut self,
+        x: &[DVec3],
+        mut last: f64,
+        cost: &mut Cost,
+    ) -> Result<Option<f64>, FlowError> {
+        let within = SETTLED * self.energy_of(x);
+        let most = self.energy_of(x) + within;
+        let mut y = x.to_vec();
+        for k in 0..MAX_SETTLING {
+            self.forget();
+            let step = self.solve(&y, self.full_dt(), cost)?;
+            if k > 0 && self.size > CONTRACTING * last {
+                return Ok(None);
+            }
+            last = self.size;
+            for (y, d) in y.iter_mut().zip(&step.d) {
+                *y += *d;
+            }
+            if self.energy_of(&y) > most {
+                return Ok(None);
+            }
+            if last <= NEARLY_AT_REST {
+                return Ok(Some(last));
+            }
+        }
+        Ok(None)
     }
 
     /// Root mean square of V over the free vertices, times L^(k−1): without a unit.
@@ -103,14 +151,10 @@ impl CurvatureFlow {
             self.reached.as_deref(),
             self.top.as_deref(),
         ];
-        let tolerance = if is_at_rest {
-            TOLERANCE_AT_REST
-        } else {
-            TOLERANCE
-        };
+        let tolerance = if is_at_rest { SETTLED } else { 0.0 };
         let energies = known.into_iter().flatten().map(|y| (self.energy_of(y), y));
         let best = energies.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let least = (1.0 - tolerance) * self.energy_of(x) - self.slack();
+        let least = (1.0 - tolerance) * self.energy_of(x);
         (best.0 < least).then(|| best.1.clone())
     }
 }

@@ -356,10 +356,7 @@ impl Flow for PWillmoreFlow {
             return Ok(Some(phase));
         }
         let arrives = matches!(occasion, Occasion::Accepted { .. }) && self.kept.has_arrived();
-        Ok(arrives.then(|| Phase {
-            resets_functional: true,
-            ..Phase::default()
-        }))
+        Ok(arrives.then(|| Phase { ..Phase::default() }))
     }
 
     /// The share of the energy that a step of τ = 0.1 would gain, over what it may.

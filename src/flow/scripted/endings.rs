@@ -2,7 +2,7 @@
 
 use super::{Script, idle};
 use crate::flow::rules::{Ceiling, Rules};
-use crate::flow::{Cause, Reason, Refusal, Search, Status};
+use crate::flow::{Cause, Monitored, Reason, Refusal, Search, Status};
 use std::rc::Rc;
 
 #[test]
@@ -94,11 +94,13 @@ fn a_surface_that_may_vanish_is_singular_once_it_has() {
 }
 
 /// A tip that has grown on a surface that may vanish, and from which no step bends further, is
-/// singular; not so where the functional alone is in the way, or the tip was there before.
+/// singular; not so where the functional alone is in the way, unless that is the area, or where the
+/// tip was there before.
 #[test]
 fn a_new_tip_from_which_no_step_leads_is_singular() {
-    let grown = |cause: Cause, spike: f64| {
+    let grown = |cause: Cause, spike: f64, monitored: Monitored| {
         let script = Script {
+            monitored,
             rules: Rules {
                 can_vanish: true,
                 ..idle().rules
@@ -112,14 +114,17 @@ fn a_new_tip_from_which_no_step_leads_is_singular() {
         };
         script.run(200).1.expect("an ending")
     };
-    let (status, why) = grown(Cause::Turn, 10.0);
+    let (status, why) = grown(Cause::Turn, 10.0, Monitored::Willmore);
     assert_eq!(status, Status::Singular, "{why}");
     assert!(
         matches!(why, Reason::PinchedNeck { vertex: 0, .. }),
         "{why}"
     );
-    assert_eq!(grown(Cause::Rise, 10.0).0, Status::Stalled);
-    assert_eq!(grown(Cause::Turn, 1.0).0, Status::Stalled);
+    let status = |cause, spike, monitored| grown(cause, spike, monitored).0;
+    let willmore = Monitored::Willmore;
+    assert_eq!(status(Cause::Rise, 10.0, willmore), Status::Stalled);
+    assert_eq!(status(Cause::Rise, 10.0, Monitored::Area), Status::Singular);
+    assert_eq!(status(Cause::Turn, 1.0, willmore), Status::Stalled);
 }
 
 #[test]

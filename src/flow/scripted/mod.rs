@@ -23,6 +23,7 @@ type Function = Rc<dyn Fn(f64) -> f64>;
 /// A flow of spheres about the origin: a function of the radius, moved by a speed.
 #[derive(Clone)]
 struct Script {
+    monitored: Monitored,
     value: Function,
     /// dr/dt at a radius.
     speed: Function,
@@ -54,6 +55,7 @@ struct Script {
 impl Script {
     fn new(value: impl Fn(f64) -> f64 + 'static, speed: impl Fn(f64) -> f64 + 'static) -> Self {
         Self {
+            monitored: Monitored::Willmore,
             value: Rc::new(value),
             speed: Rc::new(speed),
             refusal: Rc::new(|_| None),
@@ -135,7 +137,7 @@ impl Scripted {
 
 impl Flow for Scripted {
     fn monitored(&self) -> Monitored {
-        Monitored::Area
+        self.script.monitored
     }
     fn rules(&self) -> Rules {
         self.script.rules
@@ -196,7 +198,6 @@ impl Flow for Scripted {
             .filter(|b| b.0 == is_at_rest)
             .map(|b| Phase {
                 from: Some(x.iter().map(|p| b.1 * p.normalize()).collect()),
-                resets_functional: true,
                 ..Phase::default()
             }))
     }

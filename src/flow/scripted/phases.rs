@@ -49,16 +49,13 @@ fn a_better_surface_takes_the_place_of_a_rest_with_a_tip_too() {
 }
 
 /// The functional of a phase is compared with itself, its window is its own, and its step size
-/// begins anew where that is asked for.
+/// begins anew where that is asked for; and where it is the end, no step follows.
 #[test]
 fn a_phase_begins_with_its_own_functional_window_and_step_size() {
     let begins = |phase: Phase| {
         let script = Script {
             rules: Rules {
-                ceiling: Ceiling::AboveLeast {
-                    share: 0.0,
-                    slack: 0.0,
-                },
+                ceiling: Ceiling::NoRise(0.0),
                 ..idle().rules
             },
             stationarity: 1.0,
@@ -70,7 +67,6 @@ fn a_phase_begins_with_its_own_functional_window_and_step_size() {
         script.run(100)
     };
     let (reports, ending, _) = begins(Phase {
-        resets_functional: true,
         resets_step_size: true,
         ..Phase::default()
     });
@@ -78,13 +74,15 @@ fn a_phase_begins_with_its_own_functional_window_and_step_size() {
     assert_eq!((reports[9].dt, reports[10].dt), (512.0, 1.0));
     assert_eq!((reports[9].objective, reports[10].objective), (1.0, 2.0));
     let (reports, ..) = begins(Phase {
-        resets_functional: true,
         raises_step_size: true,
         ..Phase::default()
     });
     assert_eq!((reports.len(), reports[10].dt), (20, 1024.0));
-    // Compared with what was before, it could only rise.
-    assert_eq!(begins(Phase::default()).0.len(), 10);
+    let ends = Phase {
+        ends: true,
+        ..Phase::default()
+    };
+    assert_eq!(begins(ends).0.len(), 10);
 }
 
 #[test]
@@ -92,7 +90,6 @@ fn a_step_size_that_has_shrunk_is_raised_where_a_phase_asks_for_it() {
     let script = Script {
         phase: Some(Phase {
             raises_step_size: true,
-            resets_functional: true,
             ..Phase::default()
         }),
         stationarity: 1.0,

@@ -51,16 +51,8 @@ fn ceilings_hold_for_trials() {
     };
     assert!((rising(Ceiling::None) - 2.0).abs() < 1e-9);
     assert!((rising(Ceiling::Below(1.02)) - 1.0625).abs() < 1e-9);
-    let share = Ceiling::AboveLeast {
-        share: 0.01,
-        slack: 0.0,
-    };
-    assert!((rising(share) - 1.0625).abs() < 1e-9);
-    let slack = Ceiling::AboveLeast {
-        share: 0.01,
-        slack: 0.02,
-    };
-    assert!((rising(slack) - 1.25).abs() < 1e-9);
+    assert!((rising(Ceiling::NoRise(0.0)) - 1.0).abs() < 1e-9);
+    assert!((rising(Ceiling::NoRise(1.02)) - 1.0625).abs() < 1e-9);
     assert!((rising(Ceiling::Descent) - 1.0).abs() < 1e-9);
 }
 

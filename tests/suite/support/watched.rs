@@ -4,21 +4,7 @@ use super::{Surface, surface};
 use glam::DVec3;
 use std::rc::Rc;
 use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::flow::{Decision, Driver, Monitored, Reason, Status, StepReport};
-
-/// By how much a reading of fitted curvatures may lie above the least so far: it is not quite
-/// what the discrete flow lowers, and a hundredth is for steps that contract to a rest.
-pub const FITTED: f64 = 1.1e-2;
-
-fn tolerance(monitored: Monitored, flow: FlowName, is_closed: bool) -> f64 {
-    match (monitored, flow) {
-        (Monitored::SmoothedCircle | Monitored::PWillmore | Monitored::Helfrich, _)
-        | (_, FlowName::PWillmore) => 0.0,
-        // Exact, but on a patch the flow's rest is that of fitted curvatures.
-        (Monitored::Area, _) if is_closed => 0.0,
-        _ => FITTED,
-    }
-}
+use umbilic::flow::{Decision, Driver, Reason, Status, StepReport};
 
 pub struct Run {
     pub x: Vec<DVec3>,
@@ -46,7 +32,6 @@ pub fn watch(s: &Surface, options: FlowOptions, what: &str) -> Run {
     };
     let mut driver = Driver::start(&triangles, &s.mesh, &mut x, options).expect("a flow");
     let mut reports: Vec<StepReport> = Vec::new();
-    let mut least = f64::INFINITY;
     // Of a patch under surface diffusion the area need not fall: volume goes through its rim.
     let is_exchanged = flow == FlowName::SurfaceDiffusion && !s.mesh.is_closed();
     loop {
@@ -68,46 +53,27 @@ pub fn watch(s: &Surface, options: FlowOptions, what: &str) -> Run {
             assert!(report.objective.is_finite() && report.energy.is_finite());
             // What is monitored may rise between steps only where a phase begins, which is told
             // with the step before or after, or where steps prepare a rough start.
-            let first = reports
-                .first()
-                .map_or(report.objective_before, |first| first.objective_before);
-            let slack = 1e-12 + 2e-9 * first.abs();
             if let Some(last) = reports.last() {
                 let is_told = !report.warnings.is_empty() || !last.warnings.is_empty();
                 let begins = is_told || last.prepares || report.monitored != last.monitored;
                 let has_risen =
-                    report.objective_before > last.objective + 1e-9 * last.objective.abs() + slack;
+                    report.objective_before > last.objective + 1e-9 * last.objective.abs() + 1e-12;
                 assert!(
                     begins || !has_risen,
                     "{what} {flow:?}, before step {}: {last:?}",
                     report.step
                 );
-                if has_risen || last.prepares {
-                    least = report.objective_before;
-                }
             }
-            least = least.min(report.objective_before);
-            let tolerance = tolerance(report.monitored, flow, s.mesh.is_closed());
             let is_exempt = report.prepares || is_exchanged;
+            // A billionth of the first reading cannot be told from zero by fits.
+            let first = reports.first().unwrap_or(&report).objective_before;
+            let is_nothing = report.objective <= 1e-9 * first;
             assert!(
-                is_exempt || report.objective <= (1.0 + tolerance) * least.abs() + slack,
-                "{what} {flow:?}, step {}: {} above {least}, {:?}",
-                report.step,
-                report.objective,
-                reports.last()
-            );
-            // Between an area and the one before there is rounding.
-            let by_fits = report.monitored == Monitored::Area && flow != FlowName::PWillmore;
-            let allowed = if by_fits { slack } else { 0.0 };
-            assert!(
-                tolerance == FITTED
-                    || by_fits && is_exempt
-                    || report.objective <= report.objective_before + allowed,
+                is_exempt || is_nothing || report.objective <= report.objective_before,
                 "{what} {flow:?}, step {}: a rise by {}",
                 report.step,
                 report.objective - report.objective_before
             );
-            least = least.min(report.objective);
             reports.push(report);
         }
         if let Decision::Stop(status, reason) = verdict {

@@ -125,7 +125,7 @@ reason-flat-face = { $count ->
    *[other] { $count } Facetten, zuerst Facette { FACE($face) }, haben
 } keinen Flächeninhalt, und von dort führt kein Schritt weiter; eine Reparatur nimmt solche Facetten heraus
 reason-creeping = nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; { $advice }
-reason-worse-rest = der Fluss kommt mit mehr Energie zur Ruhe, als er unterwegs hatte; { $advice }
+reason-worse-rest = der Fluss endet mit mehr Energie, als er unterwegs hatte; { $advice }
 reason-below-bound = jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft
 reason-unresolved = die Krümmungen dieser Dreiecke haben zusammen weniger Energie als jede glatte Fläche dieser Topologie, sodass sich kein Schritt an ihnen messen lässt; die Fläche ist, wie sie war, und ein Netz aus gleichmäßigen Dreiecken hilft oder der p-Willmore-Fluss
 reason-vanishes = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf einen Punkt bei ({ $place }); das Volumen beizubehalten verhindert das

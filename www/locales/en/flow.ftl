@@ -128,7 +128,7 @@ reason-flat-face = { $count ->
    *[other] { $count } faces, the first of them face { FACE($face) }, have
 } no area, and no step leads on from there; a repair takes such faces out
 reason-creeping = only ever smaller steps lower the energy, which is not at rest; { $advice }
-reason-worse-rest = the flow comes to rest with more energy than on the way; { $advice }
+reason-worse-rest = the flow ends with more energy than on the way; { $advice }
 reason-below-bound = any further step would have less energy than every smooth surface of this topology, so something closes between the vertices; the surface is the last good one, and a finer or better mesh helps
 reason-unresolved = the curvatures of these triangles add up to less than every smooth surface of this topology has, so that no step can be judged by them; the surface is as it was, and a mesh of even triangles helps, or the p-Willmore flow
 reason-vanishes = at about time { NUMBER($time, digits: 2) } ({ $clock }) the surface shrinks to a point near ({ $place }); keeping the volume prevents that
