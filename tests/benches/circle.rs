@@ -90,7 +90,7 @@ fn parts(criterion: &mut Criterion) {
         let checkpoint = flow.checkpoint();
         time("step", &mut || {
             let mut y = x.clone();
-            flow.restore(checkpoint);
+            flow.restore(checkpoint.clone());
             flow.step(&mut y).unwrap();
         });
     }
