@@ -44,13 +44,13 @@ fn equation() -> String {
         .iter()
         .map(|(name, tex)| ((*name).to_owned(), json!(tex)))
         .collect();
-    let object = |kind: &str, name: &str, value: serde_json::Map<String, Json>| {
+    let object = |key: &str, kind: &str, name: &str, value: serde_json::Map<String, Json>| {
         let lines: Vec<String> = value
             .iter()
             .map(|(key, value)| format!("  {:?}: {value},", key))
             .collect();
         format!(
-            "/** @type {{Readonly<Record<string, {kind}>>}} */\nexport const {name} = {{\n{}\n}};\n",
+            "/** @type {{Readonly<Record<{key}, {kind}>>}} */\nexport const {name} = {{\n{}\n}};\n",
             lines.join("\n")
         )
     };
@@ -58,9 +58,10 @@ fn equation() -> String {
         .iter()
         .map(|one| serde_json::to_value(one).expect("JSON"))
         .collect();
-    let head = "// @ts-check
-// The functional, the step and the symbols of each flow. Written from src/flow/equation.rs by
+    let head = "// The functional, the step and the symbols of each flow. Written from src/flow/equation.rs by
 // `UPDATE_SCHEMA=1 cargo test --test schema`.
+
+/** @import { Monitored } from './types.js' */
 
 /**
  * A symbol, and where it matters: where all that is said of it holds.
@@ -69,8 +70,9 @@ fn equation() -> String {
 ";
     [
         head.to_owned(),
-        object("readonly string[]", "functionals", functionals),
-        object("string", "steps", steps),
+        // All that can be monitored, or the type check fails.
+        object("Monitored", "readonly string[]", "functionals", functionals),
+        object("string", "string", "steps", steps),
         list("readonly Symbol[]", "symbols", &symbols),
     ]
     .join("\n")
@@ -110,7 +112,7 @@ fn schema() -> String {
  * @property {number} timePower      dt has the unit length^k with this k …
  * @property {boolean} timePowerAddsP  … and p more
  * @property {string} tau
- * @property {readonly string[]} monitored
+ * @property {readonly import('./types.js').Monitored[]} monitored
  * @property {string} formula
  * @property {{ open: boolean, quads: boolean, oneSided: boolean }} meshes
  * @property {'clamped' | 'fixed' | 'free' | null} boundary  unless told otherwise

@@ -1,13 +1,14 @@
-// @ts-check
 // The functional, the step and the symbols of each flow. Written from src/flow/equation.rs by
 // `UPDATE_SCHEMA=1 cargo test --test schema`.
+
+/** @import { Monitored } from './types.js' */
 
 /**
  * A symbol, and where it matters: where all that is said of it holds.
  * @typedef {{ tex: string, id: string, families: readonly string[], reads: string | null, keeps: string | null, inFormula: boolean, isSet: boolean }} Symbol
  */
 
-/** @type {Readonly<Record<string, readonly string[]>>} */
+/** @type {Readonly<Record<Monitored, readonly string[]>>} */
 export const functionals = {
   "area": ["A = \\int dA"],
   "curvatureVariation": ["F = \\int \\|\\nabla H\\|^2 \\, dA"],

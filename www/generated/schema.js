@@ -30,7 +30,7 @@
  * @property {number} timePower      dt has the unit length^k with this k …
  * @property {boolean} timePowerAddsP  … and p more
  * @property {string} tau
- * @property {readonly string[]} monitored
+ * @property {readonly import('./types.js').Monitored[]} monitored
  * @property {string} formula
  * @property {{ open: boolean, quads: boolean, oneSided: boolean }} meshes
  * @property {'clamped' | 'fixed' | 'free' | null} boundary  unless told otherwise

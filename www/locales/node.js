@@ -1,4 +1,3 @@
-// @ts-check
 // The words of each language, read from the files beside this one: the command line and tests.
 
 import { readdirSync, readFileSync } from "node:fs";

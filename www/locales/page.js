@@ -1,4 +1,3 @@
-// @ts-check
 // The words of each language in the page. English comes along as far as it is read before there
 // is a solver; all others are fetched.
 
