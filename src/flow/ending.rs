@@ -5,8 +5,8 @@ use super::rules::Ceiling;
 use super::signs::{NARROW, SHARPENED, SLIVER, UNDER_RESOLVED, WORN};
 use super::termination::{self, Clock, Ending};
 use super::{
-    Advice, Cause, Cost, Decision, FlowError, Functional, Monitored, Occasion, Phase, Reason,
-    Refusal, Status, StepReport, Warning,
+    Advice, Cause, Cost, Decision, FlowError, Functional, Occasion, Phase, Reason, Refusal, Status,
+    StepReport, Warning,
 };
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
@@ -223,10 +223,11 @@ impl Driver {
 
     /// A neck or a tip thinner than the mesh can show, where that is why no step was accepted.
     fn singular(&self, x: &[DVec3]) -> Option<Decision> {
-        // No step however small should add area.
+        // The flow by mean curvature is the fastest way to less area: where no step however small
+        // leads to less, the mesh no longer shows the surface.
         let is_geometric = self.run.is_exhausted
             || termination::is_geometric(self.refusal)
-            || self.flow.monitored() == Monitored::Area;
+            || self.flow.clock() == Clock::MeanCurvature;
         if !self.mesh.is_triangular() || !is_geometric {
             return None;
         }

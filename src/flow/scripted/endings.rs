@@ -2,7 +2,7 @@
 
 use super::{Script, idle};
 use crate::flow::rules::{Ceiling, Rules};
-use crate::flow::{Cause, Monitored, Reason, Refusal, Search, Status};
+use crate::flow::{Cause, Clock, Reason, Refusal, Search, Status};
 use std::rc::Rc;
 
 #[test]
@@ -94,13 +94,13 @@ fn a_surface_that_may_vanish_is_singular_once_it_has() {
 }
 
 /// A tip that has grown on a surface that may vanish, and from which no step bends further, is
-/// singular; not so where the functional alone is in the way, unless that is the area, or where the
-/// tip was there before.
+/// singular; not so where the functional alone is in the way, unless it is the flow by mean
+/// curvature that cannot lower the area; nor where the tip was there before.
 #[test]
 fn a_new_tip_from_which_no_step_leads_is_singular() {
-    let grown = |cause: Cause, spike: f64, monitored: Monitored| {
+    let grown = |cause: Cause, spike: f64, clock: Clock| {
         let script = Script {
-            monitored,
+            clock,
             rules: Rules {
                 can_vanish: true,
                 ..idle().rules
@@ -114,17 +114,19 @@ fn a_new_tip_from_which_no_step_leads_is_singular() {
         };
         script.run(200).1.expect("an ending")
     };
-    let (status, why) = grown(Cause::Turn, 10.0, Monitored::Willmore);
+    let (status, why) = grown(Cause::Turn, 10.0, Clock::Own);
     assert_eq!(status, Status::Singular, "{why}");
     assert!(
         matches!(why, Reason::PinchedNeck { vertex: 0, .. }),
         "{why}"
     );
-    let status = |cause, spike, monitored| grown(cause, spike, monitored).0;
-    let willmore = Monitored::Willmore;
-    assert_eq!(status(Cause::Rise, 10.0, willmore), Status::Stalled);
-    assert_eq!(status(Cause::Rise, 10.0, Monitored::Area), Status::Singular);
-    assert_eq!(status(Cause::Turn, 1.0, willmore), Status::Stalled);
+    let status = |cause, spike, clock| grown(cause, spike, clock).0;
+    assert_eq!(status(Cause::Rise, 10.0, Clock::Own), Status::Stalled);
+    assert_eq!(
+        status(Cause::Rise, 10.0, Clock::MeanCurvature),
+        Status::Singular
+    );
+    assert_eq!(status(Cause::Turn, 1.0, Clock::Own), Status::Stalled);
 }
 
 #[test]

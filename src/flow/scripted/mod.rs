@@ -6,8 +6,8 @@ use super::options::FlowOptions;
 use super::rules::{Ceiling, Rules};
 use super::step_size::StepSize;
 use super::{
-    Cost, Decision, Driver, Flow, FlowError, Functional, Memory, Monitored, Move, Occasion, Phase,
-    Proposal, Reading, Reason, Refusal, Search, Status, StepReport,
+    Clock, Cost, Decision, Driver, Flow, FlowError, Functional, Memory, Monitored, Move, Occasion,
+    Phase, Proposal, Reading, Reason, Refusal, Search, Status, StepReport,
 };
 use crate::mesh::{HalfedgeMesh, build, shape};
 use glam::DVec3;
@@ -23,7 +23,7 @@ type Function = Rc<dyn Fn(f64) -> f64>;
 /// A flow of spheres about the origin: a function of the radius, moved by a speed.
 #[derive(Clone)]
 struct Script {
-    monitored: Monitored,
+    clock: Clock,
     value: Function,
     /// dr/dt at a radius.
     speed: Function,
@@ -55,7 +55,7 @@ struct Script {
 impl Script {
     fn new(value: impl Fn(f64) -> f64 + 'static, speed: impl Fn(f64) -> f64 + 'static) -> Self {
         Self {
-            monitored: Monitored::Willmore,
+            clock: Clock::Own,
             value: Rc::new(value),
             speed: Rc::new(speed),
             refusal: Rc::new(|_| None),
@@ -137,7 +137,10 @@ impl Scripted {
 
 impl Flow for Scripted {
     fn monitored(&self) -> Monitored {
-        self.script.monitored
+        Monitored::Area
+    }
+    fn clock(&self) -> Clock {
+        self.script.clock
     }
     fn rules(&self) -> Rules {
         self.script.rules
