@@ -74,11 +74,12 @@ const PREFILL_PASSES: usize = 3;
 /// Refusals in a row, each to a quarter, that end a run.
 const MAX_REFUSALS: i32 = 24;
 /// Fitted curvatures are not quite those that the reading falls along, and the last steps to a rest
-/// may raise it. None is taken that does: the surface counts as at rest where so many whole steps
-/// more, each at most this share of the one before, would come to one, with a reading no further
-/// from this one than by that share of it.
+/// may raise it. None is taken that does: the surface counts as at rest where whole steps, each at
+/// most this share of the one before …
 const CONTRACTING: f64 = 0.7;
+/// … and at most so many, would come to one …
 const MAX_SETTLING: usize = 30;
+/// … with a reading that all the way is no further from this one than by this share of it.
 const SETTLED: f64 = 1e-2;
 /// A reading that has come to this share of the first cannot be told from zero by fits.
 const NOTHING: f64 = 1e-9;
@@ -255,7 +256,6 @@ impl CurvatureFlow {
     }
 
     fn forget(&mut self) {
-        self.has_tried_whole = false;
         self.curvatures = None;
         self.known = None;
     }

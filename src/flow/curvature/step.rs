@@ -101,8 +101,7 @@ impl CurvatureFlow {
         mut last: f64,
         cost: &mut Cost,
     ) -> Result<Option<f64>, FlowError> {
-        let within = SETTLED * self.energy_of(x);
-        let most = self.energy_of(x) + within;
+        let here = self.energy_of(x);
         let mut y = x.to_vec();
         for k in 0..MAX_SETTLING {
             self.forget();
@@ -114,7 +113,7 @@ impl CurvatureFlow {
             for (y, d) in y.iter_mut().zip(&step.d) {
                 *y += *d;
             }
-            if self.energy_of(&y) > most {
+            if (self.energy_of(&y) - here).abs() > SETTLED * here {
                 return Ok(None);
             }
             if last <= NEARLY_AT_REST {
