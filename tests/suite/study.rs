@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use umbilic::app::{Limits, RefinedBy, Session, Study, StudyOptions, StudyReport, Tendency, Trend};
+use umbilic::message::{Message, Value};
 
 fn study(name: &str, values: &[(&str, f64)], p: f64, vertices: usize) -> StudyReport {
     let parameters = values.iter().map(|(n, v)| ((*n).to_owned(), *v)).collect();
@@ -170,6 +171,52 @@ fn other_surfaces_are_studied_by_the_limit_of_loops_scheme() {
     // The surface on screen is left alone.
     assert_eq!(session.positions().expect("x"), before);
     assert_eq!(session.state().expect("state"), state);
+}
+
+/// What is said of a study is what its trends are, with what only some surfaces are told.
+#[test]
+fn findings_say_what_the_trends_are() {
+    let said = |report: &StudyReport| -> Vec<String> {
+        let one = |message: &Message| match message.value("tendency") {
+            Some(Value::Text(tendency)) => format!("{} {tendency}", message.id),
+            _ => message.id.to_string(),
+        };
+        report.findings.iter().map(one).collect()
+    };
+    let lines = study("icosahedron", &[("level", 2.0)], 2.0, 11_000);
+    let found = said(&lines);
+    assert_eq!(found.len(), lines.trends.len() + 3);
+    for (sentence, trend) in found.iter().zip(&lines.trends) {
+        let expected = match trend.tendency {
+            Tendency::Exact => "trend exact",
+            Tendency::Converges if trend.is_known => "trend converges",
+            Tendency::Converges if trend.smooth.is_some() => "trend nears",
+            Tendency::Converges => "trend settles",
+            Tendency::Diverges => "trend diverges",
+            Tendency::Unknown => "trend unknown",
+            Tendency::Elsewhere => "trend elsewhere",
+        };
+        assert!(sentence.starts_with(expected), "{sentence}: {trend:?}");
+    }
+    let rest = &found[lines.trends.len()..];
+    assert_eq!(
+        rest,
+        ["study-polyhedron", "study-lattice", "study-minimisers"]
+    );
+
+    // The limit of a lattice over the smooth energy, known and not zero.
+    let values = [("columns", 26.0), ("rows", 30.0), ("shear", 0.5)];
+    let lattice = study("lattice-torus", &values, 2.0, 60_000);
+    let circle = lattice.trends.iter().position(|t| t.quantity == "circle");
+    let message = &lattice.findings[circle.expect("measured")];
+    assert_eq!(said(&lattice)[circle.expect("measured")], "trend elsewhere");
+    assert!((message.number("ratio").expect("a ratio") - 1.5).abs() < 0.02);
+    assert!(said(&lattice).iter().all(|id| id != "study-polyhedron"));
+
+    let mut unfinished = Study::of_shape("icosphere", &BTreeMap::new(), 2.0, Limits::default());
+    let unfinished = unfinished.as_mut().expect("a shape");
+    unfinished.refine().expect("a mesh");
+    assert!(!unfinished.report().finished && unfinished.report().findings.is_empty());
 }
 
 #[test]
