@@ -356,7 +356,7 @@ impl Flow for PWillmoreFlow {
             return Ok(Some(phase));
         }
         let arrives = matches!(occasion, Occasion::Accepted { .. }) && self.kept.has_arrived();
-        Ok(arrives.then(|| Phase { ..Phase::default() }))
+        Ok(arrives.then(Phase::default))
     }
 
     /// The share of the energy that a step of τ = 0.1 would gain, over what it may.
