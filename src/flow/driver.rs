@@ -238,7 +238,6 @@ impl Driver {
             let first = self.flow.step_size().dt;
             self.run.step_size.dt = self.run.step_size.dt.max(first);
         }
-        self.run.is_exhausted |= phase.ends;
         self.run.window = Window::default();
         warnings.extend(phase.event);
         phase.from

@@ -48,8 +48,6 @@ pub struct Phase {
     pub resets_step_size: bool,
     /// Whether it is from now on at least the one that a run would begin with here.
     pub raises_step_size: bool,
-    /// Whether nothing more is to be gained, so that the next step ends the run.
-    pub ends: bool,
     /// Worth telling the user.
     pub event: Option<Warning>,
 }

@@ -26,9 +26,6 @@ pub(super) struct Ladder {
     has_climbed: bool,
     /// Whether the start was looked at.
     has_looked: bool,
-    /// Steps of the flow itself that are left, after the ladder, to come below what was reached
-    /// without it.
-    on_trial: usize,
 }
 
 impl Ladder {
@@ -39,7 +36,6 @@ impl Ladder {
             rungs: rungs.filter(|_| is_own).unwrap_or(0),
             has_climbed: !is_own || rungs.is_some(),
             has_looked: false,
-            on_trial: 0,
         }
     }
 
@@ -77,15 +73,6 @@ impl CurvatureFlow {
                 }
                 Ok(Some(self.top_reached(x)))
             }
-            Occasion::Accepted { .. } if self.ladder.on_trial > 0 => {
-                self.ladder.on_trial -= 1;
-                let is_over = self.ladder.on_trial == 0;
-                let is_worse = is_over && self.better_than(x, false).is_some();
-                Ok(is_worse.then_some(Phase {
-                    ends: true,
-                    ..Phase::default()
-                }))
-            }
             // No rung leads on.
             Occasion::Stuck { .. } if self.ladder.is_climbing() => {
                 self.ladder.rungs = 0;
@@ -119,7 +106,6 @@ impl CurvatureFlow {
     /// The flow's own law goes on from here.
     fn top_reached(&mut self, x: &[DVec3]) -> Phase {
         self.top = Some(Rc::new(x.to_vec()));
-        self.ladder.on_trial = if self.reached.is_some() { RUNGS } else { 0 };
         self.known = None;
         Phase {
             resets_step_size: true,
