@@ -4,7 +4,7 @@ import { effect, signal } from "@preact/signals-core";
 import { html, nothing, render } from "lit-html";
 import { commands, listenForKeys } from "./commands.js";
 import { openLanguage, remembered } from "./language.js";
-import { createLinkWriter, linkIn, plainScene } from "./link.js";
+import { createLinkWriter, linkIn } from "./link.js";
 import { packedEndings, readEndings } from "./mesh-format.js";
 import { keepOffline } from "./offline.js";
 import { createSave } from "./save.js";
@@ -180,7 +180,7 @@ let opening = 0;
 /** @param {import("./link.js").Address} address */
 function openLink(address) {
   opening += 1;
-  return page.open.openLink(address, plainScene).finally(() => {
+  return page.open.openLink(address).finally(() => {
     opening -= 1;
   });
 }
@@ -189,8 +189,13 @@ const writeLink = createLinkWriter(
   () => page.open.writeLink(embedding !== null),
   embedding?.linkTo ?? ((hash) => opening === 0 && history.replaceState(null, "", hash)),
 );
+/** Until a visitor does something, an address that names no scene stays so. */
+const isTouched = signal(embedding !== null || linkIn(location).text !== "");
+for (const kind of ["pointerdown", "keydown", "drop", "hashchange"])
+  addEventListener(kind, () => (isTouched.value = true), { once: true });
 effect(() => {
-  if (!page.state.value.running && page.player.motion.value === "still") writeLink();
+  const isStill = !page.state.value.running && page.player.motion.value === "still";
+  if (isStill && isTouched.value) writeLink();
 });
 
 // The event's address and not `location`: by now the old scene may have been written there.

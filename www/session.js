@@ -3,10 +3,12 @@
 
 import { numberAs } from "./numbers.js";
 
-/** @import { Answer, Command, Status } from "./generated/types.js" */
+/** @import { RunAnswer, RunCommand, Status, ToolAnswer, ToolCommand } from "./generated/types.js" */
 /** @import { Session } from "./pkg/solver/solver.js" */
 
 /** @template T @typedef {T extends unknown ? keyof T : never} KeyOf */
+/** @typedef {RunCommand | ToolCommand} Command */
+/** @typedef {RunAnswer | ToolAnswer} Answer */
 /** @typedef {KeyOf<Command>} CommandName */
 /** @template {CommandName} N @typedef {Extract<Command, Record<N, any>>[N]} FieldsOf */
 /**

@@ -5,6 +5,7 @@
 /** @import { Fault as Refusal } from "./generated/types.js" */
 /** @import { AnswerOf, CommandName, FieldsOf, Loose } from "./session.js" */
 
+import { provide } from "./deferred.js";
 import init, { Session } from "./pkg/solver/solver.js";
 import { refusal } from "./refusal.js";
 import { sequence, sequenceSize } from "./sequence.js";
@@ -85,6 +86,7 @@ function advance() {
     running = false;
     frame();
     page.postMessage({ type: "stopped", run, state, fault });
+    fetchAhead();
     return;
   }
   frame();
@@ -200,6 +202,7 @@ const own = {
     if (running) {
       running = false;
       frame();
+      fetchAhead();
     }
     return perform(session, "state");
   },
@@ -323,6 +326,28 @@ function live() {
   nextLife = now + 1000;
   page.postMessage({ type: "alive" });
 }
+
+const second = new URL("./pkg/solver/split_deferred.wasm", import.meta.url);
+/** The solver's second file, once it has come. @type {WebAssembly.Module | null} */
+let deferred = null;
+let isAhead = false;
+
+/** Fetches it while there is time: after the first run. */
+async function fetchAhead() {
+  if (isAhead) return;
+  isAhead = true;
+  // Where that fails it is fetched when it is needed.
+  deferred = await WebAssembly.compileStreaming(fetch(second)).catch(() => null);
+}
+
+provide(() => {
+  if (deferred) return deferred;
+  const request = new XMLHttpRequest();
+  request.open("GET", second, false);
+  request.responseType = "arraybuffer";
+  request.send();
+  return new WebAssembly.Module(request.response);
+});
 
 const wasm = new URL("./pkg/solver/solver_bg.wasm", import.meta.url);
 const started = init({ module_or_path: wasm }).then(() => {

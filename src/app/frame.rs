@@ -74,6 +74,12 @@ pub(super) struct View {
     reports: Vec<PlotPoint>,
 }
 
+deferred! {
+    fn looked(runner: &Runner, options: LookOptions) -> Look {
+        runner.look(options, &runner.x)
+    }
+}
+
 impl View {
     /// A step was taken that frames have not told of.
     pub(super) fn add(&mut self, report: &StepReport) {
@@ -147,7 +153,7 @@ impl Session {
             panes,
             curves: is_flips.then(|| runner.curves()),
             jump: runner.curvature_jump().filter(|_| !is_flips),
-            look: view.look.map(|options| runner.look(options, &runner.x)),
+            look: view.look.map(|options| looked(runner, options)),
             timeline: runner.history.timeline(runner.state.step),
             flow,
         })

@@ -14,6 +14,8 @@ messages! {
             /// What the reader says of it.
             reason: String,
         },
+        /// The deferred part of the program could not be fetched.
+        NotFetched,
         /// An option has a value it cannot have.
         BadOption {
             /// The option.

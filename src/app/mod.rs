@@ -45,7 +45,7 @@ pub use crate::interrupt::Progress;
 pub use crate::remesh::static_pass::{MeshQuality, RegulariseOptions, Regularised};
 pub use arrangement::{Arrangement, Compare};
 pub use bench::{Bench, BenchOptions, BenchReport, MeshFile, TableName};
-pub use command::{Answer, Command};
+pub use command::{RunAnswer, RunCommand, ToolAnswer, ToolCommand};
 pub use comparison::{Comparison, Lockstep, PaneChange};
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
 pub use crossing::SelfIntersections;

@@ -132,13 +132,19 @@ struct Known {
     mended: Mended,
 }
 
+deferred! {
+    fn mended(mesh: &HalfedgeMesh, x: &[DVec3]) -> Result<Mended, MeshError> {
+        mend(&mesh.to_soup(x), Weld::Auto)
+    }
+}
+
 impl Memo {
     /// A surface, repaired; taken from here if it is known.
     pub(super) fn take(&self, mesh: &Rc<HalfedgeMesh>, x: &[DVec3]) -> Result<Mended, MeshError> {
         let known = self.0.take();
         match known.filter(|known| Rc::ptr_eq(&known.mesh, mesh) && known.x == x) {
             Some(known) => Ok(known.mended),
-            None => mend(&mesh.to_soup(x), Weld::Auto),
+            None => mended(mesh, x),
         }
     }
 

@@ -28,6 +28,8 @@ fn main() -> Result<()> {
         .typescript(true)
         // `init()` then finds the wasm file beside the script, and so does vite.
         .omit_default_module_path(false)
+        // The solver's second file is linked to the first one's table of functions.
+        .keep_lld_exports(true)
         // Names make panics readable; they are also a third of the file.
         .remove_name_section(strip_names)
         .remove_producers_section(strip_names);

@@ -70,8 +70,8 @@ impl Driver {
         let mesh = Rc::clone(if as_it_is { polygons } else { triangles });
         let flow: Box<dyn Flow> = match row.family {
             Family::Circle => Box::new(CircleFlow::new(&mesh, x, &options)?),
-            Family::PWillmore => Box::new(PWillmoreFlow::new(&mesh, x, &options)?),
-            Family::Curvature => Box::new(CurvatureFlow::new(&mesh, x, &options)?),
+            Family::PWillmore => p_willmore(&mesh, x, &options)?,
+            Family::Curvature => curvature(&mesh, x, &options)?,
             Family::Flips => {
                 let allowed = Allowed::MovingFlow;
                 return Err(FlowError::option("flow", "flips", allowed));
@@ -330,5 +330,19 @@ impl Driver {
         };
         self.refusal = trials.refusal;
         Ok(found)
+    }
+}
+
+type Prepared = Result<Box<dyn Flow>, FlowError>;
+
+deferred! {
+    fn p_willmore(mesh: &Rc<HalfedgeMesh>, x: &mut [DVec3], options: &FlowOptions) -> Prepared {
+        Ok(Box::new(PWillmoreFlow::new(mesh, x, options)?))
+    }
+}
+
+deferred! {
+    fn curvature(mesh: &Rc<HalfedgeMesh>, x: &mut [DVec3], options: &FlowOptions) -> Prepared {
+        Ok(Box::new(CurvatureFlow::new(mesh, x, options)?))
     }
 }

@@ -1,12 +1,30 @@
 //! Figures of the papers, run and judged: the class `FigureRun`, and what `Session` says of one.
 
-use super::session::{Session, refusal, to_js};
-use crate::app::AppError;
+use super::session::{Session, load_deferred, refusal, to_js};
 use crate::app::library::{self, Figure};
+use crate::app::{AppError, Session as Inner};
 use wasm_bindgen::prelude::*;
 
 fn figure(id: &str) -> Result<&'static Figure, JsValue> {
     library::figure(id).ok_or_else(|| refusal(AppError::UnknownFigure { name: id.into() }))
+}
+
+deferred! {
+    fn figure_run(id: &str) -> Result<FigureRun, JsValue> {
+        Ok(FigureRun(library::FigureRun::new(figure(id)?)))
+    }
+}
+
+deferred! {
+    fn advance(run: &mut library::FigureRun) -> Result<JsValue, JsValue> {
+        Ok(to_js(&run.advance()?))
+    }
+}
+
+deferred! {
+    fn judged(session: &Inner, id: &str) -> Result<JsValue, JsValue> {
+        Ok(to_js(&figure(id)?.judged(session)?))
+    }
 }
 
 /// A figure under way, on surfaces of its own.
@@ -20,7 +38,7 @@ impl FigureRun {
     /// # Errors
     /// Whatever refuses; the run cannot go on then.
     pub fn advance(&mut self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.0.advance()?))
+        advance(&mut self.0)
     }
 
     /// Steps so far, those on coarser meshes left out.
@@ -38,7 +56,8 @@ impl Session {
     /// Unknown ids.
     #[wasm_bindgen(js_name = figureRun)]
     pub fn figure_run(&self, id: &str) -> Result<FigureRun, JsValue> {
-        Ok(FigureRun(library::FigureRun::new(figure(id)?)))
+        load_deferred()?;
+        figure_run(id)
     }
 
     /// What this session has come to that shows a figure: `Finding`; null where other runs
@@ -47,6 +66,7 @@ impl Session {
     /// # Errors
     /// Unknown ids, no mesh.
     pub fn judge(&self, id: &str) -> Result<JsValue, JsValue> {
-        Ok(to_js(&figure(id)?.judged(&self.0)?))
+        load_deferred()?;
+        judged(&self.0, id)
     }
 }

@@ -1,6 +1,6 @@
 //! Reading and checking options, without a session.
 
-use super::session::{from_js, to_js};
+use super::session::{from_js, load_deferred, to_js};
 use crate::app;
 use crate::flow::option::{self, Values};
 use wasm_bindgen::prelude::*;
@@ -12,8 +12,15 @@ use wasm_bindgen::prelude::*;
 /// nothing.
 #[wasm_bindgen(js_name = readFlags)]
 pub fn read_flags(command: &str, words: JsValue) -> Result<JsValue, JsValue> {
-    let words: Values = from_js(words)?;
-    Ok(to_js(&app::read_flags(command, &words)?))
+    load_deferred()?;
+    read(command, words)
+}
+
+deferred! {
+    fn read(command: &str, words: JsValue) -> Result<JsValue, JsValue> {
+        let words: Values = from_js(words)?;
+        Ok(to_js(&app::read_flags(command, &words)?))
+    }
 }
 
 /// Which of some names was probably meant, if any.
@@ -27,5 +34,11 @@ pub fn nearest(typed: &str, names: Vec<String>) -> Option<String> {
 #[wasm_bindgen(js_name = unknownFlag)]
 #[must_use]
 pub fn unknown_flag(typed: &str, flags: Vec<String>) -> JsValue {
-    to_js(&app::unknown_flag(typed, &flags))
+    refused(typed, &flags)
+}
+
+deferred! {
+    fn refused(typed: &str, flags: &[String]) -> JsValue {
+        to_js(&app::unknown_flag(typed, flags))
+    }
 }

@@ -2,9 +2,10 @@
 //!
 //! Typed arrays given out are copies owned by JavaScript, safe to transfer.
 
-use crate::app::{AppError, Command, Fault, Progress, Session as Inner};
+use crate::app::{AppError, Fault, Progress, RunCommand, Session as Inner, ToolCommand};
+use crate::deferred;
 use crate::mesh::shape;
-use js_sys::Function;
+use js_sys::{Function, Object};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::cell::Cell;
@@ -43,6 +44,27 @@ pub(super) fn from_js<T: DeserializeOwned>(value: JsValue) -> Result<T, JsValue>
     })
 }
 
+/// To be called before anything of the deferred part is.
+pub(super) fn load_deferred() -> Result<(), JsValue> {
+    let is_there = deferred::load();
+    is_there
+        .then_some(())
+        .ok_or_else(|| refusal(AppError::NotFetched))
+}
+
+deferred! {
+    fn shapes() -> JsValue {
+        to_js(&shape::all())
+    }
+}
+
+deferred! {
+    fn perform_tool(session: &mut Inner, command: JsValue) -> Result<JsValue, JsValue> {
+        let command: ToolCommand = from_js(command)?;
+        Ok(to_js(&session.perform_tool(command)?))
+    }
+}
+
 /// One mesh, one flow, its history.
 #[wasm_bindgen]
 #[derive(Default)]
@@ -69,7 +91,7 @@ impl Session {
 
     /// Sample shapes: `Shape[]`.
     pub fn shapes() -> JsValue {
-        to_js(&shape::all())
+        shapes()
     }
 
     /// Runs a few steps on a small sphere, so that the first real step does not meet
@@ -109,12 +131,20 @@ impl Session {
             }));
     }
 
-    /// Does what a `Command` asks for: `Answer`.
+    /// Does what a `RunCommand` or a `ToolCommand` asks for: `RunAnswer`, `ToolAnswer`.
     ///
     /// # Errors
     /// What cannot be done, and why; nothing has changed then.
     pub fn perform(&mut self, command: JsValue) -> Result<JsValue, JsValue> {
-        let command: Command = from_js(command)?;
+        let name = Object::try_from(&command).and_then(|it| Object::keys(it).get(0).as_string());
+        if !name.is_some_and(|name| RunCommand::NAMES.contains(&name.as_str())) {
+            load_deferred()?;
+            return perform_tool(&mut self.0, command);
+        }
+        let command: RunCommand = from_js(command)?;
+        if command.asks_for_more() {
+            load_deferred()?;
+        }
         Ok(to_js(&self.0.perform(command)?))
     }
 

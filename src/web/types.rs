@@ -1,7 +1,7 @@
 //! The TypeScript declarations of everything that crosses to JavaScript, written from the Rust
 //! types: nobody writes them twice.
 
-use crate::app::{Answer, Command, Fault, Frame};
+use crate::app::{Fault, Frame, RunAnswer, RunCommand, ToolAnswer, ToolCommand};
 use std::collections::BTreeMap;
 use std::path::Path;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -39,8 +39,10 @@ fn the_types_of_the_page_are_those_of_the_solver() {
         config: &config,
         found: BTreeMap::new(),
     };
-    declarations.visit::<Command>();
-    declarations.visit::<Answer>();
+    declarations.visit::<RunCommand>();
+    declarations.visit::<RunAnswer>();
+    declarations.visit::<ToolCommand>();
+    declarations.visit::<ToolAnswer>();
     declarations.visit::<Frame>();
     declarations.visit::<Fault>();
     let mut text = String::from(

@@ -4,8 +4,8 @@ use crate::support::session::{flowing, shown};
 use serde_json::{Value as Json, json};
 use std::ops::ControlFlow;
 use umbilic::app::{
-    Arrangement, Check, Command, Compare, Comparison, Edit, FillOptions, FlipOptions, Lack,
-    LinkView, Lockstep, Loops, Origin, PageScene, PaneChange, RegulariseOptions, RemeshOptions,
+    Arrangement, Check, Compare, Comparison, Edit, FillOptions, FlipOptions, Lack, LinkView,
+    Lockstep, Loops, Origin, PageScene, PaneChange, RegulariseOptions, RemeshOptions, RunCommand,
     ScriptText, Session, SubdivideOptions, WrittenLink,
 };
 use umbilic::flow::option::{Value, Values};
@@ -307,7 +307,7 @@ fn scene(source: Origin, origin: Origin) -> PageScene {
 
 fn configure(session: &mut Session, values: Values) {
     session
-        .perform(Command::Configure { options: values })
+        .perform(RunCommand::Configure { options: values })
         .expect("a flow");
 }
 
@@ -450,7 +450,7 @@ fn a_link_carries_what_stands_beside_the_surface_where_that_means_something() {
     assert_eq!(text(&session), format!("{plain}flips{words}"));
     let read = session.read_link(&text(&session), true).expect("a scene");
     session
-        .perform(Command::Arrange {
+        .perform(RunCommand::Arrange {
             arrangement: read.arrangement,
         })
         .expect("arranged");

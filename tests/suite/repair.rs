@@ -4,7 +4,7 @@
 use crate::support::shared_folder;
 use std::fmt::Write as _;
 use umbilic::app::{
-    Command, Edit, Info, Loaded, Origin, RepairItem, RepairOptions, ScriptText, Session,
+    Edit, Info, Loaded, Origin, RepairItem, RepairOptions, RunCommand, ScriptText, Session,
 };
 use umbilic::flow::option::Values;
 use umbilic::flow::options::{FlowName, FlowOptions};
@@ -732,7 +732,7 @@ fn a_flow_that_finds_loose_triangles_only_offers_to_weld_them() {
     let (mut s, info) = open(loose.as_bytes());
     assert_eq!(info.components, 4);
     let options = Values::default();
-    let fault = s.perform(Command::Configure { options });
+    let fault = s.perform(RunCommand::Configure { options });
     let fault = fault.map(|_| ()).expect_err("all held");
     assert_eq!(fault.kind, "NothingFree");
     assert_eq!(fault.repairs.first().map(|item| item.kind), Some("Welded"));

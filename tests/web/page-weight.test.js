@@ -5,10 +5,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { untilDrawn, useSite } from "./support/app.js";
+import { button, openTab, until, untilDrawn, useSite } from "./support/app.js";
 
 /** In kB of 1000 bytes, with the fonts. */
 const BOUND = 240;
+/** The same of everything that a first run fetches. */
+const RUN_BOUND = 600;
 
 const site = useSite();
 
@@ -57,6 +59,46 @@ test("the page and its viewer take little to fetch", async (context) => {
   // The viewer, the page, its script and style.
   assert.ok(files.length >= 4, `only ${files.map(({ name }) => name)}`);
   assert.ok(total <= BOUND, `${total.toFixed(1)} kB, more than ${BOUND} kB`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a first run takes little to fetch; the rest comes when it is asked for", async (context) => {
+  const { page, faults, close } = await site.blank({ serviceWorkers: "block" });
+  /** @type {Map<string, Promise<number>>} */
+  const fetched = new Map();
+  page.on("response", (response) => {
+    const size = response.body().then(
+      (body) => gzipSync(body, { level: 9 }).length,
+      () => 0,
+    );
+    fetched.set(nameOf(response.url()), size);
+  });
+  let isCut = true;
+  const second = /split_deferred[^/]*\.wasm$/;
+  await page.route(second, (route) => (isCut ? route.abort() : route.continue()));
+  await page.goto(site.url);
+  await until(page, "Ready");
+  await button(page, "Watch it flow").click();
+  await until(page, /^Converged/);
+  const sizes = await Promise.all([...fetched].map(async ([name, size]) => [name, await size]));
+  sizes.sort(([, a], [, b]) => Number(b) - Number(a));
+  for (const [name, size] of sizes) context.diagnostic(`${Number(size) / 1000} kB  ${name}`);
+  const total = sizes.reduce((sum, [, size]) => sum + Number(size), 0) / 1000;
+  context.diagnostic(`${total} kB; at most ${RUN_BOUND} kB`);
+  assert.ok(total <= RUN_BOUND, `${total} kB`);
+
+  // Without a connection what is there stays, and it is said why there is no more.
+  await openTab(page, "Flow");
+  const other = page.getByRole("option", { name: /^p-Willmore/ });
+  await other.click();
+  await page.getByText("part of the program that this needs could not be fetched").waitFor();
+  await until(page, /^Converged/);
+  isCut = false;
+  await other.click();
+  await until(page, "Ready");
+  await button(page, "Play").click();
+  await until(page, /^Converged/);
   assert.deepEqual(faults, []);
   await close();
 });

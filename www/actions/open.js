@@ -4,7 +4,7 @@ import { LOST } from "../channel.js";
 import { sha256 } from "../digest.js";
 import { figures, samples } from "../generated/library.js";
 import { sampleName } from "../library.js";
-import { linkIn, pageScene, sceneOf } from "../link.js";
+import { linkIn, pageScene, plainScene, sceneOf } from "../link.js";
 import { defaults } from "../options.js";
 import { say } from "../words.js";
 
@@ -295,12 +295,15 @@ export function createOpen(core, run, compare) {
      * @returns {Promise<Scene | null>} null where its length was not wanted
      */
     async readLink(address) {
-      const scene = sceneOf(await solver.readLink(linkIn(address)));
+      const link = linkIn(address);
+      // Reading needs a part of the solver that the first picture is not to wait for.
+      if (link.text === "") return plainScene;
+      const scene = sceneOf(await solver.readLink(link));
       const steps = scene.manySteps;
       return steps === 0 || (await notes.ask(say("link-is-long", { steps }))) ? scene : null;
     },
-    /** @param {Address} address @param {Scene} plain  what is shown without one */
-    async openLink(address, plain) {
+    /** @param {Address} address */
+    async openLink(address) {
       /** @type {unknown} */
       let refusal = null;
       const before = chosen;
@@ -310,7 +313,7 @@ export function createOpen(core, run, compare) {
       });
       if (chosen !== before) return;
       // Where nothing is shown yet, that would be a dead end.
-      const scene = read ?? (get().mesh ? null : plain);
+      const scene = read ?? (get().mesh ? null : plainScene);
       if (scene) run.view(scene.view);
       if (scene?.sample) await open.sample(scene.sample, scene);
       else if (scene) {

@@ -7,6 +7,7 @@ import { Failure } from "./failure.js";
 
 const glue = new URL("../pkg/solver/solver.js", import.meta.url);
 const wasm = new URL("../pkg/solver/solver_bg.wasm", import.meta.url);
+const second = new URL("../pkg/solver/split_deferred.wasm", import.meta.url);
 
 let isLoaded = false;
 
@@ -17,7 +18,11 @@ export async function loadSolver() {
     throw new Failure(2, "NotBuilt", "The solver has not been built yet.", hint);
   }
   const solver = await import(glue.href);
-  if (!isLoaded) solver.initSync({ module: readFileSync(wasm) });
+  if (!isLoaded) {
+    const { provide } = await import("../deferred.js");
+    provide(() => new WebAssembly.Module(readFileSync(second)));
+    solver.initSync({ module: readFileSync(wasm) });
+  }
   isLoaded = true;
   return solver;
 }

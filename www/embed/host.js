@@ -5,7 +5,7 @@
 /** @import { SurfaceState } from "../element.js" */
 /** @import { Request } from "./messages.js" */
 
-import { linkIn, plainScene, sceneOf } from "../link.js";
+import { linkIn, sceneOf } from "../link.js";
 import { fileName } from "../save.js";
 import { pageAddress } from "../share.js";
 import { fault, say } from "../words.js";
@@ -151,7 +151,7 @@ export function createEmbedding(page) {
       const file = messages.fileOf(request);
       const address = { search: "", hash: messages.asHash(request.scene ?? "") };
       if (file) await open.open([file], (await open.readLink(address)) ?? {});
-      else await open.openLink(address, plainScene);
+      else await open.openLink(address);
       await open.still();
       arrived();
     },

@@ -14,11 +14,6 @@ aligned: number,
 edges: number, };
 
 /**
- * What a command of the same name is answered with.
- */
-export type Answer = { "load": Loaded } | { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "energy": EnergyReadings } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "turn": State } | { "timeline": Timeline } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "arrange": State } | { "colour": Field | null } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "phase": Phase | null } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
-
-/**
  * What is shown of edge flips.
  */
 export type Arrangement = { 
@@ -199,187 +194,6 @@ total: number,
  * Of which counterexamples.
  */
 counterexamples: number, };
-
-/**
- * A request by name, with its fields.
- */
-export type Command = { "load": { 
-/**
- * The file.
- */
-bytes: Uint8Array, 
-/**
- * Its name.
- */
-name: string, 
-/**
- * How it is repaired; null for a file that is a surface.
- */
-repair: RepairOptions | null, } } | { "sample": { 
-/**
- * Its name.
- */
-name: string, 
-/**
- * Parameters that are not the usual ones.
- */
-parameters: { [key in string]: number }, } } | { "loaded": Record<symbol, never> } | { "info": Record<symbol, never> } | { "energy": EnergyOptions } | { "configure": { 
-/**
- * Those that are not the usual ones.
- */
-options: FlowOptions, } } | { "continueWith": { 
-/**
- * All of them.
- */
-options: FlowOptions, } } | { "step": Record<symbol, never> } | { "state": Record<symbol, never> } | { "back": Record<symbol, never> } | { "reset": Record<symbol, never> } | { "seek": { 
-/**
- * Its number.
- */
-step: number, } } | { "branch": { 
-/**
- * Its number.
- */
-branch: number, } } | { "turn": { 
-/**
- * The figure that it is of, by its id.
- */
-figure: string, } } | { "timeline": Record<symbol, never> } | { "restore": { 
-/**
- * Three coordinates a vertex.
- */
-exact: Float64Array, 
-/**
- * Three corners each, where those of the frame were its own; null or none else.
- */
-triangles: Uint32Array | null, 
-/**
- * The step they belong to.
- */
-step: number, 
-/**
- * Its time.
- */
-time: number, } } | { "regularise": { 
-/**
- * How.
- */
-options: RegulariseOptions, } } | { "flip": { 
-/**
- * Which, and how many.
- */
-options: FlipOptions, } } | { "fill": { 
-/**
- * Which, and how.
- */
-options: FillOptions, } } | { "repair": { 
-/**
- * How.
- */
-options: RepairOptions, } } | { "subdivide": { 
-/**
- * By which scheme.
- */
-options: SubdivideOptions, } } | { "remesh": { 
-/**
- * Which, and how many.
- */
-options: RemeshOptions, } } | { "invert": { 
-/**
- * From the middle of the bounding box, in diagonals of it.
- */
-centre: [number, number, number], } } | { "adopt": Record<symbol, never> } | { "undo": Record<symbol, never> } | { "loops": Record<symbol, never> } | { "arrange": { 
-/**
- * All of it.
- */
-arrangement: Arrangement, } } | { "colour": { 
-/**
- * A field by name, or `none`.
- */
-field: string, } } | { "look": { 
-/**
- * All of it.
- */
-options: LookOptions, } } | { "previewInversion": { 
-/**
- * As for `invert`.
- */
-centre: [number, number, number], } } | { "conjecture": Record<symbol, never> } | { "quadrilateral": { 
-/**
- * Vertices i, j, k, l.
- */
-corners: [number, number, number, number], } } | { "lab": { 
-/**
- * So many of each kind.
- */
-pairs: number, } } | { "why": Record<symbol, never> } | { "selfIntersections": Record<symbol, never> } | { "study": { 
-/**
- * Of what.
- */
-options: StudyOptions | null, } } | { "phase": { 
-/**
- * From 0.
- */
-number: number, } } | { "bench": { 
-/**
- * Of what.
- */
-options: BenchOptions | null, } } | { "outcome": Record<symbol, never> } | { "curvatureJump": Record<symbol, never> } | { "readRecipe": { 
-/**
- * The recipe.
- */
-text: string, } } | { "writeRecipe": { 
-/**
- * What it was made of; null where that is not known.
- */
-origin: Origin | null, } } | { "compareRecipe": { 
-/**
- * The recipe.
- */
-text: string, } } | { "readLink": { 
-/**
- * Its words.
- */
-text: string, 
-/**
- * Whether none of them is of others, as there may be in the query of an address.
- */
-isOwn: boolean, } } | { "writeLink": { 
-/**
- * What the page knows of it.
- */
-scene: PageScene, } } | { "checkLink": { 
-/**
- * The energy, as the link has it.
- */
-sent: string, 
-/**
- * Its step.
- */
-step: number, } } | { "prepare": { 
-/**
- * Of which.
- */
-script: ScriptText, 
-/**
- * The file it begins with, if it does.
- */
-bytes: Uint8Array | null, 
-/**
- * Its name.
- */
-name: string, } } | { "follow": { 
-/**
- * Which.
- */
-script: ScriptText, } } | { "advance": Record<symbol, never> } | { "cancelReplay": Record<symbol, never> } | { "export": { 
-/**
- * Its format by name.
- */
-format: string, } } | { "losses": { 
-/**
- * Its format by name.
- */
-format: string, } } | { "history": Record<symbol, never> };
 
 /**
  * What stands beside the surface.
@@ -2343,6 +2157,48 @@ vertices: number,
 h: number, };
 
 /**
+ * What a command of the same name is answered with.
+ */
+export type RunAnswer = { "sample": Loaded } | { "loaded": Loaded } | { "info": Info } | { "configure": Configured } | { "continueWith": Configured } | { "step": StepReport | null } | { "state": State } | { "back": State } | { "reset": State } | { "seek": State } | { "branch": State } | { "timeline": Timeline } | { "arrange": State } | { "colour": Field | null };
+
+/**
+ * A request by name, with its fields.
+ */
+export type RunCommand = { "sample": { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * Parameters that are not the usual ones.
+ */
+parameters: { [key in string]: number }, } } | { "loaded": Record<symbol, never> } | { "info": Record<symbol, never> } | { "configure": { 
+/**
+ * Those that are not the usual ones.
+ */
+options: FlowOptions, } } | { "continueWith": { 
+/**
+ * All of them.
+ */
+options: FlowOptions, } } | { "step": Record<symbol, never> } | { "state": Record<symbol, never> } | { "back": Record<symbol, never> } | { "reset": Record<symbol, never> } | { "seek": { 
+/**
+ * Its number.
+ */
+step: number, } } | { "branch": { 
+/**
+ * Its number.
+ */
+branch: number, } } | { "timeline": Record<symbol, never> } | { "arrange": { 
+/**
+ * All of it.
+ */
+arrangement: Arrangement, } } | { "colour": { 
+/**
+ * A field by name, or `none`.
+ */
+field: string, } };
+
+/**
  * Of the energy's axis.
  */
 export type Scale = "auto" | "linear" | "log";
@@ -2767,6 +2623,160 @@ stored: number,
  * Other ways on, oldest first.
  */
 branches: Array<BranchInfo>, };
+
+/**
+ * What a command of the same name is answered with.
+ */
+export type ToolAnswer = { "load": Loaded } | { "energy": EnergyReadings } | { "turn": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "phase": Phase | null } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
+
+/**
+ * A request by name, with its fields.
+ */
+export type ToolCommand = { "load": { 
+/**
+ * The file.
+ */
+bytes: Uint8Array, 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * How it is repaired; null for a file that is a surface.
+ */
+repair: RepairOptions | null, } } | { "energy": EnergyOptions } | { "turn": { 
+/**
+ * The figure that it is of, by its id.
+ */
+figure: string, } } | { "restore": { 
+/**
+ * Three coordinates a vertex.
+ */
+exact: Float64Array, 
+/**
+ * Three corners each, where those of the frame were its own; null or none else.
+ */
+triangles: Uint32Array | null, 
+/**
+ * The step they belong to.
+ */
+step: number, 
+/**
+ * Its time.
+ */
+time: number, } } | { "regularise": { 
+/**
+ * How.
+ */
+options: RegulariseOptions, } } | { "flip": { 
+/**
+ * Which, and how many.
+ */
+options: FlipOptions, } } | { "fill": { 
+/**
+ * Which, and how.
+ */
+options: FillOptions, } } | { "repair": { 
+/**
+ * How.
+ */
+options: RepairOptions, } } | { "subdivide": { 
+/**
+ * By which scheme.
+ */
+options: SubdivideOptions, } } | { "remesh": { 
+/**
+ * Which, and how many.
+ */
+options: RemeshOptions, } } | { "invert": { 
+/**
+ * From the middle of the bounding box, in diagonals of it.
+ */
+centre: [number, number, number], } } | { "adopt": Record<symbol, never> } | { "undo": Record<symbol, never> } | { "loops": Record<symbol, never> } | { "look": { 
+/**
+ * All of it.
+ */
+options: LookOptions, } } | { "previewInversion": { 
+/**
+ * As for `invert`.
+ */
+centre: [number, number, number], } } | { "conjecture": Record<symbol, never> } | { "quadrilateral": { 
+/**
+ * Vertices i, j, k, l.
+ */
+corners: [number, number, number, number], } } | { "lab": { 
+/**
+ * So many of each kind.
+ */
+pairs: number, } } | { "why": Record<symbol, never> } | { "selfIntersections": Record<symbol, never> } | { "study": { 
+/**
+ * Of what.
+ */
+options: StudyOptions | null, } } | { "phase": { 
+/**
+ * From 0.
+ */
+number: number, } } | { "bench": { 
+/**
+ * Of what.
+ */
+options: BenchOptions | null, } } | { "outcome": Record<symbol, never> } | { "curvatureJump": Record<symbol, never> } | { "readRecipe": { 
+/**
+ * The recipe.
+ */
+text: string, } } | { "writeRecipe": { 
+/**
+ * What it was made of; null where that is not known.
+ */
+origin: Origin | null, } } | { "compareRecipe": { 
+/**
+ * The recipe.
+ */
+text: string, } } | { "readLink": { 
+/**
+ * Its words.
+ */
+text: string, 
+/**
+ * Whether none of them is of others, as there may be in the query of an address.
+ */
+isOwn: boolean, } } | { "writeLink": { 
+/**
+ * What the page knows of it.
+ */
+scene: PageScene, } } | { "checkLink": { 
+/**
+ * The energy, as the link has it.
+ */
+sent: string, 
+/**
+ * Its step.
+ */
+step: number, } } | { "prepare": { 
+/**
+ * Of which.
+ */
+script: ScriptText, 
+/**
+ * The file it begins with, if it does.
+ */
+bytes: Uint8Array | null, 
+/**
+ * Its name.
+ */
+name: string, } } | { "follow": { 
+/**
+ * Which.
+ */
+script: ScriptText, } } | { "advance": Record<symbol, never> } | { "cancelReplay": Record<symbol, never> } | { "export": { 
+/**
+ * Its format by name.
+ */
+format: string, } } | { "losses": { 
+/**
+ * Its format by name.
+ */
+format: string, } } | { "history": Record<symbol, never> };
 
 /**
  * A quantity over all resolutions.

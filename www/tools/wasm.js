@@ -1,7 +1,8 @@
 // The wasm files, from Rust source to `www/pkg`: cargo, then wasm-bindgen's
 // tool, then wasm-opt. Cargo decides what is out of date; what follows it is done
 // again only when cargo's output has changed. Two builds: the one that is shipped, optimised
-// as a whole and for size; and the quick one of the development server.
+// as a whole and for size, the solver in two files (src/deferred.rs); and the quick one of the
+// development server.
 
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -12,23 +13,24 @@ import { root, run, runNode, say, targetDir } from "./process.js";
 
 /**
  * The cargo feature, which is also the folder under `www/pkg`; our own crate's optimisation level,
- * and that of all others, where it is not the release profile's.
- * @typedef {{ name: "solver" | "viewer" | "viewer-webgl", level: string, rest?: string }} Half
+ * and that of all others, where it is not the release profile's; whether it is shipped in two files.
+ * @typedef {{ name: "solver" | "viewer" | "viewer-webgl", level: string, rest?: string, splits?: boolean }} Half
  */
 
 /** @type {Half[]} */
 const halves = [
-  { name: "solver", level: "s" },
+  { name: "solver", level: "s", splits: true },
   // What takes time in a picture is the browser's; the smallest code will do.
   { name: "viewer", level: "z" },
   // Large with a shader compiler that runs once: for size, dependencies and all.
   { name: "viewer-webgl", level: "z", rest: "z" },
 ];
-/** What wasm-opt does. */
-const shrink = "-Oz";
-
-/** What wasm-bindgen's tool is made of. */
-const toolSources = ["Cargo.lock", "src/bin/bindgen.rs"].map((file) => path.join(root, file));
+/** What wasm-opt does: what it does not know to be there, it leaves alone. */
+const shrink = ["-Oz", "--strip-debug", "--strip-producers"];
+/** What every file may use; the one that is split off does not say. */
+const features = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals"];
+/** Of the wasm files, as the splitter calls the second one. */
+const DEFERRED = "split_deferred.wasm";
 
 /** Builds what is missing or out of date, as it is shipped. */
 export function buildWasm() {
@@ -41,7 +43,8 @@ export function buildQuickly(name) {
 }
 
 /** @param {Half} half @param {"release" | "quick"} profile */
-function buildHalf({ name, level, rest }, profile) {
+function buildHalf({ name, level, rest, splits }, profile) {
+  const isSplit = splits && profile === "release";
   const target = "wasm32-unknown-unknown";
   say(`Compiling the ${name} (Rust to wasm; the first time takes minutes)`);
   // As a cdylib alone: with the rlib beside it cargo would leave out the link-time
@@ -50,11 +53,15 @@ function buildHalf({ name, level, rest }, profile) {
   const folder = path.join(targetDir, name);
   const parameters = [
     ...["rustc", "--lib", "--crate-type", "cdylib", "--profile", profile, "--locked"],
-    ...["--target", target, "--target-dir", folder, "--no-default-features", "--features", name],
+    ...["--target", target, "--target-dir", folder, "--no-default-features"],
+    ...["--features", isSplit ? `${name},split` : name],
     ...["--config", `profile.${profile}.package.umbilic.opt-level="${level}"`],
     ...(rest ? ["--config", `profile.${profile}.opt-level="${rest}"`] : []),
+    // The splitter goes by names and relocations.
+    ...(isSplit ? ["--config", `profile.${profile}.strip="none"`] : []),
   ];
-  run("cargo", parameters, { env: { CARGO_ENCODED_RUSTFLAGS: flags().join("\x1f") } });
+  const rustFlags = [...flags(), ...(isSplit ? ["-C", "link-arg=--emit-relocs"] : [])];
+  run("cargo", parameters, { env: { CARGO_ENCODED_RUSTFLAGS: rustFlags.join("\x1f") } });
   const compiled = path.join(folder, target, profile, "umbilic.wasm");
 
   const out = path.join(root, "www", "pkg", name);
@@ -62,24 +69,35 @@ function buildHalf({ name, level, rest }, profile) {
   const stampFile = path.join(out, ".stamp");
   const stamp = createHash("sha256")
     .update(readFileSync(compiled))
-    .update(toolSources.map((file) => readFileSync(file, "utf8")).join(""))
-    .update(shrink)
+    .update(
+      toolSources("bindgen", "splitter")
+        .map((file) => readFileSync(file, "utf8"))
+        .join(""),
+    )
+    .update([...shrink, ...features].join())
     .digest("hex");
   const isBuilt = existsSync(wasm) && existsSync(stampFile);
   if (isBuilt && readFileSync(stampFile, "utf8") === stamp) return;
 
-  const bindgen = bindgenTool();
+  const bindgen = tool("bindgen");
+  const splitter = isSplit ? tool("splitter") : "";
   say(`Packing the ${name} into www/pkg/${name}`);
   rmSync(out, { recursive: true, force: true });
   mkdirSync(out, { recursive: true });
-  run(bindgen, [compiled, out, name, "--strip-names"]);
-  if (profile === "release") {
-    runNode(["node_modules/binaryen/bin/wasm-opt", shrink, wasm, "-o", wasm]);
+  const first = isSplit ? path.join(folder, `${name}.wasm`) : compiled;
+  const deferred = path.join(out, DEFERRED);
+  if (isSplit) run(splitter, [compiled, first, deferred]);
+  run(bindgen, [first, out, name, "--strip-names"]);
+  for (const file of isSplit ? [wasm, deferred] : [wasm]) {
+    if (profile === "release") {
+      const may = features.map((feature) => `--enable-${feature}`);
+      runNode(["node_modules/binaryen/bin/wasm-opt", ...shrink, ...may, file, "-o", file]);
+    }
+    const bytes = readFileSync(file);
+    const [plain, packed] = [bytes, gzipSync(bytes)].map(({ length }) => Math.round(length / 1000));
+    console.log(`  ${plain} kB, ${packed} kB gzipped: ${path.basename(file)}`);
   }
   writeFileSync(stampFile, stamp);
-  const bytes = readFileSync(wasm);
-  const [plain, packed] = [bytes, gzipSync(bytes)].map(({ length }) => Math.round(length / 1000));
-  console.log(`  ${plain} kB, ${packed} kB gzipped`);
 }
 
 /**
@@ -93,19 +111,26 @@ function flags() {
   return ["-C", "target-feature=+simd128", remap(cargoHome, "cargo"), remap(root, "umbilic")];
 }
 
-/** Path of wasm-bindgen's tool, built when it is missing or older than what it is made of. */
-function bindgenTool() {
+/** What tools are made of. @param {string[]} names */
+const toolSources = (...names) =>
+  ["Cargo.lock", ...names.map((name) => `src/bin/${name}.rs`)].map((file) => path.join(root, file));
+
+/**
+ * Path of a build tool, built when it is missing or older than what it is made of.
+ * @param {"bindgen" | "splitter"} name
+ */
+function tool(name) {
   const folder = path.join(targetDir, "tools");
   const suffix = process.platform === "win32" ? ".exe" : "";
-  const program = path.join(folder, "tool", `bindgen${suffix}`);
+  const program = path.join(folder, "tool", `${name}${suffix}`);
   const fresh =
     existsSync(program) &&
-    toolSources.every((file) => statSync(file).mtimeMs < statSync(program).mtimeMs);
+    toolSources(name).every((file) => statSync(file).mtimeMs < statSync(program).mtimeMs);
   if (!fresh) {
-    say("Building wasm-bindgen's tool");
+    say(`Building the tool ${name}`);
     run("cargo", [
-      ...["build", "--bin", "bindgen", "--profile", "tool", "--locked", "--target-dir", folder],
-      ...["--no-default-features", "--features", "bindgen"],
+      ...["build", "--bin", name, "--profile", "tool", "--locked", "--target-dir", folder],
+      ...["--no-default-features", "--features", name],
     ]);
   }
   return program;

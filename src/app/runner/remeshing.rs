@@ -21,9 +21,11 @@ use crate::flow::options::{FlowOptions, Remeshing};
 use crate::flow::{Decision, FlowError, Pass, Status, StepReport};
 use crate::geometry::measure;
 use crate::interrupt;
+use crate::mesh::HalfedgeMesh;
 use crate::remesh::Mode;
-use crate::remesh::adaptive::{self, Kind, Soundness, Targets};
+use crate::remesh::adaptive::{self, Kind, RemeshError, Remeshed, Soundness, Targets};
 use crate::soup::PolygonSoup;
+use glam::DVec3;
 use std::rc::Rc;
 use web_time::Instant;
 
@@ -33,6 +35,18 @@ const EVERY: usize = 10;
 const GAIN: f64 = 3.0;
 /// Steps after a pass before there can be another.
 const REST: usize = 3;
+
+deferred! {
+    fn remeshed(
+        mesh: &HalfedgeMesh,
+        x: &[DVec3],
+        kind: Kind,
+        budget: usize,
+        targets: Targets,
+    ) -> Result<Remeshed, RemeshError> {
+        adaptive::pass(mesh, x, kind, budget, targets)
+    }
+}
 
 impl Runner {
     /// What kind of passes there are under the options in force, on this surface.
@@ -118,7 +132,7 @@ impl Runner {
         };
         let mesh = self.triangles();
         let before = measure::min_angle_degrees(mesh, &self.x);
-        let made = adaptive::pass(mesh, &self.x, kind, self.budget(), targets);
+        let made = remeshed(mesh, &self.x, kind, self.budget(), targets);
         interrupt::check().map_err(FlowError::from)?;
         let Ok(made) = made else {
             return Ok(None);

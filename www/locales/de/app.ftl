@@ -4,6 +4,8 @@
 
 app-no-mesh = es gibt kein Netz
     .hint = Öffnen Sie zuerst ein Netz oder wählen Sie ein Beispiel.
+app-not-fetched = ein Teil des Programms, der hierfür nötig ist, ließ sich nicht laden
+    .hint = Nichts ist verloren: Prüfen Sie die Verbindung, und versuchen Sie es noch einmal.
 app-bad-options = die Optionen sind nicht lesbar: { $reason }
     .hint = Siehe die Liste der Optionen und ihrer Werte.
 app-bad-option = { $name } kann nicht { $value } sein

@@ -4,6 +4,8 @@
 
 app-no-mesh = there is no mesh
     .hint = Open a mesh or choose a sample first.
+app-not-fetched = a part of the program that this needs could not be fetched
+    .hint = Nothing is lost: check the connection, and try again.
 app-bad-options = the options cannot be read: { $reason }
     .hint = See the list of options and their values.
 app-bad-option = { $name } cannot be { $value }

@@ -1,0 +1,32 @@
+// The solver's second wasm file, fetched when something of it is first asked for: see
+// src/deferred.rs. Rust waits for no promise, so whoever runs the solver says how to come by the
+// file at once.
+
+import { initSync } from "./pkg/solver/solver.js";
+
+/** @type {() => WebAssembly.Module} */
+let compile = () => {
+  throw new Error("nobody has said where the rest of the solver is");
+};
+let isThere = false;
+
+/** @param {() => WebAssembly.Module} how  to come by the file; may throw */
+export function provide(how) {
+  compile = how;
+}
+
+/**
+ * Called by the solver, by a name that its splitter knows.
+ * @param {number} callback  index of a function of the solver, to be called with the result …
+ * @param {number} data      … and this
+ */
+export function __wasm_split_load_deferred(callback, data) {
+  const solver = /** @type {any} */ (initSync)();
+  try {
+    if (!isThere) new WebAssembly.Instance(compile(), { __wasm_split: solver });
+    isThere = true;
+  } catch (error) {
+    console.error(error);
+  }
+  solver.__indirect_function_table.get(callback)(data, isThere);
+}
