@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { serviceWorker } from "./tools/service-worker.js";
+import { shortNames } from "./tools/short-names.js";
 import { webglOnDemand } from "./tools/webgl.js";
 
 /** Indentation and comments are for whoever reads the source. */
@@ -34,7 +35,10 @@ export default defineConfig({
   base: "./",
   // Copied as they are: the manifest and its icons.
   publicDir: "www/public",
-  plugins: [compactHtml, compactWords, webglOnDemand(), serviceWorker(here("service-worker.js"))],
+  plugins: [
+    ...[compactHtml, compactWords, shortNames(), webglOnDemand()],
+    serviceWorker(here("service-worker.js")),
+  ],
   build: {
     outDir: "dist",
     emptyOutDir: true,
