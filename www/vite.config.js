@@ -27,6 +27,19 @@ const compactWords = {
   },
 };
 
+/**
+ * The pages that cannot begin without a module.
+ * @param {string} id @param {import("rolldown").ChunkingContext} graph
+ * @param {Set<string>} [seen] @returns {string[]}
+ */
+function pagesWith(id, graph, seen = new Set()) {
+  if (seen.has(id)) return [];
+  seen.add(id);
+  const info = graph.getModuleInfo(id);
+  const own = info?.isEntry ? [id] : [];
+  return [...own, ...(info?.importers ?? []).flatMap((one) => pagesWith(one, graph, seen))];
+}
+
 const here = (/** @type {string} */ file) => fileURLToPath(new URL(file, import.meta.url));
 
 export default defineConfig({
@@ -59,6 +72,18 @@ export default defineConfig({
       output: {
         // Other pages name it: it keeps its name, and is all in one file.
         entryFileNames: ({ name }) => (name === "embed" ? "embed.js" : "assets/[name]-[hash].js"),
+        // What the page begins with is one file, whatever else uses a part of it: it is smaller than
+        // many, and there is nothing to wait for in between.
+        codeSplitting: {
+          includeDependenciesRecursively: false,
+          groups: [
+            {
+              name: (id, graph) =>
+                pagesWith(id, graph).join() === here("../index.html") ? "index" : null,
+              debugName: "index",
+            },
+          ],
+        },
       },
     },
   },

@@ -5,8 +5,9 @@
 /** @import { SurfaceState } from "../element.js" */
 /** @import { Request } from "./messages.js" */
 
+import "../style/embed.css";
 import { linkIn, plainScene, sceneOf } from "../link.js";
-import { fileName } from "../save.js";
+import { contents, fileName } from "../save.js";
 import { pageAddress } from "../share.js";
 import { fault, say } from "../words.js";
 import * as messages from "./messages.js";
@@ -184,7 +185,7 @@ export function createEmbedding(page) {
       const asked = messages.formatOf(request);
       const shown = get();
       if (!shown.mesh) throw fault("NoMesh", "no-mesh-yet", {}, "");
-      const { format, blob } = await page.save.contents(asked);
+      const { format, blob } = await contents(page, asked);
       return { name: fileName(shown, format), bytes: new Uint8Array(await blob.arrayBuffer()) };
     },
   };

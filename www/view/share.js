@@ -4,6 +4,7 @@ import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
 import { createFilm } from "../film.js";
 import { formats, named, savedMeshes } from "../options.js";
+import { saveFile, saveSequence } from "../save.js";
 import { elementCode, iframeCode, pageAddress, sayLack, sizes } from "../share.js";
 import { sceneTitle, surfaceLabel } from "../status.js";
 import { say } from "../words.js";
@@ -61,7 +62,7 @@ function zip() {
       measure();
     };
   const input = number(say("every"), every.value, choose(every), { min: 1, step: 1 });
-  const save = () => page.save.sequence(as.value, every.value);
+  const save = () => saveSequence(page, as.value, every.value);
   return html`${select(say("each-step-as"), named(savedMeshes, "save-as"), as.value, choose(as))}
     ${labelled(say("every"), html`<span class="number">${input}</span>`, size.value)}
     ${button(say("save-steps"), save, "", { icon: "share" })}`;
@@ -84,7 +85,7 @@ export function share() {
   return html`<p class="hint">${say("share-hint", { name: sceneTitle(source) })}</p>
     ${button(say("copy-link"), () => copyLink().catch(page.report), "primary")}<hr />
     ${select(say("save-as"), named(formats, "save-as"), format.value, into(format))}
-    ${button(say("download"), () => page.save.file(format.value), "", { icon: "share" })}<hr />
+    ${button(say("download"), () => saveFile(page, format.value), "", { icon: "share" })}<hr />
     <h3>${say("film")}</h3>
     <div class="row">${button(record, turn, "", { pressed: isOn.value, disabled: !isAble })}
       <span class="hint">${isAble ? time.value : say("film-unable")}</span></div>
