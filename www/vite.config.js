@@ -73,14 +73,16 @@ export default defineConfig({
         // Other pages name it: it keeps its name, and is all in one file.
         entryFileNames: ({ name }) => (name === "embed" ? "embed.js" : "assets/[name]-[hash].js"),
         // What the page begins with is one file, whatever else uses a part of it: it is smaller than
-        // many, and there is nothing to wait for in between.
+        // many, and there is nothing to wait for in between. But for what waits for other files, which
+        // may use it.
         codeSplitting: {
           includeDependenciesRecursively: false,
           groups: [
             {
+              test: (id) => ![here("../index.html"), here("main.js")].includes(id),
               name: (id, graph) =>
-                pagesWith(id, graph).join() === here("../index.html") ? "index" : null,
-              debugName: "index",
+                pagesWith(id, graph).join() === here("../index.html") ? "first" : null,
+              debugName: "first",
             },
           ],
         },
