@@ -44,14 +44,18 @@ function messages() {
 test("the page has its words before those that are fetched later", async () => {
   const ids = messages();
   assert.ok(ids.size > 500, String(ids.size));
-  for (const locale of ["en", "de"]) {
+  for (const [locale, query, button] of [
+    ["en", "msaa=1", "Watch it flow"],
+    ["de", "msaa=1", "Fließen lassen"],
+    ["en", "msaa=1&embed", "Full page"],
+  ]) {
     const { page, faults, close } = await site.blank({ locale });
     await page.route(/solver_bg[^/]*\.wasm$/, () => {});
-    const first = /(index|first|words|language|offline|viewer|worker)-[^/]*\.js$/;
+    const first = /(index|first|words|language|offline|viewer|worker|host|save|share)-[^/]*\.js$/;
     await page.route(/assets\/[^/]*\.js$/, (route) =>
       first.test(route.request().url()) ? route.continue() : undefined,
     );
-    await page.goto(`${site.url}?msaa=1`);
+    await page.goto(`${site.url}?${query}`);
     const isPictured = () => performance.getEntriesByName("first-picture").length > 0;
     await page.waitForFunction(isPictured);
     const said = await page.evaluate(() =>
@@ -61,11 +65,11 @@ test("the page has its words before those that are fetched later", async () => {
       ]),
     );
     const texts = said.map((text) => (text ?? "").replace(/ \(.*\)$/, "").trim());
-    assert.ok(texts.includes(locale === "en" ? "Watch it flow" : "Fließen lassen"));
+    assert.ok(texts.includes(button), button);
     assert.deepEqual(
       texts.filter((text) => ids.has(text)),
       [],
-      locale,
+      `${locale} ${query}`,
     );
     assert.deepEqual(faults, []);
     await close();

@@ -76,8 +76,6 @@ lost-with-solver = { $what ->
 }
 saved-own-copy = Der Löser ist jetzt nicht zu fragen: Das Netz wurde als PLY gesichert, in Dreiecken, aus dem, was die Seite selbst hat.
 no-mesh-yet = Es gibt noch kein Netz.
-too-many-requests = Mehr als { $most } Anfragen warten auf eine Antwort.
-    .hint = Warten Sie die Antworten ab, bevor Sie weitere stellen.
 
 ## Archive und mehrere Dateien zugleich
 

@@ -355,8 +355,6 @@ save-as-glb = glTF (GLB)
 save-as-csv = Verlauf, CSV
 save-as-recipe = Rezept, JSON
 save-as-png = Bild, PNG
-full-page = Ganze Seite
-    .title = Diese Szene auf der ganzen Seite öffnen
 
 ## Bibliothek
 

@@ -76,8 +76,6 @@ lost-with-solver = { $what ->
 }
 saved-own-copy = The solver cannot be asked now: the mesh was saved as PLY, as triangles, from what the page itself has.
 no-mesh-yet = There is no mesh yet.
-too-many-requests = More than { $most } requests wait to be answered.
-    .hint = Wait for the answers before asking for more.
 
 ## Archives, and several files at once
 

@@ -355,8 +355,6 @@ save-as-glb = glTF (GLB)
 save-as-csv = History, CSV
 save-as-recipe = Recipe, JSON
 save-as-png = Picture, PNG
-full-page = Full page
-    .title = Open this scene in the whole page
 
 ## Library
 
