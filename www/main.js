@@ -119,7 +119,7 @@ effect(() => {
   const place = `${figure.id} ${reading.step} ${reading.energy}`;
   if (!isFar || place === judged) return;
   judged = place;
-  page.solver.judge(figure.id).then(
+  page.solver.ask("judge", { figure: figure.id }).then(
     (found) => {
       if (found && judged === place) page.finding.value = { id: figure.id, ...found };
     },

@@ -189,7 +189,7 @@ export function createOpen(core, run, compare) {
   /** @param {Uint8Array<ArrayBuffer>} bytes */
   async function readRecipe(bytes) {
     const text = new TextDecoder().decode(bytes);
-    const recipe = { text, card: await solver.readRecipe(text) };
+    const recipe = { text, card: await solver.ask("readRecipe", { text }) };
     const { estimate, mesh } = recipe.card;
     const { steps } = estimate;
     if (estimate.isLong && !(await notes.ask(say("recipe-is-long", { steps })))) return;
@@ -234,7 +234,9 @@ export function createOpen(core, run, compare) {
     const isScene = origin?.kind === "sample" ? origin.id === scene.sample : scene.mesh !== null;
     // Refused, or overtaken by another mesh.
     if (!isScene || mesh !== asked || scene.check === null || !reading) return;
-    const found = await solver.checkLink(scene.check, scene.step).catch(() => null);
+    const found = await solver
+      .ask("checkLink", { sent: scene.check, step: scene.step })
+      .catch(() => null);
     if (!found || get().mesh !== asked) return;
     const isOther = scene.version !== null && scene.version !== version;
     const known = isOther ? "version" : isFile === null ? "unknown" : "same";
@@ -303,7 +305,7 @@ export function createOpen(core, run, compare) {
      * @returns {Promise<Scene | null>} null where its length was not wanted
      */
     async readLink(address) {
-      const scene = sceneOf(await solver.readLink(linkIn(address)));
+      const scene = sceneOf(await solver.ask("readLink", linkIn(address)));
       const steps = scene.manySteps;
       return steps === 0 || (await notes.ask(say("link-is-long", { steps }))) ? scene : null;
     },
@@ -331,7 +333,7 @@ export function createOpen(core, run, compare) {
       if (scene?.sample) await check(scene);
     },
     /** @param {boolean} [shared]  sent to somebody, so that there is always an energy to compare */
-    writeLink: (shared = false) => solver.writeLink(pageScene(get(), shared)),
+    writeLink: (shared = false) => solver.ask("writeLink", { scene: pageScene(get(), shared) }),
     /** How the present surface came about, as a file. @returns {Promise<string>} */
     async recipe() {
       const { samples } = await library();
@@ -341,12 +343,12 @@ export function createOpen(core, run, compare) {
       const isBack = sample && figure?.back && (reading?.step ?? 0) < 0;
       const parameters = { ...sample?.parameters, ...figure?.back };
       const own = isBack ? { kind: "shape", shape: sample.shape, parameters } : origin;
-      return solver.writeRecipe(/** @type {any} */ (own));
+      return solver.ask("writeRecipe", { origin: /** @type {any} */ (own) });
     },
     /** Gives up what is being done again. @returns {Promise<boolean>} whether there was something */
     async giveUp() {
       if (!isReplaying) return false;
-      await solver.cancel().catch(core.report);
+      await solver.ask("cancelReplay").catch(core.report);
       return true;
     },
   };

@@ -168,7 +168,7 @@ export function createEmbedding(page) {
     },
     async set({ words }) {
       const { hash, named } = messages.wordsToSet(words);
-      const scene = sceneOf(await page.solver.readLink(linkIn({ search: "", hash })));
+      const scene = sceneOf(await page.solver.ask("readLink", linkIn({ search: "", hash })));
       const { options, arrangement, colour, camera, view, step } = scene;
       if (Object.keys(options).length > 0) await run.configure(options, { fromStart: true });
       if (Object.keys(arrangement).length > 0) await run.arrange(arrangement);

@@ -49,7 +49,9 @@ async function copyCode() {
 /** How large a ZIP would be. */
 async function measure() {
   const { format: as, every, size } = sequence;
-  const found = await page.solver.sequenceSize(as.value, every.value).catch(() => null);
+  const found = await page.solver
+    .ask("sequenceSize", { format: as.value, every: every.value })
+    .catch(() => null);
   const values = found && { meshes: found.meshes, megabytes: found.bytes / 1e6 };
   size.value = values ? say("sequence-size", values) : "";
 }

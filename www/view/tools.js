@@ -150,7 +150,7 @@ async function begin(mode) {
   else page.stage.brush(null);
   if (mode === "fill") {
     chosen.value = [];
-    loops.value = (await page.solver.loops().catch(page.report)) ?? [];
+    loops.value = (await page.solver.ask("loops").catch(page.report)) ?? [];
   }
   if (mode === "invert") {
     box = viewer()?.box() ?? box;
