@@ -1,6 +1,5 @@
 // What a user can ask for. Nothing here touches the document.
 
-import { createCompare } from "./actions/compare.js";
 import { createCore } from "./actions/core.js";
 import { createEdit } from "./actions/edit.js";
 import { createOpen } from "./actions/open.js";
@@ -10,13 +9,33 @@ import { createNotes } from "./notes.js";
 
 /** @import { Mode, Store, Tab } from "./store.js" */
 
+/**
+ * Actions that are fetched when the first of them is asked for.
+ * @template {Record<string, (...given: any[]) => unknown>} T @param {() => Promise<T>} load
+ * @returns {{ [K in keyof T]: (...given: Parameters<T[K]>) => Promise<Awaited<ReturnType<T[K]>>> }}
+ */
+function deferred(load) {
+  /** @type {Promise<T> | undefined} */
+  let made;
+  /** @param {unknown} _ @param {string} name @returns {(...given: any[]) => Promise<any>} */
+  const get =
+    (_, name) =>
+    async (...given) => {
+      made ??= load();
+      return (await made)[name](...given);
+    };
+  return new Proxy(/** @type {any} */ ({}), { get });
+}
+
 /** @param {Store} store @param {Parameters<typeof createCore>[2]} environment */
 export function createPage(store, environment) {
   const notes = createNotes(store);
   const core = createCore(store, notes, environment);
   const edits = createEdit(core);
   const run = createRun(core, edits.adopt);
-  const compare = createCompare(core);
+  const compare = deferred(() =>
+    import("./actions/compare.js").then(({ createCompare }) => createCompare(core)),
+  );
   const open = createOpen(core, run, compare);
   const why = createWhy(core, edits, run);
   return { ...core, run, open, compare, why, edit: edits.edit };
@@ -26,7 +45,6 @@ export function createPage(store, environment) {
  * What the views have beside that; see main.js.
  * @typedef {object} Views
  * @property {import("./view/stage.js").Stage} stage
- * @property {ReturnType<typeof import("./save.js").createSave>} save
  * @property {import("@preact/signals-core").Signal<boolean>} keysOn
  * @property {import("@preact/signals-core").Signal<({ id: string } & import("./library.js").Finding) | null>} finding
  *   of the figure that was last judged
@@ -37,3 +55,4 @@ export function createPage(store, environment) {
  */
 
 /** @typedef {ReturnType<typeof createPage> & Views} Page */
+/** @typedef {Page["compare"]} Compare */

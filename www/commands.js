@@ -32,6 +32,9 @@ const toEnd = (/** @type {Page} */ page) => page.run.seek(page.lead.clip.last?.s
 /** @param {keyof import("./store.js").View} name @returns {(page: Page) => unknown} */
 const flip = (name) => (page) => page.run.view({ [name]: !page.get().view[name] });
 
+/** @param {string} format @returns {(page: Page) => Promise<void>} */
+const saved = (format) => async (page) => (await import("./save.js")).saveFile(page, format);
+
 /** @type {readonly Command[]} */
 export const commands = [
   { id: "play", keys: ["space"], act: (page) => page.run.toggle() },
@@ -62,8 +65,8 @@ export const commands = [
   { id: "repair", keys: [], act: (page) => page.edit.repair() },
   { id: "regularise", keys: [], act: (page) => page.edit.regularise() },
   { id: "adopt", keys: [], act: (page) => page.edit.adopt() },
-  { id: "download", keys: [], act: (page) => page.save.file("ply") },
-  { id: "picture", keys: [], act: (page) => page.save.file("png") },
+  { id: "download", keys: [], act: saved("ply") },
+  { id: "picture", keys: [], act: saved("png") },
   { id: "boundary-lines", keys: [], act: flip("boundary") },
   { id: "contrast", keys: [], act: flip("contrast") },
 ];

@@ -1,32 +1,28 @@
 // Builds the page: the state, what can be asked for, the views, and the scene in the address.
 
 import { effect, signal } from "@preact/signals-core";
-import { html, nothing, render } from "lit-html";
+import { nothing, render } from "lit-html";
 import { commands, listenForKeys } from "./commands.js";
 import { openLanguage, remembered } from "./language.js";
 import { createLinkWriter, linkIn } from "./link.js";
 import { packedEndings, readEndings } from "./mesh-format.js";
 import { keepOffline } from "./offline.js";
-import { createSave } from "./save.js";
 import { sceneTitle } from "./status.js";
 import { isDark } from "./store.js";
-import { cards } from "./view/cards.js";
 import { dock } from "./view/dock.js";
-import { legend } from "./view/legend.js";
 import { page } from "./view/page.js";
-import { listenToClicker, present } from "./view/present.js";
+import { fetchViews } from "./view/parts.js";
 import {
   dialog,
   drawer,
-  fetchDialogs,
   isDialogOpen,
+  overStage,
   question,
   rail,
   top,
   turn,
 } from "./view/shell.js";
 import { createStage } from "./view/stage.js";
-import { inversionHandle, listenToTools, toolBar } from "./view/tools.js";
 import { fetchRest } from "./words.js";
 
 /** @import { Mode, S } from "./store.js" */
@@ -60,8 +56,6 @@ Object.assign(page, {
     page.patch({ presenting: on ?? !page.get().presenting, dialog: null, welcome: false }),
 });
 page.stage = createStage(byId("panes"), quality);
-page.save = createSave(page);
-listenToTools();
 
 const theme = remembered("theme");
 page.run.view({
@@ -80,7 +74,7 @@ mount("top", top);
 mount("rail", rail);
 mount("drawer", drawer);
 mount("dock", dock);
-mount("cards", () => html`${toolBar()}${inversionHandle()}${cards()}${legend()}${present()}`);
+mount("cards", overStage);
 for (const [id, view, isOpen] of /** @type {const} */ ([
   ["dialog", dialog, isDialogOpen],
   ["ask", question, (/** @type {S} */ s) => s.question !== null],
@@ -125,7 +119,7 @@ effect(() => {
   const place = `${figure.id} ${reading.step} ${reading.energy}`;
   if (!isFar || place === judged) return;
   judged = place;
-  page.solver.judge(figure.id).then(
+  page.solver.ask("judge", { figure: figure.id }).then(
     (found) => {
       if (found && judged === place) page.finding.value = { id: figure.id, ...found };
     },
@@ -134,7 +128,6 @@ effect(() => {
 });
 
 listenForKeys(page);
-listenToClicker();
 file.accept = [...readEndings, ...packedEndings, ".bin", ".json"].join();
 file.setAttribute("aria-keyshortcuts", commands.find(({ id }) => id === "open")?.keys[0] ?? "");
 
@@ -151,7 +144,7 @@ if (embedding) {
 const pictured = page.stage.start(linkIn(location).text === "" && !embedding?.isFed);
 pictured
   .then(() => performance.mark("first-picture"))
-  .then(fetchDialogs)
+  .then(fetchViews)
   .catch(() => {});
 
 // Whoever embeds the page could take away what a visitor opens in it. A file that is chosen or

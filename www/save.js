@@ -37,48 +37,43 @@ export function montageOf({ stage }) {
   );
 }
 
-/** @param {Page} page */
-export function createSave(page) {
-  /** @returns {Promise<Blob>} */
-  async function picture() {
-    const { first, others } = page.stage;
-    const taken = first.viewer && (others.size > 0 ? montageOf(page) : first.viewer).snapshot();
-    const blob = await taken;
-    if (!blob) throw fault("NoPicture", "no-picture");
-    return blob;
-  }
+/** The stage as a PNG. @param {Page} page @returns {Promise<Blob>} */
+async function picture(page) {
+  const { first, others } = page.stage;
+  const taken = first.viewer && (others.size > 0 ? montageOf(page) : first.viewer).snapshot();
+  const blob = await taken;
+  if (!blob) throw fault("NoPicture", "no-picture");
+  return blob;
+}
 
-  /**
-   * What a file of a format holds; another format where the solver cannot be asked.
-   * @param {string} format @returns {Promise<{ format: string, blob: Blob }>}
-   */
-  async function contents(format) {
-    if (format === "png") return { format, blob: await picture() };
-    if (format === "recipe") {
-      const type = "application/json";
-      return { format, blob: new Blob([await page.open.recipe()], { type }) };
-    }
-    const file = await page.run.export(format);
-    const type = format === "csv" ? "text/csv" : "application/octet-stream";
-    return { format: file.format, blob: new Blob([file.bytes], { type }) };
+/**
+ * What a file of a format holds; another format where the solver cannot be asked.
+ * @param {Page} page @param {string} format @returns {Promise<{ format: string, blob: Blob }>}
+ */
+export async function contents(page, format) {
+  if (format === "png") return { format, blob: await picture(page) };
+  if (format === "recipe") {
+    const type = "application/json";
+    return { format, blob: new Blob([await page.open.recipe()], { type }) };
   }
+  const file = await page.run.export(format);
+  const type = format === "csv" ? "text/csv" : "application/octet-stream";
+  return { format: file.format, blob: new Blob([file.bytes], { type }) };
+}
 
-  return {
-    contents,
-    /** @param {string} format */
-    async file(format) {
-      try {
-        const { format: kind, blob } = await contents(format);
-        save(blob, fileName(page.get(), kind));
-      } catch (error) {
-        page.report(error);
-      }
-    },
-    /** @param {string} format @param {number} every */
-    async sequence(format, every) {
-      const name = fileName(page.get(), "zip");
-      const zip = await page.edit.sequence(format, every);
-      if (zip) save(new Blob([zip], { type: "application/zip" }), name);
-    },
-  };
+/** @param {Page} page @param {string} format */
+export async function saveFile(page, format) {
+  try {
+    const { format: kind, blob } = await contents(page, format);
+    save(blob, fileName(page.get(), kind));
+  } catch (error) {
+    page.report(error);
+  }
+}
+
+/** All steps that are stored. @param {Page} page @param {string} format @param {number} every */
+export async function saveSequence(page, format, every) {
+  const name = fileName(page.get(), "zip");
+  const zip = await page.edit.sequence(format, every);
+  if (zip) save(new Blob([zip], { type: "application/zip" }), name);
 }

@@ -190,16 +190,6 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
     return places.includes(name) ? signed(/** @type {any} */ (answer)) : answer;
   }
 
-  /**
-   * A command that is asked for by the values of these fields.
-   * @type {<N extends Name, K extends (keyof Asked<N>)[]>(name: N, ...fields: K) =>
-   *   (...values: { [I in keyof K]: Asked<N>[K[I]] }) => Promise<Answered<N>>}
-   */
-  const by =
-    (name, ...fields) =>
-    (...values) =>
-      ask(name, /** @type {any} */ (Object.fromEntries(fields.map((key, n) => [key, values[n]]))));
-
   /** Gives a new worker the scene. @returns {Promise<State | null>} */
   async function restore() {
     const { origin, loaded, isConfigured, options, again, last } = scene;
@@ -313,6 +303,8 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
   return {
     dismiss,
     revive,
+    /** Whatever leaves mesh, flow and half of a film as they are. */
+    ask,
     /** Starts the worker, if nothing has been asked of it yet. @throws {Fault} where that may not be */
     begin: () => void channel.begin(),
 
@@ -371,11 +363,6 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
       if (until !== null) await turn(false);
       return ask("run", { until });
     },
-    pause: by("pause"),
-    step: by("step"),
-    back: by("back"),
-    reset: by("reset"),
-    branch: by("branch", "branch"),
     /** Shows a stored step. @param {number} step */
     async seek(step) {
       await turn(step < 0);
@@ -406,36 +393,6 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
       scene.isConfigured = true;
       return state;
     },
-    /** Gives up what is prepared or followed. */
-    cancel: by("cancelReplay"),
-    regularise: by("regularise", "options"),
-    arrange: by("arrange", "arrangement"),
-    colour: by("colour", "field"),
-    look: by("look", "options"),
-
-    // Questions, which change nothing.
-    selfIntersections: by("selfIntersections"),
-    why: by("why"),
-    judge: by("judge", "figure"),
-    /** Null for the next resolution. */
-    study: by("study", "options"),
-    phase: by("phase", "number"),
-    loops: by("loops"),
-    previewInversion: by("previewInversion", "centre"),
-    conjecture: by("conjecture"),
-    quadrilateral: by("quadrilateral", "corners"),
-    lab: by("lab", "pairs"),
-    bending: async () => (await ask("energy")).willmore,
-
-    // Links and files.
-    readLink: (/** @type {{ text: string, isOwn: boolean }} */ link) => ask("readLink", link),
-    writeLink: by("writeLink", "scene"),
-    checkLink: by("checkLink", "sent", "step"),
-    readRecipe: by("readRecipe", "text"),
-    writeRecipe: by("writeRecipe", "origin"),
-    history: by("history"),
-    sequence: by("sequence", "format", "every"),
-    sequenceSize: by("sequenceSize", "format", "every"),
     /** As a file; PLY of the page's own copy, where it cannot be asked. @param {string} format */
     async export(format) {
       try {

@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { serviceWorker } from "./tools/service-worker.js";
+import { shortNames } from "./tools/short-names.js";
 import { webglOnDemand } from "./tools/webgl.js";
 
 /** Indentation and comments are for whoever reads the source. */
@@ -26,6 +27,19 @@ const compactWords = {
   },
 };
 
+/**
+ * The pages that cannot begin without a module.
+ * @param {string} id @param {import("rolldown").ChunkingContext} graph
+ * @param {Set<string>} [seen] @returns {string[]}
+ */
+function pagesWith(id, graph, seen = new Set()) {
+  if (seen.has(id)) return [];
+  seen.add(id);
+  const info = graph.getModuleInfo(id);
+  const own = info?.isEntry ? [id] : [];
+  return [...own, ...(info?.importers ?? []).flatMap((one) => pagesWith(one, graph, seen))];
+}
+
 const here = (/** @type {string} */ file) => fileURLToPath(new URL(file, import.meta.url));
 
 export default defineConfig({
@@ -34,7 +48,10 @@ export default defineConfig({
   base: "./",
   // Copied as they are: the manifest and its icons.
   publicDir: "www/public",
-  plugins: [compactHtml, compactWords, webglOnDemand(), serviceWorker(here("service-worker.js"))],
+  plugins: [
+    ...[compactHtml, compactWords, shortNames(), webglOnDemand()],
+    serviceWorker(here("service-worker.js")),
+  ],
   build: {
     outDir: "dist",
     emptyOutDir: true,
@@ -55,6 +72,20 @@ export default defineConfig({
       output: {
         // Other pages name it: it keeps its name, and is all in one file.
         entryFileNames: ({ name }) => (name === "embed" ? "embed.js" : "assets/[name]-[hash].js"),
+        // What the page begins with is one file, whatever else uses a part of it: it is smaller than
+        // many, and there is nothing to wait for in between. But for what waits for other files, which
+        // may use it.
+        codeSplitting: {
+          includeDependenciesRecursively: false,
+          groups: [
+            {
+              test: (id) => ![here("../index.html"), here("main.js")].includes(id),
+              name: (id, graph) =>
+                pagesWith(id, graph).join() === here("../index.html") ? "first" : null,
+              debugName: "first",
+            },
+          ],
+        },
       },
     },
   },

@@ -14,8 +14,10 @@
 //! | [`colour`] | colour maps, palettes of the themes |
 //! | [`style`], [`quality`] | what the page asks for, and what the device has time for |
 //! | [`frame`] | uniform blocks, mirrored in WGSL |
+//! | [`bare`] | the text of shaders as it is shipped |
 //! | `gpu` | device, passes and shaders; redraws only when something changed |
 
+pub mod bare;
 pub mod brush;
 pub mod camera;
 pub mod colour;

@@ -9,12 +9,17 @@ use naga::back::glsl;
 use naga::proc::BoundsCheckPolicies;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
+use umbilic::viewer::bare::bare;
 use umbilic::viewer::frame::{Frame, Line};
 
 /// Source of a shader as the viewer compiles it: with the common part in front.
 fn source(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/viewer/gpu");
-    let read = |name: &str| fs::read_to_string(folder.join(name)).expect("shader exists");
+    let read = |name: &str| {
+        let text = fs::read(folder.join(name)).expect("shader exists");
+        let (kept, count) = bare::<20_000>(&text);
+        String::from_utf8(kept[..count].to_vec()).expect("UTF-8")
+    };
     if name == "frame.wgsl" {
         read(name)
     } else {

@@ -27,13 +27,11 @@ const shown = (page) =>
 
 /** What the surface of the slide says of itself. @param {Page} page @param {number} slide */
 const state = (page, slide) =>
-  page.evaluate(
-    (n) =>
-      /** @type {any} */ (
-        document.querySelectorAll("section")[n - 1].querySelector("umbilic-surface")
-      ).state(),
-    slide,
-  );
+  page.evaluate(async (n) => {
+    await customElements.whenDefined("umbilic-surface");
+    const element = document.querySelectorAll("section")[n - 1].querySelector("umbilic-surface");
+    return /** @type {any} */ (element).state();
+  }, slide);
 
 test("keys, clicker, buttons and address turn the slides, and not beyond the ends", async () => {
   const { page, faults, close } = await openDeck("#/3");

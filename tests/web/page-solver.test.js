@@ -40,7 +40,7 @@ function listened(patience) {
 async function run(solver, steps) {
   await solver.load("own.obj", Uint8Array.of(1, 2, 3));
   await solver.configure({ flow: "circle" });
-  for (let n = 0; n < steps; n += 1) await solver.step();
+  for (let n = 0; n < steps; n += 1) await solver.ask("step");
 }
 
 /** Positions of a binary PLY with `double` coordinates. @param {Uint8Array} bytes */
@@ -69,7 +69,7 @@ test("a scene outlives crashes in a row, those on the way back too, in double pr
   assert.deepEqual(heard("onCrashed"), [["onCrashed", "the first"]], "one crash is told");
   assert.deepEqual([...FakeWorker.last.exact], [...before]);
   assert.notEqual(Math.fround(before[0]), before[0], "a number that single precision lacks");
-  assert.equal((await solver.step())?.step, 5);
+  assert.equal((await solver.ask("step"))?.step, 5);
 });
 
 test("a solver that never comes back is given up, and a later request brings the scene first", async () => {
@@ -87,7 +87,7 @@ test("a solver that never comes back is given up, and a later request brings the
   assert.equal(FakeWorker.all.length, tried, "and asks for none");
 
   FakeWorker.crashesAt = () => false;
-  assert.equal((await solver.step())?.step, 3);
+  assert.equal((await solver.ask("step"))?.step, 3);
   const names = FakeWorker.last.asked.map(({ name }) => name);
   assert.deepEqual(names, ["load", "configure", "restore", "step"]);
   const own = { format: "obj", bytes: Uint8Array.of(3), losses: [] };
@@ -145,7 +145,7 @@ test("a mesh that is refused or crashes the solver leaves the scene of before", 
   FakeWorker.crashesAt = ({ fields }) => fields.name === "deadly.obj";
   await assert.rejects(solver.load("deadly.obj", Uint8Array.of(1)), { kind: LOST });
   await assert.rejects(solver.load("broken.obj", Uint8Array.of(1)), { kind: "BadMesh" });
-  assert.equal((await solver.step())?.step, 3);
+  assert.equal((await solver.ask("step"))?.step, 3);
   assert.equal(FakeWorker.last.mesh, "own.obj");
 });
 
@@ -155,7 +155,7 @@ test("a surface at the start comes back as the start, an edited one as a file", 
   FakeWorker.last.crash("at the start");
   assert.equal((await solver.revive())?.step, 0);
   assert.equal(FakeWorker.last.asked.at(-1)?.name, "reset");
-  await solver.step();
+  await solver.ask("step");
   await solver.adopt();
   await solver.configure({ flow: "circle" });
   FakeWorker.last.crash("after an edit");
@@ -172,7 +172,7 @@ test("an owed answer that stays away is noticed, and a sign of life takes that b
   assert.deepEqual(heard("onSilent"), [], "nothing is owed at rest");
 
   FakeWorker.ignores = ({ name }) => name === "step";
-  const owed = solver.step();
+  const owed = solver.ask("step");
   owed.catch(() => {});
   await new Promise(setImmediate);
   context.mock.timers.tick(9000);

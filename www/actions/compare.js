@@ -91,7 +91,7 @@ export function createCompare(core) {
       rival.mesh = mesh;
       const wanted = withSelection(optionsOf(options, change), mesh);
       const { state: reading, heldVertices: held } = await own.configure(wanted);
-      const field = colour === "none" ? null : await own.colour(colour);
+      const field = colour === "none" ? null : await own.ask("colour", { field: colour });
       if (clip.points[0]) clip.points[0].field = field;
       changed(rival, { phase: "ready", reason: "", reading, held });
     } catch (error) {
@@ -151,7 +151,7 @@ export function createCompare(core) {
       Promise.all(
         rivals().map(async (rival) => {
           if (!rival.running) return;
-          const reading = await rival.solver.pause();
+          const reading = await rival.solver.ask("pause");
           changed(rival, { running: false, ...(reading && { reading }) });
         }),
       ),
@@ -164,7 +164,7 @@ export function createCompare(core) {
     async colour(name) {
       for (const { clip, solver: own } of rivals()) {
         for (const point of clip.points) point.field = null;
-        await own.colour(name).catch(() => null);
+        await own.ask("colour", { field: name }).catch(() => null);
         if (clip.points.length > 0) own.stored().catch(() => {});
       }
     },

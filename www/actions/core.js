@@ -197,7 +197,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   /** Ends a run, and puts the solver where the display stands: at a true step. */
   async function settle() {
     if (get().running) {
-      const reading = await solver.pause();
+      const reading = await solver.ask("pause");
       patch({ reading, running: false, goal: null, progress: null });
     }
     await core.beside.settle();
@@ -246,7 +246,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
 
   /** Colours of all steps that are kept. @param {FieldName} name */
   async function colour(name) {
-    const field = await solver.colour(name);
+    const field = await solver.ask("colour", { field: name });
     const { clip } = lead;
     patch({ colour: name, range: null });
     for (const point of clip.points) point.field = null;

@@ -55,16 +55,18 @@ export function createEdit(core) {
   /** All flips that gain anything, at once. */
   async function flipAll() {
     const { arrangement } = get();
-    await solver.arrange({ ...arrangement, flipsPerStep: null });
-    await long("flips", () => solver.step());
-    await solver.arrange(arrangement);
+    await solver.ask("arrange", { arrangement: { ...arrangement, flipsPerStep: null } });
+    await long("flips", () => solver.ask("step"));
+    await solver.ask("arrange", { arrangement });
   }
 
   const edits = {
     /** Regularises the mesh as it is; a step back undoes it. */
     async regularise() {
       const { regulariseEpsilon: epsilon } = get().options;
-      const outcome = await long("regularise", () => solver.regularise({ epsilon }));
+      const outcome = await long("regularise", () =>
+        solver.ask("regularise", { options: { epsilon } }),
+      );
       const { passes, before, after, distance, pinned } = outcome;
       if (passes === 0) return notes.answer(say("regular-already", { pinned }));
       notes.answer(
@@ -138,7 +140,7 @@ export function createEdit(core) {
       notes.answer(say("inverted", { change: Math.abs(after.circle - before.circle) }));
     },
     /** The stored steps as a ZIP of meshes. @param {string} format @param {number} every */
-    sequence: (format, every) => long("sequence", () => solver.sequence(format, every)),
+    sequence: (format, every) => long("sequence", () => solver.ask("sequence", { format, every })),
   };
 
   const edit = {
@@ -146,7 +148,7 @@ export function createEdit(core) {
     /** Shows the surface inverted. @param {number[]} centre @returns {Promise<void>} refusals are the caller's */
     async preview(centre) {
       const asked = get().reading;
-      const preview = await solver.previewInversion(centre);
+      const preview = await solver.ask("previewInversion", { centre });
       // A step meanwhile is the newer picture.
       if (get().reading === asked && get().mode === "invert") patch({ preview });
     },
@@ -161,7 +163,7 @@ export function createEdit(core) {
       enqueue(async () => {
         if (!get().mesh) return;
         const lookOptions = { ...get().lookOptions, ...change };
-        const look = await solver.look(lookOptions);
+        const look = await solver.ask("look", { options: lookOptions });
         const extras = get().extras ?? { curves: null, jump: null };
         patch({ lookOptions, extras: { ...extras, look } });
       }),

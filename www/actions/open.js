@@ -2,10 +2,10 @@
 
 import { LOST } from "../channel.js";
 import { sha256 } from "../digest.js";
-import { figures, samples } from "../generated/library.js";
 import { sampleName } from "../library.js";
 import { linkIn, pageScene, plainScene, sceneOf } from "../link.js";
 import { defaults } from "../options.js";
+import { alone } from "../store.js";
 import { say } from "../words.js";
 
 /** @import { Loaded, RecipeCard, RepairOptions, ScriptText } from "../generated/types.js" */
@@ -26,6 +26,9 @@ import { say } from "../words.js";
 /** A file that something begins with. @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} Bytes */
 /** A recipe that was read. @typedef {{ text: string, card: RecipeCard }} Recipe */
 
+/** Samples and figures: they can be opened once there is a solver, which is fetched meanwhile. */
+const library = () => import("../generated/library.js");
+
 /** Faces of a file from which it is taken for a scan. */
 const SCANNED = 2000;
 
@@ -35,7 +38,7 @@ const stem = (file) => file.replace(/\.[^.]+$/, "");
 /** No sample, and no file that could be named by its content. @param {string} name @returns {Source} */
 const edited = (name) => ({ kind: "file", name });
 
-/** @param {Core} core @param {ReturnType<typeof import("./run.js").createRun>} run @param {ReturnType<typeof import("./compare.js").createCompare>} compare */
+/** @param {Core} core @param {ReturnType<typeof import("./run.js").createRun>} run @param {import("../actions.js").Compare} compare */
 export function createOpen(core, run, compare) {
   const { get, patch, notes, solver, enqueue, rest, anew } = core;
 
@@ -53,7 +56,8 @@ export function createOpen(core, run, compare) {
       patch({ figure: null, goal: null, isNew: false, camera, applies: "start" });
       anew();
       for (const warning of mesh.info.warnings) notes.note(say(warning), warning.id);
-      compare.prepare(scene.comparison ?? null);
+      if (scene.comparison || get().comparison !== alone)
+        await compare.prepare(scene.comparison ?? null);
       // A new solver knows of none.
       await run.arranged(scene.arrangement ?? {});
       if (scene.colour && scene.colour !== get().colour) patch({ colour: scene.colour });
@@ -75,7 +79,7 @@ export function createOpen(core, run, compare) {
       patch({ phase: before ? "ready" : phase === "loading" ? "empty" : phase, progress: null });
       throw error;
     }
-    const figure = figures.find(({ id }) => id === scene.figure);
+    const figure = (await library()).figures.find(({ id }) => id === scene.figure);
     if (figure && source.kind === "sample" && figure.sample === source.id) patch({ figure });
     const { follows, step = 0 } = scene;
     if (follows) {
@@ -85,7 +89,10 @@ export function createOpen(core, run, compare) {
       patch({ running: true, goal: step });
       await solver.run(step);
     }
-    await compare.runTo(scene.comparison?.panes.map((pane) => pane.step) ?? [], step);
+    if (scene.comparison) {
+      const steps = scene.comparison.panes.map((pane) => pane.step);
+      await compare.runTo(steps, step);
+    }
   }
 
   /** What is being done again, and may be given up. */
@@ -103,7 +110,8 @@ export function createOpen(core, run, compare) {
   const prepared = (script, file) => () => replayed(() => solver.prepare(script, file));
 
   /** @param {string} id @param {Partial<Scene>} scene */
-  function loadSample(id, scene) {
+  async function loadSample(id, scene) {
+    const { samples } = await library();
     const sample = samples.find((one) => one.id === id) ?? samples[0];
     const { shape, parameters, fill } = sample;
     const fallback = { ...defaults, ...sample.options };
@@ -181,7 +189,7 @@ export function createOpen(core, run, compare) {
   /** @param {Uint8Array<ArrayBuffer>} bytes */
   async function readRecipe(bytes) {
     const text = new TextDecoder().decode(bytes);
-    const recipe = { text, card: await solver.readRecipe(text) };
+    const recipe = { text, card: await solver.ask("readRecipe", { text }) };
     const { estimate, mesh } = recipe.card;
     const { steps } = estimate;
     if (estimate.isLong && !(await notes.ask(say("recipe-is-long", { steps })))) return;
@@ -226,7 +234,9 @@ export function createOpen(core, run, compare) {
     const isScene = origin?.kind === "sample" ? origin.id === scene.sample : scene.mesh !== null;
     // Refused, or overtaken by another mesh.
     if (!isScene || mesh !== asked || scene.check === null || !reading) return;
-    const found = await solver.checkLink(scene.check, scene.step).catch(() => null);
+    const found = await solver
+      .ask("checkLink", { sent: scene.check, step: scene.step })
+      .catch(() => null);
     if (!found || get().mesh !== asked) return;
     const isOther = scene.version !== null && scene.version !== version;
     const known = isOther ? "version" : isFile === null ? "unknown" : "same";
@@ -298,7 +308,7 @@ export function createOpen(core, run, compare) {
       const link = linkIn(address);
       // Reading needs a part of the solver that the first picture is not to wait for.
       if (link.text === "") return plainScene;
-      const scene = sceneOf(await solver.readLink(link));
+      const scene = sceneOf(await solver.ask("readLink", link));
       const steps = scene.manySteps;
       return steps === 0 || (await notes.ask(say("link-is-long", { steps }))) ? scene : null;
     },
@@ -326,21 +336,22 @@ export function createOpen(core, run, compare) {
       if (scene?.sample) await check(scene);
     },
     /** @param {boolean} [shared]  sent to somebody, so that there is always an energy to compare */
-    writeLink: (shared = false) => solver.writeLink(pageScene(get(), shared)),
+    writeLink: (shared = false) => solver.ask("writeLink", { scene: pageScene(get(), shared) }),
     /** How the present surface came about, as a file. @returns {Promise<string>} */
-    recipe() {
+    async recipe() {
+      const { samples } = await library();
       const { origin, figure, reading } = get();
       const sample = samples.find(({ id }) => id === figure?.sample);
       // The half of a film that is shown backwards begins with a surface of its own.
       const isBack = sample && figure?.back && (reading?.step ?? 0) < 0;
       const parameters = { ...sample?.parameters, ...figure?.back };
       const own = isBack ? { kind: "shape", shape: sample.shape, parameters } : origin;
-      return solver.writeRecipe(/** @type {any} */ (own));
+      return solver.ask("writeRecipe", { origin: /** @type {any} */ (own) });
     },
     /** Gives up what is being done again. @returns {Promise<boolean>} whether there was something */
     async giveUp() {
       if (!isReplaying) return false;
-      await solver.cancel().catch(core.report);
+      await solver.ask("cancelReplay").catch(core.report);
       return true;
     },
   };

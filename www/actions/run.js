@@ -43,12 +43,12 @@ export function createRun(core, adopt) {
     /** Each press is a step. */
     step() {
       const next = lead.clip.points[core.shownIndex() + 1];
-      return next ? solver.seek(next.state.step) : Promise.all(all().map((one) => one.step()));
+      return next ? solver.seek(next.state.step) : Promise.all(all().map((one) => one.ask("step")));
     },
     async back() {
       const before = lead.clip.points[core.shownIndex() - 1];
       if (before) await solver.seek(before.state.step);
-      else if (get().film === null && get().reading?.canStepBack) await solver.back();
+      else if (get().film === null && get().reading?.canStepBack) await solver.ask("back");
     },
     async reset() {
       if (get().film) return void (await solver.seek(lead.clip.points[0].state.step));
@@ -57,7 +57,7 @@ export function createRun(core, adopt) {
         rival.clip.clear();
         rival.u = 0;
       }
-      await Promise.all(all().map((one) => one.reset()));
+      await Promise.all(all().map((one) => one.ask("reset")));
     },
     /** Shows a stored step. @param {number} step */
     seek: (step) => solver.seek(step),
@@ -69,7 +69,7 @@ export function createRun(core, adopt) {
     /** @param {number} id */
     async branch(id) {
       core.anew(true);
-      await solver.branch(id);
+      await solver.ask("branch", { branch: id });
       await core.refill();
     },
   };
@@ -134,7 +134,7 @@ export function createRun(core, adopt) {
     async arranged(change) {
       const arrangement = { ...get().arrangement, ...change };
       patch({ arrangement });
-      await solver.arrange(arrangement);
+      await solver.ask("arrange", { arrangement });
     },
     /** @param {FieldName} name */
     colour: (name) =>
@@ -157,7 +157,7 @@ export function createRun(core, adopt) {
       // What was asked for before may still have to put the solver where the display stands; one
       // that says nothing, or is on its way back, could not be.
       if (isUsable() && !get().isSilent) await run.pause();
-      if (format === "csv") return { format, bytes: await solver.history() };
+      if (format === "csv") return { format, bytes: await solver.ask("history") };
       const file = await solver.export(format);
       if (file.format !== format) notes.answer(say("saved-own-copy"));
       for (const loss of file.losses) notes.note(say(loss), loss.id);

@@ -37,7 +37,7 @@ export function createWhy(core, edits, run) {
     begin: change,
     /** Opens the card that says why. */
     async ask() {
-      if (get().reading) patch({ why: { diagnosis: await solver.why(), isShown: false } });
+      if (get().reading) patch({ why: { diagnosis: await solver.ask("why"), isShown: false } });
     },
     /** @param {Remedy} remedy */
     async undergo(remedy) {

@@ -5,8 +5,9 @@
 /** @import { SurfaceState } from "../element.js" */
 /** @import { Request } from "./messages.js" */
 
+import "../style/embed.css";
 import { linkIn, sceneOf } from "../link.js";
-import { fileName } from "../save.js";
+import { contents, fileName } from "../save.js";
 import { pageAddress } from "../share.js";
 import { fault, say } from "../words.js";
 import * as messages from "./messages.js";
@@ -167,7 +168,7 @@ export function createEmbedding(page) {
     },
     async set({ words }) {
       const { hash, named } = messages.wordsToSet(words);
-      const scene = sceneOf(await page.solver.readLink(linkIn({ search: "", hash })));
+      const scene = sceneOf(await page.solver.ask("readLink", linkIn({ search: "", hash })));
       const { options, arrangement, colour, camera, view, step } = scene;
       if (Object.keys(options).length > 0) await run.configure(options, { fromStart: true });
       if (Object.keys(arrangement).length > 0) await run.arrange(arrangement);
@@ -184,7 +185,7 @@ export function createEmbedding(page) {
       const asked = messages.formatOf(request);
       const shown = get();
       if (!shown.mesh) throw fault("NoMesh", "no-mesh-yet", {}, "");
-      const { format, blob } = await page.save.contents(asked);
+      const { format, blob } = await contents(page, asked);
       return { name: fileName(shown, format), bytes: new Uint8Array(await blob.arrayBuffer()) };
     },
   };

@@ -1,16 +1,16 @@
 // The words of each language in the page. English comes along as far as it is read before there
 // is a solver; all others are fetched.
 
-const first = ["option", "page", "sample", "view", "viewer"];
+const first = ["first", "viewer"];
 
 /** @type {Record<string, string>} */
-const files = import.meta.glob("./en/{option,page,sample,view,viewer}.ftl", {
+const files = import.meta.glob("./en/{first,viewer}.ftl", {
   query: "?raw",
   import: "default",
   eager: true,
 });
 /** @type {Record<string, any>} a way to fetch each */
-const fetched = import.meta.glob(["./*/*.ftl", "!./en/{option,page,sample,view,viewer}.ftl"], {
+const fetched = import.meta.glob(["./*/*.ftl", "!./en/{first,viewer}.ftl"], {
   query: "?raw",
   import: "default",
 });

@@ -1,6 +1,6 @@
 // Running other programs, one line of explanation before each.
 
-import { spawnSync } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -36,6 +36,34 @@ export function run(program, parameters, { env = {}, cwd = root } = {}) {
 }
 
 /**
+ * Runs a program beside what is done meanwhile; what it says is shown when it is done. It ends with
+ * this process.
+ * @param {string} program @param {string[]} parameters @returns {Promise<void>}
+ */
+export function runLater(program, parameters) {
+  const child = spawn(program, parameters, { cwd: root });
+  process.on("exit", () => child.kill());
+  let said = "";
+  for (const stream of [child.stdout, child.stderr]) {
+    stream.on("data", (part) => {
+      said += part;
+    });
+  }
+  const done = new Promise((resolve, reject) => {
+    child.on("error", reject);
+    child.on("close", (code) => {
+      process.stdout.write(said);
+      const line = [program, ...parameters].join(" ");
+      if (code === 0) resolve(undefined);
+      else reject(new Refusal(`failed (exit ${code}): ${line}`));
+    });
+  });
+  // Whoever waits for it learns of a failure; nobody may, where something else failed before.
+  done.catch(() => {});
+  return done;
+}
+
+/**
  * Runs a node program, among them those of the installed packages.
  * @param {string[]} parameters  script and its arguments
  * @param {{ env?: Record<string, string> }} [options]
@@ -60,6 +88,6 @@ export async function script(work) {
   } catch (error) {
     if (!(error instanceof Refusal)) throw error;
     console.error(`\x1b[31m✗ ${error.message}\x1b[0m`);
-    process.exitCode = 1;
+    process.exit(1);
   }
 }

@@ -1,5 +1,6 @@
 // `npm test`: everything that must hold, on a machine that has only Rust and Node.
-// What fails fast comes first; the browser meets the site as it is shipped.
+// What fails fast comes first; the browser meets the site as it is shipped, which is built while Rust
+// is tested: most of that is one compiler at a time, of the program as a whole.
 
 import { readdirSync } from "node:fs";
 import path from "node:path";
@@ -8,20 +9,19 @@ import { ensureFirefox } from "../../tests/web/support/firefox.js";
 import { ensureWebkit } from "../../tests/web/support/webkit.js";
 import { formatChecks, rustChecks, typeCheck } from "./checks.js";
 import { prerequisites } from "./prerequisites.js";
-import { root, run, runNode, say, script } from "./process.js";
-import { buildSite } from "./site.js";
-import { buildWasm } from "./wasm.js";
+import { root, run, runLater, runNode, say, script } from "./process.js";
 
 const folder = path.join("tests", "web");
 const files = readdirSync(path.join(root, folder)).filter((file) => file.endsWith(".test.js"));
 const commandLine = files.filter((file) => file.startsWith("cli"));
-const browser = files.filter((file) => !file.startsWith("cli"));
+/** What counts pictures, or how soon something is answered, has the machine to itself. */
+const timed = ["page-first-visit", "page-run"].map((name) => `${name}.test.js`);
+const browser = files.filter((file) => !file.startsWith("cli") && !timed.includes(file));
 
-/** One file at a time: each browser test wants the whole machine. @param {string[]} names */
-function nodeTests(names) {
-  if (names.length === 0) return;
+/** @param {string[]} names @param {number} [atOnce]  so many files */
+function nodeTests(names, atOnce = 2) {
   const paths = names.map((name) => path.join(folder, name));
-  runNode(["--test", "--test-concurrency=1", ...paths]);
+  runNode(["--test", `--test-concurrency=${atOnce}`, ...paths]);
 }
 
 /** Chromium must be there; what is missing of the others is said, and their tests are skipped. */
@@ -31,19 +31,26 @@ async function browsers() {
   if (!ensureWebkit()) say("No WebKitGTK here: its test is skipped");
 }
 
+/** @type {Promise<void>} */
+let built = Promise.resolve();
+function beginBuild() {
+  built = runLater(process.execPath, ["www/tools/build.js"]);
+}
+
 /** @type {{ title: string, run: () => unknown }[]} */
 const checks = [
   { title: "Node, node packages, Rust", run: prerequisites },
   ...formatChecks,
   // Looked for now: to find none after ten minutes would be unkind.
   { title: "Browsers for the browser tests", run: browsers },
+  { title: "The wasm files and the site begin to be built", run: beginBuild },
   ...rustChecks,
   { title: "Rust tests", run: () => run("cargo", ["test", "--locked"]) },
-  { title: "Wasm build", run: buildWasm },
+  { title: "Wasm files and static site", run: () => built },
   typeCheck,
   { title: "Command line tests", run: () => nodeTests(commandLine) },
-  { title: "Static site", run: buildSite },
   { title: "Browser tests", run: () => nodeTests(browser) },
+  { title: "Browser tests by the clock", run: () => nodeTests(timed, 1) },
 ];
 
 await script(async () => {

@@ -33,7 +33,7 @@ async function ask() {
   if (isAsking || survey.peek()?.of === of) return;
   isAsking = true;
   try {
-    const report = await page.solver.conjecture();
+    const report = await page.solver.ask("conjecture");
     survey.value = { report, of };
     chosen.value = null;
     const against = Math.min(report.counterexamples, 20_000);
@@ -59,7 +59,7 @@ async function choose(report, n) {
   };
   const triangles = Uint32Array.from({ length: all.length / 3 }, (_, t) => t).filter(isBeside);
   page.patch({ marks: { edges: Uint32Array.of(i, j), triangles } });
-  chosen.value = { n, quad: await page.solver.quadrilateral(corners) };
+  chosen.value = { n, quad: await page.solver.ask("quadrilateral", { corners }) };
 }
 
 /** f_a against f_l; both axes are stretched by the cube root, as most edges lie near zero. @param {ConjectureReport} report */
@@ -126,7 +126,7 @@ async function draw() {
   isDrawing.value = !isDrawing.peek();
   try {
     while (isDrawing.peek() && page.get().section === "lab") {
-      drawn.value = await page.solver.lab(BATCH);
+      drawn.value = await page.solver.ask("lab", { pairs: BATCH });
       await new Promise(requestAnimationFrame);
     }
   } catch (error) {

@@ -79,8 +79,7 @@ function optionsOf() {
 }
 
 export function legend() {
-  const { mesh, welcome, colour, comparison, legend: isOpen, range } = page.state.value;
-  if (!mesh || welcome) return nothing;
+  const { colour, comparison, legend: isOpen, range } = page.state.value;
   const isField = comparison.difference === null;
   const what = say(isField ? `colour-${colour}` : "colour-distance");
   const isPlain = colour === "none" && isField;

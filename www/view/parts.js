@@ -2,7 +2,7 @@
 
 import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
-import { say } from "../words.js";
+import { fetchRest, say } from "../words.js";
 import { page } from "./page.js";
 
 /** @typedef {() => unknown} View  of the state, as it is */
@@ -145,15 +145,23 @@ export const keycap = (key) => html`<kbd>${key}</kbd>`;
 /** Closes the part at hand. @param {View} act */
 export const close = (act) => iconButton("close", say("close"), act);
 
-/** A view that is fetched when it is first shown, or before by `fetch`: the first picture does not wait for it. @param {() => Promise<View>} load */
+/** @type {(() => Promise<void>)[]} */
+const later = [];
+
+/** Fetches the views that are known by now, so that they open at once. */
+export const fetchViews = () => Promise.all(later.map((fetch) => fetch()));
+
+/** A view that is fetched when it is first shown, or before by `fetchViews`, with all words: the first picture does not wait for it. @param {() => Promise<View>} load */
 export function lazy(load) {
   const view = signal(/** @type {View | null} */ (null));
   /** @type {Promise<void> | undefined} */
   let asked;
-  const fetch = () => (asked ??= load().then(into(view)));
+  const fetch = () =>
+    (asked ??= Promise.all([load(), fetchRest()]).then(([loaded]) => into(view)(loaded)));
+  later.push(fetch);
   const show = () => {
     if (!view.value) fetch().catch(page.report);
     return view.value?.() ?? nothing;
   };
-  return Object.assign(show, { fetch, isThere: () => view.value !== null });
+  return Object.assign(show, { isThere: () => view.value !== null });
 }

@@ -23,7 +23,8 @@ const found = signal(/** @type {readonly Shape[]} */ ([]));
 
 const { said, turn } = workAside(async (own, isWanted) => {
   found.value = [];
-  for (let phase = await own.phase(0); phase; phase = await own.phase(found.peek().length)) {
+  const next = () => own.ask("phase", { number: found.peek().length });
+  for (let phase = await next(); phase; phase = await next()) {
     const { bytes } = await own.export("ply");
     if (!isWanted()) return;
     found.value = [...found.peek(), { ...phase, bytes }];

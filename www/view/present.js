@@ -1,6 +1,7 @@
 // Presenting: the surface, the number, a title and the curve, large enough for the last row, and
 // the keys of a presenter's clicker.
 
+import "../style/present.css";
 import { computed, signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
 import { takesKeys } from "../commands.js";
@@ -98,7 +99,6 @@ function line() {
 
 export function present() {
   const s = page.state.value;
-  if (!s.presenting) return nothing;
   page.player.tick.value;
   const { figure } = s;
   const shown = page.shown();

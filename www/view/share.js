@@ -4,6 +4,7 @@ import { signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
 import { createFilm } from "../film.js";
 import { formats, named, savedMeshes } from "../options.js";
+import { saveFile, saveSequence } from "../save.js";
 import { elementCode, iframeCode, pageAddress, sayLack, sizes } from "../share.js";
 import { sceneTitle, surfaceLabel } from "../status.js";
 import { say } from "../words.js";
@@ -48,7 +49,9 @@ async function copyCode() {
 /** How large a ZIP would be. */
 async function measure() {
   const { format: as, every, size } = sequence;
-  const found = await page.solver.sequenceSize(as.value, every.value).catch(() => null);
+  const found = await page.solver
+    .ask("sequenceSize", { format: as.value, every: every.value })
+    .catch(() => null);
   const values = found && { meshes: found.meshes, megabytes: found.bytes / 1e6 };
   size.value = values ? say("sequence-size", values) : "";
 }
@@ -61,7 +64,7 @@ function zip() {
       measure();
     };
   const input = number(say("every"), every.value, choose(every), { min: 1, step: 1 });
-  const save = () => page.save.sequence(as.value, every.value);
+  const save = () => saveSequence(page, as.value, every.value);
   return html`${select(say("each-step-as"), named(savedMeshes, "save-as"), as.value, choose(as))}
     ${labelled(say("every"), html`<span class="number">${input}</span>`, size.value)}
     ${button(say("save-steps"), save, "", { icon: "share" })}`;
@@ -84,7 +87,7 @@ export function share() {
   return html`<p class="hint">${say("share-hint", { name: sceneTitle(source) })}</p>
     ${button(say("copy-link"), () => copyLink().catch(page.report), "primary")}<hr />
     ${select(say("save-as"), named(formats, "save-as"), format.value, into(format))}
-    ${button(say("download"), () => page.save.file(format.value), "", { icon: "share" })}<hr />
+    ${button(say("download"), () => saveFile(page, format.value), "", { icon: "share" })}<hr />
     <h3>${say("film")}</h3>
     <div class="row">${button(record, turn, "", { pressed: isOn.value, disabled: !isAble })}
       <span class="hint">${isAble ? time.value : say("film-unable")}</span></div>

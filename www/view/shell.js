@@ -1,5 +1,5 @@
-// What stands around the stage: the bar at the top, the rail of tabs with the drawer of the one that
-// is open, dialogs and a question. On a phone the drawer is a sheet with a handle: dragged up it takes
+// What stands around the stage and over it: the bar at the top, the rail of tabs with the drawer of
+// the one that is open, cards, dialogs and a question. On a phone the drawer is a sheet with a handle: dragged up it takes
 // the place of the surface, dragged down it is as before, and then closed. A tap does the same.
 
 import { signal } from "@preact/signals-core";
@@ -7,7 +7,8 @@ import { html, nothing } from "lit-html";
 import { flowLabel } from "../options.js";
 import { sceneTitle } from "../status.js";
 import { tabs } from "../store.js";
-import { fetchRest, say } from "../words.js";
+import { say } from "../words.js";
+import { cards } from "./cards.js";
 import { page } from "./page.js";
 import { button, close, icon, lazy, rove } from "./parts.js";
 
@@ -35,6 +36,30 @@ export function top() {
       @click=${() => page.present()}>${icon("present")}<span>${say("present")}</span></button>
     <button type="button" class="button quiet" aria-haspopup="dialog" title="${say("help")} (?)" aria-label=${say("help")}
       @click=${() => page.patch({ dialog: "help" })}>${icon("help")}<span>${say("help")}</span></button>`;
+}
+
+const over = {
+  tools: lazy(() =>
+    import("./tools.js").then(({ tools, listenToTools }) => {
+      listenToTools();
+      return tools;
+    }),
+  ),
+  why: lazy(() => import("./why.js").then(({ why }) => why)),
+  legend: lazy(() => import("./legend.js").then(({ legend }) => legend)),
+  present: lazy(() =>
+    import("./present.js").then(({ present, listenToClicker }) => {
+      listenToClicker();
+      return present;
+    }),
+  ),
+};
+
+/** What lies over the surface. */
+export function overStage() {
+  const { mode, mesh, welcome, why, presenting } = page.state.value;
+  return html`${mode ? over.tools() : nothing}${cards()}${why && !presenting ? over.why() : nothing}
+    ${mesh && !welcome ? over.legend() : nothing}${presenting ? over.present() : nothing}`;
 }
 
 const panels = {
@@ -120,9 +145,7 @@ function drag(down, shut) {
 }
 
 const dialogs = {
-  library: lazy(() =>
-    Promise.all([import("./library.js"), fetchRest()]).then(([{ library }]) => library),
-  ),
+  library: lazy(() => import("./library.js").then(({ library }) => library)),
   help: lazy(() => import("./dialogs.js").then(({ help }) => help)),
   commands: lazy(() => import("./dialogs.js").then(({ palette }) => palette)),
   plot: lazy(() => import("./dialogs.js").then(({ largePlot }) => largePlot)),
@@ -134,9 +157,6 @@ const dialogs = {
  * @param {S} s
  */
 export const isDialogOpen = (s) => s.dialog !== null && dialogs[s.dialog].isThere();
-
-/** Fetches what dialogs hold, so that they open at once. */
-export const fetchDialogs = () => Promise.all(Object.values(dialogs).map(({ fetch }) => fetch()));
 
 export function dialog() {
   const { dialog: open } = page.state.value;

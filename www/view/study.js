@@ -64,7 +64,7 @@ const { said, turn } = workAside(async (own, isWanted) => {
   for (let level = 1; ; level += 1) {
     said.value = say("study-measuring", { level });
     const begun = shape ? { shape: shape.shape, parameters: shape.parameters, p } : { p };
-    const study = await own.study(level === 1 ? begun : null);
+    const study = await own.ask("study", { options: level === 1 ? begun : null });
     if (!isWanted()) return;
     result.value = study;
     if (study.finished) break;

@@ -57,7 +57,7 @@ function defects({ info, repaired }) {
 }
 
 async function showCrossings() {
-  const found = await page.solver.selfIntersections().catch(page.report);
+  const found = await page.solver.ask("selfIntersections").catch(page.report);
   if (!found) return;
   page.patch({ marks: { edges: new Uint32Array(), triangles: found.triangles } });
 }

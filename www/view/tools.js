@@ -150,7 +150,7 @@ async function begin(mode) {
   else page.stage.brush(null);
   if (mode === "fill") {
     chosen.value = [];
-    loops.value = (await page.solver.loops().catch(page.report)) ?? [];
+    loops.value = (await page.solver.ask("loops").catch(page.report)) ?? [];
   }
   if (mode === "invert") {
     box = viewer()?.box() ?? box;
@@ -204,8 +204,7 @@ function key(event) {
 }
 
 /** The centre of the inversion on the picture. */
-export function inversionHandle() {
-  if (page.state.value.mode !== "invert") return nothing;
+function inversionHandle() {
   page.stage.pictures.value;
   centre.value;
   const projected = viewer()?.project(point());
@@ -286,15 +285,6 @@ const bars = {
   pick: () => html`<span class="hint">${say("pick-hint")}</span>`,
 };
 
-/** What a tool says and offers, above the surface. */
-export function toolBar() {
-  const { mode } = page.state.value;
-  if (!mode) return nothing;
-  const name = say(`tool-${mode}`);
-  return html`<div class="modebar" role="toolbar" aria-label=${name}><b>${name}</b>${bars[mode]()}
-    <button type="button" class="button small quiet" @click=${() => page.edit.mode(null)}>${say("done")} ${keycap("Esc")}</button></div>`;
-}
-
 /** What an inversion does to the numbers. @param {InversionReport} report */
 function inversion({ before, after }) {
   const change = after.circle - before.circle;
@@ -305,4 +295,14 @@ function inversion({ before, after }) {
     bending: formatNumber(before.willmore, 5),
     bendingNow: formatNumber(after.willmore, 5),
   });
+}
+
+/** What a tool says and offers, above the surface. */
+export function tools() {
+  const { mode } = page.state.value;
+  if (!mode) return nothing;
+  const name = say(`tool-${mode}`);
+  return html`<div class="modebar" role="toolbar" aria-label=${name}><b>${name}</b>${bars[mode]()}
+    <button type="button" class="button small quiet" @click=${() => page.edit.mode(null)}>${say("done")} ${keycap("Esc")}</button></div>
+    ${mode === "invert" ? inversionHandle() : nothing}`;
 }

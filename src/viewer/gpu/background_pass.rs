@@ -4,6 +4,7 @@ use super::bindings::Bindings;
 use super::device::Gpu;
 use super::material::Material;
 use super::pipeline::{Plan, Target, pipeline, shader};
+use crate::bare_shader;
 
 /// Draws one triangle at the far plane.
 pub(super) struct BackgroundPass(wgpu::RenderPipeline);
@@ -14,7 +15,7 @@ impl BackgroundPass {
             gpu,
             &Plan {
                 label: "background",
-                shader: &shader(gpu, "background", include_str!("background.wgsl")),
+                shader: &shader(gpu, "background", bare_shader!("background")),
                 vertex: "vertex",
                 fragment: "fragment",
                 groups: &[Some(&bindings.layout), Some(&material.layout)],

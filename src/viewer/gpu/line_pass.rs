@@ -10,6 +10,7 @@ use super::bindings::Bindings;
 use super::device::Gpu;
 use super::pipeline::{GrowingBuffer, Plan, Target, pipeline, shader};
 use super::texture::{self, uniform_entry};
+use crate::bare_shader;
 use crate::viewer::frame::Line;
 use crate::viewer::segments::Segment;
 
@@ -48,7 +49,7 @@ impl LinePass {
                 label: Some("line"),
                 entries: &[uniform_entry(0)],
             });
-        let shader = shader(gpu, "line", include_str!("line.wgsl"));
+        let shader = shader(gpu, "line", bare_shader!("line"));
         let plan = |vertex, stride: usize, attributes: &[wgpu::VertexAttribute], target| {
             pipeline(
                 gpu,

@@ -6,6 +6,7 @@ use super::filter::{Canvas, Reading, apply, record};
 use super::pipeline::shader;
 use super::surface_pass::{DEPTH_PICTURE, SurfacePass};
 use super::texture;
+use crate::bare_shader;
 
 /// Pipelines and pictures of the search for corners.
 pub(super) struct OcclusionPass {
@@ -26,7 +27,7 @@ struct Pictures {
 
 impl OcclusionPass {
     pub(super) fn new(gpu: &Gpu, bindings: &Bindings, reading: &Reading) -> Self {
-        let shader = shader(gpu, "occlusion", include_str!("occlusion.wgsl"));
+        let shader = shader(gpu, "occlusion", bare_shader!("occlusion"));
         let filter = |name| reading.filter(gpu, bindings, &shader, name, DEPTH_PICTURE);
         Self {
             search: filter("fragment"),

@@ -1,6 +1,7 @@
 //! What the passes share in making pipelines and buffers.
 
 use super::device::{DEPTH_FORMAT, Gpu};
+use crate::bare_shader;
 
 /// How one pipeline differs from the others.
 pub(super) struct Plan<'a> {
@@ -33,7 +34,7 @@ pub(super) enum Target {
 
 /// Compiles a shader, with the common part in front.
 pub(super) fn shader(gpu: &Gpu, label: &str, source: &str) -> wgpu::ShaderModule {
-    let source = [include_str!("frame.wgsl"), source].concat();
+    let source = [bare_shader!("frame"), source].concat();
     gpu.device
         .create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),

@@ -5,6 +5,7 @@ use super::device::Gpu;
 use super::filter::{Canvas, Reading, apply, record};
 use super::pipeline::{Plan, Target, pipeline, shader};
 use super::surface_pass::SurfacePass;
+use crate::bare_shader;
 
 /// Pixels of a side of the footprint.
 const SIDE: u32 = 256;
@@ -22,7 +23,7 @@ pub(super) struct ShadowPass {
 
 impl ShadowPass {
     pub(super) fn new(gpu: &Gpu, bindings: &Bindings, reading: &Reading) -> Self {
-        let shader = shader(gpu, "shadow", include_str!("shadow.wgsl"));
+        let shader = shader(gpu, "shadow", bare_shader!("shadow"));
         let footprint = Plan {
             label: "footprint",
             shader: &shader,

@@ -5,6 +5,7 @@ use super::bindings::Bindings;
 use super::device::Gpu;
 use super::material::Material;
 use super::pipeline::{GrowingBuffer, Plan, Target, pipeline, shader};
+use crate::bare_shader;
 use crate::viewer::drawing::Drawing;
 use crate::viewer::edges::corners_with_sides;
 
@@ -26,7 +27,7 @@ pub(super) struct SurfacePass {
 
 impl SurfacePass {
     pub(super) fn new(gpu: &Gpu, bindings: &Bindings, material: &Material) -> Self {
-        let shader = shader(gpu, "surface", include_str!("surface.wgsl"));
+        let shader = shader(gpu, "surface", bare_shader!("surface"));
         let corner = wgpu::vertex_attr_array![0 => Uint32];
         let corners = [Some(wgpu::VertexBufferLayout {
             array_stride: 4,

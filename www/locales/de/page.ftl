@@ -67,9 +67,6 @@ sequence-too-large = { $meshes } Netze wären { NUMBER($gigabytes, digits: 2) } 
 
 ## A solver that was lost, or is silent
 
-solver-silent = Der Löser gibt seit einiger Zeit kein Lebenszeichen; vielleicht arbeitet er an etwas Großem.
-solver-gone = Was zu sehen ist, lässt sich noch sichern.
-restart-solver = Löser neu starten
 solver-lost-again = Der Löser brach jedes Mal ab, wenn die Fläche wiederhergestellt werden sollte.
     .hint = „Herunterladen“ sichert, was zu sehen ist. „Löser neu starten“ versucht es noch einmal; fehlt Speicher, so schließen Sie zuerst andere Tabs.
 lost-with-solver = { $what ->
@@ -79,8 +76,6 @@ lost-with-solver = { $what ->
 }
 saved-own-copy = Der Löser ist jetzt nicht zu fragen: Das Netz wurde als PLY gesichert, in Dreiecken, aus dem, was die Seite selbst hat.
 no-mesh-yet = Es gibt noch kein Netz.
-too-many-requests = Mehr als { $most } Anfragen warten auf eine Antwort.
-    .hint = Warten Sie die Antworten ab, bevor Sie weitere stellen.
 
 ## Archive und mehrere Dateien zugleich
 

@@ -2,47 +2,22 @@
 
 ## Oben, Leiste, Fenster
 
-library = Bibliothek
-present = Vorführen
-help = Hilfe
-close = Schließen
-full-height = Ganze Höhe
-dismiss = Verwerfen
-panels = Bereiche
-tab-surface = Fläche
-tab-flow = Fluss
-tab-measure = Messen
-tab-compare = Vergleich
-tab-share = Teilen
-messages = Meldungen
 run-them = Ausführen
 leave-it = Lassen
 
 ## Die Statuszeile
 
-status-starting = Der Löser startet …
-status-loading = { $name } wird geladen …
-status-restoring = Die Fläche wird wiederhergestellt …
-status-failed = Der Löser läuft nicht
-status-stuck = Der Fluss kann nicht beginnen
-status-empty = Zum Beginn ein Netz öffnen
 status-ready = Bereit
 status-running = Läuft
 status-running-to = Läuft bis Schritt { $goal }
 status-paused = Angehalten bei Schritt { $step }
 clause-ready = Abspielen mit dem Knopf oder der Leertaste.
-clause-private = Was Sie hier öffnen, verlässt dieses Gerät nicht.
 clause-step = Schritt { $step }
 clause-film = Schritt { $step } der Hälfte, die rückwärts gezeigt wird; danach beginnt der Film
 clause-step-of = Schritt { $step } von { $last }
-why = Warum?
 computing = Es wird gerechnet …
 stop-now = Jetzt abbrechen
 progress = Fortschritt
-notes = { $count ->
-    [one] { $count } Hinweis
-   *[other] { $count } Hinweise
-}
 stage-assemble = Aufstellen
 stage-factor = Faktorisieren
 stage-newton = Newton-Schritte
@@ -101,7 +76,6 @@ symbol-helfrich = Energie
 
 ## Die Fläche in Worten
 
-surface-none = Fläche: noch keine
 surface-named = Fläche: { $name }
 surface-at = Fläche: { $name }, Schritt { $step }, Energie { $energy }, Inhalt { $area }
 surface-pane = Fläche { $name }: { $what }
@@ -249,7 +223,6 @@ theme-light = Hell
 theme-dark = Dunkel
 language = Language / Sprache
 fit-view = Ansicht einpassen
-drawn-with = Gezeichnet mit { $name }: { $reason }.
 
 ## Messen
 
@@ -382,22 +355,6 @@ save-as-glb = glTF (GLB)
 save-as-csv = Verlauf, CSV
 save-as-recipe = Rezept, JSON
 save-as-png = Bild, PNG
-full-page = Ganze Seite
-    .title = Diese Szene auf der ganzen Seite öffnen
-
-## Karten
-
-welcome = Zusehen, wie eine Fläche ihre Form findet
-welcome-text = Dieser eingedellte Ball bewegt sich so, dass er sich möglichst wenig biegt. In wenigen Sekunden ist er rund, und jeder Schritt dahin ist zu sehen.
-watch = Fließen lassen
-starter-vesicle = Blutkörperchen
-    .small = Inhalt bleibt
-starter-coarse-torus = Ring
-    .small = zu Cliffords Torus
-starter-own = Eigenes Netz
-    .small = bleibt hier
-no-picture-here = Hier kein Bild
-no-picture-hint = Alles andere geht auch ohne: der Fluss läuft, Zahlen und Kurve folgen ihm, und das Netz lässt sich sichern.
 
 ## Bibliothek
 
@@ -512,11 +469,6 @@ solver-crashed = Der Löser ist unerwartet stehen geblieben ({ $reason }); ein n
     .hint = Wenn der Speicher knapp war: andere Tabs schließen oder ein Netz mit weniger Seiten nehmen.
 solver-ended = Die Rechnung wurde beendet; die Fläche ist wie nach Schritt { $step }.
     .hint = Abspielen geht von dort weiter.
-solver-not-started = Der Löser ließ sich nicht starten.
-    .hint = Die Seite neu laden; ihre Adresse behält die Szene.
-worker-forbidden = Der Löser darf hier nicht starten: { $reason }
-    .hint = Wenn diese Seite in einem Rahmen mit `sandbox` steht, braucht der `allow-same-origin` neben `allow-scripts`.
-worker-not-loaded = er konnte nicht geladen werden
 
 ## Links und Rezepte
 
@@ -553,20 +505,6 @@ embed-no-format = Es gibt kein Format „{ $format }“.
 embed-no-request = Es gibt keine Anfrage „{ $type }“.
 embed-known = Bekannt sind { $known }.
 embed-bad-mesh = Ein Netz wird als `name`, mit Endung, und `bytes`, ein ArrayBuffer, geschickt.
-
-## Der Betrachter
-
-viewer-context-taken = der Browser hat den WebGL-Kontext weggenommen
-viewer-no-picture = kein Bild
-viewer-not-loaded = der Betrachter konnte nicht geladen werden: { $reason }
-    .hint = Die Verbindung prüfen und die Seite neu laden.
-renderer-asked = die Adresse verlangt es
-renderer-no-webgpu = dieser Browser hat kein WebGPU, oder die Seite kommt nicht gesichert
-renderer-offered = dieser Browser bietet es an
-renderer-no-adapter = WebGPU bietet keine Grafikkarte an
-renderer-no-webgl = dieser Browser hat kein WebGL2
-renderer-neither = { $reason }; WebGL2 gibt es auch nicht
-    .hint = Einen aktuellen Chrome, Edge, Firefox oder Safari nehmen, über https oder von localhost, und in seinen Einstellungen die Hardwarebeschleunigung einschalten.
 
 ## Eine Ecke
 

@@ -67,9 +67,6 @@ sequence-too-large = { $meshes } meshes would be { NUMBER($gigabytes, digits: 2)
 
 ## A solver that was lost, or is silent
 
-solver-silent = No sign of life from the solver for some time; it may be at work on something large.
-solver-gone = What is shown can still be saved.
-restart-solver = Restart the solver
 solver-lost-again = The solver stopped each time the surface was to be restored.
     .hint = Download saves what is shown. “Restart the solver” tries again; if memory is short, close other tabs first.
 lost-with-solver = { $what ->
@@ -79,8 +76,6 @@ lost-with-solver = { $what ->
 }
 saved-own-copy = The solver cannot be asked now: the mesh was saved as PLY, as triangles, from what the page itself has.
 no-mesh-yet = There is no mesh yet.
-too-many-requests = More than { $most } requests wait to be answered.
-    .hint = Wait for the answers before asking for more.
 
 ## Archives, and several files at once
 

@@ -2,47 +2,22 @@
 
 ## Top, rail, dialogs
 
-library = Library
-present = Present
-help = Help
-close = Close
-full-height = Full height
-dismiss = Dismiss
-panels = Panels
-tab-surface = Surface
-tab-flow = Flow
-tab-measure = Measure
-tab-compare = Compare
-tab-share = Share
-messages = Messages
 run-them = Run them
 leave-it = Leave it
 
 ## The status line
 
-status-starting = Starting the solver…
-status-loading = Loading { $name }…
-status-restoring = Restoring the surface…
-status-failed = The solver is not running
-status-stuck = The flow cannot start
-status-empty = Open a mesh to begin
 status-ready = Ready
 status-running = Running
 status-running-to = Running to step { $goal }
 status-paused = Paused at step { $step }
 clause-ready = Press Play, or the space bar.
-clause-private = Nothing you open here leaves this device.
 clause-step = step { $step }
 clause-film = step { $step } of the half that is shown backwards; then the film begins
 clause-step-of = step { $step } of { $last }
-why = Why?
 computing = Computing…
 stop-now = Stop now
 progress = Progress
-notes = { $count ->
-    [one] { $count } note
-   *[other] { $count } notes
-}
 stage-assemble = Assembling
 stage-factor = Factorising
 stage-newton = Newton iterations
@@ -101,7 +76,6 @@ symbol-helfrich = Energy
 
 ## The surface in words
 
-surface-none = Surface: none yet
 surface-named = Surface: { $name }
 surface-at = Surface: { $name }, step { $step }, energy { $energy }, area { $area }
 surface-pane = Surface { $name }: { $what }
@@ -249,7 +223,6 @@ theme-light = Light
 theme-dark = Dark
 language = Language / Sprache
 fit-view = Fit the view
-drawn-with = Drawn with { $name }: { $reason }.
 
 ## Measure
 
@@ -382,22 +355,6 @@ save-as-glb = glTF (GLB)
 save-as-csv = History, CSV
 save-as-recipe = Recipe, JSON
 save-as-png = Picture, PNG
-full-page = Full page
-    .title = Open this scene in the whole page
-
-## Cards
-
-welcome = Watch a surface find its shape
-welcome-text = This dented ball moves so as to bend as little as possible. In a few seconds it will be round, and you see every step of the way.
-watch = Watch it flow
-starter-vesicle = Red blood cell
-    .small = area kept
-starter-coarse-torus = Doughnut
-    .small = to Clifford’s torus
-starter-own = Your own mesh
-    .small = never uploaded
-no-picture-here = No picture here
-no-picture-hint = Everything else works without it: the flow runs, the numbers and the curve follow it, and the mesh can be saved.
 
 ## Library
 
@@ -512,11 +469,6 @@ solver-crashed = The solver stopped unexpectedly ({ $reason }); a new one goes o
     .hint = If it was short of memory, close other tabs or use a mesh with fewer faces.
 solver-ended = The computation was ended; the surface is as after step { $step }.
     .hint = Play goes on from there.
-solver-not-started = The solver could not be started.
-    .hint = Reload the page; its address keeps the scene.
-worker-forbidden = The solver may not be started here: { $reason }
-    .hint = If this page is in a frame with `sandbox`, that needs `allow-same-origin` beside `allow-scripts`.
-worker-not-loaded = it could not be loaded
 
 ## Links and recipes
 
@@ -553,20 +505,6 @@ embed-no-format = There is no format “{ $format }”.
 embed-no-request = There is no request “{ $type }”.
 embed-known = Known are { $known }.
 embed-bad-mesh = A mesh is sent as `name`, with its extension, and `bytes`, an ArrayBuffer.
-
-## The viewer
-
-viewer-context-taken = the browser took the WebGL context away
-viewer-no-picture = no picture
-viewer-not-loaded = the viewer could not be loaded: { $reason }
-    .hint = Check the connection and reload the page.
-renderer-asked = the address asks for it
-renderer-no-webgpu = this browser has no WebGPU, or the page is not served securely
-renderer-offered = this browser offers it
-renderer-no-adapter = WebGPU offers no graphics adapter
-renderer-no-webgl = this browser has no WebGL2
-renderer-neither = { $reason }; there is no WebGL2 either
-    .hint = Use a current Chrome, Edge, Firefox or Safari, over https or on localhost, and switch on hardware acceleration in its settings.
 
 ## One vertex
 
