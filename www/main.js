@@ -142,10 +142,19 @@ if (embedding) {
   });
 }
 const pictured = page.stage.start(linkIn(location).text === "" && !embedding?.isFed);
-pictured
-  .then(() => performance.mark("first-picture"))
-  .then(fetchViews)
-  .catch(() => {});
+pictured.then(
+  () => performance.mark("first-picture"),
+  () => {},
+);
+/** A first run has ended: there is time to fetch what opens only when it is asked for. */
+const ran = new Promise((resolve) => {
+  effect(() => {
+    const { running, reading } = page.state.value;
+    const isStill = !running && page.player.motion.value === "still";
+    if (isStill && reading && reading.step > 0) resolve(null);
+  });
+});
+ran.then(fetchViews).catch(() => {});
 
 // Whoever embeds the page could take away what a visitor opens in it. A file that is chosen or
 // dropped before the solver is there waits for it.

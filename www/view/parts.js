@@ -156,8 +156,14 @@ export function lazy(load) {
   const view = signal(/** @type {View | null} */ (null));
   /** @type {Promise<void> | undefined} */
   let asked;
-  const fetch = () =>
-    (asked ??= Promise.all([load(), fetchRest()]).then(([loaded]) => into(view)(loaded)));
+  const fetch = () => {
+    asked ??= Promise.all([load(), fetchRest()]).then(([loaded]) => into(view)(loaded));
+    // Without a connection now, there may be one when it is asked for again.
+    asked.catch(() => {
+      asked = undefined;
+    });
+    return asked;
+  };
   later.push(fetch);
   const show = () => {
     if (!view.value) fetch().catch(page.report);
