@@ -98,10 +98,13 @@ async function load(name, reason, isForced = false) {
     ? new URL("./pkg/viewer-webgl/viewer-webgl_bg.wasm", import.meta.url)
     : new URL("./pkg/viewer/viewer_bg.wasm", import.meta.url);
   try {
+    // The larger file first, and not after what is around it.
+    const bytes = fetch(wasm);
+    bytes.catch(() => {});
     const module = await (isWebgl
       ? import("./pkg/viewer-webgl/viewer-webgl.js")
       : import("./pkg/viewer/viewer.js"));
-    await module.default({ module_or_path: wasm });
+    await module.default({ module_or_path: bytes });
     return { name, reason, isForced, module };
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);

@@ -1,23 +1,6 @@
 //! The text of shaders as it is shipped: without comments and indentation, which nobody reads in a
 //! browser.
 
-/// A shader of `gpu` by its name, made bare when the crate is compiled.
-#[macro_export]
-#[doc(hidden)]
-macro_rules! bare_shader {
-    ($name:literal) => {{
-        const TEXT: &[u8] = include_bytes!(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/src/viewer/gpu/",
-            $name,
-            ".wgsl"
-        ));
-        const SIZE: usize = $crate::viewer::bare::bare::<0>(TEXT).1;
-        const BARE: [u8; SIZE] = $crate::viewer::bare::bare(TEXT).0;
-        str::from_utf8(&BARE).expect("comments alone may leave ASCII")
-    }};
-}
-
 /// The first `N` bytes of a text without comments, empty lines and spaces at the start of a line,
 /// and how many it has.
 #[must_use]

@@ -8,7 +8,7 @@ import { gzipSync } from "node:zlib";
 import { button, openTab, until, untilDrawn, useSite } from "./support/app.js";
 
 /** In kB of 1000 bytes, with the fonts. */
-const BOUND = 199;
+const BOUND = 199.5;
 /** The same of everything that a first run fetches. */
 const RUN_BOUND = 600;
 

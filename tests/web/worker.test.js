@@ -2,6 +2,7 @@
 // The worker as the page meets it, by messages, on the solver as it is shipped but without a browser.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { after, test } from "node:test";
 
@@ -41,6 +42,18 @@ const page = /** @type {any} */ (
     },
     fetch: async (/** @type {URL} */ url) =>
       new Response(await readFile(url), { headers: { "content-type": "application/wasm" } }),
+    /** As far as the solver's second file asks. */
+    XMLHttpRequest: class {
+      url = "";
+      response = new Uint8Array();
+      /** @param {string} _ @param {URL} url */
+      open(_, url) {
+        this.url = String(url);
+      }
+      send() {
+        this.response = readFileSync(new URL(this.url));
+      }
+    },
   })
 );
 

@@ -3,8 +3,7 @@
 use super::bindings::Bindings;
 use super::device::Gpu;
 use super::material::Material;
-use super::pipeline::{Plan, Target, pipeline, shader};
-use crate::bare_shader;
+use super::pipeline::{Plan, Target, bare_shader, pipeline, shader};
 
 /// Draws one triangle at the far plane.
 pub(super) struct BackgroundPass(wgpu::RenderPipeline);

@@ -8,9 +8,8 @@ use bytemuck::bytes_of;
 
 use super::bindings::Bindings;
 use super::device::Gpu;
-use super::pipeline::{GrowingBuffer, Plan, Target, pipeline, shader};
+use super::pipeline::{GrowingBuffer, Plan, Target, bare_shader, pipeline, shader};
 use super::texture::{self, uniform_entry};
-use crate::bare_shader;
 use crate::viewer::frame::Line;
 use crate::viewer::segments::Segment;
 

@@ -3,10 +3,9 @@
 use super::bindings::Bindings;
 use super::device::Gpu;
 use super::filter::{Canvas, Reading, apply, record};
-use super::pipeline::shader;
+use super::pipeline::{bare_shader, shader};
 use super::surface_pass::{DEPTH_PICTURE, SurfacePass};
 use super::texture;
-use crate::bare_shader;
 
 /// Pipelines and pictures of the search for corners.
 pub(super) struct OcclusionPass {

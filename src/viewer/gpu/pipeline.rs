@@ -1,7 +1,6 @@
 //! What the passes share in making pipelines and buffers.
 
 use super::device::{DEPTH_FORMAT, Gpu};
-use crate::bare_shader;
 
 /// How one pipeline differs from the others.
 pub(super) struct Plan<'a> {
@@ -31,6 +30,17 @@ pub(super) enum Target {
     /// Likewise, where the brightest of what is drawn stays.
     Brightest(wgpu::TextureFormat),
 }
+
+/// A shader of this folder by its name, made bare when the crate is compiled.
+macro_rules! bare_shader {
+    ($name:literal) => {{
+        const TEXT: &[u8] = include_bytes!(concat!($name, ".wgsl"));
+        const SIZE: usize = $crate::viewer::bare::bare::<0>(TEXT).1;
+        const BARE: [u8; SIZE] = $crate::viewer::bare::bare(TEXT).0;
+        str::from_utf8(&BARE).expect("comments alone may leave ASCII")
+    }};
+}
+pub(super) use bare_shader;
 
 /// Compiles a shader, with the common part in front.
 pub(super) fn shader(gpu: &Gpu, label: &str, source: &str) -> wgpu::ShaderModule {

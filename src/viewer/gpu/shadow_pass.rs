@@ -3,9 +3,8 @@
 use super::bindings::Bindings;
 use super::device::Gpu;
 use super::filter::{Canvas, Reading, apply, record};
-use super::pipeline::{Plan, Target, pipeline, shader};
+use super::pipeline::{Plan, Target, bare_shader, pipeline, shader};
 use super::surface_pass::SurfacePass;
-use crate::bare_shader;
 
 /// Pixels of a side of the footprint.
 const SIDE: u32 = 256;

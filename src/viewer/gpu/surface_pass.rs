@@ -4,8 +4,7 @@
 use super::bindings::Bindings;
 use super::device::Gpu;
 use super::material::Material;
-use super::pipeline::{GrowingBuffer, Plan, Target, pipeline, shader};
-use crate::bare_shader;
+use super::pipeline::{GrowingBuffer, Plan, Target, bare_shader, pipeline, shader};
 use crate::viewer::drawing::Drawing;
 use crate::viewer::edges::corners_with_sides;
 
