@@ -4,6 +4,8 @@
 
 app-no-mesh = es gibt kein Netz
     .hint = Öffnen Sie zuerst ein Netz oder wählen Sie ein Beispiel.
+app-cancelled = es wurde aufgegeben
+    .hint = Es hat sich nichts geändert.
 app-bad-options = die Optionen sind nicht lesbar: { $reason }
     .hint = Siehe die Liste der Optionen und ihrer Werte.
 app-bad-option = { $name } kann nicht { $value } sein

@@ -4,6 +4,8 @@
 
 app-no-mesh = there is no mesh
     .hint = Open a mesh or choose a sample first.
+app-cancelled = it was given up
+    .hint = Nothing has changed.
 app-bad-options = the options cannot be read: { $reason }
     .hint = See the list of options and their values.
 app-bad-option = { $name } cannot be { $value }
