@@ -26,6 +26,7 @@ struct Observed {
     stage: &'static str,
     share: f64,
     is_interrupted: bool,
+    is_certain: bool,
 }
 
 thread_local! {
@@ -49,6 +50,7 @@ pub fn observed<T>(progress: Option<Progress>, work: impl FnOnce() -> T) -> T {
         stage: "",
         share: 0.0,
         is_interrupted: false,
+        is_certain: false,
     }));
     let _end = End;
     work()
@@ -82,6 +84,40 @@ pub fn check() -> Result<(), Interrupted> {
     }
 }
 
+/// From here on the work at hand is not given up any more, as it begins to change what must not be
+/// left half changed; who observes it is told on.
+///
+/// # Errors
+/// [`Interrupted`] where it is to be given up already.
+pub fn commit() -> Result<(), Interrupted> {
+    check()?;
+    OBSERVED.with_borrow_mut(|observed| {
+        if let Some(observed) = observed {
+            observed.is_certain = true;
+        }
+    });
+    Ok(())
+}
+
+/// Items of a [`paced`] loop between two asks.
+const PACE: u32 = 4096;
+
+/// The items, with an ask every few thousand; they end early where the work is to be given up. For
+/// long loops over elements whose half result does no harm.
+pub fn paced<I: IntoIterator>(items: I) -> impl Iterator<Item = I::Item> {
+    let mut left = 0;
+    items.into_iter().take_while(move |_| {
+        if left == 0 {
+            left = PACE;
+            if check().is_err() {
+                return false;
+            }
+        }
+        left -= 1;
+        true
+    })
+}
+
 /// Whether somebody has been told to give the work up.
 pub fn is_interrupted() -> bool {
     OBSERVED.with_borrow(|observed| observed.as_ref().is_some_and(|o| o.is_interrupted))
@@ -103,7 +139,7 @@ fn ask() {
     if progress(stage, share).is_break() {
         OBSERVED.with_borrow_mut(|observed| {
             if let Some(observed) = observed {
-                observed.is_interrupted = true;
+                observed.is_interrupted = !observed.is_certain;
             }
         });
     }
@@ -140,6 +176,47 @@ mod tests {
         assert_eq!(*told.borrow(), vec![assembling; 3]);
         assert!(!is_interrupted());
         assert_eq!(check(), Ok(()));
+    }
+
+    /// Refuses the ask of that number and those after it.
+    fn refusing(nth: usize) -> (Option<Progress>, Rc<Cell<usize>>) {
+        let asked = Rc::new(Cell::new(0));
+        let count = Rc::clone(&asked);
+        let progress = move |_: &str, _: f64| {
+            count.set(count.get() + 1);
+            match count.get() < nth {
+                true => ControlFlow::Continue(()),
+                false => ControlFlow::Break(()),
+            }
+        };
+        (Some(Rc::new(progress)), asked)
+    }
+
+    #[test]
+    fn a_paced_loop_asks_now_and_then_and_ends_early() {
+        let items = 3 * PACE;
+        let count = || paced(0..items).count() as u32;
+        assert_eq!(count(), items);
+        let (progress, asked) = refusing(usize::MAX);
+        assert_eq!(observed(progress, count), items);
+        assert_eq!(asked.get(), 3);
+        let (progress, _) = refusing(2);
+        // A second loop does not begin.
+        assert_eq!(observed(progress, || [count(), count()]), [PACE, 0]);
+    }
+
+    #[test]
+    fn what_is_certain_is_not_given_up_but_goes_on_telling() {
+        let (progress, asked) = refusing(2);
+        observed(progress, || {
+            assert_eq!(commit(), Ok(()));
+            assert_eq!(check(), Ok(()));
+            tell("after", 0.5);
+            assert!(!is_interrupted());
+        });
+        assert_eq!(asked.get(), 3);
+        let (progress, _) = refusing(1);
+        observed(progress, || assert_eq!(commit(), Err(Interrupted)));
     }
 
     #[test]

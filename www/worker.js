@@ -14,7 +14,8 @@ import { isOver, perform } from "./session.js";
 /**
  * A request: a command of the session, or one of `own`, with its fields. `run` is the number of
  * the run that it begins, and ends the one at hand; with `shown` a frame follows the answer.
- * `permit` comes with a number: a URL that is revoked where a step of that run is to be given up.
+ * `permit` comes with a number: a URL that is revoked where the edit, or a step of that run, is to
+ * be given up.
  * Each is answered by one `{ id, ok }` or `{ id, error }`.
  * @typedef {{ id: number, name: string, fields: any, run?: number, shown?: boolean, permit?: string }} Request
  */
@@ -286,7 +287,7 @@ async function answer({ id, name, fields, run: number, shown, permit: given }) {
 /**
  * Within long work.
  * @param {string} stage  none where there is no more to tell than that it goes on
- * @param {number} fraction @returns {boolean} whether a step is to be given up
+ * @param {number} fraction @returns {boolean} whether it is to be given up
  */
 function progressed(stage, fraction) {
   if (stage) tell(stage, fraction);

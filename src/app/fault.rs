@@ -4,6 +4,7 @@ use super::message::AppError;
 use super::repairs::RepairItem;
 use crate::flow::FlowError;
 use crate::flow::option::OptionError;
+use crate::interrupt::Interrupted;
 use crate::io::{Format, ReadError, WriteError};
 use crate::mesh::MeshError;
 use crate::mesh::shape::ShapeError;
@@ -71,6 +72,12 @@ impl Fault {
             .map(|(name, list)| (name, numbers(list)))
             .collect();
         self
+    }
+}
+
+impl From<Interrupted> for Fault {
+    fn from(_: Interrupted) -> Self {
+        AppError::Cancelled.into()
     }
 }
 

@@ -9,6 +9,8 @@ messages! {
     pub enum AppError as "app" {
         /// Nothing has been loaded.
         NoMesh,
+        /// It was given up, as was asked for.
+        Cancelled,
         /// Options that cannot be read.
         BadOptions {
             /// What the reader says of it.

@@ -272,6 +272,7 @@ impl Runner {
         let mut regulariser = Regulariser::new(elements, &self.x).map_err(FlowError::from)?;
         let mut y = self.x.clone();
         let outcome = static_pass::regularise(&mut regulariser, mesh, &mut y, settings)?;
+        interrupt::commit()?;
         let before = self.copied();
         self.stand_here()?;
         self.x = y;
@@ -355,6 +356,10 @@ impl Runner {
             flow.extend_budget();
         }
         let (mut report, decision) = match flow.step(&mut self.x) {
+            // Readings that follow are no longer to be given up half.
+            Ok((Some(_), _)) if interrupt::commit().is_err() => {
+                return Ok((None, Decision::GivenUp));
+            }
             Ok(outcome) => outcome,
             Err(error) => {
                 self.state.status = Status::Failed;

@@ -202,7 +202,7 @@ impl EdgeFlips {
         let flips = self.runs[0].flips();
         let (last, clock) = (self.before, self.clock());
         let is_any = self.advance(clock.saturating_add(self.per_step));
-        if interrupt::is_interrupted() {
+        if interrupt::commit().is_err() {
             self.rewind(clock);
             self.before = last;
             return (None, Decision::GivenUp);

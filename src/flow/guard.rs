@@ -4,6 +4,7 @@ use super::refusal::farthest;
 use super::rules::{Folds, Rules};
 use super::{Cause, Refusal};
 use crate::geometry::{measure, quality};
+use crate::interrupt::paced;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
 
@@ -133,7 +134,7 @@ pub(crate) fn turning(mesh: &HalfedgeMesh, x: &[DVec3], y: &[DVec3], cosine: f64
         let [a, b] = [x, y].map(|x| measure::face_vector_area(mesh, x, *f));
         a != DVec3::ZERO && a.normalize_or_zero().dot(b.normalize_or_zero()) < cosine
     };
-    mesh.faces().find(turns).map(|f| f.0)
+    paced(mesh.faces()).find(turns).map(|f| f.0)
 }
 
 #[cfg(test)]

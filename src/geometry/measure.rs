@@ -1,5 +1,6 @@
 //! Edge lengths, areas, volume, angles.
 
+use crate::interrupt::paced;
 use crate::mesh::{Edge, Face, HalfedgeMesh, Vertex};
 use glam::DVec3;
 
@@ -16,14 +17,14 @@ pub fn edge_length(mesh: &HalfedgeMesh, x: &[DVec3], e: Edge) -> f64 {
 
 /// Mean length of all edges; 0 without edges.
 pub fn mean_edge_length(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
-    let total: f64 = mesh.edges().map(|e| edge_length(mesh, x, e)).sum();
+    let total: f64 = paced(mesh.edges()).map(|e| edge_length(mesh, x, e)).sum();
     total / mesh.n_edges().max(1) as f64
 }
 
 /// Mean length of the edges at each vertex; 0 where there are none.
 pub fn mean_edge_lengths(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<f64> {
     let mut sums = vec![(0.0, 0usize); mesh.n_vertices()];
-    for e in mesh.edges() {
+    for e in paced(mesh.edges()) {
         let length = edge_length(mesh, x, e);
         for v in mesh.ends(e) {
             let (sum, count) = &mut sums[v.index()];
@@ -55,7 +56,7 @@ pub fn face_vector_area(mesh: &HalfedgeMesh, x: &[DVec3], f: Face) -> DVec3 {
 
 /// Total area.
 pub fn area(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
-    mesh.faces()
+    paced(mesh.faces())
         .map(|f| face_vector_area(mesh, x, f).length())
         .sum()
 }
@@ -68,7 +69,7 @@ pub fn volume(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<f64> {
     // Relative to a point of the surface, against cancellation far from the origin.
     let origin = x[0];
     let mut total = 0.0;
-    for f in mesh.faces() {
+    for f in paced(mesh.faces()) {
         let mut corners = mesh.face_vertices(f).map(|v| at(x, v) - origin);
         let (Some(a), Some(mut b)) = (corners.next(), corners.next()) else {
             continue;
@@ -99,7 +100,7 @@ pub fn triangle_points(mesh: &HalfedgeMesh, x: &[DVec3], f: Face) -> [DVec3; 3] 
 /// Smallest corner angle of the mesh in degrees, over corners of any polygon.
 pub fn min_angle_degrees(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
     let mut smallest = f64::INFINITY;
-    for h in mesh.halfedges().filter(|&h| !mesh.is_boundary_halfedge(h)) {
+    for h in paced(mesh.halfedges()).filter(|&h| !mesh.is_boundary_halfedge(h)) {
         let v = at(x, mesh.tail(h));
         let (u, w) = (at(x, mesh.tip(h)) - v, at(x, mesh.tail(mesh.prev(h))) - v);
         smallest = smallest.min(u.cross(w).length().atan2(u.dot(w)));
@@ -109,7 +110,7 @@ pub fn min_angle_degrees(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
 
 /// The face with the smallest corner angle, and that angle in degrees.
 pub fn sharpest_face(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<(Face, f64)> {
-    mesh.faces()
+    paced(mesh.faces())
         .map(|f| (f, least_tangent(mesh, x, f)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(f, tangent)| (f, angle_of(tangent)))
@@ -140,13 +141,23 @@ fn angle_of(tangent: f64) -> f64 {
 /// A third of the area of the triangles at each vertex; unit length².
 pub fn vertex_areas(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<f64> {
     let mut areas = vec![0.0; mesh.n_vertices()];
-    for f in mesh.faces() {
+    add_vertex_areas(mesh, x, mesh.faces(), &mut areas);
+    areas
+}
+
+/// The same of some triangles, added.
+pub fn add_vertex_areas(
+    mesh: &HalfedgeMesh,
+    x: &[DVec3],
+    faces: impl Iterator<Item = Face>,
+    areas: &mut [f64],
+) {
+    for f in paced(faces) {
         let share = face_vector_area(mesh, x, f).length() / 3.0;
         for v in mesh.triangle(f) {
             areas[v.index()] += share;
         }
     }
-    areas
 }
 
 /// Least and greatest corner of the axis-aligned bounding box.

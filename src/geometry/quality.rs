@@ -1,6 +1,7 @@
 //! How good the triangles are, and which have folded over.
 
 use super::measure::{face_vector_area, triangle_points};
+use crate::interrupt::paced;
 use crate::mesh::{Face, HalfedgeMesh};
 use glam::DVec3;
 
@@ -55,7 +56,7 @@ pub fn is_folded(mesh: &HalfedgeMesh, x: &[DVec3], f: Face) -> bool {
 pub fn newly_folded(mesh: &HalfedgeMesh, before: &[DVec3], after: &[DVec3]) -> Vec<Face> {
     let turned =
         |f: &Face| scaled_normal(mesh, before, *f).dot(scaled_normal(mesh, after, *f)) < 0.0;
-    mesh.faces()
+    paced(mesh.faces())
         .filter(turned)
         .filter(|f| is_folded(mesh, after, *f))
         .collect()
@@ -64,7 +65,7 @@ pub fn newly_folded(mesh: &HalfedgeMesh, before: &[DVec3], after: &[DVec3]) -> V
 /// The face with the largest area, and that area over the mean.
 pub fn largest_face(mesh: &HalfedgeMesh, x: &[DVec3]) -> (u32, f64) {
     let (mut face, mut largest, mut total) = (0, 0.0, 0.0);
-    for f in mesh.faces() {
+    for f in paced(mesh.faces()) {
         let area = face_vector_area(mesh, x, f).length();
         total += area;
         if area > largest {

@@ -1,6 +1,7 @@
 //! Every reading of a triangle mesh that a flow's report needs, in one pass.
 
 use super::measure::triangle_points;
+use crate::interrupt::paced;
 use crate::mesh::{Face, HalfedgeMesh};
 use glam::DVec3;
 
@@ -28,7 +29,7 @@ pub fn survey(mesh: &HalfedgeMesh, before: &[DVec3], x: &[DVec3]) -> Survey {
     let mut min_tangent = f64::INFINITY;
     let mut worst: Option<(Face, f64)> = None;
     let mut turned = Vec::new();
-    for f in mesh.faces() {
+    for f in paced(mesh.faces()) {
         let [a, b, c] = triangle_points(mesh, x, f);
         let (u, v, w) = (b - a, c - a, c - b);
         let normal = u.cross(v);

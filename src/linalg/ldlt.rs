@@ -6,8 +6,10 @@ use super::supernodal;
 use super::symbolic::Symbolic;
 use crate::interrupt;
 use faer::MatMut;
-use faer::sparse::FaerError;
 use std::sync::Arc;
+
+/// Numbers that are set to zero between two signs of life.
+const PIECE: usize = 1 << 20;
 
 /// Signs of the eigenvalues, by Sylvester's law of inertia those of the pivots.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,12 +43,9 @@ impl Ldlt {
     /// for one field.
     ///
     /// # Errors
-    /// [`LinalgError::OutOfMemory`].
+    /// [`LinalgError::OutOfMemory`], [`LinalgError::Interrupted`].
     pub fn new(symbolic: Arc<Symbolic>) -> Result<Self, LinalgError> {
-        Self::try_new(symbolic.clone()).map_err(|error| LinalgError::from_faer(error, symbolic.n()))
-    }
-
-    fn try_new(symbolic: Arc<Symbolic>) -> Result<Self, FaerError> {
+        let zeroed = |len| zeroed(len, symbolic.n());
         Ok(Self {
             matrix: zeroed(symbolic.slots.len())?,
             factor: zeroed(symbolic.factor_len())?,
@@ -65,8 +64,7 @@ impl Ldlt {
     pub fn reserve_columns(&mut self, n_columns: usize) -> Result<(), LinalgError> {
         let n = self.symbolic.n();
         if self.columns.len() < n * n_columns {
-            self.columns =
-                zeroed(n * n_columns).map_err(|error| LinalgError::from_faer(error, n))?;
+            self.columns = zeroed(n * n_columns, n)?;
         }
         Ok(())
     }
@@ -123,7 +121,8 @@ impl Ldlt {
         }
     }
 
-    /// Replaces right-hand sides by solutions, for one or more fields end to end.
+    /// Replaces right-hand sides by solutions, for one or more fields end to end; by anything where the
+    /// work is given up.
     ///
     /// O(entries of L) a column; as many fields go together as
     /// [room was made for](Self::reserve_columns).
@@ -149,6 +148,9 @@ impl Ldlt {
             .chunks_exact(n)
             .zip(columns.chunks_exact_mut(T::COLUMNS * n))
         {
+            if interrupt::check().is_err() {
+                return;
+            }
             let mut columns = MatMut::from_column_major_slice_mut(columns, n, T::COLUMNS);
             for (k, &i) in order.iter().enumerate() {
                 field[i as usize].scatter(&mut columns, k);
@@ -159,6 +161,9 @@ impl Ldlt {
             .chunks_exact_mut(n)
             .zip(columns.chunks_exact_mut(T::COLUMNS * n))
         {
+            if interrupt::check().is_err() {
+                return;
+            }
             let columns = MatMut::from_column_major_slice_mut(columns, n, T::COLUMNS);
             for (k, &i) in order.iter().enumerate() {
                 field[i as usize] = T::gather(&columns, k);
@@ -167,10 +172,20 @@ impl Ldlt {
     }
 }
 
+/// Zeros up to a length that there is room for: memory that is touched first takes time.
+pub(super) fn fill(numbers: &mut Vec<f64>, len: usize) -> Result<(), LinalgError> {
+    while numbers.len() < len {
+        interrupt::check()?;
+        numbers.resize(len.min(numbers.len() + PIECE), 0.0);
+    }
+    Ok(())
+}
+
 /// That many zeros, or an error instead of the end of the program.
-fn zeroed(len: usize) -> Result<Vec<f64>, FaerError> {
+fn zeroed(len: usize, n: usize) -> Result<Vec<f64>, LinalgError> {
     let mut numbers = Vec::new();
-    numbers.try_reserve_exact(len)?;
-    numbers.resize(len, 0.0);
+    let room = numbers.try_reserve_exact(len);
+    room.map_err(|_| LinalgError::OutOfMemory { n })?;
+    fill(&mut numbers, len)?;
     Ok(numbers)
 }

@@ -18,6 +18,7 @@
 //! the 4 GiB of wasm at 40,962 unknowns of the sixth order.
 
 use super::error::LinalgError;
+use super::ldlt::fill;
 use super::pattern::Pattern;
 use super::symbolic::Symbolic;
 use crate::interrupt;
@@ -32,6 +33,9 @@ use std::sync::Arc;
 
 /// Columns eliminated together: a block and the rows it updates stay in the cache.
 const BLOCK: usize = 32;
+
+/// Fronts of a solution between two looks at whether to go on.
+const FRONTS: usize = 64;
 
 /// Values of an unsymmetric matrix whose pattern is symmetric: two a slot.
 #[derive(Clone, Debug, Default)]
@@ -144,7 +148,7 @@ impl Lu {
             fronts[parent as usize].n_children += 1;
         }
         let mut factor = with_room(offset, n)?;
-        factor.resize(offset, 0.0);
+        fill(&mut factor, offset)?;
         let postorder = postorder(&parents);
         let (mut waiting, mut most_waiting) = (0, 0);
         let mut below = Vec::new();
@@ -239,13 +243,14 @@ impl Lu {
             for _ in 0..front.n_children {
                 let Some(child) = waiting.pop() else { break };
                 let rows = &self.rows[self.fronts[child as usize].below.clone()];
-                let update = updates.split_off(updates.len() - rows.len().pow(2));
-                for (column, values) in rows.iter().zip(update.chunks_exact(rows.len())) {
+                let rest = updates.len() - rows.len().pow(2);
+                for (column, values) in rows.iter().zip(updates[rest..].chunks_exact(rows.len())) {
                     let column = &mut matrix[place[*column as usize] as usize * size..][..size];
                     for (row, value) in rows.iter().zip(values) {
                         column[place[*row as usize] as usize] += value;
                     }
                 }
+                updates.truncate(rest);
             }
             let eliminated = eliminate(&mut matrix, size, width);
             interrupt::check()?;
@@ -269,7 +274,8 @@ impl Lu {
         Ok(())
     }
 
-    /// Replaces a right-hand side by the solution. O(entries of L and U).
+    /// Replaces a right-hand side by the solution, or leaves it where the work is given up. O(entries
+    /// of L and U).
     ///
     /// # Panics
     /// If there is no factor, or not one value a row.
@@ -278,7 +284,10 @@ impl Lu {
         assert!(self.is_factored, "no factor to solve with");
         assert_eq!(rhs.len(), order.len(), "one value a row");
         let mut y: Vec<f64> = order.iter().map(|&i| rhs[i as usize]).collect();
-        for front in &self.fronts {
+        for (s, front) in self.fronts.iter().enumerate() {
+            if s.is_multiple_of(FRONTS) && interrupt::check().is_err() {
+                return;
+            }
             let (size, width) = (front.size(), front.width);
             let below = &self.rows[front.below.clone()];
             let columns = self.factor[front.offset..].chunks_exact(size).take(width);
@@ -293,7 +302,10 @@ impl Lu {
                 }
             }
         }
-        for front in self.fronts.iter().rev() {
+        for (s, front) in self.fronts.iter().enumerate().rev() {
+            if s.is_multiple_of(FRONTS) && interrupt::check().is_err() {
+                return;
+            }
             let (size, width) = (front.size(), front.width);
             let (columns, rest) = self.factor[front.offset..].split_at(width * size);
             let below = &self.rows[front.below.clone()];

@@ -9,11 +9,11 @@ use faer::sparse::linalg::amd;
 use faer::sparse::{FaerError, SymbolicSparseColMatRef};
 use glam::{DMat3, DVec3};
 
-/// Parts of at most this many vertices are ordered by minimum degree.
+/// Parts of a dissection of at most this many vertices are ordered by minimum degree.
 ///
 /// Smaller leaves cut where minimum degree would do better; larger ones leave it pieces
 /// in which its fill is above that of dissection.
-const LEAF: usize = 120;
+pub(super) const LEAF: usize = 120;
 
 /// Iterations of the power method for the principal axis; an axis a few degrees off
 /// cuts as well.
@@ -45,6 +45,7 @@ impl Graph {
         for start in &mut starts {
             total += std::mem::replace(start, total);
         }
+        interrupt::pulse();
         let mut next = starts.clone();
         let mut neighbours = vec![0; total as usize];
         for (i, j) in pairs() {
@@ -95,8 +96,13 @@ fn minimum_degree_of(starts: &[u32], neighbours: &[u32]) -> Result<Vec<u32>, Fae
 /// surface of n vertices with bounded stencils the factor has O(n log n) entries and costs
 /// O(n^{3/2}) operations (George [G73](crate::bibliography#g73); Lipton, Rose and Tarjan
 /// [LRT79](crate::bibliography#lrt79)). The order itself takes O(n log n). Coordinates that
-/// coincide or are not finite only make it a poorer order.
-pub(super) fn nested_dissection(graph: &Graph, points: &[DVec3]) -> Result<Vec<u32>, FaerError> {
+/// coincide or are not finite only make it a poorer order. Parts of at most `leaf` vertices are
+/// ordered by minimum degree.
+pub(super) fn nested_dissection(
+    graph: &Graph,
+    points: &[DVec3],
+    leaf: usize,
+) -> Result<Vec<u32>, FaerError> {
     let n = points.len();
     let mut order: Vec<u32> = (0..n as u32).collect();
     let mut dissection = Dissection {
@@ -105,6 +111,7 @@ pub(super) fn nested_dissection(graph: &Graph, points: &[DVec3]) -> Result<Vec<u
         part: vec![0; n],
         local: vec![0; n],
         n_parts: 0,
+        leaf,
     };
     dissection.dissect(&mut order)?;
     Ok(order)
@@ -118,6 +125,7 @@ struct Dissection<'a> {
     /// Number of each vertex within the piece at hand.
     local: Vec<u32>,
     n_parts: u32,
+    leaf: usize,
 }
 
 impl Dissection<'_> {
@@ -127,7 +135,7 @@ impl Dissection<'_> {
         if interrupt::check().is_err() {
             return Ok(());
         }
-        if vertices.len() <= LEAF {
+        if vertices.len() <= self.leaf {
             return self.order_leaf(vertices);
         }
         let [n_near, n_far] = self.separate(vertices);
@@ -264,6 +272,7 @@ mod tests {
             part: vec![0; n],
             local: vec![0; n],
             n_parts: 0,
+            leaf: LEAF,
         };
         let mut vertices: Vec<u32> = (0..n as u32).collect();
         let [near, far] = dissection.separate(&mut vertices);
@@ -281,7 +290,7 @@ mod tests {
     #[test]
     fn every_vertex_is_eliminated_once() {
         let (graph, points) = grid(57);
-        let mut order = nested_dissection(&graph, &points).unwrap();
+        let mut order = nested_dissection(&graph, &points, LEAF).unwrap();
         order.sort_unstable();
         assert!(order.iter().copied().eq(0..57 * 57));
     }

@@ -114,7 +114,8 @@ impl Pattern {
         &self.rows
     }
 
-    /// `y = A x` for one or more fields stored end to end; one pass over the matrix a field.
+    /// `y = A x` for one or more fields stored end to end; one pass over the matrix a field. Fields of
+    /// zeros where the work is given up.
     ///
     /// # Panics
     /// If `values` has not [`nnz`](Self::nnz) entries, or `x` and `y` are not whole
@@ -131,6 +132,9 @@ impl Pattern {
             return;
         }
         for (x, y) in x.chunks_exact(n).zip(y.chunks_exact_mut(n)) {
+            if interrupt::check().is_err() {
+                return;
+            }
             for j in 0..n {
                 let range = self.column(j);
                 let (rows, values) = (&self.rows[range.clone()], &values[range]);

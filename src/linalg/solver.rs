@@ -330,6 +330,7 @@ impl Solver {
         let n_fields = rhs.len() / self.pattern.n().max(1);
         factor.reserve_columns(DVec3::COLUMNS * n_fields.max(1))?;
         let inertia = factor.factor(values)?;
+        interrupt::check()?;
         let factor_seconds = start.elapsed().as_secs_f64();
         let system = LinearSystem {
             pattern: &self.pattern,

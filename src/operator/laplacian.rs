@@ -1,6 +1,7 @@
 //! The cotangent Laplacian, assembled from surface elements.
 
 use super::element::Elements;
+use crate::interrupt::paced;
 use crate::linalg::Pattern;
 use glam::DVec3;
 
@@ -68,11 +69,11 @@ impl Laplacian {
         }
     }
 
-    /// Computes the values for vertices at `x`.
+    /// Computes the values for vertices at `x`; some of them where the work is given up.
     pub fn assemble(&mut self, elements: &Elements, x: &[DVec3]) {
         let degree = elements.degree();
         self.values.fill(0.0);
-        for (e, positions) in self.positions.chunks_exact(degree * degree).enumerate() {
+        for (e, positions) in paced(self.positions.chunks_exact(degree * degree).enumerate()) {
             for node in elements.nodes(x, e) {
                 for (i, row) in positions.chunks_exact(degree).enumerate() {
                     for (j, &k) in row.iter().enumerate() {

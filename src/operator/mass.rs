@@ -29,6 +29,7 @@
 //! | the same, 36 × 24, sheared | −2.098 | −0.969 | −0.382 | +0.221 |
 
 use super::element::Elements;
+use crate::interrupt::{self, paced};
 use crate::linalg::Entry;
 use glam::DVec3;
 
@@ -118,7 +119,7 @@ impl<'a> MassMatrix<'a> {
         }
         let points = self.elements.points().len();
         let areas = self.areas.chunks_exact(points);
-        for (corners, areas) in self.elements.corners().zip(areas) {
+        for (corners, areas) in paced(self.elements.corners().zip(areas)) {
             for (q, area) in areas.iter().enumerate() {
                 let samples = Self::samples(self.elements, q);
                 let weight = (1.0 - self.share) * area / samples.len() as f64;
@@ -204,7 +205,7 @@ impl<'a> MassMatrix<'a> {
         let mut rho = dot(&residual, &direction);
         let enough = TOLERANCE * dot(b, &precondition(b));
         for iteration in 0..MAX_ITERATIONS {
-            if rho <= enough || rho.is_nan() {
+            if rho <= enough || rho.is_nan() || interrupt::check().is_err() {
                 return iteration;
             }
             let image = self.multiply(&direction);

@@ -109,7 +109,7 @@ impl Session {
     }
 
     /// Calls `callback(stage, share)` every few milliseconds within long work; where it returns true
-    /// a step is given up. Anything but a function clears it.
+    /// a step or an edit is given up. Anything but a function clears it.
     #[wasm_bindgen(js_name = onProgress)]
     pub fn on_progress(&mut self, callback: JsValue) {
         self.0

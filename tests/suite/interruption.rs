@@ -5,7 +5,7 @@ use serde_json::{Value as Json, json};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::rc::Rc;
-use umbilic::app::{Arrangement, Compare, Origin, Progress, ScriptText, Session};
+use umbilic::app::{Arrangement, Command, Compare, Origin, Progress, ScriptText, Session};
 use umbilic::flow::options::{FlowName, FlowOptions, Goal, Integrator, Remeshing, Scheme};
 use umbilic::flow::{Decision, Driver, StepReport};
 use umbilic::interrupt;
@@ -69,7 +69,8 @@ fn compare(make: impl Fn() -> Session, steps: usize, growth: f64) -> usize {
         let mut nth = 1.0f64;
         loop {
             let (asked, found) = interrupted(&mut disturbed, nth as usize);
-            if !asked {
+            // What follows an accepted step is not given up any more.
+            if !asked || found.is_some() {
                 assert_eq!(told(found), told(report), "step {step}");
                 break;
             }
@@ -308,4 +309,100 @@ fn a_replay_goes_on_after_a_step_that_was_given_up() {
     }
     let report = again.compare_recipe(&text).expect("a report");
     assert!(report.same && report.exact, "{report:?}");
+}
+
+/// The command, asked of a session again and again and given up later from one time to the next.
+fn compare_edit(make: &dyn Fn() -> Session, command: &Json) -> usize {
+    let command: Command = serde_json::from_value(command.clone()).expect("a command");
+    let (mut plain, mut disturbed) = (make(), make());
+    let answer = plain.perform(command.clone()).expect("an edit");
+    let before = shown(&mut disturbed);
+    let mut given_up = 0;
+    let mut nth = 1.0f64;
+    loop {
+        let left = Cell::new(nth as usize);
+        disturbed.set_progress(Some(Rc::new(move |_, _| {
+            left.set(left.get().saturating_sub(1));
+            match left.get() {
+                0 => ControlFlow::Break(()),
+                _ => ControlFlow::Continue(()),
+            }
+        })));
+        let found = disturbed.perform(command.clone());
+        disturbed.set_progress(None);
+        match found {
+            Ok(found) => {
+                assert_eq!(timeless(json!(found)), timeless(json!(answer)));
+                break;
+            }
+            Err(fault) => assert_eq!(fault.kind, "Cancelled", "{command:?} at {nth}"),
+        }
+        assert_eq!(shown(&mut disturbed), before, "{command:?} at {nth}");
+        assert!(!disturbed.can_undo_edit());
+        given_up += 1;
+        nth = (1.6 * nth).max(nth + 1.0);
+    }
+    // Both go on alike.
+    for session in [&mut plain, &mut disturbed] {
+        session.run(2).expect("steps");
+    }
+    assert_eq!(shown(&mut disturbed), shown(&mut plain), "{command:?}");
+    given_up
+}
+
+#[test]
+fn edits_that_are_given_up_change_nothing() {
+    let sphere = || {
+        let values = [("level", 4.0), ("jitter", 0.2)];
+        let mut session = opened("ellipsoid", &values, &flowing(FlowName::Circle));
+        session.run(1).expect("a step");
+        session
+    };
+    let holed = || opened("holed-sphere", &[], &flowing(FlowName::Circle));
+    // Every triangle has corners of its own.
+    let loose = || {
+        let soup = shape::make("ellipsoid", &[("level".into(), 3.0)])
+            .expect("a shape")
+            .soup;
+        let (mut text, mut count) = (String::new(), 0);
+        for face in soup.faces() {
+            for &v in face {
+                let p = soup.positions[v as usize];
+                text += &format!("v {} {} {}\n", p.x, p.y, p.z);
+            }
+            text += &format!("f {} {} {}\n", count + 1, count + 2, count + 3);
+            count += 3;
+        }
+        let mut session = Session::new();
+        session
+            .load(text.as_bytes(), "loose.obj")
+            .expect("a surface");
+        session
+    };
+    let edits: [(&dyn Fn() -> Session, Json, usize); 7] = [
+        (&sphere, json!({ "regularise": {} }), 4),
+        (&sphere, json!({ "flip": { "options": {} } }), 4),
+        (&sphere, json!({ "remesh": { "options": {} } }), 4),
+        (
+            &sphere,
+            json!({ "subdivide": { "options": { "scheme": "loop" } } }),
+            1,
+        ),
+        (
+            &sphere,
+            json!({ "invert": { "centre": [1.0, 0.2, 0.1] } }),
+            1,
+        ),
+        (
+            &holed,
+            json!({ "fill": { "options": { "loops": "all" } } }),
+            4,
+        ),
+        (&loose, json!({ "repair": { "options": {} } }), 1),
+    ];
+    for (make, command, least) in edits {
+        let given_up = compare_edit(make, &command);
+        println!("{command}: {given_up}");
+        assert!(given_up >= least, "{command}: {given_up}");
+    }
 }

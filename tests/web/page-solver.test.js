@@ -308,6 +308,44 @@ test("each press of Step is a step, however fast they come", async () => {
   assert.equal(FakeWorker.last.asked.filter(({ name }) => name === "step").length, asked);
 });
 
+test("an edit and a single step are given up, and the worker and its steps stay", async () => {
+  const { store, run, edit, load, errors, shown } = page();
+  await load();
+  await run.step();
+  const { mesh } = store.get();
+  /** @type {[string, () => Promise<unknown>][]} */
+  const works = [
+    ["remesh", () => edit.remesh({})],
+    ["subdivide", () => edit.subdivide("loop")],
+    ["step", () => run.step()],
+  ];
+  for (const [name, work] of works) {
+    assert.equal(await run.giveUp(), false, "there is nothing in hand");
+    FakeWorker.ignores = (request) => request.name === name;
+    const done = work();
+    const begun = () =>
+      FakeWorker.last.asked.find((request) => request.name === name && !seen.has(request));
+    const seen = new Set(name === "step" ? FakeWorker.last.asked : []);
+    while (!begun()) await new Promise((resolve) => setTimeout(resolve));
+    const request = begun();
+    assert.equal(await run.giveUp(), true);
+    assert.equal(
+      FakeWorker.last.asked.at(-1)?.name,
+      "pause",
+      "which revokes the permit of the edit",
+    );
+    const cancelled = { kind: "Cancelled", message: say("app-cancelled"), hint: "", detail: {} };
+    const answer = name === "step" ? { ok: null } : { error: cancelled };
+    FakeWorker.last.say({ id: request?.id, ...answer });
+    await done;
+    assert.equal(store.get().progress, null);
+  }
+  assert.equal(store.get().mesh, mesh);
+  assert.equal(shown()?.step, 1);
+  assert.equal(FakeWorker.all.length, 1);
+  assert.deepEqual(errors(), []);
+});
+
 test("a refused mesh leaves the one before, and a refused option what is in force", async () => {
   const { store, open, run, load, errors, status } = page();
   await load();

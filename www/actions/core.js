@@ -194,6 +194,30 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     return Object.fromEntries(queued);
   }
 
+  /** How what is in hand is given up. @type {(() => Promise<unknown>) | null} */
+  let ending = null;
+
+  /**
+   * Does what solvers can give up in its middle, a single step or an edit.
+   * @template T @param {() => Promise<T>} ask @param {(typeof solver)[]} [solvers] @returns {Promise<T>}
+   */
+  async function stoppable(ask, solvers = [solver]) {
+    ending = () => Promise.all(solvers.map((one) => one.ask("pause")));
+    try {
+      return await ask();
+    } finally {
+      ending = null;
+      patch({ progress: null });
+    }
+  }
+
+  /** Gives it up, and all stays as it was. @returns {Promise<boolean>} whether there was something */
+  async function giveUp() {
+    if (!ending) return false;
+    await ending().catch(report);
+    return true;
+  }
+
   /** Ends a run, and puts the solver where the display stands: at a true step. */
   async function settle() {
     if (get().running) {
@@ -322,7 +346,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   const core = {
     ...{ store, state: store.state, get, patch, notes, solver, player, lead, tracks },
     ...{ enqueue, atRest, rest, settle, anew, refill, show, shown, shownIndex, isStill },
-    ...{ configure, colour, run, revive, report },
+    ...{ configure, colour, run, revive, report, stoppable, giveUp },
     /** Whether the last step is the last there will be. */
     isOver: () => isOver(lead.clip.last?.state.status ?? "ready"),
     // What the groups of actions know, and put in their place.

@@ -49,7 +49,7 @@ export function createEdit(core) {
   /** @template T @param {string} stage @param {() => Promise<T>} ask */
   const long = (stage, ask) => {
     patch({ progress: { stage, fraction: 0 } });
-    return ask().finally(() => patch({ progress: null }));
+    return core.stoppable(ask);
   };
 
   /** All flips that gain anything, at once. */
@@ -99,7 +99,7 @@ export function createEdit(core) {
     },
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
     async subdivide(scheme) {
-      const loaded = await solver.subdivide(scheme);
+      const loaded = await core.stoppable(() => solver.subdivide(scheme));
       await edited(loaded, say("edit-subdivision"), kept(loaded));
       notes.answer(say("subdivided", { count: loaded.info.faces }));
     },
@@ -134,13 +134,16 @@ export function createEdit(core) {
     select: (free) => restart({ ...get().options, free, fixed: null }),
     /** @param {number[]} centre  from the middle of the surface's box, in diagonals of it */
     async invert(centre) {
-      const { outcome: report, loaded } = await solver.invert(centre);
+      const { outcome: report, loaded } = await core.stoppable(() => solver.invert(centre));
       await edited(loaded, say("edit-inversion"), get().options);
       const { before, after } = report;
       notes.answer(say("inverted", { change: Math.abs(after.circle - before.circle) }));
     },
     /** The stored steps as a ZIP of meshes. @param {string} format @param {number} every */
-    sequence: (format, every) => long("sequence", () => solver.ask("sequence", { format, every })),
+    sequence(format, every) {
+      patch({ progress: { stage: "sequence", fraction: 0 } });
+      return solver.ask("sequence", { format, every }).finally(() => patch({ progress: null }));
+    },
   };
 
   const edit = {

@@ -43,7 +43,8 @@ export function createRun(core, adopt) {
     /** Each press is a step. */
     step() {
       const next = lead.clip.points[core.shownIndex() + 1];
-      return next ? solver.seek(next.state.step) : Promise.all(all().map((one) => one.ask("step")));
+      if (next) return solver.seek(next.state.step);
+      return core.stoppable(() => Promise.all(all().map((one) => one.ask("step"))), all());
     },
     async back() {
       const before = lead.clip.points[core.shownIndex() - 1];
@@ -145,6 +146,8 @@ export function createRun(core, adopt) {
     /** @param {Partial<View>} change */
     view: (change) => patch({ view: Object.freeze({ ...get().view, ...change }) }),
 
+    /** Gives up the step or the edit in hand: whether there is one. */
+    giveUp: core.giveUp,
     /** Ends a step that takes too long, or a solver that is silent; starts one that is gone. */
     halt: () => core.revive((step) => ({ id: "solver-ended", values: { step } })),
 

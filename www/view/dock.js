@@ -27,7 +27,8 @@ function line() {
       ${said.offers.map(({ label, act }) => button(label, act, "small"))}${error ? dismissal(error) : nothing}`;
   }
   if (s.progress) {
-    const stop = async () => (await page.open.giveUp()) || page.run.halt();
+    const stop = async () =>
+      (await page.open.giveUp()) || (await page.run.giveUp()) || page.run.halt();
     return html`<span class="text">${say(`stage-${s.progress.stage}`)}</span>
       <progress max="1" .value=${s.progress.fraction} aria-label=${say("progress")}></progress>
       ${button(say("stop-now"), stop, "small")}`;

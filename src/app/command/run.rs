@@ -139,8 +139,11 @@ impl Session {
         // Steps are observed one by one: what is given up is a step.
         let steps = matches!(command, RunCommand::Step {});
         let progress = self.progress.clone().filter(|_| !steps);
-        interrupt::observed(progress, || self.run_command(command))
-            .map_err(|fault| self.offering(fault))
+        let outcome = interrupt::observed(progress, || {
+            interrupt::commit()?;
+            self.run_command(command)
+        });
+        outcome.map_err(|fault| self.offering(fault))
     }
 
     fn run_command(&mut self, command: RunCommand) -> Result<RunAnswer, Fault> {

@@ -275,18 +275,44 @@ pub enum ToolAnswer {
     History(String),
 }
 
+impl ToolCommand {
+    /// Whether it makes another mesh of the one at hand, which can be given up.
+    fn is_edit(&self) -> bool {
+        matches!(
+            self,
+            Self::Regularise { .. }
+                | Self::Flip { .. }
+                | Self::Fill { .. }
+                | Self::Repair { .. }
+                | Self::Remesh { .. }
+                | Self::Subdivide { .. }
+                | Self::Invert { .. }
+                | Self::Adopt {}
+        )
+    }
+}
+
 impl Session {
-    /// Does what a command asks for.
+    /// Does what a command asks for. An edit is [given up](interrupt) where who is told of its
+    /// progress wants that.
     ///
     /// # Errors
-    /// Those of the method it stands for; nothing has changed then.
+    /// Those of the method it stands for, and `Cancelled`; nothing has changed then.
     pub fn perform_tool(&mut self, command: ToolCommand) -> Result<ToolAnswer, Fault> {
         let opens = matches!(command, ToolCommand::Load { .. });
         // Steps are observed one by one: what is given up is a step.
         let steps = matches!(command, ToolCommand::Advance {});
         let progress = self.progress.clone().filter(|_| !steps);
-        interrupt::observed(progress, || self.tool_command(command))
-            .map_err(|fault| if opens { fault } else { self.offering(fault) })
+        let is_edit = command.is_edit();
+        let outcome = interrupt::observed(progress, || {
+            if !is_edit {
+                interrupt::commit()?;
+            }
+            let outcome = self.tool_command(command);
+            interrupt::check()?;
+            outcome
+        });
+        outcome.map_err(|fault| if opens { fault } else { self.offering(fault) })
     }
 
     fn tool_command(&mut self, command: ToolCommand) -> Result<ToolAnswer, Fault> {

@@ -4,6 +4,7 @@ use super::options::FlipOptions;
 use crate::app::document::Document;
 use crate::app::fault::Fault;
 use crate::app::runner::Runner;
+use crate::interrupt;
 use crate::mesh::HalfedgeMesh;
 use crate::remesh::flips::{Flip, FlipOptimiser};
 use serde::Serialize;
@@ -55,7 +56,8 @@ impl Runner {
         };
         let before = costs(&optimiser);
         let most = options.max.unwrap_or(usize::MAX);
-        while optimiser.flips() < most && optimiser.step().is_some() {}
+        while optimiser.flips() < most && interrupt::check().is_ok() && optimiser.step().is_some() {
+        }
         let outcome = FlipOutcome {
             flips: optimiser.flips(),
             rejected: optimiser.rejected(),

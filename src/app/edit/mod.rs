@@ -16,6 +16,7 @@ use super::provenance::Edit;
 use super::runner::{Runner, Suspended};
 use super::{Loaded, Session};
 use crate::flow::options::FlowOptions;
+use crate::interrupt;
 use crate::mesh::HalfedgeMesh;
 use std::rc::Rc;
 
@@ -61,7 +62,7 @@ impl Runner {
 }
 
 impl Session {
-    /// Replaces the mesh by an edited one; on a failure nothing has changed. The flow's
+    /// Replaces the mesh by an edited one; on a failure, or [given up](interrupt), nothing has changed. The flow's
     /// options stay, less a selection of vertices that `edit` has one of its own for.
     pub(super) fn edit<T>(
         &mut self,
@@ -69,6 +70,7 @@ impl Session {
         edit: impl FnOnce(&Runner) -> Result<(Document, T), Fault>,
     ) -> Result<T, Fault> {
         let (mut document, outcome) = edit(self.runner()?)?;
+        interrupt::commit()?;
         if !matches!(name, Edit::Repair(_)) {
             document.repaired.clear();
         }

@@ -13,6 +13,7 @@ pub mod angle;
 pub mod hessian;
 pub mod star;
 
+use crate::interrupt::paced;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use angle::{
     CORNER_PAIRS, DIAMOND_PAIRS, Smoothing, corner_angle, corner_weights, diamond_angle,
@@ -175,7 +176,7 @@ impl CircleEnergy {
     /// The angles that the energy sums, each with how often it counts.
     pub fn angles(&self, x: &[DVec3]) -> Vec<(f64, f64)> {
         let at = |v: u32| x[v as usize];
-        let diamonds = self.diamonds.iter().filter(|d| d.count > 0).map(|d| {
+        let diamonds = paced(&self.diamonds).filter(|d| d.count > 0).map(|d| {
             let [k, j, l, i] = d.v.map(at);
             (diamond_angle(k, j, l, i).beta, f64::from(d.count))
         });
@@ -202,7 +203,7 @@ impl CircleEnergy {
         out.weights.corners.clear();
         out.skipped = 0;
         let (mut terms, mut angles) = (Accumulator::default(), Accumulator::default());
-        for d in &self.diamonds {
+        for d in paced(&self.diamonds) {
             let y = d.v.map(at);
             let angle = diamond_angle(y[0], y[1], y[2], y[3]);
             let count = f64::from(d.count);
@@ -224,6 +225,9 @@ impl CircleEnergy {
             }
             out.weights.diamonds.push(weights);
         }
+        out.weights
+            .diamonds
+            .resize(self.diamonds.len(), Default::default());
         for c in &self.corners {
             let y = c.v.map(at);
             let angle = corner_angle(y[0], y[1], y[2]);

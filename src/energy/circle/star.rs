@@ -20,6 +20,7 @@
 
 use super::angle::{CORNER_PAIRS, DIAMOND_PAIRS};
 use super::{CircleEnergy, Weights};
+use crate::interrupt::paced;
 use crate::linalg::Pattern;
 use crate::linalg::eigen::SpringMatrix;
 
@@ -222,7 +223,7 @@ impl StarMatrix {
     }
 
     /// Writes K into `values` (one a slot of the pattern); unit 1/length².
-    /// `project` clamps the negative eigenvalues of each star.
+    /// `project` clamps the negative eigenvalues of each star. Some of it where the work is given up.
     pub fn assemble(
         &mut self,
         weights: &Weights,
@@ -237,7 +238,7 @@ impl StarMatrix {
         };
         let star = &mut self.star;
         let diagonal_slots = self.pattern.diagonal_slots();
-        for block in &self.blocks {
+        for block in paced(&self.blocks) {
             let members = &self.members[block.members.start as usize..block.members.end as usize];
             star.reset(members.len());
             for term in &self.terms[block.terms.start as usize..block.terms.end as usize] {

@@ -1,5 +1,6 @@
 //! What the p-Willmore functional is told at given positions.
 
+use crate::interrupt::paced;
 use crate::operator::Elements;
 use glam::DVec3;
 
@@ -52,7 +53,7 @@ impl Evaluation {
         self.iterations = 0;
         let (mut area, mut volume) = (0.0, 0.0);
         let origin = x.first().copied().unwrap_or_default();
-        for (e, corners) in elements.corners().enumerate() {
+        for (e, corners) in paced(elements.corners().enumerate()) {
             for node in elements.nodes(x, e) {
                 area += node.area;
                 self.areas.push(node.area);
@@ -66,6 +67,8 @@ impl Evaluation {
                 }
             }
         }
+        let all = elements.len() * elements.points().len();
+        self.areas.resize(all, 0.0);
         self.integrals = Integrals {
             area,
             volume: volume / 3.0,

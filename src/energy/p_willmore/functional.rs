@@ -3,6 +3,7 @@
 use super::WillmoreBounds;
 use super::evaluation::{Evaluation, Integrals};
 use crate::energy::total_curvature;
+use crate::interrupt::paced;
 use crate::mesh::HalfedgeMesh;
 use crate::operator::mass::interpolate;
 use crate::operator::{Elements, Mass, MassMatrix};
@@ -236,7 +237,7 @@ impl PWillmore {
             .map(|(y, adjoint)| (density(*y, *adjoint), -*adjoint))
             .collect();
         let share = self.mass.lumped_share();
-        for (e, corners) in self.elements.corners().enumerate() {
+        for (e, corners) in paced(self.elements.corners().enumerate()) {
             for (q, node) in self.elements.nodes(x, e).enumerate() {
                 let (mut a, mut divergence, mut slope) = (0.0, 0.0, DVec3::ZERO);
                 for (k, &v) in corners.iter().enumerate() {

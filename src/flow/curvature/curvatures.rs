@@ -3,6 +3,7 @@
 use super::region::Region;
 use crate::flow::FlowError;
 use crate::geometry::measure;
+use crate::interrupt::paced;
 use crate::mesh::HalfedgeMesh;
 use crate::operator::FittedOperators;
 use glam::DVec3;
@@ -23,13 +24,14 @@ impl Curvatures {
         let operators = FittedOperators::fit(mesh, x, &region.reach);
         let mut mean = vec![f64::NAN; x.len()];
         let mut gauss = vec![f64::NAN; x.len()];
-        for v in 0..x.len() {
+        for v in paced(0..x.len()) {
             if let Some(row) = operators.row(v) {
                 mean[v] = operators.mean_curvature(row, x);
                 gauss[v] = operators.gauss_curvature(row, x);
             }
         }
-        let areas = measure::vertex_areas(mesh, x);
+        let mut areas = vec![0.0; x.len()];
+        measure::add_vertex_areas(mesh, x, region.near_faces.iter().copied(), &mut areas);
         let near = region.near.iter().map(|&v| (v, areas[v as usize]));
         Self {
             near: near.collect(),
@@ -55,7 +57,7 @@ impl Curvatures {
     /// vertices within two edges of them, each with a third of its triangles. Vertices
     /// without a fit are left out.
     pub(super) fn integrate(&self, density: impl Fn(&Self, usize, usize) -> f64) -> f64 {
-        let fitted = self.near.iter().filter_map(|&(v, area)| {
+        let fitted = paced(&self.near).filter_map(|&(v, area)| {
             let row = self.operators.row(v as usize)?;
             Some(area * density(self, row, v as usize))
         });

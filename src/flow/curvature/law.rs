@@ -66,9 +66,9 @@ impl Law {
     /// What the flow decreases: the area under the flow by mean curvature and surface
     /// diffusion, ∫H² dA, ∫|∇H|² dA; see [`Curvatures::integrate`] for the part of the
     /// surface that counts.
-    pub(super) fn energy(self, at: &Curvatures, area: f64) -> f64 {
+    pub(super) fn energy(self, at: &Curvatures, area: impl FnOnce() -> f64) -> f64 {
         match self {
-            Self::MeanCurvature | Self::SurfaceDiffusion => area,
+            Self::MeanCurvature | Self::SurfaceDiffusion => area(),
             Self::Willmore => at.integrate(willmore::density),
             Self::CurvatureVariation => at.integrate(curvature_variation::density),
         }

@@ -161,7 +161,7 @@ impl CurvatureFlow {
             system: CurvatureSystem::new(law, &region),
             start: x.to_vec(),
             has_tried_whole: false,
-            first_energy: law.energy(&at, measure::area(mesh, x)),
+            first_energy: law.energy(&at, || measure::area(mesh, x)),
             smooth_minimum: lower_bounds(mesh)
                 .filter(|_| is_bounded)
                 .map(|bounds| bounds.willmore),
@@ -334,7 +334,7 @@ impl Flow for CurvatureFlow {
         let watch = Instant::now();
         let at = self.take_curvatures(x);
         let unfit = self.unfit(&at);
-        let energy = self.watched().energy(&at, measure::area(&self.mesh, x));
+        let energy = self.watched().energy(&at, || measure::area(&self.mesh, x));
         self.curvatures = Some(at);
         cost.assemble += watch.elapsed().as_secs_f64();
         match unfit {
@@ -360,7 +360,9 @@ impl Flow for CurvatureFlow {
     fn measure(&mut self, _x: &[DVec3], y: &mut [DVec3]) -> Result<f64, Refusal> {
         let next = Curvatures::of(&self.mesh, y, &self.region);
         let unfit = self.unfit(&next);
-        let energy = self.watched().energy(&next, measure::area(&self.mesh, y));
+        let energy = self
+            .watched()
+            .energy(&next, || measure::area(&self.mesh, y));
         if let Some(vertex) = unfit {
             return Err(Refusal::at(Cause::Unfit, vertex));
         }
@@ -404,7 +406,7 @@ impl Flow for CurvatureFlow {
 
     fn describe(&mut self, x: &[DVec3], report: &mut StepReport) {
         let at = self.take_curvatures(x);
-        report.energy = self.law.energy(&at, report.area);
+        report.energy = self.law.energy(&at, || report.area);
         report.energy_normalised = self.law.normalised(report.energy, self.region.length);
         report.gradient_norm = self.speed(&at);
         report.prepares = self.ladder.is_climbing();
@@ -434,9 +436,9 @@ impl Flow for CurvatureFlow {
         self.forget();
         let at = Curvatures::of(&self.mesh, x, &self.region);
         let area = measure::area(&self.mesh, x);
-        let energy = self.law.energy(&at, area);
+        let energy = self.law.energy(&at, || area);
         let gradient_norm = self.speed(&at);
-        let objective = self.watched().energy(&at, area);
+        let objective = self.watched().energy(&at, || area);
         let monitored = self.monitored();
         self.curvatures = Some(at);
         Reading {

@@ -2,7 +2,7 @@
 
 use crate::flow::FlowError;
 use crate::geometry::measure;
-use crate::mesh::{HalfedgeMesh, Vertex};
+use crate::mesh::{Face, HalfedgeMesh, Vertex};
 use glam::DVec3;
 
 /// Integrals run over the vertices within so many edges of a free one: those whose
@@ -18,6 +18,8 @@ pub(super) struct Region {
     pub(super) reach: Vec<bool>,
     /// Vertices that integrals run over.
     pub(super) near: Vec<u32>,
+    /// The faces at these.
+    pub(super) near_faces: Vec<Face>,
     /// L = √(area of the faces at free vertices, over the number of patches).
     pub(super) length: f64,
     /// Mean length of the edges at free vertices.
@@ -47,6 +49,10 @@ impl Region {
             reach: (0..x.len()).map(|v| within(v, needed)).collect(),
             near: (0..x.len() as u32)
                 .filter(|&v| within(v as usize, NEAR))
+                .collect(),
+            near_faces: mesh
+                .faces()
+                .filter(|&f| mesh.face_vertices(f).any(|v| within(v.index(), NEAR)))
                 .collect(),
             length,
             h,

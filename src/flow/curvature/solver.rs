@@ -100,10 +100,13 @@ impl LinearSolver {
                 quality.factor = watch.elapsed().as_secs_f64();
                 let mut phi = rhs.to_vec();
                 lu.solve_in_place(&mut phi);
+                interrupt::check()?;
                 // One refinement, for what elimination without pivoting may have lost.
                 let mut rest = residual(system, &phi, rhs);
                 let before = norm(&rest);
+                interrupt::check()?;
                 lu.solve_in_place(&mut rest);
+                interrupt::check()?;
                 let refined: Vec<f64> = phi.iter().zip(&rest).map(|(a, b)| a + b).collect();
                 if norm(&residual(system, &refined, rhs)) < before {
                     phi = refined;

@@ -139,7 +139,7 @@ impl CurvatureFlow {
     /// The law's energy at positions that are no trial.
     pub(super) fn energy_of(&self, x: &[DVec3]) -> f64 {
         let at = Curvatures::of(&self.mesh, x, &self.region);
-        self.law.energy(&at, measure::area(&self.mesh, x))
+        self.law.energy(&at, || measure::area(&self.mesh, x))
     }
 
     /// The best of the start, of where the flow came to without the ladder and of the ladder's

@@ -16,7 +16,7 @@ use super::region::Region;
 use super::solver::{Equations, LinearSolver, Quality};
 use super::velocity::Velocity;
 use crate::flow::FlowError;
-use crate::interrupt;
+use crate::interrupt::{self, paced};
 use crate::linalg::{Pattern, Unsymmetric};
 use crate::operator::FittedOperators;
 use glam::DVec3;
@@ -68,14 +68,14 @@ impl CurvatureSystem {
         self.law
     }
 
-    /// V at the free vertices.
+    /// V at the free vertices; at some where the work is given up.
     pub(super) fn velocities(
         &mut self,
         at: &Curvatures,
         region: &Region,
     ) -> Result<Vec<f64>, FlowError> {
         let mut values = Vec::with_capacity(region.free.len());
-        for &i in &region.free {
+        for &i in paced(&region.free) {
             self.law.linearise(at, i as usize, &mut self.velocity)?;
             values.push(self.velocity.value(at, i as usize));
         }
@@ -103,6 +103,7 @@ impl CurvatureSystem {
             let points: Vec<DVec3> = region.free.iter().map(|&v| start[v as usize]).collect();
             interrupt::check()?;
             let solver = LinearSolver::new(&structure.pattern, &points)?;
+            interrupt::check()?;
             self.matrix = Unsymmetric::zeros(&structure.pattern);
             self.structure = Some((structure, solver));
         }
@@ -218,7 +219,13 @@ impl Structure {
             columns[range].iter().map(move |&j| [i as u32, j])
         });
         let pattern = Pattern::from_cliques(n, pairs.clone());
-        let slots = pairs.map(|[i, j]| pattern.slot(i, j) as u32).collect();
+        let mut slots = Vec::with_capacity(columns.len());
+        for (k, [i, j]) in pairs.enumerate() {
+            if k.is_multiple_of(1 << 16) {
+                interrupt::check()?;
+            }
+            slots.push(pattern.slot(i, j) as u32);
+        }
         Ok(Self {
             pattern,
             slots,

@@ -5,7 +5,7 @@ use super::PWillmoreFlow;
 use crate::flow::FlowError;
 use crate::flow::guard::turning;
 use crate::geometry::measure;
-use crate::interrupt;
+use crate::interrupt::{self, paced};
 use crate::remesh::{Mode, Regulariser};
 use glam::DVec3;
 
@@ -38,6 +38,7 @@ impl PWillmoreFlow {
         let (mode, epsilon) = (self.options.regularise, self.options.regularise_epsilon);
         let v = regulariser.displacement(y, mode, epsilon)?;
         let distortion = regulariser.distortion(y);
+        interrupt::check()?;
         let angle = GOOD_ANGLE.min(measure::min_angle_degrees(&self.mesh, y));
         let smallest = LEAST_ELEMENT.min(self.smallest_element(y));
         // At the new positions M⁻¹∇C serves as direction: smooth, and cheap.
@@ -70,7 +71,7 @@ impl PWillmoreFlow {
         let elements = self.functional.elements();
         let area = |e| elements.nodes(x, e).map(|node| node.area).sum::<f64>();
         let (mut least, mut total) = (f64::INFINITY, 0.0);
-        for area in (0..elements.len()).map(area) {
+        for area in paced(0..elements.len()).map(area) {
             (least, total) = (least.min(area), total + area);
         }
         least * elements.len() as f64 / total

@@ -2,7 +2,7 @@
 //! coordinates.
 
 use crate::flow::FlowError;
-use crate::interrupt;
+use crate::interrupt::paced;
 use crate::linalg::{Ldlt, Method, Pattern, SolveInfo, Solver};
 use crate::operator::{Elements, Laplacian};
 use glam::DVec3;
@@ -59,11 +59,10 @@ impl PWillmoreSystem {
     /// given up.
     pub(super) fn assemble(&mut self, elements: &Elements, x: &[DVec3], c: &[f64]) {
         self.laplacian.assemble(elements, x);
-        interrupt::pulse();
         self.stiffness.fill(0.0);
         if c.is_empty() {
             let pattern = self.solver.pattern();
-            for i in 0..self.laplacian.n() {
+            for i in paced(0..self.laplacian.n()) {
                 let row = self.laplacian.members(i).iter().zip(self.laplacian.row(i));
                 for (&j, value) in row.filter(|(j, _)| **j as usize >= i) {
                     self.stiffness[pattern.slot(i as u32, j)] += value;
@@ -72,10 +71,7 @@ impl PWillmoreSystem {
             return;
         }
         let mut slots = self.slots.iter();
-        for (i, c) in c.iter().enumerate() {
-            if i.is_multiple_of(4096) && interrupt::check().is_err() {
-                return;
-            }
+        for (i, c) in paced(c.iter().enumerate()) {
             let row = self.laplacian.row(i);
             for (k, a) in row.iter().enumerate() {
                 for (b, &slot) in row[..=k].iter().zip(&mut slots) {

@@ -87,7 +87,7 @@ impl Fit {
     /// scaled rows is at most `limit`.
     pub(super) fn is_conditioned(&self, limit: f64) -> bool {
         // ‖R‖ ‖R⁻¹‖ in the Frobenius norm is an upper bound, and cheap.
-        self.condition_bound() <= limit || self.condition() <= limit
+        self.condition_bound() <= limit || self.is_ratio_within(limit)
     }
 
     fn condition_bound(&self) -> f64 {
@@ -104,19 +104,36 @@ impl Fit {
         (square(r) * square(&inverse)).sqrt()
     }
 
-    /// That ratio, good to a few digits up to 10⁶.
-    fn condition(&self) -> f64 {
-        let r = &self.triangle;
-        let mut gram = [[0.0; N]; N];
-        for (i, row) in gram.iter_mut().enumerate() {
-            for (j, entry) in row.iter_mut().enumerate() {
-                *entry = (0..N).map(|k| r[k][i] * r[k][j]).sum();
+    /// Whether that ratio, whose square is one of eigenvalues of RᵀR, is at most `limit`. By cyclic
+    /// Jacobi rotations, as far as needed: eigenvalues are as far from the diagonal as what is left
+    /// beside it is large, at most (Weyl).
+    fn is_ratio_within(&self, limit: f64) -> bool {
+        let mut a = self.gram();
+        for _ in 0..12 {
+            let (mut off, mut least, mut most) = (0.0, f64::INFINITY, 0.0f64);
+            for (i, row) in a.iter().enumerate() {
+                (least, most) = (least.min(row[i]), most.max(row[i]));
+                off += row[..i].iter().map(|v| v * v).sum::<f64>();
             }
+            let off = (2.0 * off).sqrt();
+            let square = limit * limit;
+            if most + off <= square * (least - off) {
+                return true;
+            }
+            if most - off > square * (least + off) || off <= 1e-7 * most {
+                return most <= square * least;
+            }
+            sweep(&mut a);
         }
-        let eigenvalues = jacobi(gram);
-        let largest = eigenvalues.iter().fold(0.0, |a: f64, &b| a.max(b));
-        let smallest = eigenvalues.iter().fold(largest, |a, &b| a.min(b));
-        (largest / smallest.max(f64::MIN_POSITIVE)).sqrt()
+        false
+    }
+
+    /// RᵀR.
+    fn gram(&self) -> [[f64; N]; N] {
+        let r = &self.triangle;
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| (0..=i.min(j)).map(|k| r[k][i] * r[k][j]).sum())
+        })
     }
 
     /// Weights of the derivatives, a row a neighbour.
@@ -136,36 +153,25 @@ impl Fit {
     }
 }
 
-/// Eigenvalues of a symmetric matrix by cyclic Jacobi rotations.
-fn jacobi(mut a: [[f64; N]; N]) -> [f64; N] {
-    for _ in 0..12 {
-        let (mut off, mut diagonal) = (0.0, 0.0);
-        for (i, row) in a.iter().enumerate() {
-            diagonal += row[i] * row[i];
-            off += row[..i].iter().map(|v| v * v).sum::<f64>();
-        }
-        if off <= 1e-14 * diagonal {
-            break;
-        }
-        for p in 0..N {
-            for q in p + 1..N {
-                if a[p][q] == 0.0 {
-                    continue;
-                }
-                let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-                let t = 1f64.copysign(theta) / (theta.abs() + theta.hypot(1.0));
-                let c = 1.0 / t.hypot(1.0);
-                let s = t * c;
-                for row in &mut a {
-                    (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
-                }
-                let (first, second) = (a[p], a[q]);
-                a[p] = std::array::from_fn(|k| c * first[k] - s * second[k]);
-                a[q] = std::array::from_fn(|k| s * first[k] + c * second[k]);
+/// Jacobi rotations of a symmetric matrix, one for each pair of rows.
+fn sweep(a: &mut [[f64; N]; N]) {
+    for p in 0..N {
+        for q in p + 1..N {
+            if a[p][q] == 0.0 {
+                continue;
             }
+            let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+            let t = 1f64.copysign(theta) / (theta.abs() + (theta * theta + 1.0).sqrt());
+            let c = 1.0 / (t * t + 1.0).sqrt();
+            let s = t * c;
+            for row in a.iter_mut() {
+                (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
+            }
+            let (first, second) = (a[p], a[q]);
+            a[p] = std::array::from_fn(|k| c * first[k] - s * second[k]);
+            a[q] = std::array::from_fn(|k| s * first[k] + c * second[k]);
         }
     }
-    std::array::from_fn(|i| a[i][i])
 }
 
 #[cfg(test)]
@@ -229,16 +235,27 @@ mod tests {
             .map(|k| 3.0 * DVec2::from_angle(std::f64::consts::FRAC_PI_3 * f64::from(k)))
             .collect();
         fit.compute(&hexagon, 1).expect("a fit");
-        assert!((fit.condition() - 8f64.sqrt()).abs() < 1e-12);
+        assert!(fit.is_ratio_within(8f64.sqrt() * (1.0 + 1e-12)));
+        assert!(!fit.is_ratio_within(8f64.sqrt() * (1.0 - 1e-12)));
         let bound = (63.0 / 8.0 * 6.0f64).sqrt();
         assert!((fit.condition_bound() - bound).abs() < 1e-12);
         for m in [6, 7, 9] {
             fit.compute(&scattered(m), 1).expect("a fit");
-            let (condition, bound) = (fit.condition(), fit.condition_bound());
+            let eigenvalues = eigenvalues(fit.gram());
+            let least = eigenvalues.iter().fold(f64::INFINITY, |a, b| a.min(*b));
+            let most = eigenvalues.iter().fold(0.0, |a: f64, b| a.max(*b));
+            let (condition, bound) = ((most / least).sqrt(), fit.condition_bound());
             assert!(bound > condition && bound < 5.0 * condition);
-            assert!(fit.is_conditioned(1.01 * condition));
-            assert!(!fit.is_conditioned(0.99 * condition));
+            assert!(fit.is_conditioned((1.0 + 1e-9) * condition));
+            assert!(!fit.is_conditioned((1.0 - 1e-9) * condition));
         }
+    }
+
+    /// By faer's own decomposition.
+    fn eigenvalues(matrix: [[f64; N]; N]) -> Vec<f64> {
+        let matrix = faer::Mat::from_fn(N, N, |i, j| matrix[i][j]);
+        let found = matrix.self_adjoint_eigenvalues(faer::Side::Lower);
+        found.expect("eigenvalues")
     }
 
     #[test]

@@ -23,6 +23,7 @@ mod fit;
 pub mod principal;
 mod stencil;
 
+use crate::interrupt::paced;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use fit::Fit;
 use glam::DVec3;
@@ -46,7 +47,8 @@ const NONE: u32 = u32::MAX;
 
 impl FittedOperators {
     /// Fits at every vertex that `wanted` marks. There is no row where the neighbours do not
-    /// determine a quadratic: too few, in special position, or not finite.
+    /// determine a quadratic: too few, in special position, or not finite; nor where the work is
+    /// given up before.
     pub fn fit(mesh: &HalfedgeMesh, x: &[DVec3], wanted: &[bool]) -> Self {
         let mut this = Self {
             row_of_vertex: vec![NONE; mesh.n_vertices()],
@@ -55,7 +57,7 @@ impl FittedOperators {
         };
         let mut stencils = Stencils::new(mesh);
         let mut fit = Fit::default();
-        for v in mesh.vertices().filter(|v| wanted[v.index()]) {
+        for v in paced(mesh.vertices()).filter(|v| wanted[v.index()]) {
             if stencils.choose(x, v, &mut fit).is_some() {
                 this.row_of_vertex[v.index()] = this.normal.len() as u32;
                 this.push(x, v, stencils.members(), &fit);

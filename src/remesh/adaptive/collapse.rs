@@ -6,6 +6,7 @@
 //! would become too long.
 
 use super::draft::{Draft, Hinge};
+use crate::interrupt::paced;
 use glam::DVec3;
 
 /// An edge shorter than this share of its wanted length is collapsed …
@@ -22,7 +23,7 @@ const MOST_FACES: usize = 9;
 /// Collapses the edges that are too short, the shortest first; their number.
 pub(super) fn run(draft: &mut Draft) -> usize {
     let mut count = 0;
-    for edge in draft.by_stretch(|stretch| stretch < TOO_SHORT) {
+    for edge in paced(draft.by_stretch(|stretch| stretch < TOO_SHORT)) {
         // Earlier ones may have moved the ends or taken one away.
         if edge.iter().all(|&v| draft.is_alive(v))
             && draft.stretch(edge) < TOO_SHORT

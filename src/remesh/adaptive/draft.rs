@@ -4,6 +4,7 @@
 //! [`Draft::compact`]. Every order in it follows from the mesh it was made of, so that the same
 //! input gives the same output to the last bit.
 
+use crate::interrupt::paced;
 use crate::mesh::{self, HalfedgeMesh};
 use crate::order;
 use crate::soup::PolygonSoup;
@@ -123,10 +124,7 @@ impl Draft {
     }
 
     pub(super) fn live_faces(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
-        self.faces
-            .iter()
-            .copied()
-            .filter(|corners| corners[0] != GONE)
+        paced(self.faces.iter().copied()).filter(|corners| corners[0] != GONE)
     }
 
     /// The vertices joined to one, each once, in the order of its faces.

@@ -5,6 +5,7 @@
 //! face stands at more than 45° to the two it replaces.
 
 use super::draft::{Draft, Hinge};
+use crate::interrupt::paced;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -56,7 +57,7 @@ pub(super) fn to_delaunay(draft: &mut Draft) -> usize {
 /// Flips every edge that can be and that is better the other way, in the order they have now.
 fn sweep(draft: &mut Draft, is_better: impl Fn(&Draft, Hinge, [[u32; 3]; 2]) -> bool) -> usize {
     let mut count = 0;
-    for edge in draft.edges() {
+    for edge in paced(draft.edges()) {
         if let Some(hinge) = draft.hinge(edge)
             && let Some(new) = flipped(draft, hinge)
             && is_better(draft, hinge, new)

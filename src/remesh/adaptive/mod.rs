@@ -147,7 +147,7 @@ pub fn pass(
 /// lost as much of it as only folds have.
 ///
 /// # Errors
-/// See [`RemeshError`].
+/// See [`RemeshError`]; any where the work is [given up](crate::interrupt).
 pub fn remesh(
     mesh: &HalfedgeMesh,
     x: &[DVec3],
@@ -161,6 +161,7 @@ pub fn remesh(
     for done in 1..=MOST_ROUNDS {
         let before = counts.splits + counts.collapses;
         round(&mut draft, kind, vertices, &mut counts);
+        interrupt::check().map_err(|_| RemeshError::Spoilt)?;
         let changes = counts.splits + counts.collapses - before;
         if done >= ROUNDS && is_settled(changes, draft.x.len()) {
             break;

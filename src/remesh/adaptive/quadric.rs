@@ -10,6 +10,7 @@
 //! where triangles are bad.
 
 use super::draft::Draft;
+use crate::interrupt::paced;
 use glam::DVec3;
 
 /// Normals with a smaller scalar product belong to another part of the surface.
@@ -79,26 +80,28 @@ impl Quadric {
     }
 }
 
-/// The quadrics at all vertices.
+/// The quadrics at all vertices; planes at some where the work is given up.
 pub(super) fn fits(draft: &Draft, normals: &[DVec3]) -> Vec<Quadric> {
     let rings = draft.rings();
     let mut marked_by = vec![u32::MAX; draft.x.len()];
     let mut around = Vec::new();
-    (0..draft.x.len() as u32)
-        .map(|i| {
-            around.clear();
-            marked_by[i as usize] = i;
-            for &j in &rings[i as usize] {
-                for k in std::iter::once(j).chain(rings[j as usize].iter().copied()) {
-                    if marked_by[k as usize] != i {
-                        marked_by[k as usize] = i;
-                        around.push(k);
-                    }
+    let fitted = paced(0..draft.x.len() as u32).map(|i| {
+        around.clear();
+        marked_by[i as usize] = i;
+        for &j in &rings[i as usize] {
+            for k in std::iter::once(j).chain(rings[j as usize].iter().copied()) {
+                if marked_by[k as usize] != i {
+                    marked_by[k as usize] = i;
+                    around.push(k);
                 }
             }
-            fit(&draft.x, normals, i as usize, &rings[i as usize], &around)
-        })
-        .collect()
+        }
+        fit(&draft.x, normals, i as usize, &rings[i as usize], &around)
+    });
+    let mut quadrics: Vec<Quadric> = fitted.collect();
+    let rest = &normals[quadrics.len()..];
+    quadrics.extend(rest.iter().map(|n| Quadric::plane(*n)));
+    quadrics
 }
 
 fn fit(x: &[DVec3], normals: &[DVec3], i: usize, ring: &[u32], around: &[u32]) -> Quadric {

@@ -6,6 +6,7 @@
 
 use super::draft::Draft;
 use super::quadric;
+use crate::interrupt::paced;
 use glam::DVec3;
 
 /// Sweeps of a round.
@@ -20,7 +21,7 @@ pub(super) fn run(draft: &mut Draft) {
         let normals = draft.normals();
         let quadrics = quadric::fits(draft, &normals);
         let before = draft.x.clone();
-        for (v, quadric) in quadrics.iter().enumerate() {
+        for (v, quadric) in paced(quadrics.iter().enumerate()) {
             if draft.held[v] {
                 continue;
             }

@@ -8,6 +8,7 @@
 use super::Kind;
 use super::draft::Draft;
 use super::quadric;
+use crate::interrupt::paced;
 use std::f64::consts::PI;
 
 /// Growth of h per unit of length.
@@ -82,7 +83,7 @@ fn radii(draft: &Draft, rings: &[Vec<u32>], area: f64) -> Vec<f64> {
 fn grade(field: &mut [f64], draft: &Draft, rings: &[Vec<u32>]) {
     for _ in 0..SWEEPS {
         let mut is_settled = true;
-        for (i, ring) in rings.iter().enumerate() {
+        for (i, ring) in paced(rings.iter().enumerate()) {
             for &j in ring {
                 let limit = field[j as usize] + GRADATION * draft.x[i].distance(draft.at(j));
                 if field[i] > limit * 1.0001 {

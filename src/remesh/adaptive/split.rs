@@ -1,6 +1,7 @@
 //! Splits: a vertex in the middle of each edge that is too long.
 
 use super::draft::{Draft, Hinge};
+use crate::interrupt::paced;
 
 /// An edge longer than this share of its wanted length is split.
 const TOO_LONG: f64 = 4.0 / 3.0;
@@ -10,7 +11,7 @@ pub(super) fn run(draft: &mut Draft) -> usize {
     let mut long = draft.by_stretch(|stretch| stretch > TOO_LONG);
     long.reverse();
     let mut count = 0;
-    for edge in long {
+    for edge in paced(long) {
         // Splits of others leave an edge as it is.
         if let Some(hinge) = draft.hinge(edge) {
             split(draft, hinge);

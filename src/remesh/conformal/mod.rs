@@ -18,7 +18,7 @@
 mod preconditioner;
 
 use crate::energy::conformal::reference_angles;
-use crate::interrupt;
+use crate::interrupt::{self, paced};
 use crate::linalg::{LinalgError, LinearSystem, Pattern, Workspace, conjugate_gradients};
 use crate::operator::Elements;
 use glam::{DMat3, DVec3};
@@ -149,7 +149,7 @@ impl Regulariser {
     /// [`conformal_distortion`](crate::energy::conformal::conformal_distortion).
     pub fn distortion(&self, x: &[DVec3]) -> f64 {
         let mut total = 0.0;
-        for (e, corners) in self.elements.corners().enumerate() {
+        for (e, corners) in paced(self.elements.corners().enumerate()) {
             // Rows of the coupling sum to zero: Σ_ij a_ij ⟨x_i, x_j⟩ = −Σ_{i<j} a_ij |x_i − x_j|².
             for (&(i, j), a) in PAIRS[..self.pairs()].iter().zip(self.coupling(e)) {
                 total -= a * x[corners[i] as usize].distance_squared(x[corners[j] as usize]);
@@ -159,7 +159,7 @@ impl Regulariser {
     }
 
     fn area(&self, x: &[DVec3]) -> f64 {
-        (0..self.elements.len())
+        paced(0..self.elements.len())
             .flat_map(|e| self.elements.nodes(x, e))
             .map(|node| node.area)
             .sum()
@@ -169,7 +169,7 @@ impl Regulariser {
     pub(super) fn normals(&self, x: &[DVec3]) -> Normals {
         let mut points = Vec::with_capacity(self.elements.len() * self.elements.points().len());
         let mut vertices = vec![DVec3::ZERO; x.len()];
-        for (e, corners) in self.elements.corners().enumerate() {
+        for (e, corners) in paced(self.elements.corners().enumerate()) {
             for node in self.elements.nodes(x, e) {
                 points.push(node.normal);
                 for (&v, shape) in corners.iter().zip(node.shape) {
@@ -289,10 +289,7 @@ impl Regulariser {
         let shared = self.couplings.len() == 1;
         let mut normal = normals.points.iter();
         let diagonal = self.pattern.diagonal_slots();
-        for (e, corners) in self.elements.corners().enumerate() {
-            if e.is_multiple_of(4096) && interrupt::check().is_err() {
-                return;
-            }
+        for (e, corners) in paced(self.elements.corners().enumerate()) {
             let mut blocks = [DMat3::ZERO; 6];
             let triangle = self.couplings[if shared { 0 } else { e }];
             for point in points {
