@@ -84,8 +84,9 @@ fn surface_of(genus: usize, seed: u64, spacing: f64) -> Surface {
         .expect("a surface")
 }
 
-/// So many steps, or less where it comes to rest, at which the mesh is a good one.
-fn run(s: &Surface, steps: usize) {
+/// Runs so many steps, or less where it comes to rest; whether the mesh is a good one there, and no
+/// step at rest was refused for its sake.
+fn ends_well(s: &Surface, steps: usize) -> bool {
     let file = write(&s.mesh.to_soup(&s.x), Format::Ply, "a start").expect("a file");
     let mut session = Session::new();
     session.load(&file, "start.ply").expect("a mesh");
@@ -112,7 +113,7 @@ fn run(s: &Surface, steps: usize) {
     let refused = last.filter(|r| r.is_guarded).count();
     println!(
         "{} v, {:.1}° at the start; {} steps, {} passes, {} with trials refused for the mesh, {} of \
-         them the last; ∫H² {:.3}, {:.1}°, κh {:.2}, normals {:.2}, {:?}",
+         them the last; ∫H² {:.3}, {:.1}°, κh {:.2}, normals {:.2}, fitted ∫K {:.2}, ∫H² {:.2}, {:?}",
         s.x.len(),
         measure::min_angle_degrees(&s.mesh, &s.x),
         state.step,
@@ -123,28 +124,30 @@ fn run(s: &Surface, steps: usize) {
         state.min_angle_degrees,
         readings.bend,
         readings.alignment,
+        readings.gauss_bonnet,
+        readings.fitted_energy,
         state.status,
     );
-    assert!(matches!(
-        state.status,
-        Status::Converged | Status::StepLimit
-    ));
-    assert!(state.min_angle_degrees >= 20.0 && readings.is_sound);
-    assert_eq!(refused, 0, "refused at rest");
+    let is_at_end = matches!(state.status, Status::Converged | Status::StepLimit);
+    let is_good = state.min_angle_degrees >= 20.0 && readings.is_sound;
+    is_at_end && is_good && refused == 0
 }
 
 #[test]
 fn random_surfaces_keep_good_meshes() {
     for genus in 0..3 {
-        run(&surface_of(genus, 1, 0.24), 1000);
+        let surface = surface_of(genus, 1, 0.24);
+        assert!(ends_well(&surface, 1000), "genus {genus}");
     }
 }
 
 #[test]
-#[ignore = "takes half an hour"]
+#[ignore = "takes a quarter of an hour"]
 fn twenty_random_surfaces_keep_good_meshes_for_a_thousand_steps() {
-    for (n, genus) in (0..20).map(|n| (n, n % 4)) {
+    let spoilt = (0..20).filter(|n| {
+        let genus = n % 4;
         print!("{n}, genus {genus}: ");
-        run(&surface_of(genus, n as u64, 0.16), 1000);
-    }
+        !ends_well(&surface_of(genus, *n as u64, 0.16), 1000)
+    });
+    assert_eq!(spoilt.collect::<Vec<usize>>(), [0; 0]);
 }
