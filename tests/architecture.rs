@@ -21,8 +21,11 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("mesh", &["interrupt", "message", "order", "soup"]),
     ("viewer", &["message", "soup"]),
     ("geometry", &["interrupt", "order", "mesh"]),
-    ("operator", &["mesh", "geometry", "linalg"]),
-    ("energy", &["mesh", "geometry", "operator", "linalg"]),
+    ("operator", &["interrupt", "mesh", "geometry", "linalg"]),
+    (
+        "energy",
+        &["interrupt", "mesh", "geometry", "operator", "linalg"],
+    ),
     (
         "flow",
         &[

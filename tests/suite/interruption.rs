@@ -5,7 +5,7 @@ use serde_json::{Value as Json, json};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::rc::Rc;
-use umbilic::app::{Arrangement, Command, Compare, Origin, Progress, ScriptText, Session};
+use umbilic::app::{Arrangement, Compare, Origin, Progress, ScriptText, Session, ToolCommand};
 use umbilic::flow::options::{FlowName, FlowOptions, Goal, Integrator, Remeshing, Scheme};
 use umbilic::flow::{Decision, Driver, StepReport};
 use umbilic::interrupt;
@@ -313,9 +313,9 @@ fn a_replay_goes_on_after_a_step_that_was_given_up() {
 
 /// The command, asked of a session again and again and given up later from one time to the next.
 fn compare_edit(make: &dyn Fn() -> Session, command: &Json) -> usize {
-    let command: Command = serde_json::from_value(command.clone()).expect("a command");
+    let command: ToolCommand = serde_json::from_value(command.clone()).expect("a command");
     let (mut plain, mut disturbed) = (make(), make());
-    let answer = plain.perform(command.clone()).expect("an edit");
+    let answer = plain.perform_tool(command.clone()).expect("an edit");
     let before = shown(&mut disturbed);
     let mut given_up = 0;
     let mut nth = 1.0f64;
@@ -328,7 +328,7 @@ fn compare_edit(make: &dyn Fn() -> Session, command: &Json) -> usize {
                 _ => ControlFlow::Continue(()),
             }
         })));
-        let found = disturbed.perform(command.clone());
+        let found = disturbed.perform_tool(command.clone());
         disturbed.set_progress(None);
         match found {
             Ok(found) => {

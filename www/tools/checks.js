@@ -27,7 +27,7 @@ const wasm = ["--target", "wasm32-unknown-unknown", "--lib", "--no-default-featu
 /** @type {Check[]} */
 export const rustChecks = [
   clippy("native", "--all-targets"),
-  clippy("the solver in wasm", ...wasm, "solver"),
+  clippy("the solver in wasm", ...wasm, "solver,split"),
   clippy("the viewer in wasm", ...wasm, "viewer"),
   clippy("the viewer for WebGL2 in wasm", ...wasm, "viewer-webgl"),
   { title: "Links in the Rust documentation", run: buildDocumentation },
