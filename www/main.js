@@ -146,15 +146,6 @@ pictured.then(
   () => performance.mark("first-picture"),
   () => {},
 );
-/** A first run has ended: there is time to fetch what opens only when it is asked for. */
-const ran = new Promise((resolve) => {
-  effect(() => {
-    const { running, reading } = page.state.value;
-    const isStill = !running && page.player.motion.value === "still";
-    if (isStill && reading && reading.step > 0) resolve(null);
-  });
-});
-ran.then(fetchViews).catch(() => {});
 
 // Whoever embeds the page could take away what a visitor opens in it. A file that is chosen or
 // dropped before the solver is there waits for it.
@@ -196,8 +187,11 @@ const isTouched = signal(embedding !== null || linkIn(location).text !== "");
 for (const kind of ["pointerdown", "keydown", "drop", "hashchange"])
   addEventListener(kind, () => (isTouched.value = true), { once: true });
 effect(() => {
-  const isStill = !page.state.value.running && page.player.motion.value === "still";
-  if (isStill && isTouched.value) writeLink();
+  const { running, reading } = page.state.value;
+  if (running || page.player.motion.value !== "still") return;
+  if (isTouched.value) writeLink();
+  // Once something has run there is time for what opens only when it is asked for.
+  if (reading && reading.step !== 0) fetchViews().catch(() => {});
 });
 
 // The event's address and not `location`: by now the old scene may have been written there.

@@ -1,8 +1,9 @@
 // Running other programs, one line of explanation before each.
 
-import { spawn, spawnSync } from "node:child_process";
+import { execFile, spawnSync } from "node:child_process";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
 
 /** The repository's folder. */
 export const root = fileURLToPath(new URL("../..", import.meta.url));
@@ -41,23 +42,15 @@ export function run(program, parameters, { env = {}, cwd = root } = {}) {
  * @param {string} program @param {string[]} parameters @returns {Promise<void>}
  */
 export function runLater(program, parameters) {
-  const child = spawn(program, parameters, { cwd: root });
-  process.on("exit", () => child.kill());
-  let said = "";
-  for (const stream of [child.stdout, child.stderr]) {
-    stream.on("data", (part) => {
-      said += part;
-    });
-  }
-  const done = new Promise((resolve, reject) => {
-    child.on("error", reject);
-    child.on("close", (code) => {
-      process.stdout.write(said);
-      const line = [program, ...parameters].join(" ");
-      if (code === 0) resolve(undefined);
-      else reject(new Refusal(`failed (exit ${code}): ${line}`));
-    });
-  });
+  const running = promisify(execFile)(program, parameters, { cwd: root, maxBuffer: 1e9 });
+  process.on("exit", () => running.child.kill());
+  const done = running.then(
+    ({ stdout, stderr }) => console.log(stdout, stderr),
+    ({ stdout, stderr, message }) => {
+      console.log(stdout, stderr);
+      throw new Refusal(message.split("\n")[0]);
+    },
+  );
   // Whoever waits for it learns of a failure; nobody may, where something else failed before.
   done.catch(() => {});
   return done;

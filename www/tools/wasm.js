@@ -29,6 +29,10 @@ const halves = [
 const shrink = ["-Oz", "--strip-debug", "--strip-producers"];
 /** What every file may use; the one that is split off does not say. */
 const features = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals"];
+/** What the build tools are made of. */
+const toolSources = ["Cargo.lock", "src/bin/bindgen.rs", "src/bin/splitter.rs"].map((file) =>
+  path.join(root, file),
+);
 /** Of the wasm files, as the splitter calls the second one. */
 const DEFERRED = "split_deferred.wasm";
 
@@ -69,11 +73,7 @@ function buildHalf({ name, level, rest, splits }, profile) {
   const stampFile = path.join(out, ".stamp");
   const stamp = createHash("sha256")
     .update(readFileSync(compiled))
-    .update(
-      toolSources("bindgen", "splitter")
-        .map((file) => readFileSync(file, "utf8"))
-        .join(""),
-    )
+    .update(toolSources.map((file) => readFileSync(file, "utf8")).join(""))
     .update([...shrink, ...features].join())
     .digest("hex");
   const isBuilt = existsSync(wasm) && existsSync(stampFile);
@@ -111,10 +111,6 @@ function flags() {
   return ["-C", "target-feature=+simd128", remap(cargoHome, "cargo"), remap(root, "umbilic")];
 }
 
-/** What tools are made of. @param {string[]} names */
-const toolSources = (...names) =>
-  ["Cargo.lock", ...names.map((name) => `src/bin/${name}.rs`)].map((file) => path.join(root, file));
-
 /**
  * Path of a build tool, built when it is missing or older than what it is made of.
  * @param {"bindgen" | "splitter"} name
@@ -125,7 +121,7 @@ function tool(name) {
   const program = path.join(folder, "tool", `${name}${suffix}`);
   const fresh =
     existsSync(program) &&
-    toolSources(name).every((file) => statSync(file).mtimeMs < statSync(program).mtimeMs);
+    toolSources.every((file) => statSync(file).mtimeMs < statSync(program).mtimeMs);
   if (!fresh) {
     say(`Building the tool ${name}`);
     run("cargo", [
