@@ -8,7 +8,6 @@ import { numberAs } from "./numbers.js";
 
 /** @template T @typedef {T extends unknown ? keyof T : never} KeyOf */
 /** @typedef {RunCommand | ToolCommand} Command */
-/** @typedef {RunAnswer | ToolAnswer} Answer */
 /** @typedef {KeyOf<Command>} CommandName */
 /** @template {CommandName} N @typedef {Extract<Command, Record<N, any>>[N]} FieldsOf */
 /**
@@ -16,7 +15,7 @@ import { numberAs } from "./numbers.js";
  * @template T
  * @typedef {T extends ArrayBufferView ? T : T extends (infer E)[] ? E[] : T extends object ? { [K in keyof T]?: Loose<T[K]> } : T} Loose
  */
-/** @template {CommandName} N @typedef {Extract<Answer, Record<N, any>>[N]} AnswerOf */
+/** @template {CommandName} N @typedef {Extract<RunAnswer | ToolAnswer, Record<N, any>>[N]} AnswerOf */
 
 /**
  * @template {CommandName} N @param {Session} session @param {N} name
