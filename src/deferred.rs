@@ -1,7 +1,7 @@
 //! The part of the program that is fetched when it is first needed.
 //!
 //! What a browser loads first draws a sample and runs the flow by circle angles; all else is in a
-//! second wasm file, of which the calls into [`deferred!`] functions are the only ways in. The
+//! second wasm file, of which the calls into `deferred!` functions are the only ways in. The
 //! linker's output is taken apart along these calls by `src/bin/splitter.rs`, where the feature
 //! `split` is on; without it, as in native builds and the development server's, such a function is
 //! like any other.
