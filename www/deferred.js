@@ -16,9 +16,8 @@ export function provide(how) {
 }
 
 /**
- * Called by the solver, by a name that its splitter knows.
- * @param {number} callback  index of a function of the solver, to be called with the result …
- * @param {number} data      … and this
+ * The splitter knows the name. Tells a function of the solver, by its index, whether the file is there.
+ * @param {number} callback @param {number} data  to be given back
  */
 export function __wasm_split_load_deferred(callback, data) {
   const solver = /** @type {any} */ (initSync)();

@@ -8,7 +8,6 @@
 import { provide } from "./deferred.js";
 import init, { Session } from "./pkg/solver/solver.js";
 import { refusal } from "./refusal.js";
-import { sequence, sequenceSize } from "./sequence.js";
 import { isOver, perform } from "./session.js";
 
 /**
@@ -185,6 +184,8 @@ async function replayed(name, fields) {
   if (!done) throw refusal("Cancelled", "worker-cancelled");
 }
 
+/** Fetched when it is first asked for. */
+const zipping = () => import("./sequence.js");
 /** What is asked of the worker itself. */
 const own = {
   /** What a figure comes to: of what is shown, where that is all of it, or of a run of its own. */
@@ -214,9 +215,10 @@ const own = {
   follow: (/** @type {Loose<FieldsOf<"follow">>} */ fields) =>
     replayed("follow", fields).then(() => perform(session, "state")),
   stored,
-  sequence: (/** @type {Every} */ { format, every }) =>
-    sequence(session, format, every, (share) => tell("sequence", share)),
-  sequenceSize: (/** @type {Every} */ { format, every }) => sequenceSize(session, format, every),
+  sequence: async (/** @type {Every} */ { format, every }) =>
+    (await zipping()).sequence(session, format, every, (share) => tell("sequence", share)),
+  sequenceSize: async (/** @type {Every} */ { format, every }) =>
+    (await zipping()).sequenceSize(session, format, every),
 };
 
 /**

@@ -23,19 +23,20 @@ const SWEEPS: usize = 12;
 
 /// Flips edges that make valences better; their number.
 pub(super) fn for_valence(draft: &mut Draft) -> usize {
-    sweep(draft, |draft, hinge, new| {
+    let is_wanted = |draft: &Draft, hinge: Hinge| {
         let excess = |v: u32, change: i64| {
             let v = v as usize;
             (draft.star[v].len() as i64 + change - i64::from(draft.regular[v])).pow(2)
         };
         let ends = hinge.ends.map(|v| excess(v, -1) - excess(v, 0));
         let apexes = hinge.apexes.map(|v| excess(v, 1) - excess(v, 0));
+        ends.iter().chain(&apexes).sum::<i64>() < 0 && opposite_angles(draft, hinge) > OPPOSITE
+    };
+    sweep(draft, is_wanted, |draft, hinge, new| {
         let old = hinge.faces.map(|f| draft.faces[f as usize]);
         let least =
             |faces: [[u32; 3]; 2]| least_angle(draft, faces[0]).min(least_angle(draft, faces[1]));
-        ends.iter().chain(&apexes).sum::<i64>() < 0
-            && opposite_angles(draft, hinge) > OPPOSITE
-            && least(new) >= ANGLE_KEPT * least(old)
+        least(new) >= ANGLE_KEPT * least(old)
     })
 }
 
@@ -43,9 +44,8 @@ pub(super) fn for_valence(draft: &mut Draft) -> usize {
 pub(super) fn to_delaunay(draft: &mut Draft) -> usize {
     let mut count = 0;
     for _ in 0..SWEEPS {
-        let flipped = sweep(draft, |draft, hinge, _| {
-            opposite_angles(draft, hinge) > PI + SLACK
-        });
+        let is_wanted = |draft: &Draft, hinge: Hinge| opposite_angles(draft, hinge) > PI + SLACK;
+        let flipped = sweep(draft, is_wanted, |_, _, _| true);
         count += flipped;
         if flipped == 0 {
             break;
@@ -54,11 +54,17 @@ pub(super) fn to_delaunay(draft: &mut Draft) -> usize {
     count
 }
 
-/// Flips every edge that can be and that is better the other way, in the order they have now.
-fn sweep(draft: &mut Draft, is_better: impl Fn(&Draft, Hinge, [[u32; 3]; 2]) -> bool) -> usize {
+/// Flips every edge that is wanted the other way, can be and is better so, in the order they have
+/// now. What an edge can be takes longest to tell, and most are not wanted.
+fn sweep(
+    draft: &mut Draft,
+    is_wanted: impl Fn(&Draft, Hinge) -> bool,
+    is_better: impl Fn(&Draft, Hinge, [[u32; 3]; 2]) -> bool,
+) -> usize {
     let mut count = 0;
     for edge in paced(draft.edges()) {
         if let Some(hinge) = draft.hinge(edge)
+            && is_wanted(draft, hinge)
             && let Some(new) = flipped(draft, hinge)
             && is_better(draft, hinge, new)
         {

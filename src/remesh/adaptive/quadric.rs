@@ -9,7 +9,6 @@
 //! fewer neighbours and for its derivatives' weights; here the surface itself is needed, also
 //! where triangles are bad.
 
-use super::draft::Draft;
 use crate::interrupt::paced;
 use glam::DVec3;
 
@@ -80,12 +79,12 @@ impl Quadric {
     }
 }
 
-/// The quadrics at all vertices; planes at some where the work is given up.
-pub(super) fn fits(draft: &Draft, normals: &[DVec3]) -> Vec<Quadric> {
-    let rings = draft.rings();
-    let mut marked_by = vec![u32::MAX; draft.x.len()];
+/// The quadrics at all vertices, of which `rings` has the neighbours; planes at some where the work is
+/// given up.
+pub(super) fn fits(x: &[DVec3], rings: &[Vec<u32>], normals: &[DVec3]) -> Vec<Quadric> {
+    let mut marked_by = vec![u32::MAX; x.len()];
     let mut around = Vec::new();
-    let fitted = paced(0..draft.x.len() as u32).map(|i| {
+    let fitted = paced(0..x.len() as u32).map(|i| {
         around.clear();
         marked_by[i as usize] = i;
         for &j in &rings[i as usize] {
@@ -96,7 +95,7 @@ pub(super) fn fits(draft: &Draft, normals: &[DVec3]) -> Vec<Quadric> {
                 }
             }
         }
-        fit(&draft.x, normals, i as usize, &rings[i as usize], &around)
+        fit(x, normals, i as usize, &rings[i as usize], &around)
     });
     let mut quadrics: Vec<Quadric> = fitted.collect();
     let rest = &normals[quadrics.len()..];

@@ -17,9 +17,10 @@ const LONGEST: f64 = 0.3;
 
 /// Slides the vertices that are not held.
 pub(super) fn run(draft: &mut Draft) {
+    let rings = draft.rings();
     for _ in 0..SWEEPS {
         let normals = draft.normals();
-        let quadrics = quadric::fits(draft, &normals);
+        let quadrics = quadric::fits(&draft.x, &rings, &normals);
         let before = draft.x.clone();
         for (v, quadric) in paced(quadrics.iter().enumerate()) {
             if draft.held[v] {

@@ -67,7 +67,7 @@ pub(super) fn field(draft: &Draft, kind: Kind, vertices: usize) -> Vec<f64> {
 
 fn radii(draft: &Draft, rings: &[Vec<u32>], area: f64) -> Vec<f64> {
     let flat = 4.0 * PI / area;
-    let quadrics = quadric::fits(draft, &draft.normal);
+    let quadrics = quadric::fits(&draft.x, rings, &draft.normal);
     let logs: Vec<f64> = quadrics
         .iter()
         .map(|q| -0.5 * (q.bend().powi(2) + flat).ln())

@@ -46,7 +46,10 @@ impl Soundness {
         let draft = Draft::of(mesh, x, &vec![false; x.len()]);
         let (areas, lengths) = (draft.areas(), mean_edge_lengths(mesh, x));
         let (mut gauss, mut turned, mut squares, mut bend) = (0.0, 0.0, 0.0, 0.0f64);
-        for (i, fit) in quadric::fits(&draft, &draft.normal).iter().enumerate() {
+        for (i, fit) in quadric::fits(&draft.x, &draft.rings(), &draft.normal)
+            .iter()
+            .enumerate()
+        {
             let [low, high] = fit.curvatures();
             gauss += areas[i] * low * high;
             turned += areas[i] * (low * high).abs();
