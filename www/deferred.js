@@ -1,6 +1,5 @@
-// The solver's second wasm file, fetched when something of it is first asked for: see
-// src/deferred.rs. Rust waits for no promise, so whoever runs the solver says how to come by the
-// file at once.
+// The solver's second wasm file (src/deferred.rs). Rust waits for no promise, so whoever runs the
+// solver says how to come by the file at once.
 
 import { initSync } from "./pkg/solver/solver.js";
 
