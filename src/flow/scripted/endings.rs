@@ -93,27 +93,29 @@ fn a_surface_that_may_vanish_is_singular_once_it_has() {
     assert_eq!(shrinking(false), (12, Status::StepLimit));
 }
 
+/// A ball that grows a tip, from where on every step is refused.
+fn tip(cause: Cause, spike: f64, clock: Clock) -> Script {
+    Script {
+        clock,
+        rules: Rules {
+            can_vanish: true,
+            ..idle().rules
+        },
+        refusal: Rc::new(move |r| (r > 1.2).then(|| Refusal::of(cause))),
+        spike,
+        level: 3.0,
+        growth: 1.0,
+        search: Search::Solve,
+        ..Script::new(|r| -r, |_| 1e-2)
+    }
+}
+
 /// A tip that has grown on a surface that may vanish, and from which no step bends further, is
 /// singular; not so where the functional alone is in the way, unless it is the flow by mean
 /// curvature that cannot lower the area; nor where the tip was there before.
 #[test]
 fn a_new_tip_from_which_no_step_leads_is_singular() {
-    let grown = |cause: Cause, spike: f64, clock: Clock| {
-        let script = Script {
-            clock,
-            rules: Rules {
-                can_vanish: true,
-                ..idle().rules
-            },
-            refusal: Rc::new(move |r| (r > 1.2).then(|| Refusal::of(cause))),
-            spike,
-            level: 3.0,
-            growth: 1.0,
-            search: Search::Solve,
-            ..Script::new(|r| -r, |_| 1e-2)
-        };
-        script.run(200).1.expect("an ending")
-    };
+    let grown = |cause, spike, clock| tip(cause, spike, clock).run(200).1.expect("an ending");
     let (status, why) = grown(Cause::Turn, 10.0, Clock::Own);
     assert_eq!(status, Status::Singular, "{why}");
     assert!(
@@ -127,6 +129,22 @@ fn a_new_tip_from_which_no_step_leads_is_singular() {
         Status::Singular
     );
     assert_eq!(status(Cause::Turn, 1.0, Clock::Own), Status::Stalled);
+}
+
+/// The tip is no longer there then.
+#[test]
+fn where_a_better_surface_takes_the_place_of_a_tip_nothing_is_singular() {
+    let script = Script {
+        better: Some((false, 0.5)),
+        ..tip(Cause::Turn, 10.0, Clock::Own)
+    };
+    let (_, ending, r) = script.run(200);
+    let (status, why) = ending.expect("an ending");
+    assert!(
+        status == Status::Stalled && matches!(why, Reason::WorseRest { .. }),
+        "{why}"
+    );
+    assert!((r - 0.5).abs() < 1e-12, "{r}");
 }
 
 #[test]
