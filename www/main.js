@@ -91,8 +91,8 @@ for (const [id, view, isOpen] of /** @type {const} */ ([
   // Of a dialog that is closed with its key this comes at once, and no key after it is lost.
   for (const kind of ["cancel", "close"]) {
     element.addEventListener(kind, () => {
-      // Opened again meanwhile.
-      if (kind === "close" && element.open) return;
+      // Known already: there may be another by now, or one on its way.
+      if (kind === "close" && isOpen(page.get()) === element.open) return;
       if (id === "dialog") page.patch({ dialog: null });
       else page.get().question?.answer(false);
     });
