@@ -16,7 +16,15 @@ const compactHtml = {
   },
 };
 
-/** The same of the words of a language. */
+/** The development server puts styles that come later into the page itself. */
+const inlineStyles = {
+  name: "inline-styles",
+  apply: /** @type {const} */ ("serve"),
+  transformIndexHtml: (/** @type {string} */ html) =>
+    html.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'"),
+};
+
+/** Comments of the words of a language, likewise. */
 const compactWords = {
   name: "compact-words",
   enforce: /** @type {const} */ ("pre"),
@@ -49,7 +57,7 @@ export default defineConfig({
   // Copied as they are: the manifest and its icons.
   publicDir: "www/public",
   plugins: [
-    ...[compactHtml, compactWords, shortNames(), webglOnDemand()],
+    ...[compactHtml, inlineStyles, compactWords, shortNames(), webglOnDemand()],
     serviceWorker(here("service-worker.js")),
   ],
   build: {
