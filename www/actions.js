@@ -21,7 +21,11 @@ function deferred(load) {
   const get =
     (_, name) =>
     async (...given) => {
-      made ??= load();
+      // Without a connection now, there may be one when it is asked for again.
+      made ??= load().catch((error) => {
+        made = undefined;
+        throw error;
+      });
       return (await made)[name](...given);
     };
   return new Proxy(/** @type {any} */ ({}), { get });

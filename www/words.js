@@ -157,7 +157,10 @@ export async function speak(language) {
 export async function fetchRest() {
   if (rest) return rest;
   const language = speaking;
-  rest = fetchWords(language, "rest");
+  rest = fetchWords(language, "rest").catch((error) => {
+    rest = null;
+    throw error;
+  });
   bundle ??= bundleOf("en", english);
   const words = await rest;
   // The language may have been changed meanwhile, with all its words.
