@@ -74,6 +74,12 @@ impl Snapshot {
         }
     }
 
+    /// Whether a pass of remeshing made it, which belongs to the step after it and is not shown.
+    fn is_of_pass(&self) -> bool {
+        let event = self.came.as_ref().map(|(transition, _)| &transition.event);
+        event == Some(&Event::Pass)
+    }
+
     fn bytes(&self) -> usize {
         let positions = self.x.as_deref().unwrap_or_default();
         // Others share its segment, and go before the first of it.
@@ -264,7 +270,9 @@ impl History {
             previous: (self.past.iter().rev())
                 .map(|m| m.state.step)
                 .find(|step| *step < at),
-            next: self.next_step(),
+            next: (self.future.iter().rev())
+                .find(|m| !m.is_of_pass())
+                .map(|m| m.state.step),
             stored: self.past.len() + 1 + self.future.len(),
             branches: self.branches.iter().filter_map(info).collect(),
         }

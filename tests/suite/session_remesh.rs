@@ -189,6 +189,14 @@ fn going_back_over_a_pass_and_doing_it_again_is_exact() {
         let frame = s.frame().expect("a frame");
         assert_eq!(frame.panes.len(), usize::from(back >= step));
     }
+    // From each the next is told, over the pass as elsewhere.
+    s.seek(0).expect("stored");
+    for at in 0..seen.len() {
+        let timeline = s.timeline().expect("a timeline");
+        assert_eq!(timeline.at, at);
+        assert_eq!(timeline.next, (at + 1 < seen.len()).then_some(at + 1));
+        s.seek(at + 1).expect("stored");
+    }
     // Done again from before the pass.
     s.seek(step - 1).expect("stored");
     let again = s.step().expect("a step").expect("a report");
