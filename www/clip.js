@@ -114,11 +114,11 @@ export class Clip {
     this.#every = 1;
   }
 
-  /** Steps before this one can be shown no more. @param {number} step */
-  forgetBefore(step) {
-    const first = this.points.find(({ state }) => state.step >= step)?.sum ?? 0;
-    this.points = this.points.filter(({ state }) => state.step >= step);
-    for (const point of this.points) point.sum -= first;
+  /** Other steps can be shown no more. @param {number} first @param {number} last */
+  keep(first, last) {
+    this.points = this.points.filter(({ state }) => state.step >= first && state.step <= last);
+    const start = this.points[0]?.sum ?? 0;
+    for (const point of this.points) point.sum -= start;
   }
 
   get total() {

@@ -72,16 +72,12 @@ export function sceneOf({ text, edited, hasPath, colour, comparison, estimate, .
  * @param {S} state  with a mesh
  * @param {boolean} shared  whether it is sent to somebody @returns {PageScene}
  */
-export function pageScene(
-  { source, origin, figure, film, comparison, view, camera, goal },
-  shared,
-) {
+export function pageScene({ source, origin, figure, comparison, view, camera, goal }, shared) {
   const { rivals, lockstep, shown, difference } = comparison;
   const panes = rivals.map(({ change, reading }) => ({ change, step: reading?.step ?? 0 }));
   const { shading, wireframe, boundary, cut, scale } = view;
   return /** @type {any} */ ({
-    // A film is made anew, of both its halves.
-    ...{ source, origin, camera, goal: film ? 0 : goal, shared },
+    ...{ source, origin, camera, goal, shared },
     figure: figure?.id ?? null,
     comparison: {
       panes,

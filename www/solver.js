@@ -121,6 +121,8 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
     if (!film || film.isBack === isBack) return;
     await ask("turn", { figure: film.figure });
     film.isBack = isBack;
+    // The last frame is of the other one.
+    scene.last = null;
   }
 
   /** @param {any} message */
@@ -145,9 +147,8 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
   function drop() {
     run += 1;
     isWhole = scene.origin === null;
-    // A new worker begins with the second half.
-    if (film?.isBack) scene.last = null;
-    film = null;
+    // Of a film only the step that is shown is left.
+    if (film) film = { ...film, back: 0, forth: 0 };
     channel.dismiss();
   }
 
@@ -200,7 +201,9 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
       const chosen = origin.isEdited ? withSelection(options, loaded) : options;
       await send("configure", { options: chosen });
       for (const name of kept) if (again[name]) await send(name, again[name]);
-      state = await place(last, loaded ?? made, made);
+      // A new worker begins with the second half.
+      if (film?.isBack) await send("turn", { figure: film.figure });
+      state = signed(await place(last, loaded ?? made, made));
     }
     isWhole = true;
     return state;
@@ -360,8 +363,8 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
     },
     /** @param {number | null} until  the step to pause at */
     async run(until) {
-      if (until !== null) await turn(false);
-      return ask("run", { until });
+      if (until !== null) await turn(until < 0);
+      return ask("run", { until: until && Math.abs(until) });
     },
     /** Shows a stored step. @param {number} step */
     async seek(step) {

@@ -97,8 +97,11 @@ export const initial = Object.freeze({
   ),
   preview: /** @type {Inverted | null} */ (null),
   figure: /** @type {import("./library.js").Figure | null} */ (null),
-  /** Of a figure of two halves: the one that is shown backwards is computed; the film is shown. */
-  film: /** @type {"back" | "whole" | null} */ (null),
+  /**
+   * Of a figure of two halves: the one that is shown backwards is computed; the film is shown; some
+   * of it was lost with its solver.
+   */
+  film: /** @type {"back" | "whole" | "cut" | null} */ (null),
   comparison: alone,
   colour: /** @type {FieldName} */ ("none"),
   range: /** @type {readonly [number, number] | null} */ (null), // of colours, held for the run

@@ -48,6 +48,16 @@ impl Session {
         Ok(state)
     }
 
+    /// A step of the half at hand as one of the film: negative in the half that is shown backwards.
+    pub(super) fn signed(&self, step: usize) -> i32 {
+        let step = i32::try_from(step).unwrap_or(i32::MAX);
+        if self.other_half.is_second {
+            -step
+        } else {
+            step
+        }
+    }
+
     fn half_of(&self, figure: &Figure, over: Parameters) -> Result<Runner, Fault> {
         let options = self.runner()?.options().clone();
         let sample = figure.sample().ok_or_else(Fault::no_mesh)?;

@@ -141,7 +141,8 @@ pub(super) struct Link {
     pub(super) arrangement: Values,
     pub(super) colour: Option<FieldName>,
     pub(super) comparison: Option<Comparison>,
-    pub(super) step: usize,
+    /// Of the half of a film that is shown backwards a negative one.
+    pub(super) step: i32,
     /// What leads there, where it is more than steps.
     pub(super) path: Option<Vec<Action>>,
     pub(super) camera: Option<Vec<f32>>,
@@ -179,8 +180,8 @@ pub struct LinkScene {
     pub colour: Option<FieldName>,
     /// Flows beside it.
     pub comparison: Option<Comparison>,
-    /// The step that is shown.
-    pub step: usize,
+    /// The step that is shown; of the half of a film that is shown backwards a negative one.
+    pub step: i32,
     /// As the viewer gave it.
     pub camera: Option<TypedArray<f32>>,
     /// How it is drawn.
@@ -225,7 +226,7 @@ impl Link {
         };
         link.read_source(&words)?;
         link.read_options(&words, &mut reader)?;
-        let step = words.read_as("step", LinkValue::Step, whole)?;
+        let step = words.read_as("step", LinkValue::Step, |text| link.step_of(text))?;
         link.step = step.unwrap_or_default();
         link.read_actions(&words, &mut reader)?;
         link.read_view(&words)?;
@@ -297,18 +298,32 @@ impl Link {
         Ok(())
     }
 
+    /// A step; a negative one where the figure that is shown is a film.
+    fn step_of(&self, text: &str) -> Option<i32> {
+        let figure = self.figure.as_deref().and_then(library::figure);
+        let is_film = figure.is_some_and(|figure| {
+            figure.back.is_some() && self.sample.as_deref() == Some(figure.sample)
+        });
+        let step = |text: &str| i32::try_from(whole(text)?).ok();
+        match text.strip_prefix('-').filter(|_| is_film) {
+            Some(text) => step(text).map(|step| -step),
+            None => step(text),
+        }
+    }
+
     fn read_actions(&mut self, words: &Words, reader: &mut Reader) -> Result<(), LinkError> {
         let edits = words.read_as("edits", LinkValue::Edits, |text| {
             record::decode_edits(text, reader)
         })?;
         self.edits = edits.transpose()?;
-        let allowed = LinkValue::Path { step: self.step };
+        let step = self.step.unsigned_abs() as usize;
+        let allowed = LinkValue::Path { step };
         let path = words.read_as("path", allowed.clone(), |text| {
             record::decode_path(text, reader)
         })?;
         self.path = path.transpose()?;
         let total = self.path.as_deref().map(steps_in);
-        if total.is_some_and(|total| total != self.step as u64) {
+        if total.is_some_and(|total| total as i64 != i64::from(self.step)) {
             return Err(LinkError::bad(
                 "path",
                 words.get("path").unwrap_or(""),
@@ -418,13 +433,14 @@ impl Link {
     fn estimate(&self) -> Estimate {
         let steps = match &self.path {
             Some(path) => steps_in(path),
-            None => self.step as u64,
+            None => self.step.unsigned_abs().into(),
         };
         let panes = self
             .comparison
             .iter()
             .flat_map(|comparison| &comparison.panes);
-        let others = panes.map(|pane| pane.step.unwrap_or(self.step) as u64);
+        let at = self.step.unsigned_abs() as usize;
+        let others = panes.map(|pane| pane.step.unwrap_or(at) as u64);
         let edits = self.edits.as_deref().unwrap_or_default();
         Estimate::of(edits, steps + others.sum::<u64>())
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 use umbilic::app::library::{Figure, figure};
-use umbilic::app::{Session, State};
+use umbilic::app::{Check, LinkView, Origin, PageScene, Session, State};
 use umbilic::message::Value;
 
 fn eversion() -> &'static Figure {
@@ -124,6 +124,67 @@ fn another_mesh_or_flow_forgets_the_other_half() {
         let fault = session.turn(id).expect_err("no halves");
         assert_eq!(fault.kind, "UnknownFigure");
     }
+}
+
+/// What a link and what comes of it say of the half that is shown backwards.
+#[test]
+fn a_link_has_a_step_of_either_half() {
+    let sample = Origin::Sample {
+        id: eversion().sample.into(),
+    };
+    let scene = PageScene {
+        source: sample.clone(),
+        origin: Some(sample),
+        figure: Some("eversion".into()),
+        comparison: None,
+        view: LinkView::default(),
+        camera: None,
+        goal: None,
+        shared: true,
+    };
+    let mut session = begun();
+    let stepped = |session: &mut Session| {
+        session.turn("eversion").expect("a half");
+        for _ in 0..2 {
+            session.step().expect("a step").expect("a report");
+        }
+        let link = session.write_link(&scene).expect("a link");
+        session.read_link(&link.text, true).expect("a scene")
+    };
+    let back = stepped(&mut session);
+    let forth = stepped(&mut session);
+    assert_eq!([&back, &forth].map(|link| link.step), [-2, 2]);
+    let (sent_back, sent_forth) = (back.check.expect("one"), forth.check.expect("one"));
+    assert_ne!(sent_back, sent_forth);
+    // The other half is at hand: that is no comparison.
+    let same = |found: Option<umbilic::app::LinkCheck>| {
+        found.map(|found| (found.outcome == Check::Same, found.step))
+    };
+    let check = |session: &Session, sent: &str, step| {
+        same(session.check_link(sent, step).expect("a surface"))
+    };
+    assert_eq!(check(&session, &sent_forth, 2), Some((true, 2)));
+    assert_eq!(check(&session, &sent_back, -2), None);
+    session.turn("eversion").expect("the half shown backwards");
+    assert_eq!(check(&session, &sent_back, -2), Some((true, -2)));
+    assert_eq!(check(&session, &sent_forth, -2), Some((false, -2)));
+    // On the way there it says where it goes.
+    let goal = PageScene {
+        goal: Some(-9),
+        ..scene.clone()
+    };
+    let link = session.write_link(&goal).expect("a link").text;
+    assert!(
+        link.contains("figure=eversion") && link.contains("step=-9"),
+        "{link}"
+    );
+    // Without its figure nobody could turn.
+    let bare = PageScene {
+        figure: None,
+        ..scene.clone()
+    };
+    let link = session.write_link(&bare).expect("a link").text;
+    assert!(!link.contains("step="), "{link}");
 }
 
 #[test]

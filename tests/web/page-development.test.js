@@ -26,7 +26,15 @@ async function layout(url) {
   await openTab(page, "Flow");
   await button(page, "Play").click();
   await until(page, /^Converged/);
-  const parts = ["#dock", ".dock-rows", ".play", ".curve", "#surface", "[role=tabpanel]", "[role=tablist]"];
+  const parts = [
+    "#dock",
+    ".dock-rows",
+    ".play",
+    ".curve",
+    "#surface",
+    "[role=tabpanel]",
+    "[role=tablist]",
+  ];
   const boxes = [];
   for (const part of parts) {
     const box = await page.locator(part).first().boundingBox();

@@ -264,6 +264,54 @@ test("two crashes within a second cost the stored steps, and the page says so on
   await assert.rejects(open.recipe(), { kind: "NoRecipe", message: say("app-no-recipe") });
 });
 
+test("a link to a film has a step of the half that is shown backwards, which outlives its worker", async () => {
+  const { store, run, open, status, shown, lead } = page();
+  await open.sample("morin", { figure: "eversion", step: -2 });
+  const asked = () =>
+    FakeWorker.last.asked
+      .filter(({ name }) => name !== "state")
+      .map(({ name, fields }) => [name, fields]);
+  assert.deepEqual(asked().slice(-2), [
+    ["turn", { figure: "eversion" }],
+    ["run", { until: 2 }],
+  ]);
+  /** @param {FakeWorker} worker */
+  const arrive = (worker) => {
+    for (let n = 0; n < 2; n += 1) {
+      worker.perform("step", {});
+      worker.frame();
+    }
+    worker.say({ type: "stopped", run: worker.run, state: worker.state(), fault: null });
+  };
+  arrive(FakeWorker.last);
+  await run.pause();
+  assert.equal(status(), "Paused at step -2");
+  assert.equal(store.get().film, "back");
+  const { exact } = FakeWorker.last;
+  FakeWorker.last.crash("made by the test");
+  await run.pause();
+  assert.equal(FakeWorker.all.length, 2);
+  const names = asked().map(([name]) => name);
+  assert.deepEqual(names.slice(names.indexOf("turn")), ["turn", "restore"]);
+  assert.deepEqual([...FakeWorker.last.exact], [...exact]);
+  assert.equal(shown()?.step, -2);
+  assert.deepEqual(
+    lead.clip.points.map(({ state }) => state.step),
+    [-2],
+  );
+  // The rest is lost: the film is made anew, from where both halves begin.
+  await run.play();
+  assert.equal(store.get().film, "back");
+  const { last } = FakeWorker;
+  assert.deepEqual(
+    asked()
+      .slice(-4)
+      .map(([name]) => name),
+    ["turn", "configure", "turn", "run"],
+  );
+  assert.deepEqual([last.at, last.other.at], [0, 0]);
+});
+
 test("a solver that is given up leaves its file and a way to start another", async () => {
   const { store, run, errors, status, load } = page();
   await load();

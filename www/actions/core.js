@@ -72,7 +72,8 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
       onReady: (version) => patch({ version }),
       onFrame,
       onStopped(reading, fault) {
-        const isHalf = get().film === "back" && isOver(reading.status) && !fault;
+        const { film, goal } = get();
+        const isHalf = film === "back" && goal === null && isOver(reading.status) && !fault;
         patch({ reading, running: isHalf, goal: null, progress: null });
         if (isHalf) return void enqueue(forth);
         if (fault) notes.error(fault, core.offers(fault));
@@ -303,8 +304,9 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
         }
         const reading = await solver.revive();
         if (reading) {
-          lead.clip.forgetBefore(reading.step);
-          patch({ film: null });
+          const { film } = get();
+          lead.clip.keep(reading.step, film ? reading.step : Number.POSITIVE_INFINITY);
+          patch({ film: film && "cut" });
           show(reading.step);
         }
         patch({ phase: mesh ? "ready" : "empty", reading });
@@ -332,6 +334,14 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     await solver.run(null);
   }
 
+  /** Where some of a film was lost, its figure begins anew. */
+  async function mend() {
+    const { film, figure, options } = get();
+    if (film !== "cut" || !figure) return;
+    await solver.turn(figure.id, false);
+    await configure(options);
+  }
+
   /** The half that is shown backwards is there: the film begins, and goes on into the other one. */
   async function forth() {
     const { film, figure } = get();
@@ -346,7 +356,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   const core = {
     ...{ store, state: store.state, get, patch, notes, solver, player, lead, tracks },
     ...{ enqueue, atRest, rest, settle, anew, refill, show, shown, shownIndex, isStill },
-    ...{ configure, colour, run, revive, report, stoppable, giveUp },
+    ...{ configure, colour, run, mend, revive, report, stoppable, giveUp },
     /** Whether the last step is the last there will be. */
     isOver: () => isOver(lead.clip.last?.state.status ?? "ready"),
     // What the groups of actions know, and put in their place.

@@ -86,6 +86,10 @@ export function createOpen(core, run, compare) {
       await replayed(() => solver.follow(follows));
       await core.refill();
     } else if (step) {
+      if (step < 0 && figure) {
+        patch({ film: "back" });
+        await solver.turn(figure.id, true);
+      }
       patch({ running: true, goal: step });
       await solver.run(step);
     }

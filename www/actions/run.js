@@ -27,6 +27,7 @@ export function createRun(core, adopt) {
   async function play() {
     if (!isUsable() || isMoving()) return;
     patch({ welcome: false, isNew: false, mode: null, preview: null });
+    await core.mend();
     const { figure, film, comparison } = get();
     const isNewFilm = figure?.back && film === null && comparison.rivals.length === 0;
     if (isNewFilm) patch({ film: "back" });
@@ -52,6 +53,7 @@ export function createRun(core, adopt) {
       else if (get().film === null && get().reading?.canStepBack) await solver.ask("back");
     },
     async reset() {
+      await core.mend();
       if (get().film) return void (await solver.seek(lead.clip.points[0].state.step));
       core.anew(true);
       for (const rival of get().comparison.rivals) {

@@ -1075,7 +1075,7 @@ export type LinkCheck = {
  */
 outcome: Check, 
 /**
- * The step here.
+ * The step here; of the half of a film that is shown backwards a negative one.
  */
 step: number, 
 /**
@@ -1132,7 +1132,7 @@ colour: FieldName | null,
  */
 comparison: Comparison | null, 
 /**
- * The step that is shown.
+ * The step that is shown; of the half of a film that is shown backwards a negative one.
  */
 step: number, 
 /**
@@ -1555,7 +1555,7 @@ view: LinkView,
  */
 camera: Float32Array | null, 
 /**
- * The step that it runs to.
+ * The step that it runs to; of the half of a film that is shown backwards a negative one.
  */
 goal: number | null, 
 /**

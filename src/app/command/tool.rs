@@ -189,7 +189,7 @@ pub enum ToolCommand {
         /// The energy, as the link has it.
         sent: String,
         /// Its step.
-        step: usize,
+        step: i32,
     },
     /// Begins to make the mesh of a recipe or a link, with its edits.
     Prepare {

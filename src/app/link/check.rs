@@ -36,8 +36,8 @@ pub enum Check {
 pub struct LinkCheck {
     /// In a word.
     pub outcome: Check,
-    /// The step here.
-    pub step: usize,
+    /// The step here; of the half of a film that is shown backwards a negative one.
+    pub step: i32,
     /// The energy here.
     pub energy: f64,
     /// The energy sent.
@@ -70,21 +70,23 @@ fn compare(sent: &str, energy: f64, start: f64) -> Check {
 
 impl Session {
     /// Compares the scene of a link, at rest, with what the link says: the energy at a step.
-    /// `None` where somebody went on or paused before it was there.
+    /// `None` where somebody went on, went elsewhere, or paused before it was there.
     ///
     /// # Errors
     /// [`Fault::no_mesh`].
-    pub fn check_link(&self, sent: &str, step: usize) -> Result<Option<LinkCheck>, Fault> {
+    pub fn check_link(&self, sent: &str, step: i32) -> Result<Option<LinkCheck>, Fault> {
         let runner = self.runner()?;
         let (state, start) = (&runner.state, runner.beginning().0.energy);
-        let outcome = match state.step.cmp(&step) {
+        let here = self.signed(state.step);
+        let outcome = match here.abs().cmp(&step.abs()) {
+            _ if here.signum() * step.signum() < 0 => return Ok(None),
             std::cmp::Ordering::Equal => compare(sent, state.energy, start),
             std::cmp::Ordering::Less if state.status.is_final() => Check::EndsEarly,
             _ => return Ok(None),
         };
         Ok(Some(LinkCheck {
             outcome,
-            step: state.step,
+            step: here,
             energy: state.energy,
             sent: sent.parse().unwrap_or(f64::NAN),
         }))

@@ -237,6 +237,14 @@ fn what_is_left_out_has_its_default() {
     assert_eq!(figure.sample.as_deref(), Some("letter-c"));
     assert_eq!(figure.options.get("p"), Some(&Value::Number(4.0)));
     assert_eq!(figure.colour, Some(FieldName::MeanCurvature));
+    // Steps count backwards in the half of a film that is shown so, and nowhere else.
+    let film = |more: &str| Link::read(&format!("figure=eversion&step=-3{more}"), true);
+    assert_eq!(film("").expect("a link").step, -3);
+    assert_eq!(film("").expect("a link").scene("").estimate.steps, 3);
+    let path = encoded(&json!([{"steps": 3}]));
+    for more in ["&sample=pipe".to_owned(), format!("&path={path}")] {
+        assert!(film(&more).is_err(), "{more}");
+    }
     let changed = Link::read("figure=p-willmore-2-p4&p=3&colour=none", true).expect("a link");
     assert_eq!(changed.options.get("p"), Some(&Value::Number(3.0)));
     assert_eq!(changed.colour, None);

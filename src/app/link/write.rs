@@ -37,8 +37,8 @@ pub struct PageScene {
     pub view: LinkView,
     /// As the viewer gives it.
     pub camera: Option<TypedArray<f32>>,
-    /// The step that it runs to.
-    pub goal: Option<usize>,
+    /// The step that it runs to; of the half of a film that is shown backwards a negative one.
+    pub goal: Option<i32>,
     /// Whether it is sent to somebody, so that there is always an energy to compare.
     pub shared: bool,
 }
@@ -162,7 +162,7 @@ impl Link {
             write_comparison(&mut words, comparison);
         }
         self.write_view(&mut words);
-        if self.step > 0 {
+        if self.step != 0 {
             words.set("step", &self.step.to_string());
         }
         if let Some(path) = &self.path {
@@ -250,15 +250,22 @@ impl Session {
     pub fn write_link(&self, scene: &PageScene) -> Result<WrittenLink, Fault> {
         let state = self.state()?;
         let mut known = self.provenance().ok();
-        let step = scene.goal.unwrap_or(state.step);
-        if let (Some(known), Some(more)) = (&mut known, step.checked_sub(state.step)) {
+        let here = self.signed(state.step);
+        let mut step = scene.goal.unwrap_or(here);
+        let (steps, is_back) = (step.unsigned_abs() as usize, step < 0);
+        if let (Some(known), Some(more)) = (&mut known, steps.checked_sub(state.step)) {
             go_on(&mut known.path, more);
         }
         let mut link = Link::default();
         let mut lacks = link.begin(scene, known.as_ref());
         let current = self.options()?.unwrap_or_default();
         let path = known.as_ref().map(|known| &known.path);
-        let path = path.filter(|path| !is_plain(path) && steps_in(path) == step as u64);
+        let path = path.filter(|path| !is_plain(path) && steps_in(path) == steps as u64);
+        // What else than steps was done in the half that is shown backwards has no words.
+        if is_back && (path.is_some() || scene.figure.is_none()) {
+            step = 0;
+        }
+        let path = path.filter(|_| !is_back);
         link.path = path.cloned();
         let first = known
             .and_then(|known| known.flow)
@@ -277,7 +284,7 @@ impl Session {
         link.step = step;
         // On the way to another step the energy there is not known yet. At the start it follows
         // from the rest of the link.
-        let is_there = step == state.step && (step > 0 || scene.shared);
+        let is_there = step == here && (step != 0 || scene.shared);
         if is_there || (scene.shared && scene.goal.is_none()) {
             link.version = Some(env!("CARGO_PKG_VERSION").into());
             link.check = Some(state.energy)

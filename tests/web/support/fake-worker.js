@@ -11,6 +11,8 @@ const edges = { wireEdges: new Uint32Array(), boundaryEdges: new Uint32Array() }
 /** @param {number} step */
 const exactAt = (step) => Float64Array.of(step / 3, 0, 0, 1, 0, 0, 0, 1, 0);
 
+const begun = () => ({ at: 0, exact: exactAt(0), stored: [0] });
+
 export class FakeWorker {
   /** All that were started, oldest first. @type {FakeWorker[]} */
   static all = [];
@@ -52,6 +54,8 @@ export class FakeWorker {
   /** Steps that can be shown. @type {number[]} */
   stored = [];
   at = 0;
+  /** The half of a film that waits. */
+  other = begun();
   /** Frames that the page has taken. */
   acknowledged = 0;
 
@@ -145,6 +149,7 @@ export class FakeWorker {
     if (name === "configure" || name === "reset") {
       this.isConfigured = true;
       this.place(0, exactAt(0));
+      if (name === "configure") this.other = begun();
     } else if (name === "step") {
       this.at += 1;
       this.exact = exactAt(this.at);
@@ -152,6 +157,10 @@ export class FakeWorker {
     } else if (name === "back") {
       this.at = Math.max(this.at - 1, this.stored[0]);
       this.exact = exactAt(this.at);
+    } else if (name === "turn") {
+      const { at, exact, stored } = this;
+      Object.assign(this, this.other);
+      this.other = { at, exact, stored };
     } else if (name === "restore") this.place(fields.step, fields.exact);
     else if (name === "adopt") return this.loaded();
     else if (name === "export") return Uint8Array.of(this.at);
