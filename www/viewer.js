@@ -24,21 +24,21 @@ import { fault, say } from "./words.js";
 
 /**
  * @typedef {object} ViewerOptions
- * @property {1 | 4} [samples]                     a pixel; tests take 1, which is faster in software
- * @property {() => void} [onRenewed]              the device is a new one, which shows nothing yet
- * @property {(fault: Fault) => void} [onFault]    what goes wrong after `createViewer` has answered
- * @property {(camera: Float32Array) => void} [onCamera]  after the user moved the camera
- * @property {(renderer: import("./renderer.js").Renderer) => void} [onRenderer]  what draws, and why that
+ * @property {1 | 4} samples                       a pixel; tests take 1, which is faster in software
+ * @property {() => void} onRenewed                the device is a new one, which shows nothing yet
+ * @property {(fault: Fault) => void} onFault      what goes wrong once it is open
+ * @property {(camera: Float32Array) => void} onCamera    after the user moved the camera
+ * @property {(renderer: import("./renderer.js").Renderer) => void} onRenderer    what draws, and why that
  */
 
 /**
- * A step that follows another, so that the surface can be drawn between them.
- * @typedef {object} NextStep
+ * A step of a flow; the surface can be drawn between one and the next.
+ * @typedef {object} Step
  * @property {Float32Array} positions
  * @property {Field | null} field
- * @property {number} time            when it is shown, in any unit: after the step before; the
- *   step set by `setFrame` has time 0
- * @property {boolean} [isStraight]   whether vertices move to it at constant velocity, instead
+ * @property {number} time           when it is shown, in any unit: after the step before; a step
+ *   that is put alone has time 0
+ * @property {boolean} isStraight    whether vertices move to it at constant velocity, instead
  *   of along smooth curves
  */
 
@@ -54,17 +54,7 @@ const RETRY_MILLISECONDS = 500;
 /** … and counted anew once the device has held for so long. */
 const CALM_MILLISECONDS = 60_000;
 
-/**
- * Opens a viewer on a canvas. Rejects with a `Fault` where there is neither WebGPU nor WebGL2.
- * @param {HTMLCanvasElement} canvas @param {ViewerOptions} [options]
- */
-export async function createViewer(canvas, options = {}) {
-  const view = new SurfaceView(canvas, options);
-  await view.open();
-  return view;
-}
-
-class SurfaceView {
+export class SurfaceView {
   /** Where the surface is seen, and where gestures are made. */
   #canvas;
   /** What is drawn on: another one behind that, after WebGPU was lost for good. */
@@ -85,7 +75,7 @@ class SurfaceView {
   #lastLoss = Number.NEGATIVE_INFINITY;
 
   /** @type {Style} */
-  #style = { lineWidth: 1 };
+  #style = {};
   #size = { width: 1, height: 1 };
 
   /** @param {HTMLCanvasElement} canvas @param {ViewerOptions} options */
@@ -93,10 +83,12 @@ class SurfaceView {
     this.#canvas = canvas;
     this.#drawnOn = canvas;
     this.#options = options;
-    if (!canvas.hasAttribute("role")) canvas.setAttribute("role", "img");
   }
 
-  /** Loads the wasm module and opens a device; called once, by `createViewer`. */
+  /**
+   * Loads the wasm module and opens a device; called once, before all else. Rejects with a `Fault`
+   * where there is neither WebGPU nor WebGL2.
+   */
   async open() {
     const { clientWidth, clientHeight } = this.#canvas;
     // A canvas that is not laid out yet has no size; the observer tells it later.
@@ -130,46 +122,36 @@ class SurfaceView {
     this.#redraw();
   }
 
-  /** Shows another mesh from the standard direction, without field and marks. @param {Drawable} mesh */
-  setMesh({ positions, triangles, wireEdges, boundaryEdges }) {
-    this.change((viewer) => viewer.setMesh(positions, triangles, wireEdges, boundaryEdges));
+  /**
+   * Shows another mesh, without field and marks.
+   * @param {Drawable} mesh
+   * @param {boolean} [isSame]  a mesh of the same surface is seen from where the camera stands,
+   *   another one from the standard direction
+   */
+  setMesh({ positions, triangles, wireEdges, boundaryEdges }, isSame = false) {
+    const set = isSame ? "replaceMesh" : "setMesh";
+    this.change((viewer) => viewer[set](positions, triangles, wireEdges, boundaryEdges));
   }
 
   /** Shows the first sample, before there is a solver to make it. */
   setFirst() {
-    const edges = new Uint32Array();
+    const none = new Uint32Array();
     const first = this.#renderer?.module.firstSurface();
-    if (first) this.setMesh({ ...first, wireEdges: edges, boundaryEdges: edges });
-  }
-
-  /** The same from where the camera stands: another mesh of the same surface. @param {Drawable} mesh */
-  replaceMesh({ positions, triangles, wireEdges, boundaryEdges }) {
-    this.change((viewer) => viewer.replaceMesh(positions, triangles, wireEdges, boundaryEdges));
+    if (first) this.setMesh({ ...first, wireEdges: none, boundaryEdges: none });
   }
 
   /**
-   * Shows the surface after a step, and no motion.
-   * @param {Float32Array} positions @param {Field | null} field
-   * @param {Uint32Array} marked  triangles to highlight
+   * Shows a step alone, or adds it as the one that follows the last; `setTime` then moves the
+   * surface between them. A cubic needs the steps before and after the two it joins, so this runs
+   * a step ahead. The viewer holds four steps and forgets the oldest: no array is sent twice.
+   * @param {Step} step @param {boolean} isAlone
    */
-  setFrame(positions, field, marked) {
+  putStep({ positions, field, time, isStraight }, isAlone) {
     this.change((viewer) => {
-      viewer.setPositions(positions);
-      putField(viewer, field);
-      viewer.setMarkedTriangles(marked);
-    });
-  }
-
-  /**
-   * Adds the step that follows the last; `setTime` then moves the surface between them. A
-   * cubic needs the steps before and after the two it joins, so this runs a step ahead. The
-   * viewer holds four steps and forgets the oldest: no array is sent twice.
-   * @param {NextStep} step
-   */
-  addStep({ positions, field, time, isStraight = false }) {
-    this.change((viewer) => {
-      viewer.addStep(positions, time, isStraight);
-      putField(viewer, field);
+      if (isAlone) viewer.setPositions(positions);
+      else viewer.addStep(positions, time, isStraight);
+      if (field) viewer.setField(field.values, field.low, field.high, field.signed);
+      else viewer.clearField();
     });
   }
 
@@ -248,36 +230,18 @@ class SurfaceView {
   }
 
   /** Centres the surface and fills the picture with it, from the present direction. */
-  fit() {
-    this.#move("fit");
-  }
+  fit = () => this.#move("fit");
 
   /** Turns to some triangles, so that they are seen from in front. @param {Uint32Array} triangles */
-  face(triangles) {
-    this.change((viewer) => {
-      viewer.face(triangles);
-      this.#cameraMoved = true;
-    });
-  }
+  face = (triangles) => this.#move("face", triangles);
 
-  /** The camera as a few numbers, for links and for `setCamera`. */
-  camera() {
-    return this.#viewer?.camera() ?? new Float32Array();
-  }
-
-  /** Changes nothing where they make no sense. @param {ArrayLike<number>} numbers  of `camera` */
-  setCamera(numbers) {
-    this.change((viewer) => viewer.setCamera(Float32Array.from(numbers)));
-  }
-
-  /** The picture as a PNG, as large as it is on screen. @returns {Promise<Blob>} */
-  snapshot() {
+  /** The picture as a PNG, as large as it is on screen. */
+  async snapshot() {
     this.#redrawn();
-    return new Promise((resolve, reject) => {
-      this.#drawnOn.toBlob((blob) =>
-        blob ? resolve(blob) : reject(gpuLost(say("viewer-no-picture"))),
-      );
-    });
+    /** @type {Blob | null} */
+    const blob = await new Promise((resolve) => this.#drawnOn.toBlob(resolve));
+    if (!blob) throw gpuLost(say("viewer-no-picture"));
+    return blob;
   }
 
   /**
@@ -329,17 +293,17 @@ class SurfaceView {
   async #openDevice() {
     this.#drawnOn.width = this.#size.width;
     this.#drawnOn.height = this.#size.height;
-    const options = { samples: this.#options.samples ?? 4 };
-    const { viewer, renderer } = await openViewer(this.#drawnOn, options);
+    const { samples } = this.#options;
+    const { viewer, renderer } = await openViewer(this.#drawnOn, { samples });
     this.#renderer = renderer;
-    this.#options.onRenderer?.(renderer);
+    this.#options.onRenderer(renderer);
     if (this.#listening.signal.aborted) return this.#release(viewer);
     viewer.onLost((/** @type {string} */ reason) => {
       if (viewer === this.#viewer) this.#recover(reason);
     });
     this.#viewer = viewer;
     this.#putStyle();
-    this.#options.onRenewed?.();
+    this.#options.onRenewed();
   }
 
   /** Replaces a lost device; one lost again and again is given up. @param {string} reason */
@@ -361,7 +325,7 @@ class SurfaceView {
       }
     }
     if (this.#listening.signal.aborted) return;
-    if (!(await this.#standIn(reason))) this.#options.onFault?.(gpuLost(reason));
+    if (!(await this.#standIn(reason))) this.#options.onFault(gpuLost(reason));
   }
 
   /**
@@ -388,10 +352,8 @@ class SurfaceView {
   }
 
   #putStyle() {
-    const { lineWidth = 1 } = this.#style;
-    this.change((viewer) =>
-      viewer.setStyle({ ...this.#style, lineWidth: lineWidth * this.#scale }),
-    );
+    const lineWidth = (this.#style.lineWidth ?? 1) * this.#scale;
+    this.change((viewer) => viewer.setStyle({ ...this.#style, lineWidth }));
   }
 
   /** @param {ResizeObserverEntry} entry */
@@ -421,7 +383,7 @@ class SurfaceView {
           if (this.#viewer?.recordFrame(next - now)) this.#redraw();
         });
       }
-      if (this.#cameraMoved) this.#options.onCamera?.(this.camera());
+      if (this.#cameraMoved && this.#viewer) this.#options.onCamera(this.#viewer.camera());
       this.#cameraMoved = false;
     });
   }
@@ -433,7 +395,7 @@ class SurfaceView {
     return this.#viewer?.draw() ?? false;
   }
 
-  /** @type {import("./gestures.js").Move} */
+  /** Moves the camera, and tells of it. @param {string} name  of the viewer's move @param {...unknown} values */
   #move(name, ...values) {
     if (name === "orbit" && this.#isResting) return;
     this.change((viewer) => {
@@ -441,10 +403,4 @@ class SurfaceView {
       this.#cameraMoved = true;
     });
   }
-}
-
-/** Of the step put last. @param {WasmViewer} viewer @param {Field | null} field */
-function putField(viewer, field) {
-  if (field) viewer.setField(field.values, field.low, field.high, field.signed);
-  else viewer.clearField();
 }

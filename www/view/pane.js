@@ -2,11 +2,9 @@
 // uploaded once; the graphics card makes the surfaces between them.
 
 /** @import { Field, S } from "../store.js" */
-/** @import { Drawable, NextStep } from "../viewer.js" */
+/** @import { Drawable, Step as Put, SurfaceView as Viewer, ViewerOptions } from "../viewer.js" */
 
-/** @typedef {Awaited<ReturnType<typeof import("../viewer.js").createViewer>>} Viewer */
-
-/** A surface that is shown at a time; colours over a range that is held. @typedef {NextStep & { range: readonly [number, number] | null }} Step */
+/** A surface that is shown at a time; colours over a range that is held. @typedef {Put & { range: readonly [number, number] | null }} Step */
 
 /**
  * What a pane shows: connectivity, and of the surface one step, or the two around a time and their neighbours.
@@ -37,7 +35,6 @@ export class PaneView {
   viewer = null;
   /** Whether another step is to be sent, with the next picture. */
   lacks = false;
-  #isGone = false;
   /** @type {Has} */
   #has = {};
   /** Steps that the viewer has, the newest last. @type {readonly Step[]} */
@@ -45,31 +42,31 @@ export class PaneView {
   /** The time of the step that was set: the viewer counts from there. */
   #zero = 0;
 
-  /** @param {HTMLElement} figure @param {HTMLCanvasElement} canvas */
-  constructor(figure, canvas) {
+  /** @param {HTMLElement} figure  with a canvas and a caption in it */
+  constructor(figure) {
     this.figure = figure;
-    this.canvas = canvas;
-    this.caption = figure.querySelector("figcaption") ?? document.createElement("figcaption");
-    figure.append(this.caption);
+    this.canvas = /** @type {HTMLCanvasElement} */ (figure.querySelector("canvas"));
+    this.caption = /** @type {HTMLElement} */ (figure.querySelector("figcaption"));
   }
 
-  /** @param {import("../viewer.js").ViewerOptions} options */
+  /** @param {ViewerOptions} options */
   async open(options) {
-    const { createViewer } = await import("../viewer.js");
+    const { SurfaceView } = await import("../viewer.js");
     // Laid out first, so that the picture has a size.
     await new Promise(requestAnimationFrame);
     const onCamera = (/** @type {Float32Array} */ camera) => {
       this.#has.camera = camera;
-      options.onCamera?.(camera);
+      options.onCamera(camera);
     };
     const onRenewed = () => {
       this.#forget({});
-      options.onRenewed?.();
+      options.onRenewed();
     };
-    const viewer = await createViewer(this.canvas, { ...options, onCamera, onRenewed });
-    if (this.#isGone) viewer.destroy();
-    else this.viewer = viewer;
-    this.#forget({});
+    const viewer = new SurfaceView(this.canvas, { ...options, onCamera, onRenewed });
+    await viewer.open();
+    // Closed meanwhile, it is shown nowhere.
+    if (this.figure.isConnected) this.viewer = viewer;
+    else viewer.destroy();
   }
 
   /** @param {Has} rest  what it still has */
@@ -89,8 +86,7 @@ export class PaneView {
       viewer.setStyle(style);
     }
     if (s.mesh !== has.mesh || shown.drawable !== has.drawable) {
-      if (s.mesh !== has.mesh && !(has.mesh && s.camera)) viewer.setMesh(shown.drawable);
-      else viewer.replaceMesh(shown.drawable);
+      viewer.setMesh(shown.drawable, s.mesh === has.mesh || Boolean(has.mesh && s.camera));
       this.#forget({ style: has.style, mesh: s.mesh, drawable: shown.drawable });
       return this.draw(s, shown, style);
     }
@@ -99,30 +95,26 @@ export class PaneView {
     if (shown.highlight !== has.highlight) viewer.change((it) => it.setHighlight(shown.highlight));
     if (shown.held !== has.held)
       viewer.change((it) => it.setMarkedVertices(shown.held ?? new Uint8Array()));
-    if (s.camera !== has.camera && s.camera) viewer.setCamera(s.camera);
-    Object.assign(has, shown, { camera: s.camera ?? has.camera });
+    const { camera } = s;
+    if (camera && camera !== has.camera) viewer.change((it) => it.setCamera(camera));
+    Object.assign(has, shown, { camera: camera ?? has.camera });
   }
 
   /** Shows the surface of a time, with the steps that the viewer lacks. @param {Viewer} viewer @param {Shown} shown */
-  #move(viewer, { steps, time, marked }) {
+  #move(viewer, { steps, time }) {
     const from = this.#steps.findIndex((step) => isSame(step, steps[0]));
     const known = from < 0 ? [] : this.#steps.slice(from, from + steps.length);
-    const goesOn = known.length > 0 && known.every((step, n) => isSame(step, steps[n]));
     // What follows the steps that are there follows the last of them.
     const isAtEnd = from + known.length === this.#steps.length;
-    if (!goesOn || (known.length < steps.length && !isAtEnd)) {
-      const [first] = steps;
-      viewer.setFrame(first.positions, coloured(first), marked);
-      this.#has.marked = marked;
-      this.#zero = first.time;
-      this.#steps = [first];
-      known.length = 1;
-    }
+    const goesOn = known.every((step, n) => isSame(step, steps[n]));
+    if (!goesOn || (known.length < steps.length && !isAtEnd)) known.length = 0;
+    if (known.length === 0) [this.#steps, this.#zero] = [[], steps[0].time];
     let sent = known.length;
     // What is after the next step bends the way to it little: a large surface at a time.
     while (sent < steps.length && !(sent > known.length && steps[sent - 1].time > time)) {
       const step = steps[sent];
-      viewer.addStep({ ...step, field: coloured(step), time: step.time - this.#zero });
+      const put = { ...step, field: coloured(step), time: step.time - this.#zero };
+      viewer.putStep(put, sent === 0);
       this.#steps = [...this.#steps, step].slice(-HELD_STEPS);
       sent += 1;
     }
@@ -139,7 +131,6 @@ export class PaneView {
   }
 
   close() {
-    this.#isGone = true;
     this.viewer?.destroy();
     this.figure.remove();
   }

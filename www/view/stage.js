@@ -88,13 +88,12 @@ function caption(element, n, { title, note }) {
 
 /** @param {HTMLElement} root @param {{ samples: 1 | 4, effects: "auto" | "always" }} quality  of the pictures */
 export function createStage(root, { samples, effects }) {
-  const own = /** @type {HTMLElement} */ (root.querySelector("figure"));
-  const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("canvas"));
-  const first = new PaneView(own, canvas);
+  const first = new PaneView(/** @type {HTMLElement} */ (root.querySelector("figure")));
+  const { canvas } = first;
   /** @type {Map<string, PaneView>} */
   const others = new Map();
   const renderer = signal("");
-  const absence = signal(/** @type {Fault | null} */ (null));
+  const absence = signal(/** @type {Pick<Fault, "message" | "hint"> | null} */ (null));
   /** Of distances between panes, which are no field of the solver's. */
   const range = signal(/** @type {readonly [number, number] | null} */ (null));
   /** What a brush is about to hold. @type {Uint8Array | null} */
@@ -199,9 +198,8 @@ export function createStage(root, { samples, effects }) {
 
   /** @param {unknown} error */
   function fail(error) {
-    const fault = /** @type {Partial<Fault>} */ (error);
-    const { kind = "NoPicture", message = String(error), hint = "" } = fault;
-    absence.value = { kind, message, hint, detail: {} };
+    const { message = String(error), hint = "" } = /** @type {Partial<Fault>} */ (error);
+    absence.value = { message, hint };
     first.viewer?.destroy();
     first.viewer = null;
     canvas.hidden = true;
@@ -212,27 +210,23 @@ export function createStage(root, { samples, effects }) {
     const known = key === "lead" ? first : others.get(key);
     if (known) return known;
     const figure = Object.assign(document.createElement("figure"), { className: "pane" });
-    const made = Object.assign(document.createElement("canvas"), { role: "img", tabIndex: 0 });
-    figure.append(made);
+    figure.innerHTML = '<canvas role="img" tabindex="0"></canvas><figcaption></figcaption>';
     root.append(figure);
-    const pane = new PaneView(figure, made);
+    const pane = new PaneView(figure);
     others.set(key, pane);
     pane.open({ ...options, onFault: page.report }).then(draw, page.report);
     return pane;
   }
 
-  let isDue = false;
+  /** The animation frame asked for; 0: none. */
+  let frame = 0;
   /** Draws once before the next picture. */
   function draw() {
-    if (isDue) return;
-    isDue = true;
-    requestAnimationFrame(() => {
-      isDue = false;
-      drawNow();
-    });
+    if (frame === 0) frame = requestAnimationFrame(drawNow);
   }
 
   function drawNow() {
+    frame = 0;
     const s = page.get();
     const shown = panesOf(s);
     const dark = isDark(s);
