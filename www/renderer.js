@@ -48,6 +48,7 @@ export async function giveUpWebgpu(lost, reason) {
 /**
  * Opens a viewer on a canvas. Rejects with a `Fault` where neither renderer works.
  * @param {HTMLCanvasElement} canvas @param {{ samples: number }} options
+ * @returns {Promise<{ viewer: import("./pkg/viewer/viewer.js").Viewer, renderer: Renderer }>}
  */
 export async function openViewer(canvas, options) {
   const renderer = await chooseRenderer();
@@ -61,11 +62,7 @@ export async function openViewer(canvas, options) {
     const isEarly = refused.kind === "NoAdapter" || refused.kind === "NoDevice";
     if (hasOpened || renderer.isForced || renderer.name === "WebGL2" || !isEarly) throw refused;
     chosen = load("WebGL2", refused.message);
-    const fallback = await chosen;
-    const viewer = await fallback.module.Viewer.create(canvas, options).catch((error) => {
-      throw inWords(error);
-    });
-    return { viewer, renderer: fallback };
+    return openViewer(canvas, options);
   }
 }
 
