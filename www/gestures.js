@@ -30,7 +30,6 @@ const LINE_PIXELS = 16;
 /** @param {HTMLCanvasElement} canvas @param {Move} act @param {AbortSignal} signal  ends it */
 export function listenForGestures(canvas, act, signal) {
   canvas.style.touchAction = "none";
-  if (!canvas.hasAttribute("tabindex")) canvas.tabIndex = 0;
 
   /** Device pixels in a CSS pixel. */
   const scale = () => canvas.width / Math.max(canvas.clientWidth, 1);
@@ -58,13 +57,8 @@ export function listenForGestures(canvas, act, signal) {
     const [other] = [...pointers].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
     pointers.set(event.pointerId, now);
     const [dx, dy] = [now.x - before.x, now.y - before.y];
-    if (other) {
-      moveOneOfTwo(other, before, now);
-    } else if (event.shiftKey || event.buttons & 6) {
-      act("pan", dx, dy);
-    } else {
-      act("orbit", dx, dy);
-    }
+    if (other) moveOneOfTwo(other, before, now);
+    else act(event.shiftKey || event.buttons & 6 ? "pan" : "orbit", dx, dy);
   }
 
   /**
@@ -124,9 +118,8 @@ export function listenForGestures(canvas, act, signal) {
   const quiet = { signal };
   canvas.addEventListener("pointerdown", press, quiet);
   canvas.addEventListener("pointermove", move, quiet);
-  for (const end of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
-    canvas.addEventListener(end, ({ pointerId }) => pointers.delete(pointerId), quiet);
-  }
+  // After each release too, as every press has captured its pointer.
+  canvas.addEventListener("lostpointercapture", (event) => pointers.delete(event.pointerId), quiet);
   canvas.addEventListener("wheel", turnWheel, { signal, passive: false });
   canvas.addEventListener("keydown", pressKey, quiet);
   canvas.addEventListener("dblclick", () => act("fit"), quiet);
