@@ -49,11 +49,12 @@ class UmbilicSurface extends HTMLElement {
   #listening = Promise.resolve();
   #listen = () => {};
   #lastId = 0;
-  /** @type {Set<string>} attributes that changed and have not been told yet */
-  #changed = new Set();
-  #attributes = new MutationObserver((records) => {
-    for (const { attributeName } of records) this.#change(attributeName ?? "");
-  });
+  /** All that change in one go come together. */
+  #attributes = new MutationObserver((records) =>
+    this.#follow(records.map(({ attributeName }) => attributeName ?? "")),
+  );
+  /** Of what nobody waits for there is no other way to whoever made the element. @param {unknown} error */
+  #tell = (error) => this.#announce("error", error);
   /** @param {MessageEvent} event */
   #hear = ({ source, origin, data }) => {
     const isPage = this.#frame && source === this.#frame.contentWindow;
@@ -133,7 +134,7 @@ class UmbilicSurface extends HTMLElement {
     if (isBundled && !this.hasAttribute("page")) return this.#miss();
     const frame = document.createElement("iframe");
     const address = this.#address;
-    const query = new URLSearchParams(address.search);
+    const query = address.searchParams;
     query.set("embed", "");
     for (const name of ["controls", "theme"]) {
       const value = this.getAttribute(name);
@@ -142,7 +143,6 @@ class UmbilicSurface extends HTMLElement {
     if (this.hasAttribute("autoplay")) query.set("autoplay", "");
     const mesh = this.getAttribute("mesh");
     if (mesh !== null) query.set("wait", "");
-    address.search = query.toString();
     const words = { ...(mesh === null ? {} : { mesh: fileNameOf(mesh) }), ...this.#words() };
     address.hash = new URLSearchParams(words).toString();
     frame.title = this.title || "Umbilic";
@@ -162,15 +162,14 @@ class UmbilicSurface extends HTMLElement {
     const hint = "Add the plugin `umbilic/vite`, or say where the page is in the attribute `page`.";
     this.#shadow.replaceChildren(`${message} ${hint}`);
     // After whoever made the element has had time to listen.
-    queueMicrotask(() => this.#announce("error", { message, hint }));
+    queueMicrotask(() => this.#tell({ message, hint }));
   }
 
   #close() {
     this.#frame?.remove();
     this.#frame = null;
-    for (const { reject } of this.#waiting.values()) {
-      reject(new DOMException("The surface was taken out of the page.", "AbortError"));
-    }
+    const gone = new DOMException("The surface was taken out of the page.", "AbortError");
+    for (const { reject } of this.#waiting.values()) reject(gone);
     this.#waiting.clear();
   }
 
@@ -184,17 +183,16 @@ class UmbilicSurface extends HTMLElement {
 
   /** @param {string} mesh  an address @param {() => boolean} isStill  whether it is wanted */
   async #fetch(mesh, isStill) {
-    const tell = (/** @type {unknown} */ error) => this.#announce("error", error);
     try {
       const response = await fetch(new URL(mesh, document.baseURI));
       if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
       const [bytes, words] = [await response.arrayBuffer(), this.#words()];
       // Before whatever was asked of it meanwhile.
       const now = Promise.resolve();
-      if (isStill()) this.#send(bytes, fileNameOf(mesh), words, now).catch(tell);
+      if (isStill()) this.#send(bytes, fileNameOf(mesh), words, now).catch(this.#tell);
     } catch (error) {
       const message = `The mesh ${mesh} could not be had: ${/** @type {Error} */ (error).message}`;
-      tell({ message, hint: "Look at the attribute `mesh`." });
+      this.#tell({ message, hint: "Look at the attribute `mesh`." });
     }
   }
 
@@ -210,11 +208,9 @@ class UmbilicSurface extends HTMLElement {
    * @param {string} type @param {Record<string, unknown>} [fields]
    * @param {Promise<void>} [ready]  that it waits for @returns {Promise<any>}
    */
-  #ask(type, fields = {}, ready = this.#listening) {
+  async #ask(type, fields = {}, ready = this.#listening) {
     const frame = this.#frame;
-    if (!frame) {
-      return Promise.reject(new DOMException("The surface is not shown.", "InvalidStateError"));
-    }
+    if (!frame) throw new DOMException("The surface is not shown.", "InvalidStateError");
     this.#lastId += 1;
     const id = this.#lastId;
     const transfer = fields.bytes instanceof ArrayBuffer ? [fields.bytes] : [];
@@ -245,31 +241,21 @@ class UmbilicSurface extends HTMLElement {
     this.dispatchEvent(new CustomEvent(event, { detail }));
   }
 
-  /** @param {string} attribute */
-  #change(attribute) {
-    if (global.test(attribute)) return;
-    if (this.#changed.size === 0) queueMicrotask(() => this.#follow());
-    this.#changed.add(attribute);
-  }
-
-  /** Does what the changed attributes say. */
-  #follow() {
-    const changed = [...this.#changed];
-    this.#changed.clear();
+  /** Does what the changed attributes say. @param {string[]} attributes */
+  #follow(attributes) {
+    const changed = attributes.filter((name) => !global.test(name));
     if (!this.#frame && !changed.includes("page")) return;
     if (this.#frame && changed.includes("title")) this.#frame.title = this.title || "Umbilic";
-    /** A refusal has no other way to whoever wrote the attribute. @param {unknown} error */
-    const tell = (error) => this.#announce("error", error);
     const isNew = changed.some((name) => ["sample", "figure"].includes(name));
     const isGone = changed.some((name) => !own.includes(name) && !this.hasAttribute(name));
     if (changed.some((name) => again.includes(name))) {
       this.#close();
       this.#open();
     } else if (isNew || (isGone && !this.hasAttribute("mesh"))) {
-      this.load(this.#words()).catch(tell);
+      this.load(this.#words()).catch(this.#tell);
     } else {
       const words = this.#words((name) => changed.includes(name));
-      if (Object.keys(words).length > 0) this.set(words).catch(tell);
+      if (Object.keys(words).length > 0) this.set(words).catch(this.#tell);
     }
   }
 }
