@@ -88,5 +88,4 @@ for (const surface of document.querySelectorAll("umbilic-surface")) {
   surface.addEventListener("key", ({ detail }) => deck.press(detail.key));
 }
 
-const loaded = new Promise((resolve) => addEventListener("load", resolve));
-keepOffline(loaded, () => {});
+keepOffline(new Promise((resolve) => addEventListener("load", resolve)), () => {});

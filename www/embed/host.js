@@ -22,7 +22,13 @@ export function createEmbedding(page) {
   const root = document.documentElement;
   root.classList.add("embedded");
   root.classList.toggle("bare", asked.get("controls") === "none");
-  const fullPage = addFullPage();
+  /** A way to the whole page, with the scene as it is. */
+  const fullPage = Object.assign(document.createElement("a"), {
+    ...{ className: "full-page", target: "_blank", rel: "noopener" },
+    ...{ textContent: say("full-page"), title: say("full-page.title") },
+    href: pageAddress(location) + location.hash,
+  });
+  document.getElementById("stage")?.append(fullPage);
   const isMoving = () => get().running || player.motion.peek() !== "still";
 
   const host = window.parent === window ? null : window.parent;
@@ -225,9 +231,7 @@ export function createEmbedding(page) {
     /** @type {{ message: string, hint: string }[]} */
     const faults = [];
     try {
-      if (!Object.hasOwn(answers, type)) {
-        throw messages.unknownRequest(type, Object.keys(answers));
-      }
+      if (!Object.hasOwn(answers, type)) throw messages.unknownRequest(type, Object.keys(answers));
       hearing.add(faults);
       const told = await answers[type](request).finally(() => hearing.delete(faults));
       if (faults.length > 0) throw faults[0];
@@ -281,15 +285,4 @@ export function createEmbedding(page) {
       queueMicrotask(settle);
     },
   };
-
-  /** A way to the whole page, with the scene as it is. */
-  function addFullPage() {
-    const link = Object.assign(document.createElement("a"), {
-      ...{ className: "full-page", target: "_blank", rel: "noopener" },
-      ...{ textContent: say("full-page"), title: say("full-page.title") },
-      href: pageAddress(location) + location.hash,
-    });
-    document.getElementById("stage")?.append(link);
-    return link;
-  }
 }
