@@ -24,14 +24,8 @@ export const button = (label, act, kind = "", { disabled = false, ...more } = {}
   html`<button type="button" class="button ${kind}" aria-disabled=${String(disabled)} title=${more.title ?? nothing}
     aria-pressed=${more.pressed ?? nothing} @click=${() => disabled || act()}>${more.icon ? icon(more.icon) : nothing}${label}</button>`;
 
-/** Ids that stay what they are while a name does. @type {Map<string, string>} */
-const ids = new Map();
-/** @param {string} name */
-export function idOf(name) {
-  const id = ids.get(name) ?? `f${ids.size + 1}`;
-  ids.set(name, id);
-  return id;
-}
+/** The id of a control, which its label points at: no id has spaces. @param {string} name */
+export const idOf = (name) => `field-${name.replace(/\s+/g, "-")}`;
 
 /** Puts what is chosen into a signal. @template T @param {{ value: T }} signal @returns {(value: T) => void} */
 export const into = (signal) => (value) => {
@@ -154,15 +148,12 @@ export const fetchViews = () => Promise.all(later.map((fetch) => fetch()));
 /** A view that is fetched when it is first shown, or before by `fetchViews`, with all words: the first picture does not wait for it. @param {() => Promise<View>} load */
 export function lazy(load) {
   const view = signal(/** @type {View | null} */ (null));
-  /** @type {Promise<void> | undefined} */
-  let asked;
-  const fetch = () => {
-    asked ??= Promise.all([load(), fetchRest()]).then(([loaded]) => into(view)(loaded));
-    // Without a connection now, there may be one when it is asked for again.
-    asked.catch(() => {
-      asked = undefined;
-    });
-    return asked;
+  // Asked for twice, it is fetched once, by the browser; without a connection now, there may be
+  // one when it is asked for again.
+  const fetch = async () => {
+    if (view.peek()) return;
+    const [loaded] = await Promise.all([load(), fetchRest()]);
+    view.value = loaded;
   };
   later.push(fetch);
   const show = () => {

@@ -49,40 +49,38 @@ const keys = {
   },
 };
 
-/** Keys of a clicker, full screen, and the pointer that goes when it rests. */
-export function listenToClicker() {
-  const root = document.documentElement;
-  addEventListener("keydown", (event) => {
-    const { presenting, dialog, phase } = page.get();
-    const act = Object.hasOwn(keys, event.key) ? keys[event.key] : null;
-    if (!act || !presenting || dialog || event.defaultPrevented || event.repeat) return;
-    if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || takesKeys(event.target))
-      return;
-    // Arrow keys belong to what has the focus: they turn the surface.
-    if (event.key.startsWith("Arrow") && document.activeElement !== document.body) return;
-    event.preventDefault();
-    if (phase !== "loading") act();
-  });
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let quiet;
-  const wake = () => {
-    root.classList.remove("idle");
-    clearTimeout(quiet);
-    quiet = setTimeout(() => root.classList.toggle("idle", page.get().presenting), QUIET);
-  };
-  addEventListener("pointermove", wake, { passive: true });
-  // Leaving full screen with the browser's own key ends the presentation too.
-  document.addEventListener("fullscreenchange", () => {
-    if (!document.fullscreenElement) page.present(false);
-  });
-  computed(() => page.state.value.presenting).subscribe((presenting) => {
-    root.classList.toggle("presenting", presenting);
-    if (presenting && document.activeElement instanceof HTMLElement) document.activeElement.blur();
-    // Refused where the page is embedded; presenting works without.
-    if (presenting) root.requestFullscreen?.().catch(() => {});
-    else if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
-  });
-}
+// Keys of a clicker, full screen, and the pointer that goes when it rests.
+const root = document.documentElement;
+addEventListener("keydown", (event) => {
+  const { presenting, dialog, phase } = page.get();
+  const act = Object.hasOwn(keys, event.key) ? keys[event.key] : null;
+  if (!act || !presenting || dialog || event.defaultPrevented || event.repeat) return;
+  if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || takesKeys(event.target))
+    return;
+  // Arrow keys belong to what has the focus: they turn the surface.
+  if (event.key.startsWith("Arrow") && document.activeElement !== document.body) return;
+  event.preventDefault();
+  if (phase !== "loading") act();
+});
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let quiet;
+const wake = () => {
+  root.classList.remove("idle");
+  clearTimeout(quiet);
+  quiet = setTimeout(() => root.classList.toggle("idle", page.get().presenting), QUIET);
+};
+addEventListener("pointermove", wake, { passive: true });
+// Leaving full screen with the browser's own key ends the presentation too.
+document.addEventListener("fullscreenchange", () => {
+  if (!document.fullscreenElement) page.present(false);
+});
+computed(() => page.state.value.presenting).subscribe((presenting) => {
+  root.classList.toggle("presenting", presenting);
+  if (presenting && document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  // Refused where the page is embedded; presenting works without.
+  if (presenting) root.requestFullscreen?.().catch(() => {});
+  else if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
+});
 
 function line() {
   const { clip } = page.lead;

@@ -39,20 +39,10 @@ export function top() {
 }
 
 const over = {
-  tools: lazy(() =>
-    import("./tools.js").then(({ tools, listenToTools }) => {
-      listenToTools();
-      return tools;
-    }),
-  ),
+  tools: lazy(() => import("./tools.js").then(({ tools }) => tools)),
   why: lazy(() => import("./why.js").then(({ why }) => why)),
   legend: lazy(() => import("./legend.js").then(({ legend }) => legend)),
-  present: lazy(() =>
-    import("./present.js").then(({ present, listenToClicker }) => {
-      listenToClicker();
-      return present;
-    }),
-  ),
+  present: lazy(() => import("./present.js").then(({ present }) => present)),
 };
 
 /** What lies over the surface. */

@@ -20,6 +20,7 @@ const STEP = 6;
 /** What the centre keeps from the edge of the picture to be in reach, in CSS pixels. */
 const MARGIN = 28;
 
+const { canvas } = page.stage;
 const viewer = () => page.stage.first.viewer;
 
 // Paint.
@@ -27,7 +28,6 @@ const viewer = () => page.stage.first.viewer;
 let held = new Uint8Array();
 /** Until the first stroke, which begins a region, all may move. */
 let isUntouched = true;
-let isPainting = false;
 const frees = signal(true);
 const radius = signal(24);
 const free = signal(0);
@@ -45,8 +45,10 @@ function takeHeld() {
   const known = configured?.heldVertices ?? new Uint8Array(count);
   hold(Uint8Array.from(known), !options.free && !options.fixed);
 }
-/** @param {PointerEvent} event */
+/** Paints with the button down that was pressed here: gestures hold the pointer then. @param {PointerEvent} event */
 function stroke(event) {
+  const isDown = event.buttons & 1 && canvas.hasPointerCapture(event.pointerId);
+  if (page.get().mode !== "paint" || !event.isPrimary || !isDown) return;
   const set = isUntouched && frees.peek() ? new Uint8Array(held.length).fill(1) : held;
   const next = viewer()?.painted(event, set, radius.peek(), frees.peek() ? 0 : 1);
   if (next) hold(next);
@@ -98,14 +100,13 @@ const centre = signal([0, 0, FIRST]);
 const refusal = signal("");
 let box = { middle: [0, 0, 0], size: 1 };
 let isAsked = false;
-let isStale = false;
 const point = () => centre.peek().map((value, axis) => box.middle[axis] + box.size * value);
 /** A point of space, from the middle of the box in diagonals of it. @param {number[]} to */
 const inBox = (to) => to.map((value, axis) => (value - box.middle[axis]) / box.size);
 /** @param {{ x: number, y: number }} at  the nearest place in reach */
 const within = ({ x, y }) => ({
-  x: Math.min(Math.max(x, MARGIN), page.stage.canvas.clientWidth - MARGIN),
-  y: Math.min(Math.max(y, MARGIN), page.stage.canvas.clientHeight - MARGIN),
+  x: Math.min(Math.max(x, MARGIN), canvas.clientWidth - MARGIN),
+  y: Math.min(Math.max(y, MARGIN), canvas.clientHeight - MARGIN),
 });
 /** Where it is at first: to the right of the surface as it is seen, or nearer to the eye where there is no room. */
 function firstCentre() {
@@ -120,13 +121,13 @@ function firstCentre() {
   return found ? inBox(found) : [0, 0, FIRST];
 }
 async function preview() {
-  isStale = true;
   if (isAsked) return;
   isAsked = true;
-  while (isStale && page.get().mode === "invert") {
-    isStale = false;
+  let shown;
+  while (shown !== centre.peek() && page.get().mode === "invert") {
+    shown = centre.peek();
     try {
-      await page.edit.preview(centre.peek());
+      await page.edit.preview(shown);
       refusal.value = "";
     } catch (error) {
       const { message, hint } = /** @type {any} */ (error ?? {});
@@ -145,7 +146,7 @@ function move(to) {
 /** A mode begins. @param {Mode | null} mode */
 async function begin(mode) {
   viewer()?.rest(mode === "paint");
-  page.stage.canvas.dataset.mode = mode ?? "";
+  canvas.dataset.mode = mode ?? "";
   if (mode === "paint") takeHeld();
   else page.stage.brush(null);
   if (mode === "fill") {
@@ -159,30 +160,21 @@ async function begin(mode) {
   }
 }
 
-/** What a pointer does on the surface while a mode lasts. */
-export function listenToTools() {
-  const { canvas } = page.stage;
-  computed(() => page.state.value.mode).subscribe(begin);
-  let pressed = { x: 0, y: 0 };
-  canvas.addEventListener("pointerdown", (event) => {
-    pressed = { x: event.clientX, y: event.clientY };
-    if (page.get().mode !== "paint" || !event.isPrimary || event.button !== 0) return;
-    isPainting = true;
-    stroke(event);
-  });
-  canvas.addEventListener("pointermove", (event) => isPainting && event.isPrimary && stroke(event));
-  for (const kind of ["pointerup", "pointercancel"])
-    canvas.addEventListener(kind, () => {
-      isPainting = false;
-    });
-  canvas.addEventListener("click", (event) => {
-    const { mode } = page.get();
-    if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > STILL) return;
-    if (mode === "fill") clickLoop(event);
-    const probe = mode === "pick" ? viewer()?.pick(event) : null;
-    if (probe != null) page.edit.inspect({ probe });
-  });
-}
+// What a pointer does on the surface while a mode lasts.
+computed(() => page.state.value.mode).subscribe(begin);
+let pressed = { x: 0, y: 0 };
+canvas.addEventListener("pointerdown", (event) => {
+  pressed = { x: event.clientX, y: event.clientY };
+  stroke(event);
+});
+canvas.addEventListener("pointermove", stroke);
+canvas.addEventListener("click", (event) => {
+  const { mode } = page.get();
+  if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > STILL) return;
+  if (mode === "fill") clickLoop(event);
+  const probe = mode === "pick" ? viewer()?.pick(event) : null;
+  if (probe != null) page.edit.inspect({ probe });
+});
 
 /** Where the handle was taken. @type {{ x: number, y: number, depth: number } | null} */
 let grip = null;
