@@ -15,15 +15,13 @@ const types = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "
 
 /** @param {Page} page */
 export function createFilm(page) {
-  const isOn = signal(false);
+  const recorder = signal(/** @type {MediaRecorder | null} */ (null));
   const time = signal("");
   const { stage } = page;
   const type =
     typeof MediaRecorder === "undefined" || !("captureStream" in stage.canvas)
       ? undefined
       : types.find((one) => MediaRecorder.isTypeSupported(one));
-  /** @type {MediaRecorder | null} */
-  let recorder = null;
 
   function start() {
     const montage = montageOf(page);
@@ -36,7 +34,6 @@ export function createFilm(page) {
       mimeType: type,
       videoBitsPerSecond: QUALITY,
     });
-    recorder = film;
     const begun = performance.now();
     const show = () => {
       const seconds = Math.floor((performance.now() - begun) / 1000);
@@ -53,30 +50,29 @@ export function createFilm(page) {
       clearInterval(timer);
       end();
       for (const track of film.stream.getTracks()) track.stop();
-      recorder = null;
-      isOn.value = false;
+      recorder.value = null;
       time.value = "";
       if (parts.length > 0) save(new Blob(parts, { type: film.mimeType }), name);
     });
     // In parts, so that little is lost if the page is.
     film.start(1000);
-    isOn.value = true;
+    recorder.value = film;
     show();
     // It begins with what is there.
     stage.first.viewer?.snapshot().catch(() => {});
   }
 
   return {
-    isOn,
+    recorder,
     time,
     isAble: type !== undefined,
     /** Begins one, or ends it and saves it. */
     async turn() {
       try {
-        if (!recorder) return start();
+        if (!recorder.peek()) return start();
         // Ends with the picture as it is now, however long it has stood still.
         await stage.first.viewer?.snapshot().catch(() => {});
-        recorder?.stop();
+        recorder.peek()?.stop();
       } catch (error) {
         page.report(error);
       }

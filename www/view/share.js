@@ -82,14 +82,15 @@ export function share() {
   const { mesh, source } = page.state.value;
   if (!mesh) return nothing;
   film ??= createFilm(page);
-  const { isOn, isAble, time, turn } = film;
-  const record = say(isOn.value ? "film-stop" : "film-record");
+  const { recorder, isAble, time, turn } = film;
+  const pressed = recorder.value !== null;
+  const record = say(pressed ? "film-stop" : "film-record");
   return html`<p class="hint">${say("share-hint", { name: sceneTitle(source) })}</p>
     ${button(say("copy-link"), () => copyLink().catch(page.report), "primary")}<hr />
     ${select(say("save-as"), named(formats, "save-as"), format.value, into(format))}
     ${button(say("download"), () => saveFile(page, format.value), "", { icon: "share" })}<hr />
     <h3>${say("film")}</h3>
-    <div class="row">${button(record, turn, "", { pressed: isOn.value, disabled: !isAble })}
+    <div class="row">${button(record, turn, "", { pressed, disabled: !isAble })}
       <span class="hint">${isAble ? time.value : say("film-unable")}</span></div>
     <p class="hint">${say("film-hint")}</p>
     ${section("zip", say("save-all-steps"), zip)}${section("embed", say("embed"), embed)}`;
