@@ -19,10 +19,9 @@ function form(rival, n) {
   const own = optionsOf(page.state.value.options, change);
   const name = letter(n + 1);
   const set = (/** @type {Rival["change"]} */ edit) => page.compare.change(rival, edit);
-  const others = flows.filter((flow) => flow.id !== "flips");
-  const choices = others.map((flow) => ({ id: flow.id, label: flowLabel(flow.id) }));
+  const others = flows.map(({ id }) => id).filter((id) => id !== "flips");
   return html`<fieldset class="pane-form"><legend><b class="pane-${n + 1}">${name}</b></legend>
-    ${select(say("pane-flow", { name }), choices, own.flow, (flow) => set({ flow }))}
+    ${select(say("pane-flow", { name }), named(others, "flow"), own.flow, (flow) => set({ flow }))}
     ${[...fieldsOf(own, true), rowOf("tau")].map((row) => field(row, own, set))}
     ${phase === "lost" ? html`<p class="hint danger">${reason}</p>` : nothing}
     ${iconButton("close", say("remove-pane", { name }), () => page.compare.remove(rival))}</fieldset>`;

@@ -13,6 +13,9 @@ import { plot } from "./plot.js";
 
 const shut = () => page.patch({ dialog: null });
 
+const nameOf = (/** @type {Command} */ { id }) => say(`command-${id}`);
+const keysOf = (/** @type {Command} */ { keys }) => keys.map((key) => keycap(keyName(key)));
+
 /** Pages of the guide. */
 const guide = ["first-look", "lecture", "mesh"];
 
@@ -23,10 +26,7 @@ export function help() {
   });
   const keys = commands
     .filter((command) => command.keys.length > 0)
-    .map(
-      (command) =>
-        html`<dt>${command.keys.map((key) => keycap(keyName(key)))}</dt><dd>${say(`command-${command.id}`)}</dd>`,
-    );
+    .map((command) => html`<dt>${keysOf(command)}</dt><dd>${nameOf(command)}</dd>`);
   const welcome = () => page.patch({ dialog: null, welcome: true, tab: null });
   return html`<header><h2>${say("help")}</h2>${close(shut)}</header>
     <p>${say("help-what")}</p><p>${say("help-how")}</p><p>${say("help-private")}</p>
@@ -61,7 +61,7 @@ function perform(command) {
 
 export function palette() {
   const text = wanted.value.trim().toLowerCase();
-  const found = commands.filter(({ id }) => say(`command-${id}`).toLowerCase().includes(text));
+  const found = commands.filter((command) => nameOf(command).toLowerCase().includes(text));
   const at = Math.min(chosen.value, found.length - 1);
   /** @param {KeyboardEvent} event */
   function key(event) {
@@ -74,7 +74,7 @@ export function palette() {
   const rows = found.map(
     (command, n) =>
       html`<li id="command-${command.id}" role="option" aria-selected=${String(n === at)} @click=${() => perform(command)}>
-        <span>${say(`command-${command.id}`)}</span>${command.keys.map((one) => keycap(keyName(one)))}</li>`,
+        <span>${nameOf(command)}</span>${keysOf(command)}</li>`,
   );
   return html`<header><h2 class="visually-hidden">${say("commands")}</h2>
       <input id=${idOf("command")} class="wide" role="combobox" aria-expanded="true" aria-controls="commands" aria-label=${say("commands")}
