@@ -19,9 +19,9 @@ const [WIDTH, TOP, BOTTOM] = [1000, 6, 82];
 /** The foot of a logarithmic axis, as a share of the start, at least. */
 const FOOT = 1e-3;
 
-/** Some of the points of a long run. @param {readonly Point[]} points */
-export function thinned(points) {
-  const every = Math.ceil(points.length / MOST);
+/** Some of the points of a long run. @param {readonly Point[]} points @param {number} [most] */
+export function thinned(points, most = MOST) {
+  const every = Math.ceil(points.length / most);
   return points.filter((_, n) => n % every === 0 || n === points.length - 1);
 }
 
@@ -50,10 +50,6 @@ export function labelled(points, total) {
 /** The end of the energy axis. @param {readonly Point[]} points */
 export const topOf = (points) =>
   points.reduce((most, { state }) => Math.max(most, state.energy), 0) || 1;
-
-/** Where an energy lies. @param {number} energy @param {number} most  at the top */
-const heightOf = (energy, most) =>
-  BOTTOM - ((BOTTOM - TOP) * Math.min(Math.max(energy, 0), most)) / most;
 
 /** Joined by straight lines. @param {readonly (readonly number[])[]} list */
 export const pathOf = (list) =>
@@ -126,7 +122,8 @@ export function curve() {
   const total = clip.total || 1;
   const most = topOf(points);
   const x = (/** @type {Point} */ { sum }) => (sum / total) * WIDTH;
-  const y = (/** @type {number} */ energy) => heightOf(energy, most);
+  const y = (/** @type {number} */ energy) =>
+    BOTTOM - ((BOTTOM - TOP) * Math.min(Math.max(energy, 0), most)) / most;
   const { whole, played, here } = courseOf((point) => [x(point), y(point.state.energy)]);
   const under = (/** @type {number[][]} */ list) =>
     `${pathOf(list)}L${list[list.length - 1][0].toFixed(1)} ${BOTTOM}L0 ${BOTTOM}Z`;

@@ -9,6 +9,7 @@ import { histogram } from "../range.js";
 import { symbol } from "../status.js";
 import { say } from "../words.js";
 import { conjecture, lab } from "./conjecture.js";
+import { thinned } from "./curve.js";
 import { page } from "./page.js";
 import { grid, lazy, section, table } from "./parts.js";
 import { phases } from "./phases.js";
@@ -20,7 +21,7 @@ import { vertex } from "./vertex.js";
 /** With what sets its formulas. */
 const equation = lazy(() => import("./equation.js").then(({ equation }) => equation));
 
-/** Rows of the table at most; of more steps every so manyth. */
+/** Rows of the table, about; of more steps every so manyth. */
 const MOST_ROWS = 200;
 const BINS = 22;
 
@@ -134,14 +135,13 @@ function figure() {
 }
 
 function allSteps() {
-  const { points } = page.lead.clip;
-  const every = Math.ceil(points.length / MOST_ROWS);
-  const some = points.filter((_, n) => n % every === 0 || n === points.length - 1);
+  const points = thinned(page.lead.clip.points, MOST_ROWS);
   const first = points[0]?.state.energy ?? 0;
-  const [step, time, dt, ...heads] = ["step", "time", "dt", "area", "volume", "angle"].map((id) =>
-    say(`reading-${id}`),
+  const columns = ["step", "time", "dt", "energy", "area", "volume", "angle"];
+  const heads = columns.map((id) =>
+    id === "energy" ? symbol(page.state.value) : say(`reading-${id}`),
   );
-  const rows = some.map(({ state }) => [
+  const rows = points.map(({ state }) => [
     state.step,
     formatNumber(state.time),
     formatNumber(state.dt, 4),
@@ -150,8 +150,7 @@ function allSteps() {
     formatNumber(state.volume, 6),
     formatNumber(state.minAngleDegrees, 4),
   ]);
-  const all = [step, time, dt, symbol(page.state.value), ...heads];
-  return html`<div id="plot-rows">${grid(say("all-steps"), all, rows)}</div>`;
+  return html`<div id="plot-rows">${grid(say("all-steps"), heads, rows)}</div>`;
 }
 
 export function measure() {
