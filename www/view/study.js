@@ -75,11 +75,8 @@ const { said, turn } = workAside(async (own, isWanted) => {
 /** @param {StudyReport} study */
 function shown(study) {
   const { trends, rows, refinedBy, mostVertices: most, findings } = study;
-  const heads = [
-    say("reading-vertices"),
-    "h",
-    ...trends.map(({ quantity }) => say("trend-symbol", { quantity })),
-  ];
+  const symbols = trends.map(({ quantity }) => say("trend-symbol", { quantity }));
+  const heads = [say("reading-vertices"), "h", ...symbols];
   const measured = rows.map(({ vertices, h }, k) => [
     vertices,
     formatNumber(h, 3),

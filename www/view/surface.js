@@ -66,10 +66,9 @@ async function showCrossings() {
 function changes({ info }) {
   const { mode, earlier } = page.state.value;
   const undone = earlier.at(-1);
+  /** @type {Record<string, boolean>} */
   const isMeant = { fill: info.boundaryLoops > 0, remesh: info.oriented };
-  const meant = tools.filter(
-    (tool) => /** @type {Record<string, boolean>} */ (isMeant)[tool] ?? true,
-  );
+  const meant = tools.filter((tool) => isMeant[tool] ?? true);
   const chips = meant.map((tool) => {
     const turn = () => page.edit.mode(mode === tool ? null : tool);
     return button(say(`tool-${tool}`), turn, "chip", { icon: tool, pressed: mode === tool });
