@@ -78,7 +78,6 @@ export function field(row, options, change) {
   const hint = say(`option-${name}-help`);
   const value = options[name];
   const set = (/** @type {unknown} */ now) => change({ [name]: now });
-  if (kind === "vertices") return nothing;
   if (kind === "switch") return toggle(label, value, set, hint);
   if (kind === "choice") {
     const auto = absent ? [{ id: absent, label: say("automatic") }] : [];
@@ -90,34 +89,24 @@ export function field(row, options, change) {
       : select(label, choices, asText(value, name), choose, hint);
   }
   if (kind === "set") {
-    const check =
-      (/** @type {string} */ id) =>
-      (/** @type {any} */ { target }) =>
-        set(row.ids.filter((one) => (one === id ? target.checked : value.includes(one))));
-    const checks = row.ids.map(
-      (id) =>
-        html`<label><input type="checkbox" .checked=${value.includes(id)} @change=${check(id)} />
-          ${choiceLabel(name, id)}</label>`,
-    );
-    return html`<fieldset class="field"><legend>${label}</legend><span class="checks">${checks}</span></fieldset>`;
+    /** @param {string} id @param {boolean} isOn */
+    const turn = (id, isOn) =>
+      set(row.ids.filter((one) => (one === id ? isOn : value.includes(one))));
+    /** @param {string} id */
+    const checkbox = (id) => html`<label><input type="checkbox" .checked=${value.includes(id)}
+      @change=${(/** @type {any} */ { target }) => turn(id, target.checked)} /> ${choiceLabel(name, id)}</label>`;
+    return html`<fieldset class="field"><legend>${label}</legend><span class="checks">${row.ids.map(checkbox)}</span></fieldset>`;
   }
-  const input = number(
-    label,
-    value === null ? null : formatShort(value, 6),
-    (typed) => (typed !== null || absent !== null) && set(typed),
-    {
-      min: range?.also === null ? range.low : nothing,
-      max: range?.high ?? nothing,
-      placeholder: absent === null ? nothing : automatic(name),
-    },
-  );
+  const isOptional = absent !== null;
+  const shown = value === null ? null : formatShort(value, 6);
+  const min = range?.also === null ? range.low : undefined;
+  const placeholder = isOptional ? automatic(name) : undefined;
+  const take = (/** @type {number | null} */ typed) => (typed !== null || isOptional) && set(typed);
+  const input = number(label, shown, take, { min, max: range?.high, placeholder });
   const unitOf = unit ? say("unit", { unit, kind: unit.split(" ")[0] }) : "";
-  return labelled(
-    label,
-    html`<span class="number">${input}${unit ? html`<span class="unit">${unitOf}</span>` : nothing}</span>
-      ${value === null ? nothing : decades(row, label, value, set)}`,
-    hint,
-  );
+  const control = html`<span class="number">${input}${unit ? html`<span class="unit">${unitOf}</span>` : nothing}</span>
+    ${value === null ? nothing : decades(row, label, value, set)}`;
+  return labelled(label, control, hint);
 }
 
 /** The fields that what runs reads. @param {Options} options @param {boolean} basic */

@@ -50,12 +50,11 @@ export const labelled = (label, control, hint = "") =>
 
 /** One of many, in groups where they have some. @type {Choosing} */
 export const select = (label, choices, chosen, choose, hint) => {
+  /** @param {Choice<string>} choice */
+  const option = ({ id, label: text }) =>
+    html`<option value=${id} ?selected=${id === chosen}>${text}</option>`;
   const groups = [...new Set(choices.map(({ group }) => group))].map((group) => {
-    const some = choices.filter((one) => one.group === group);
-    const options = some.map(
-      ({ id, label: text }) =>
-        html`<option value=${id} ?selected=${id === chosen}>${text}</option>`,
-    );
+    const options = choices.filter((one) => one.group === group).map(option);
     return group === undefined ? options : html`<optgroup label=${group}>${options}</optgroup>`;
   });
   const change = (/** @type {any} */ { target }) => choose(target.value);
@@ -64,13 +63,11 @@ export const select = (label, choices, chosen, choose, hint) => {
 };
 
 /** @param {string} label @param {boolean} on @param {(on: boolean) => unknown} turn @param {string} [hint] */
-export const toggle = (label, on, turn, hint) =>
-  labelled(
-    label,
-    html`<input id=${idOf(label)} type="checkbox" class="switch" .checked=${on}
-      @change=${(/** @type {any} */ event) => turn(event.target.checked)} />`,
-    hint,
-  );
+export const toggle = (label, on, turn, hint) => {
+  const input = html`<input id=${idOf(label)} type="checkbox" class="switch" .checked=${on}
+    @change=${(/** @type {any} */ { target }) => turn(target.checked)} />`;
+  return labelled(label, input, hint);
+};
 
 /**
  * A field of a number; where what is typed is none or out of bounds, the browser says so.

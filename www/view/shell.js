@@ -155,8 +155,7 @@ export function dialog() {
 
 export function question() {
   const asked = page.state.value.question;
-  return asked
-    ? html`<p id="question">${asked.text}</p><div class="row">
-        ${button(say("run-them"), () => asked.answer(true), "primary")}${button(say("leave-it"), () => asked.answer(false))}</div>`
-    : nothing;
+  if (!asked) return nothing;
+  return html`<p id="question">${asked.text}</p><div class="row">
+    ${button(say("run-them"), () => asked.answer(true), "primary")}${button(say("leave-it"), () => asked.answer(false))}</div>`;
 }

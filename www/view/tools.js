@@ -221,11 +221,8 @@ const budget = signal(/** @type {number | null} */ (null));
 /** @type {Record<Mode, () => unknown>} */
 const bars = {
   paint: () => html`
-    ${[true, false].map((value) =>
-      button(say(value ? "paint-free" : "paint-hold"), () => into(frees)(value), "small", {
-        pressed: frees.value === value,
-      }),
-    )}
+    ${button(say("paint-free"), () => into(frees)(true), "small", { pressed: frees.value })}
+    ${button(say("paint-hold"), () => into(frees)(false), "small", { pressed: !frees.value })}
     ${slider(say("brush-size"), radius.value, 6, 80, into(radius))}
     ${button(say("grow"), () => spread(0), "small")}${button(say("shrink"), () => spread(1), "small")}
     ${(page.state.value.mesh?.info.boundaryLoops ?? 0) > 0 ? button(say("hold-boundary"), holdBoundary, "small") : nothing}
