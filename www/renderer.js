@@ -28,21 +28,19 @@ function chooseRenderer() {
 }
 
 /**
- * WebGL2 from now on: WebGPU has been lost for good.
- * @param {Renderer} lost @param {string} reason
- * @returns {Promise<boolean>} whether there is one; the address may ask for WebGPU alone
+ * WebGL2 from now on: WebGPU has been lost for good. Rejects where there is none; the address may
+ * ask for WebGPU alone.
+ * @param {Renderer | null} lost @param {string} reason
  */
 export async function giveUpWebgpu(lost, reason) {
-  if (lost.isForced || lost.name === "WebGL2") return false;
+  if (!lost || lost.isForced || lost.name === "WebGL2")
+    throw new Error("there is no other renderer");
   if ((await chooseRenderer()).name === "WebGPU") chosen = load("WebGL2", reason);
-  try {
-    await chosen;
-    return true;
-  } catch {
+  await chosen?.catch((error) => {
     // What is shown of another canvas stays.
     chosen = Promise.resolve(lost);
-    return false;
-  }
+    throw error;
+  });
 }
 
 /**

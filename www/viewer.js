@@ -94,26 +94,20 @@ export class SurfaceView {
     // A canvas that is not laid out yet has no size; the observer tells it later.
     this.#size = this.#estimateSize({ width: clientWidth || 1, height: clientHeight || 1 });
     await this.#openDevice();
-    this.#watchContext();
     try {
       this.#observer.observe(this.#canvas, { box: "device-pixel-content-box" });
     } catch {
       this.#observer.observe(this.#canvas);
     }
-    const { signal } = this.#listening;
-    listenForGestures(this.#canvas, (name, ...values) => this.#move(name, ...values), signal);
+    listenForGestures(this.#canvas, this.#move, this.#listening.signal);
   }
 
-  /** Of a lost WebGPU device the viewer is told; of a lost WebGL context, the canvas is. */
-  #watchContext() {
-    const { signal } = this.#listening;
-    const lost = (/** @type {Event} */ event) => {
-      // Else the browser does not give it back.
-      event.preventDefault();
-      if (this.#viewer) this.#recover(say("viewer-context-taken"));
-    };
-    this.#drawnOn.addEventListener("webglcontextlost", lost, { signal });
-  }
+  /** Of a lost WebGPU device the viewer is told; of a lost WebGL context, the canvas is. @param {Event} event */
+  #loseContext = (event) => {
+    // Else the browser does not give it back.
+    event.preventDefault();
+    if (this.#viewer) this.#recover(say("viewer-context-taken"));
+  };
 
   /** Changes what is to be seen, and draws it. @param {(viewer: WasmViewer) => void} change */
   change(change) {
@@ -269,7 +263,6 @@ export class SurfaceView {
   destroy() {
     this.#listening.abort();
     this.#observer.disconnect();
-    if (this.#frame !== null) cancelAnimationFrame(this.#frame);
     this.#release(this.#viewer);
     this.#viewer = null;
     if (this.#drawnOn !== this.#canvas) this.#drawnOn.remove();
@@ -294,10 +287,12 @@ export class SurfaceView {
     this.#drawnOn.width = this.#size.width;
     this.#drawnOn.height = this.#size.height;
     const { samples } = this.#options;
+    const { signal } = this.#listening;
     const { viewer, renderer } = await openViewer(this.#drawnOn, { samples });
     this.#renderer = renderer;
     this.#options.onRenderer(renderer);
-    if (this.#listening.signal.aborted) return this.#release(viewer);
+    if (signal.aborted) return this.#release(viewer);
+    this.#drawnOn.addEventListener("webglcontextlost", this.#loseContext, { signal });
     viewer.onLost((/** @type {string} */ reason) => {
       if (viewer === this.#viewer) this.#recover(reason);
     });
@@ -325,30 +320,23 @@ export class SurfaceView {
       }
     }
     if (this.#listening.signal.aborted) return;
-    if (!(await this.#standIn(reason))) this.#options.onFault(gpuLost(reason));
+    await this.#standIn(reason).catch(() => this.#options.onFault(gpuLost(reason)));
   }
 
   /**
    * Goes on with WebGL2, after WebGPU was lost for good: on another canvas, as one that was
-   * WebGPU's stays so.
-   * @param {string} reason @returns {Promise<boolean>} whether there is a picture again
+   * WebGPU's stays so. Rejects where that cannot be.
+   * @param {string} reason
    */
   async #standIn(reason) {
-    const lost = this.#renderer;
-    if (!lost || !(await giveUpWebgpu(lost, say("viewer-gpu-lost", { reason })))) return false;
+    await giveUpWebgpu(this.#renderer, say("viewer-gpu-lost", { reason }));
     const behind = document.createElement("canvas");
     behind.ariaHidden = "true";
     this.#canvas.before(behind);
     this.#drawnOn = behind;
-    try {
-      await this.#openDevice();
-    } catch {
-      return false;
-    }
+    await this.#openDevice();
     // Else the last picture would hide it.
     /** @type {any} */ (this.#canvas.getContext("webgpu"))?.unconfigure();
-    this.#watchContext();
-    return true;
   }
 
   #putStyle() {
@@ -396,11 +384,11 @@ export class SurfaceView {
   }
 
   /** Moves the camera, and tells of it. @param {string} name  of the viewer's move @param {...unknown} values */
-  #move(name, ...values) {
+  #move = (name, ...values) => {
     if (name === "orbit" && this.#isResting) return;
     this.change((viewer) => {
       /** @type {any} */ (viewer)[name](...values);
       this.#cameraMoved = true;
     });
-  }
+  };
 }
