@@ -68,14 +68,10 @@ export function createFilm(page) {
     isAble: type !== undefined,
     /** Begins one, or ends it and saves it. */
     async turn() {
-      try {
-        if (!recorder.peek()) return start();
-        // Ends with the picture as it is now, however long it has stood still.
-        await stage.first.viewer?.snapshot().catch(() => {});
-        recorder.peek()?.stop();
-      } catch (error) {
-        page.report(error);
-      }
+      if (!recorder.peek()) return start();
+      // Ends with the picture as it is now, however long it has stood still.
+      await stage.first.viewer?.snapshot().catch(() => {});
+      recorder.peek()?.stop();
     },
   };
 }

@@ -40,8 +40,6 @@ async function ask() {
     const ends = Array.from({ length: against }, (_, n) => cornersOf(report, n).slice(0, 2));
     const edges = Uint32Array.from(ends.flat());
     page.patch({ marks: { edges, triangles: new Uint32Array() } });
-  } catch (error) {
-    page.report(error);
   } finally {
     isAsking = false;
   }
@@ -97,7 +95,7 @@ function quadrilateral({ points, area, localised, totalArea, foldDegrees, minAng
 
 export function conjecture() {
   page.state.value;
-  queueMicrotask(ask);
+  queueMicrotask(() => ask().catch(page.report));
   if (!survey.value) return html`<p class="hint">${say("computing")}</p>`;
   const { report } = survey.value;
   const { both, neither, areaOnly, localisedOnly, counterexamples, area, localised } = report;
@@ -129,10 +127,9 @@ async function draw() {
       drawn.value = await page.solver.ask("lab", { pairs: BATCH });
       await new Promise(requestAnimationFrame);
     }
-  } catch (error) {
-    page.report(error);
+  } finally {
+    isDrawing.value = false;
   }
-  isDrawing.value = false;
 }
 
 /** @param {LabReport} report */
@@ -151,5 +148,5 @@ function found({ tetrahedra: total, counterexamples, classes, strongest }) {
 }
 
 export const lab =
-  () => html`${button(say(isDrawing.value ? "lab-stop" : "lab-run"), draw, "small")}
+  () => html`${button(say(isDrawing.value ? "lab-stop" : "lab-run"), () => draw().catch(page.report), "small")}
   ${drawn.value ? found(drawn.value) : nothing}`;

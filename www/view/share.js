@@ -90,7 +90,7 @@ export function share() {
     ${select(say("save-as"), named(formats, "save-as"), format.value, into(format))}
     ${button(say("download"), () => saveFile(page, format.value), "", { icon: "share" })}<hr />
     <h3>${say("film")}</h3>
-    <div class="row">${button(record, turn, "", { pressed, disabled: !isAble })}
+    <div class="row">${button(record, () => turn().catch(page.report), "", { pressed, disabled: !isAble })}
       <span class="hint">${isAble ? time.value : say("film-unable")}</span></div>
     <p class="hint">${say("film-hint")}</p>
     ${section("zip", say("save-all-steps"), zip)}${section("embed", say("embed"), embed)}`;

@@ -31,7 +31,7 @@ function findings({ info, repaired }) {
       : finding(say("found-closed"), say(oriented ? "found-two-sided" : "found-one-sided"));
   const even = isEven ? nothing : button(say("even-out"), page.edit.regularise, "small");
   const inside = say("found-angle", { angle: formatNumber(angle, 3) });
-  const show = button(say("why-show"), showCrossings, "small");
+  const show = button(say("why-show"), () => showCrossings().catch(page.report), "small");
   const crossings = say("crossings", { count: selfIntersections ?? 0 });
   return html`<h3>${say("found")}</h3>${defects({ info, repaired })}${rim}
     ${finding(say(isEven ? "found-even" : "found-uneven"), inside, even)}
@@ -57,9 +57,8 @@ function defects({ info, repaired }) {
 }
 
 async function showCrossings() {
-  const found = await page.solver.ask("selfIntersections").catch(page.report);
-  if (!found) return;
-  page.patch({ marks: { edges: new Uint32Array(), triangles: found.triangles } });
+  const found = await page.solver.ask("selfIntersections");
+  if (found) page.patch({ marks: { edges: new Uint32Array(), triangles: found.triangles } });
 }
 
 /** @param {Loaded} mesh */
