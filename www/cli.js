@@ -5,8 +5,8 @@ import { readFileSync, realpathSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { perform } from "./cli/command.js";
 import { commands, overview } from "./cli/commands.js";
-import { Failure, usage } from "./cli/failure.js";
-import { loadSolver, openSession, packageVersion } from "./cli/solver.js";
+import { failed, usage } from "./cli/failure.js";
+import { openSession, unknown } from "./cli/solver.js";
 
 /** @typedef {import("./cli/solver.js").Session} Session */
 /**
@@ -20,14 +20,14 @@ import { loadSolver, openSession, packageVersion } from "./cli/solver.js";
 /**
  * Runs one command.
  * @param {string[]} parameters  without the program's name @param {Terminal} io
- * @param {() => Promise<Session>} open
+ * @param {() => Session | Promise<Session>} open
  * @returns {Promise<number>}  0 done, 2 bad usage, 3 refused input, 4 numerical failure
  */
 export async function main(parameters, io, open) {
   try {
     return await dispatch(parameters, io, open);
   } catch (error) {
-    const { exit, kind, message, hint, repairs } = failureOf(error);
+    const { exit, kind, message, hint, repairs } = failed(3, error);
     if (parameters.includes("--json")) {
       const offer = repairs.length > 0 ? { repairs } : {};
       io.write(`${JSON.stringify({ kind, message, hint, ...offer })}\n`);
@@ -41,27 +41,18 @@ export async function main(parameters, io, open) {
 
 /** @type {typeof main} */
 async function dispatch([name = "", ...parameters], io, open) {
-  if (name === "--version" || name === "--help") {
-    io.write(name === "--help" ? overview() : `umbilic ${packageVersion()}\n`);
-    return 0;
-  }
   if (Object.hasOwn(commands, name)) return perform(name, commands[name], { parameters, io, open });
-  const { nearest } = await loadSolver();
-  const near = nearest(name, Object.keys(commands));
-  const hint = near ? `Did you mean \`${near}\`?` : "umbilic --help lists the commands.";
-  throw usage(name ? `There is no command \`${name}\`.` : "A command is missing.", hint);
-}
-
-/**
- * What a command ends with. Anything but a refusal in words is a defect of ours and is thrown on,
- * stack and all.
- * @param {unknown} error
- */
-function failureOf(error) {
-  if (error instanceof Failure) return error;
-  if (!(error instanceof WebAssembly.RuntimeError)) throw error;
-  const hint = "This is a defect of the solver; the mesh and the options will reproduce it.";
-  return new Failure(4, "Crashed", `The solver crashed: ${error.message}.`, hint);
+  if (name === "--help") io.write(overview());
+  else if (name === "--version") {
+    const file = new URL("../package.json", import.meta.url);
+    io.write(`umbilic ${JSON.parse(readFileSync(file, "utf8")).version}\n`);
+  } else {
+    const list = "umbilic --help lists the commands.";
+    throw name
+      ? unknown("command", name, Object.keys(commands), list)
+      : usage("A command is missing.", list);
+  }
+  return 0;
 }
 
 /** @type {Terminal} */

@@ -5,7 +5,7 @@ import path from "node:path";
 import * as schema from "../generated/schema.js";
 import { perform } from "../session.js";
 import { say } from "../words.js";
-import { orExit, usage } from "./failure.js";
+import { attempt, orExit, usage } from "./failure.js";
 import { isMesh, readHelp, readInput, readMesh } from "./files.js";
 import { readFlags, typed } from "./options.js";
 import { table } from "./text.js";
@@ -21,7 +21,7 @@ export const bench = {
     meshes: { value: "DIR", help: "of the table robustness: meshes to try every flow on" },
   },
   async ask(values, _, io) {
-    const options = await readFlags("bench", typed(schema.bench, values));
+    const options = readFlags("bench", typed(schema.bench, values));
     if (values.meshes === undefined) return options;
     if (options.table !== "robustness") throw usage("--meshes needs --table robustness.");
     return { ...options, meshes: await meshesIn(values.meshes, io) };
@@ -31,7 +31,7 @@ export const bench = {
     const cells = [];
     const rows = [];
     for (let next = row; next; next = orExit(4, () => perform(session, "bench")).row) {
-      const said = next.map((value) => (isMessage(value) ? say(value) : value));
+      const said = next.map((/** @type {any} */ value) => (value?.id ? say(value) : value));
       const shown = said.map((value) => cell(value, digits));
       io.log(columns.map((column, i) => `${column} ${shown[i]}`).join("  "));
       cells.push(shown);
@@ -42,9 +42,6 @@ export const bench = {
   },
 };
 
-/** @param {unknown} value @returns {value is import("../generated/types.js").Message} */
-const isMessage = (value) => typeof value === "object" && value !== null;
-
 /** @param {unknown} value @param {number | null} digits  significant ones; else one after the point */
 function cell(value, digits) {
   if (typeof value !== "number" || Number.isInteger(value)) return String(value ?? "–");
@@ -53,15 +50,12 @@ function cell(value, digits) {
 
 /** Mesh files of a folder, by name. @param {string} folder @param {Terminal} io */
 async function meshesIn(folder, io) {
-  let names;
-  try {
-    names = readdirSync(folder).filter(isMesh).sort();
-  } catch (error) {
-    throw usage(`${folder} is not a folder: ${/** @type {Error} */ (error).message}.`);
-  }
-  if (names.length === 0) {
-    throw usage(`${folder} holds no mesh.`, `Meshes end in ${readHelp}.`);
-  }
+  const files = attempt(
+    () => readdirSync(folder),
+    ({ message }) => usage(`${folder} is not a folder: ${message}.`),
+  );
+  const names = files.filter(isMesh).sort();
+  if (names.length === 0) throw usage(`${folder} holds no mesh.`, `Meshes end in ${readHelp}.`);
   const meshes = names.map(async (name) => {
     const file = path.join(folder, name);
     // An archive that cannot be unpacked is refused in its row, as any other file.

@@ -2,8 +2,8 @@
 // mesh is loaded, the solver is asked, and what it answers is written.
 
 import * as solver from "../session.js";
-import { orExit } from "./failure.js";
-import { checkOutputs, formatOf, readMesh, writeMesh, writeOutput, writtenHelp } from "./files.js";
+import { say } from "../words.js";
+import { checkOutput, formatOf, readMesh, writeOutput, writtenHelp } from "./files.js";
 import { flagsOf, help, parse, readFlags, typed } from "./options.js";
 import { print } from "./text.js";
 
@@ -24,8 +24,8 @@ import { print } from "./text.js";
  * @property {string[]} [operands]  a mesh unless given
  * @property {readonly Row[]} [rows]  options that the solver reads
  * @property {string} [words]  what the names of their words begin with
- * @property {Options | ((parameters: string[]) => Promise<Options>)} [options]  others
- * @property {(values: Values, operands: string[], io: Terminal) => Promise<any>} [ask]  what is asked of the
+ * @property {Options | ((parameters: string[]) => Options)} [options]  others
+ * @property {(values: Values, operands: string[], io: Terminal) => any} [ask]  what is asked of the
  *   solver; the options of the rows unless given
  * @property {(session: Session, mesh: { bytes: Uint8Array, name: string }, asked: any) => any} [load]
  *   how the mesh is loaded, where that takes more; what it answers is `loaded`
@@ -35,37 +35,39 @@ import { print } from "./text.js";
 
 /** @type {Options} */
 export const out = {
-  out: { value: "FILE", help: `the mesh at the end: ${writtenHelp}` },
+  out: { value: "FILE", isWritten: true, help: `the mesh at the end: ${writtenHelp}` },
 };
 
 /**
  * @param {string} name @param {Spec} spec
- * @param {{ parameters: string[], io: Terminal, open: () => Promise<Session> }} call
+ * @param {{ parameters: string[], io: Terminal, open: () => Session | Promise<Session> }} call
  * @returns {Promise<number>} the exit code
  */
 export async function perform(name, spec, { parameters, io, open }) {
   const { summary, operands = ["MESH"], rows = [], words = name, load, run } = spec;
   const isHelp = parameters.includes("--help");
-  const others =
-    typeof spec.options === "function"
-      ? await spec.options(isHelp ? [] : parameters)
-      : spec.options;
+  const { options } = spec;
+  const others = typeof options === "function" ? options(isHelp ? [] : parameters) : options;
   const syntax = { summary, operands, options: { ...flagsOf(rows, words), ...others } };
   if (isHelp) {
     io.write(help(name, syntax));
     return 0;
   }
-  const { operands: given, values } = await parse(parameters, syntax);
+  const { operands: given, values } = parse(parameters, syntax);
   const asked = await (spec.ask?.(values, given, io) ?? readFlags(name, typed(rows, values)));
   const format = values.out && formatOf(values.out);
-  const written = Object.keys(syntax.options).filter((key) => syntax.options[key].written);
-  checkOutputs(["out", ...written].map((key) => values[key]));
+  for (const [key, { isWritten }] of Object.entries(syntax.options)) {
+    if (isWritten && values[key] !== undefined) checkOutput(values[key]);
+  }
   const mesh = operands[0] === "MESH" ? await readMesh(given[0], io) : null;
   const session = await open();
-  const loaded =
-    mesh && orExit(3, () => load?.(session, mesh, asked) ?? solver.perform(session, "load", mesh));
+  const loaded = mesh && (load?.(session, mesh, asked) ?? solver.perform(session, "load", mesh));
   const done = await run({ session, asked, values, operands: given, io, loaded });
-  if (format) writeMesh(session, values.out, io);
+  if (format) {
+    const losses = solver.perform(session, "losses", { format });
+    writeOutput(values.out, solver.perform(session, "export", { format }));
+    for (const loss of losses) io.log(say(loss));
+  }
   for (const [key, content] of Object.entries(done.files ?? {})) {
     if (values[key] !== undefined) writeOutput(values[key], content());
   }

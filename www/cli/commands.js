@@ -56,11 +56,11 @@ export const commands = {
     rows: schema.flips,
     options: {
       ...out,
-      history: { value: "FILE.csv", written: true, help: "every flip: edge, reduction, area, W" },
+      history: { value: "FILE.csv", isWritten: true, help: "every flip: edge, reduction, area, W" },
     },
     run({ session, asked, values, loaded }) {
       const options = { ...asked, history: values.history !== undefined };
-      const { history, ...result } = orExit(3, () => perform(session, "flip", { options }));
+      const { history, ...result } = perform(session, "flip", { options });
       const { warnings } = loaded.info;
       // Those who read the result rely on its keys.
       const told = warnings.length > 0 ? inWords({ ...result, warnings }) : result;
@@ -73,7 +73,7 @@ export const commands = {
     options: out,
     run({ session, asked }) {
       // Without steps: the flow's checks of the mesh are those of the regularisation.
-      orExit(3, () => perform(session, "configure", { options: { flow: "p-willmore" } }));
+      perform(session, "configure", { options: { flow: "p-willmore" } });
       const start = performance.now();
       const outcome = orExit(4, () => perform(session, "regularise", { options: asked }));
       return { result: { ...outcome, milliseconds: performance.now() - start } };
@@ -83,9 +83,7 @@ export const commands = {
     summary: "gives a surface other triangles, of one size or as small as it bends",
     rows: schema.remesh,
     options: out,
-    run({ session, asked }) {
-      return { result: orExit(3, () => perform(session, "remesh", { options: asked })) };
-    },
+    run: ({ session, asked }) => ({ result: perform(session, "remesh", { options: asked }) }),
   },
   fill,
   replay,

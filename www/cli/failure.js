@@ -23,9 +23,22 @@ export class Failure extends Error {
 /** @param {string} message @param {string} [hint] */
 export const usage = (message, hint) => new Failure(2, "Usage", message, hint);
 
-/** A refusal with its exit code; another error as it is. @param {2 | 3 | 4} exit @param {unknown} error */
+/** @param {unknown} error @returns {error is Refusal} */
+export const isRefusal = (error) =>
+  typeof error === "object" && error !== null && "kind" in error && "hint" in error;
+
+/**
+ * What a command ends with. Anything but a refusal in words is a defect of ours and is thrown on,
+ * stack and all.
+ * @param {2 | 3 | 4} exit  where the solver refuses @param {unknown} error
+ */
 export function failed(exit, error) {
-  if (!isRefusal(error)) return error;
+  if (error instanceof Failure) return error;
+  if (error instanceof WebAssembly.RuntimeError) {
+    const hint = "This is a defect of the solver; the mesh and the options will reproduce it.";
+    return new Failure(4, "Crashed", `The solver crashed: ${error.message}.`, hint);
+  }
+  if (!isRefusal(error)) throw error;
   const { kind, message, hint } = sayFault(error);
   const repairs = (error.repairs ?? []).map(repairInWords);
   const way = "`umbilic repair MESH --out FILE` writes such a surface.";
@@ -33,17 +46,19 @@ export function failed(exit, error) {
 }
 
 /**
- * Calls the solver and says which exit code its refusal would mean.
- * @template T @param {2 | 3 | 4} exit @param {() => T} call @returns {T}
+ * Does what may fail, and says in words that it did.
+ * @template T @param {() => T} work @param {(error: any) => Failure} told @returns {T}
  */
-export function orExit(exit, call) {
+export function attempt(work, told) {
   try {
-    return call();
+    return work();
   } catch (error) {
-    throw failed(exit, error);
+    throw told(error);
   }
 }
 
-/** @param {unknown} error @returns {error is Refusal} */
-export const isRefusal = (error) =>
-  typeof error === "object" && error !== null && "kind" in error && "hint" in error;
+/**
+ * Calls the solver where its refusal is not one of the input, as it is otherwise.
+ * @template T @param {2 | 4} exit @param {() => T} call @returns {T}
+ */
+export const orExit = (exit, call) => attempt(call, (error) => failed(exit, error));

@@ -6,7 +6,7 @@ import { byCurvature, rowOf } from "../options.js";
 import { isOver, perform } from "../session.js";
 import { say } from "../words.js";
 import { out } from "./command.js";
-import { isRefusal, orExit, usage } from "./failure.js";
+import { isRefusal, usage } from "./failure.js";
 import { numbered, readSelection } from "./files.js";
 import { flagsOf, readFlags, typed } from "./options.js";
 import { format, inWords } from "./text.js";
@@ -22,6 +22,8 @@ import { format, inWords } from "./text.js";
 const flows = schema.flows.filter(({ order }) => order > 0).map(({ id }) => id);
 /** How long a flow may go on, for every command that runs one. */
 const budget = ["maxSteps", "maxSeconds"].map(rowOf);
+/** Options that are lists of vertices, in files. */
+const selections = /** @type {const} */ (["free", "fixed"]);
 /** @type {Options} */
 const untilConverged = {
   "until-converged": { help: "until it comes to rest, however long that takes" },
@@ -36,7 +38,7 @@ function budgetOf(values) {
   return { maxSeconds: "auto" };
 }
 
-/** Steps until the run is over. @param {Session} session @param {Terminal} io */
+/** Steps until the run is over, and the exit code of that. @param {Session} session @param {Terminal} io */
 function runSteps(session, io) {
   /** @type {StepReport[]} */
   const steps = [];
@@ -54,7 +56,8 @@ function runSteps(session, io) {
     // Why a step failed is part of the outcome.
     if (!isRefusal(error)) throw error;
   }
-  return { steps, outcome: perform(session, "outcome") };
+  const outcome = perform(session, "outcome");
+  return { steps, outcome, exit: outcome.isBreakdown ? 4 : 0 };
 }
 
 /** How a run ended, in words. @param {Outcome} outcome */
@@ -64,9 +67,6 @@ const ended = ({ status, message, reason, fault }) => ({
   messageId: reason?.id ?? null,
   ...(fault && { kind: fault.kind, hint: say(fault.hint) }),
 });
-
-/** @param {Outcome} outcome */
-const exitOf = ({ isBreakdown }) => (isBreakdown ? 4 : 0);
 
 /** @type {Spec} */
 export const flow = {
@@ -80,15 +80,15 @@ export const flow = {
       help: "counts where the surface passes through itself, before and after",
     },
     ...out,
-    history: { value: "FILE.csv", written: true, help: "the readings of every step, as a table" },
-    report: { value: "FILE.json", written: true, help: "the report that --json prints" },
+    history: { value: "FILE.csv", isWritten: true, help: "the readings of every step, as a table" },
+    report: { value: "FILE.json", isWritten: true, help: "the report that --json prints" },
   },
-  async ask(values) {
+  ask(values) {
     /** @type {Record<string, string | number[]>} */
     const words = { flow: "circle", ...typed(schema.options, values), ...budgetOf(values) };
     if (words.flow === "flips")
       throw usage("Edge flips have a command of their own: umbilic flips.");
-    for (const name of /** @type {const} */ (["free", "fixed"])) {
+    for (const name of selections) {
       const file = words[name] ?? "auto";
       if (file !== "auto") words[name] = readSelection(String(file), name);
     }
@@ -96,10 +96,10 @@ export const flow = {
   },
   run({ session, asked, values, io, loaded }) {
     const options = { ...asked };
-    for (const name of ["free", "fixed"]) {
+    for (const name of selections) {
       if (asked[name]) options[name] = numbered(asked[name], loaded.numbers);
     }
-    orExit(3, () => perform(session, "configure", { options }));
+    perform(session, "configure", { options });
     const { p, boundary } = asked;
     const energies = { ...(p !== undefined && { p: [p] }), ...(boundary && { boundary }) };
     const readings = () => {
@@ -111,7 +111,7 @@ export const flow = {
       };
     };
     const initial = readings();
-    const { steps, outcome } = runSteps(session, io);
+    const { steps, outcome, exit } = runSteps(session, io);
     const { monitored, curvatureJump, soundness } = outcome;
     const warnings = outcome.warnings.filter(({ id }) => id === "warning-untrusted");
     const result = {
@@ -122,7 +122,7 @@ export const flow = {
     };
     const history = () => perform(session, "history");
     const report = () => `${JSON.stringify(result, null, 1)}\n`;
-    return { result, files: { history, report }, exit: exitOf(outcome) };
+    return { result, files: { history, report }, exit };
   },
 };
 
@@ -140,18 +140,18 @@ export const fill = {
     ...untilConverged,
     ...out,
   },
-  async ask(values) {
+  ask(values) {
     const { fair = "none" } = values;
     const words = { flow: fair, boundary: "fixed", ...budgetOf(values) };
     const limit = [...budget.map(({ flag }) => flag), "until-converged"].find((key) => values[key]);
     if (fair === "none" && limit) throw usage(`--${limit} needs --fair FLOW.`);
     return {
-      options: await readFlags("fill", typed(schema.fill, values)),
-      fair: fair === "none" ? null : await readFlags("flow", words),
+      options: readFlags("fill", typed(schema.fill, values)),
+      fair: fair === "none" ? null : readFlags("flow", words),
     };
   },
   run({ session, asked: { options, fair }, io }) {
-    const { firstVertex, ...filled } = orExit(3, () => perform(session, "fill", { options }));
+    const { firstVertex, ...filled } = perform(session, "fill", { options });
     const report = (/** @type {object} */ fairing, /** @type {typeof filled.warnings} */ more) => ({
       ...inWords({ ...filled, warnings: [...filled.warnings, ...more] }),
       ...fairing,
@@ -163,10 +163,10 @@ export const fill = {
       return { result: report({}, [{ id: "fair-nothing", values: { flow } }]) };
     }
     // The new vertices are those that move: the solver knows them.
-    orExit(3, () => perform(session, "configure", { options: fair }));
-    const { steps, outcome } = runSteps(session, io);
+    perform(session, "configure", { options: fair });
+    const { steps, outcome, exit } = runSteps(session, io);
     const { curvatureJump, warnings } = outcome;
     const fairing = { flow, ...ended(outcome), steps: steps.length, curvatureJump };
-    return { result: report({ fair: fairing }, warnings), exit: exitOf(outcome) };
+    return { result: report({ fair: fairing }, warnings), exit };
   },
 };

@@ -12,7 +12,7 @@ import { loadSolver } from "./solver.js";
  * @typedef {object} Option
  * @property {string | null} [value]  what follows it, e.g. `FILE`; none for a switch
  * @property {boolean} [many]         may be given more than once
- * @property {boolean} [written]      a file that the command writes
+ * @property {boolean} [isWritten]    a file that the command writes
  * @property {string} help
  */
 /** @typedef {Record<string, Option>} Options */
@@ -32,8 +32,8 @@ const common = {
 };
 
 /** @param {string[]} parameters @param {Syntax} syntax */
-export async function parse(parameters, syntax) {
-  const { positionals, ...typed } = await strictly(parameters, { ...syntax.options, ...common });
+export function parse(parameters, syntax) {
+  const { positionals, ...typed } = strictly(parameters, { ...syntax.options, ...common });
   /** @type {Values} */
   const values = typed.values;
   // A list is of all.
@@ -47,7 +47,7 @@ export async function parse(parameters, syntax) {
 }
 
 /** @param {string[]} args @param {Options} options */
-async function strictly(args, options) {
+function strictly(args, options) {
   const kinds = Object.entries(options).map(([name, { value, many = false }]) => [
     name,
     { type: value ? "string" : "boolean", multiple: many },
@@ -60,8 +60,7 @@ async function strictly(args, options) {
     if (!code.startsWith("ERR_PARSE_ARGS")) throw error;
     if (code !== "ERR_PARSE_ARGS_UNKNOWN_OPTION") throw usage(message);
     const typed = /'--?(?:no-)?([^' ]*)/.exec(message)?.[1] ?? "";
-    const { unknownFlag } = await loadSolver();
-    throw failed(2, unknownFlag(typed, Object.keys(options)));
+    throw failed(2, loadSolver().unknownFlag(typed, Object.keys(options)));
   }
 }
 
@@ -91,24 +90,22 @@ export function typed(rows, values) {
 /**
  * Options of a command by name, as text, read and checked by the solver; what was not given is left
  * out, so that the defaults stay in one place.
- * @param {string} command @param {Record<string, unknown>} words @returns {Promise<any>}
+ * @param {string} command @param {Record<string, unknown>} words
  */
-export async function readFlags(command, words) {
-  const solver = await loadSolver();
-  return orExit(2, () => solver.readFlags(command, words));
-}
+export const readFlags = (command, words) =>
+  orExit(2, () => loadSolver().readFlags(command, words));
 
 /** Help of a command. @param {string} name @param {Syntax} syntax @returns {string} */
 export function help(name, { summary, operands, options }) {
-  const lines = Object.entries({ ...options, ...common }).map(([option, o]) => {
-    return [`--${option}${o.value ? ` ${o.value}` : ""}`, o.help];
-  });
+  const lines = Object.entries({ ...options, ...common }).map(([option, { value, help }]) => [
+    `--${option}${value ? ` ${value}` : ""}`,
+    help,
+  ]);
   const width = Math.min(34, Math.max(...lines.map(([left]) => left.length)));
-  const rows = lines.map(([left, right]) =>
-    left.length > width
-      ? `  ${left}\n  ${" ".repeat(width)}  ${right}`
-      : `  ${left.padEnd(width)}  ${right}`,
-  );
+  const rows = lines.map(([left, right]) => {
+    const start = left.length > width ? `${left}\n  ${" ".repeat(width)}` : left.padEnd(width);
+    return `  ${start}  ${right}`;
+  });
   const use = ["umbilic", name, ...operands, "[options]"].join(" ");
   return `${use}\n\n${summary}\n\n${rows.join("\n")}\n`;
 }

@@ -19,15 +19,13 @@ export const replay = {
   options: out,
   ask: async (_, [file], io) => new TextDecoder().decode(readInput(file, io)),
   async run({ session, asked: text, operands: [file, given], io }) {
-    const { mesh, flow, estimate } = orExit(3, () => perform(session, "readRecipe", { text }));
+    const { mesh, flow, estimate } = perform(session, "readRecipe", { text });
     const script = { recipe: text };
     const bytes = await meshOf(mesh, file, given, io);
     if (estimate.isLong) io.log(`The recipe runs about ${estimate.steps} steps.`);
-    orExit(3, () => {
-      perform(session, "prepare", { script, bytes, name: "" });
-      advance(session, io);
-      perform(session, "configure", { options: flow });
-    });
+    perform(session, "prepare", { script, bytes, name: "" });
+    advance(session, io);
+    perform(session, "configure", { options: flow });
     orExit(4, () => {
       perform(session, "follow", { script });
       advance(session, io);

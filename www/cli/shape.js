@@ -3,42 +3,38 @@
 import { perform } from "../session.js";
 import { orExit, usage } from "./failure.js";
 import { formatOf, writtenHelp } from "./files.js";
-import { loadSolver } from "./solver.js";
+import { loadSolver, unknown } from "./solver.js";
 import { format, table } from "./text.js";
 
 /** @typedef {{ name: string, label: string, default: number }} Parameter */
 /** @typedef {{ name: string, label: string, parameters: Parameter[] }} Shape */
 
-/** What shapes there are. @returns {Promise<Shape[]>} */
-const all = async () => (await loadSolver()).Session.shapes();
+/** What shapes there are. @returns {Shape[]} */
+const all = () => loadSolver().Session.shapes();
 
 /** @param {string | undefined} name */
-async function find(name) {
-  const shapes = await all();
+function find(name) {
   if (name === undefined || name.startsWith("-")) {
     throw usage("Name the shape first: umbilic shape NAME.", "--list shows all there are.");
   }
-  const found = shapes.find((one) => one.name === name);
+  const found = all().find((one) => one.name === name);
   if (found) return found;
-  const { nearest } = await loadSolver();
-  const names = shapes.map((one) => one.name);
-  const near = nearest(name, names);
-  const hint = near ? `Did you mean \`${near}\`?` : "--list shows all there are.";
-  throw usage(`There is no shape \`${name}\`.`, hint);
+  const names = all().map((one) => one.name);
+  throw unknown("shape", name, names, "--list shows all there are.");
 }
 
 /** @type {import("./command.js").Spec} */
 export const shape = {
   summary: "writes a sample shape; its parameters are options",
   operands: ["NAME"],
-  async options(line) {
+  options(line) {
     const isPlain = line.length === 0 || line.includes("--list");
-    const parameters = isPlain ? [] : (await find(line[0])).parameters;
+    const parameters = isPlain ? [] : find(line[0]).parameters;
     return {
-      out: { value: "FILE", help: `the mesh: ${writtenHelp}` },
+      out: { value: "FILE", isWritten: true, help: `the mesh: ${writtenHelp}` },
       selection: {
         value: "FILE.json",
-        written: true,
+        isWritten: true,
         help: "the vertices that a flow should hold or move, if any, by their numbers in the mesh",
       },
       list: { help: "all shapes and their parameters" },
@@ -47,9 +43,9 @@ export const shape = {
       ),
     };
   },
-  async ask({ list, out, ...values }, [name]) {
+  ask({ list, out, ...values }, [name]) {
     if (list) return all();
-    const { parameters } = await find(name);
+    const { parameters } = find(name);
     if (out === undefined) throw usage("--out FILE is missing.");
     const given = parameters.filter((one) => values[one.name] !== undefined);
     // What is no number is refused by the solver, as any number out of range.
