@@ -31,6 +31,14 @@ const types = {
 /** What a web server says that a file of the site is. @param {string} file */
 export const typeOf = (file) => types[path.extname(file)] ?? "application/octet-stream";
 
+/** @param {string} within  a folder @returns {string[]} the files in it, with slashes, sorted */
+export const filesIn = (within) =>
+  readdirSync(within, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => path.relative(within, path.join(entry.parentPath, entry.name)))
+    .map((file) => file.split(path.sep).join("/"))
+    .sort();
+
 /** @returns {import("vite").Plugin} */
 export function umbilic() {
   let base = "/";
@@ -67,13 +75,10 @@ export function umbilic() {
         return code.replace(place, () => `new URL(${address}, location.origin).href`);
       }
       let copied = "";
-      for (const entry of readdirSync(site, { recursive: true, withFileTypes: true })) {
-        if (!entry.isFile()) continue;
-        const file = path.join(entry.parentPath, entry.name);
-        const name = path.relative(site, file).split(path.sep).join("/");
-        const fileName = `${folder}${name}`;
-        const asset = this.emitFile({ type: "asset", fileName, source: readFileSync(file) });
-        if (file === script) copied = asset;
+      for (const name of filesIn(site)) {
+        const source = readFileSync(path.join(site, name));
+        const asset = this.emitFile({ type: "asset", fileName: folder + name, source });
+        if (name === "embed.js") copied = asset;
       }
       // From there on: it may be a path from the root, and another place with a relative base.
       const address = `import.meta.ROLLUP_FILE_URL_${copied}`;

@@ -1,9 +1,8 @@
 // Every check of the source that needs no test run, cheapest first.
 
-import { existsSync } from "node:fs";
+import { copyFileSync, existsSync } from "node:fs";
 import path from "node:path";
-import { buildDocumentation } from "./documentation.js";
-import { root, run, runNode } from "./process.js";
+import { root, run, runNode, targetDir } from "./process.js";
 import { buildWasm } from "./wasm.js";
 
 /** @typedef {{ title: string, run: () => unknown }} Check */
@@ -16,6 +15,20 @@ export const formatChecks = [
     run: () => runNode(["node_modules/@biomejs/biome/bin/biome", "ci", "--error-on-warnings"]),
   },
 ];
+
+/**
+ * The documentation of the Rust source. Its formulas are set by the browser that shows it, with
+ * nothing fetched from elsewhere.
+ */
+export function buildDocumentation() {
+  const header = path.join(root, "www", "tools", "formulas.html");
+  const flags = ["-D", "warnings", "--html-in-header", header].join("\x1f");
+  run("cargo", ["doc", "--locked", "--no-deps", "--lib", "--document-private-items"], {
+    env: { CARGO_ENCODED_RUSTDOCFLAGS: flags },
+  });
+  const setter = path.join(root, "node_modules", "temml", "dist", "temml.min.js");
+  copyFileSync(setter, path.join(targetDir, "doc", "temml.min.js"));
+}
 
 /** @param {string} what @param {string[]} targets */
 const clippy = (what, ...targets) => ({

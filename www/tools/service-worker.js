@@ -2,20 +2,12 @@
 // files and a version made of all their contents.
 
 import { createHash } from "node:crypto";
-import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
+import { filesIn } from "../vite-plugin.js";
 
 /** Needed by few, or by nothing but a dialog: kept when there is time. */
 const isLater = (/** @type {string} */ file) => /\.png$|viewer-webgl/.test(file);
-
-/** @param {string} folder @returns {string[]} paths in it, with slashes, sorted */
-function filesIn(folder) {
-  return readdirSync(folder, { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile())
-    .map((entry) => path.relative(folder, path.join(entry.parentPath, entry.name)))
-    .map((file) => file.split(path.sep).join("/"))
-    .sort();
-}
 
 /**
  * Writes the service worker of a site that is complete but for it.
@@ -23,7 +15,7 @@ function filesIn(folder) {
  */
 export function writeServiceWorker(folder, source) {
   const code = readFileSync(source, "utf8");
-  /** @type {{ core: Record<string, string>, later: Record<string, string> }} */
+  /** @type {Record<"core" | "later", Record<string, string>>} */
   const built = { core: {}, later: {} };
   const whole = createHash("sha256").update(code);
   for (const file of filesIn(folder)) {

@@ -34,7 +34,7 @@ async function browsers() {
 /** @type {Promise<void>} */
 let built = Promise.resolve();
 function beginBuild() {
-  built = runLater(process.execPath, ["www/tools/build.js"]);
+  built = runLater(process.execPath, ["www/tools/task.js", "build"]);
 }
 
 /** @type {{ title: string, run: () => unknown }[]} */

@@ -22,17 +22,18 @@ const browser = await launch();
 /** A fifth of the bytes. @param {Buffer} png */
 async function asWebp(png) {
   const page = await browser.newPage();
-  const text = await page.evaluate(async (data) => {
-    const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
-    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-    canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
-    const blob = await canvas.convertToBlob({ type: "image/webp", quality: 0.7 });
-    const coded = new Uint8Array(await blob.arrayBuffer());
-    return btoa(Array.from(coded, (byte) => String.fromCharCode(byte)).join(""));
-  }, png.toString("base64"));
+  const webp = await page.evaluate(
+    async (data) => {
+      const bitmap = await createImageBitmap(new Blob([Uint8Array.from(data)]));
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
+      const blob = await canvas.convertToBlob({ type: "image/webp", quality: 0.7 });
+      return [...new Uint8Array(await blob.arrayBuffer())];
+    },
+    [...png],
+  );
   await page.close();
-  return Buffer.from(text, "base64");
+  return Buffer.from(webp);
 }
 
 /**

@@ -11,20 +11,20 @@ import path from "node:path";
 import { gzipSync } from "node:zlib";
 import { root, run, runNode, say, targetDir } from "./process.js";
 
-/**
- * The cargo feature, which is also the folder under `www/pkg`; our own crate's optimisation level,
- * and that of all others, where it is not the release profile's; whether it is shipped in two files.
- * @typedef {{ name: "solver" | "viewer" | "viewer-webgl", level: string, rest?: string, splits?: boolean }} Half
- */
+/** A cargo feature, which is also the folder under `www/pkg`. @typedef {"solver" | "viewer" | "viewer-webgl"} Half */
 
-/** @type {Half[]} */
-const halves = [
-  { name: "solver", level: "s", splits: true },
+/**
+ * Our own crate's optimisation level, and that of all others, where it is not the release profile's;
+ * whether it is shipped in two files.
+ * @type {Record<Half, { level: string, rest?: string, splits?: boolean }>}
+ */
+const halves = {
+  solver: { level: "s", splits: true },
   // What takes time in a picture is the browser's; the smallest code will do.
-  { name: "viewer", level: "z" },
+  viewer: { level: "z" },
   // Large with a shader compiler that runs once: for size, dependencies and all.
-  { name: "viewer-webgl", level: "z", rest: "z" },
-];
+  "viewer-webgl": { level: "z", rest: "z" },
+};
 /** What wasm-opt does: what it does not know to be there, it leaves alone. */
 const shrink = ["-Oz", "--strip-debug", "--strip-producers"];
 /** What every file may use; the one that is split off does not say. */
@@ -38,16 +38,12 @@ const DEFERRED = "split_deferred.wasm";
 
 /** Builds what is missing or out of date, as it is shipped. */
 export function buildWasm() {
-  for (const half of halves) buildHalf(half, "release");
+  for (const name of /** @type {Half[]} */ (Object.keys(halves))) buildHalf(name, "release");
 }
 
-/** The same of one file, for the development server. @param {Half["name"]} name */
-export function buildQuickly(name) {
-  for (const half of halves) if (half.name === name) buildHalf(half, "quick");
-}
-
-/** @param {Half} half @param {"release" | "quick"} profile */
-function buildHalf({ name, level, rest, splits }, profile) {
+/** @param {Half} name @param {"release" | "quick"} profile  as it is shipped, or for the development server */
+export function buildHalf(name, profile) {
+  const { level, rest, splits } = halves[name];
   const isSplit = splits && profile === "release";
   const target = "wasm32-unknown-unknown";
   say(`Compiling the ${name} (Rust to wasm; the first time takes minutes)`);
@@ -80,13 +76,13 @@ function buildHalf({ name, level, rest, splits }, profile) {
   if (isBuilt && readFileSync(stampFile, "utf8") === stamp) return;
 
   const bindgen = tool("bindgen");
-  const splitter = isSplit ? tool("splitter") : "";
+  const splitter = isSplit && tool("splitter");
   say(`Packing the ${name} into www/pkg/${name}`);
   rmSync(out, { recursive: true, force: true });
   mkdirSync(out, { recursive: true });
   const first = isSplit ? path.join(folder, `${name}.wasm`) : compiled;
   const deferred = path.join(out, DEFERRED);
-  if (isSplit) run(splitter, [compiled, first, deferred]);
+  if (splitter) run(splitter, [compiled, first, deferred]);
   run(bindgen, [first, out, name, "--strip-names"]);
   for (const file of isSplit ? [wasm, deferred] : [wasm]) {
     if (profile === "release") {

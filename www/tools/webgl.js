@@ -5,7 +5,7 @@ import { spawn } from "node:child_process";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { script } from "./process.js";
-import { buildQuickly } from "./wasm.js";
+import { buildHalf } from "./wasm.js";
 
 const self = fileURLToPath(import.meta.url);
 const isViewer = (/** @type {string} */ id) => id.endsWith("/viewer-webgl.js");
@@ -40,4 +40,4 @@ export const webglOnDemand = () => ({
   },
 });
 
-if (process.argv[1] === self) await script(() => buildQuickly("viewer-webgl"));
+if (process.argv[1] === self) await script(() => buildHalf("viewer-webgl", "quick"));
