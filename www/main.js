@@ -12,16 +12,7 @@ import { isDark } from "./store.js";
 import { dock } from "./view/dock.js";
 import { page } from "./view/page.js";
 import { fetchViews } from "./view/parts.js";
-import {
-  dialog,
-  drawer,
-  isDialogOpen,
-  overStage,
-  question,
-  rail,
-  top,
-  turn,
-} from "./view/shell.js";
+import * as shell from "./view/shell.js";
 import { createStage } from "./view/stage.js";
 import { fetchRest } from "./words.js";
 
@@ -47,7 +38,7 @@ Object.assign(page, {
   keysOn: signal(remembered("keys") !== "off"),
   finding: signal(null),
   chooseFile: () => file.click(),
-  turn,
+  turn: shell.turn,
   tool(/** @type {Mode} */ mode) {
     page.patch({ tab: "surface" });
     page.edit.mode(mode);
@@ -64,23 +55,16 @@ page.run.view({
 });
 dark.addEventListener("change", () => page.run.view({ systemDark: dark.matches }));
 
-/** A view in its place, anew whenever what it shows changes. @param {string} id @param {() => unknown} view */
-const mount = (id, view) =>
-  effect(() => {
-    render(view() ?? nothing, byId(id));
-  });
-
-mount("top", top);
-mount("rail", rail);
-mount("drawer", drawer);
-mount("dock", dock);
-mount("cards", overStage);
-for (const [id, view, isOpen] of /** @type {const} */ ([
-  ["dialog", dialog, isDialogOpen],
-  ["ask", question, (/** @type {S} */ s) => s.question !== null],
+const { top, rail, drawer, overStage: cards, dialog, question: ask } = shell;
+// Each view in its place, anew whenever what it shows changes.
+for (const [id, view] of Object.entries({ top, rail, drawer, dock, cards, dialog, ask })) {
+  effect(() => void render(view() ?? nothing, byId(id)));
+}
+for (const [id, isOpen] of /** @type {const} */ ([
+  ["dialog", shell.isDialogOpen],
+  ["ask", (/** @type {S} */ s) => s.question !== null],
 ])) {
   const element = /** @type {HTMLDialogElement} */ (byId(id));
-  mount(id, view);
   effect(() => {
     const s = page.state.value;
     element.className = s.dialog ?? "";
