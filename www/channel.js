@@ -15,7 +15,7 @@ export const LOST = "SolverLost";
  * @typedef {object} Hearer
  * @property {(message: any) => void} onEvent   what the worker says unasked
  * @property {(reason: string) => void} onLost  it has crashed; `dismiss` it
- * @property {(isSilent: boolean) => void} onSilent
+ * @property {(isSilent: boolean) => void} [onSilent]
  */
 
 /** @returns {Worker} @throws {Fault} */
@@ -59,7 +59,7 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
   function setSilent(now) {
     if (now === isSilent) return;
     isSilent = now;
-    onSilent(now);
+    onSilent?.(now);
   }
 
   /** Waits for a sign of life, where one is owed. */

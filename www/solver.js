@@ -70,18 +70,12 @@ export function withSelection(options, mesh) {
   return { ...options, free: list(mesh?.free), fixed: list(mesh?.fixed) };
 }
 
-/** Who does not want to know. @type {Listener} */
-const deaf = {
-  ...{ onReady() {}, onFrame() {}, onStopped() {}, onProgress() {}, onCrashed() {}, onSilent() {} },
-};
-
 /**
- * @param {Partial<Listener>} told
+ * @param {Partial<Listener>} listener
  * @param {{ patience?: number, pause?: number }} [waits]  in milliseconds: for a sign of life, and
  *   between attempts to bring the scene back
  */
-export function createSolver(told, { patience, pause = PAUSE } = {}) {
-  const listener = { ...deaf, ...told };
+export function createSolver(listener, { patience, pause = PAUSE } = {}) {
   const { onSilent } = listener;
   const channel = createChannel({ onEvent, onLost, onSilent }, patience);
   let run = 0;
@@ -127,8 +121,8 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
 
   /** @param {any} message */
   function onEvent(message) {
-    if (message.type === "ready") listener.onReady(message.version);
-    else if (message.type === "progress") listener.onProgress(message);
+    if (message.type === "ready") listener.onReady?.(message.version);
+    else if (message.type === "progress") listener.onProgress?.(message);
     else if (message.run !== run) return;
     else if (message.type === "frame") {
       scene.options = message.flow?.options ?? scene.options;
@@ -136,11 +130,11 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
       // Both halves begin at one place, which is that of the second.
       if (!film?.isBack || message.state.step > 0) {
         const { run: _, stored } = message;
-        listener.onFrame({ ...inFilm(message), run, stored });
+        listener.onFrame?.({ ...inFilm(message), run, stored });
       }
       channel.acknowledge(message.run);
     } else if (message.type === "stopped") {
-      listener.onStopped(signed(message.state), message.fault && sayFault(message.fault));
+      listener.onStopped?.(signed(message.state), message.fault && sayFault(message.fault));
     }
   }
 
@@ -156,7 +150,7 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
   function onLost(reason) {
     drop();
     // On the way back there is another attempt.
-    if (!revival) listener.onCrashed(reason);
+    if (!revival) listener.onCrashed?.(reason);
   }
 
   /** Ends the worker; whoever waits for it learns so. The next request starts another. */
@@ -332,16 +326,9 @@ export function createSolver(told, { patience, pause = PAUSE } = {}) {
     /** What the mesh was read from, if it was. @returns {Uint8Array<ArrayBuffer> | null} */
     file: () => scene.origin?.fields.bytes ?? null,
 
-    // What changes it, each with what is told of that.
-    adopt: async () => (await edit("adopt")).loaded,
-    /** @param {"linear" | "loop"} scheme */
-    subdivide: async (scheme) => (await edit("subdivide", { options: { scheme } })).loaded,
-    /** @param {Asked<"repair">["options"]} options */
-    repair: async (options) => (await edit("repair", { options })).loaded,
-    remesh: (/** @type {Asked<"remesh">["options"]} */ options) => edit("remesh", { options }),
-    /** Fills holes, or connects loops. @param {Asked<"fill">["options"]} options */
-    fill: (options) => edit("fill", { options }),
-    invert: (/** @type {number[]} */ centre) => edit("invert", { centre }),
+    // What changes it.
+    edit,
+    adopt: () => edit("adopt"),
     /** Takes the last edit back. */
     async undo() {
       const loaded = await ask("undo");

@@ -37,7 +37,7 @@ export function createEdit(core) {
   }
 
   /** @param {Options} options @param {string} what */
-  const adopt = async (options, what) => edited(await solver.adopt(), what, options);
+  const adopt = async (options, what) => edited((await solver.adopt()).loaded, what, options);
 
   /** Other options on the surface as it is, which becomes the start. @param {Options} options */
   async function restart(options) {
@@ -51,6 +51,13 @@ export function createEdit(core) {
     patch({ progress: { stage, fraction: 0 } });
     return core.stoppable(ask);
   };
+
+  /**
+   * What the solver makes of the mesh at hand.
+   * @template {"repair" | "remesh" | "fill"} N @param {N} name @param {object} options
+   */
+  const made = (name, options) =>
+    long(name, () => solver.edit(name, /** @type {any} */ ({ options })));
 
   /** All flips that gain anything, at once. */
   async function flipAll() {
@@ -85,13 +92,13 @@ export function createEdit(core) {
     },
     /** What keeps it from being a whole surface. @param {Partial<RepairOptions>} [wanted] */
     async repair(wanted = {}) {
-      const loaded = await long("repair", () => solver.repair(wanted));
+      const { loaded } = await made("repair", wanted);
       if (loaded.repaired.length > 0) await edited(loaded, say("edit-repair"), kept(loaded));
       core.showRepairs(loaded);
     },
     /** Other triangles of the same surface. @param {Partial<RemeshOptions>} wanted */
     async remesh(wanted) {
-      const { outcome, loaded } = await long("remesh", () => solver.remesh(wanted));
+      const { outcome, loaded } = await made("remesh", wanted);
       await edited(loaded, say("edit-remesh"), kept(loaded));
       const { before, after } = outcome;
       const [angle, angleNow] = [before.minAngleDegrees, after.minAngleDegrees];
@@ -99,7 +106,9 @@ export function createEdit(core) {
     },
     /** Divides each triangle into four. @param {"linear" | "loop"} scheme */
     async subdivide(scheme) {
-      const loaded = await core.stoppable(() => solver.subdivide(scheme));
+      const { loaded } = await core.stoppable(() =>
+        solver.edit("subdivide", { options: { scheme } }),
+      );
       await edited(loaded, say("edit-subdivision"), kept(loaded));
       notes.answer(say("subdivided", { count: loaded.info.faces }));
     },
@@ -119,7 +128,7 @@ export function createEdit(core) {
     },
     /** Fills holes, or connects loops; a flow on the new vertices is ready then. @param {Partial<FillOptions>} wanted */
     async fill(wanted) {
-      const { outcome: filled, loaded } = await long("fill", () => solver.fill(wanted));
+      const { outcome: filled, loaded } = await made("fill", wanted);
       const count = filled.filled.length;
       const { flow } = get().options;
       // Flows that a new patch is left to.
@@ -134,7 +143,9 @@ export function createEdit(core) {
     select: (free) => restart({ ...get().options, free, fixed: null }),
     /** @param {number[]} centre  from the middle of the surface's box, in diagonals of it */
     async invert(centre) {
-      const { outcome: report, loaded } = await core.stoppable(() => solver.invert(centre));
+      const { outcome: report, loaded } = await core.stoppable(() =>
+        solver.edit("invert", { centre }),
+      );
       await edited(loaded, say("edit-inversion"), get().options);
       const { before, after } = report;
       notes.answer(say("inverted", { change: Math.abs(after.circle - before.circle) }));

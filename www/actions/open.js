@@ -17,9 +17,9 @@ import { say } from "../words.js";
 /** @import { Core } from "./core.js" */
 
 /**
- * How a mesh is loaded: under a name, with options or, where they do not suit it, others. Its
- * origin is its source unless given; what is to be filled is so before it is shown.
- * @typedef {{ name: string, source: Source, origin?: Origin, ask: () => Promise<Loaded>, options: Options,
+ * How a mesh is loaded: under a name, with options or, where they do not suit it, others; what is to
+ * be filled is so before it is shown.
+ * @typedef {{ name: string, source: Source, origin: Origin, ask: () => Promise<Loaded>, options: Options,
  *   fallback: Options, scene: Partial<Scene>, fill?: Sample["fill"] }} Loading
  */
 
@@ -43,13 +43,13 @@ export function createOpen(core, run, compare) {
   const { get, patch, notes, solver, enqueue, rest, anew } = core;
 
   /** @param {Loading} loading */
-  async function load({ name, source, origin = source, ask, options, fallback, scene, fill }) {
+  async function load({ name, source, origin, ask, options, fallback, scene, fill }) {
     await rest();
     const { mesh: before, phase } = get();
     patch({ phase: "loading", loadingName: name, mode: null, preview: null });
     try {
       const shape = await ask();
-      const mesh = fill ? (await solver.fill(fill)).loaded : shape;
+      const mesh = fill ? (await solver.edit("fill", { options: fill })).loaded : shape;
       const camera = scene.camera ?? null;
       notes.clear();
       patch({ source, origin, mesh, reading: null, timeline: null, configured: null, earlier: [] });
@@ -119,15 +119,13 @@ export function createOpen(core, run, compare) {
     const sample = samples.find((one) => one.id === id) ?? samples[0];
     const { shape, parameters, fill } = sample;
     const fallback = { ...defaults, ...sample.options };
-    const shown = { options: { ...fallback, ...scene.options }, fallback, scene };
-    /** @type {Source} */
-    const source = { kind: "sample", id: sample.id };
-    if (scene.prepares) {
-      const ask = prepared(scene.prepares, null);
-      return load({ ...shown, name: shape, source: edited(shape), origin: source, ask });
-    }
+    const options = { ...fallback, ...scene.options };
+    const origin = /** @type {const} */ ({ kind: "sample", id: sample.id });
     const ask = () => solver.sample(shape, parameters);
-    return load({ ...shown, name: sampleName(sample.id), source, ask, fill });
+    const made = scene.prepares
+      ? { name: shape, source: edited(shape), ask: prepared(scene.prepares, null) }
+      : { name: sampleName(sample.id), source: origin, ask, fill };
+    await load({ ...made, origin, options, fallback, scene });
   }
 
   /**
@@ -143,19 +141,16 @@ export function createOpen(core, run, compare) {
     const { flow, boundary, p, keep, regularise } = get().options;
     const fallback = { ...defaults, boundary };
     const options = { ...fallback, flow, p, keep, regularise, ...scene.options };
-    const shown = { options, fallback, scene };
     const own = { name, file: whole, sha256: await sha256(bytes), bytes: bytes.byteLength };
-    const source = /** @type {const} */ ({ kind: "file", ...own });
-    if (scene.prepares) {
-      const ask = prepared(scene.prepares, file);
-      return load({ ...shown, name, source: edited(name), origin: source, ask });
-    }
+    const origin = /** @type {const} */ ({ kind: "file", ...own });
+    const made = scene.prepares
+      ? { name, source: edited(name), ask: prepared(scene.prepares, file) }
+      : { name: whole, source: origin, ask: () => solver.load(whole, bytes, repair) };
     try {
-      const ask = () => solver.load(whole, bytes, repair);
-      await load({ ...shown, name: whole, source, ask });
+      await load({ ...made, origin, options, fallback, scene });
     } catch (error) {
       const { message, hint, repairs } = /** @type {Fault} */ (error);
-      if (!repairs?.length) throw error;
+      if (!repairs?.length || scene.prepares) throw error;
       // No surface: with one press it is opened as the one that a repair makes of it.
       const act = () => enqueue(() => loadFile(file, scene, {}));
       const what = repairs.map((item) => say(item.message));
