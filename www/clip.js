@@ -188,14 +188,15 @@ export class Clip {
     });
   }
 
-  /** The point at or before a place. @param {number} u  from 0 to `total` */
-  at(u) {
-    const index = Math.max(
-      this.points.findLastIndex(({ sum }) => sum <= u),
-      0,
-    );
+  /**
+   * The point at or before a place, and the share of the way to the next.
+   * @param {number} u  from 0 to `total` @param {(point: Point) => number} of  what places are told by
+   */
+  at(u, of = ({ sum }) => sum) {
+    const found = this.points.findLastIndex((point) => of(point) <= u);
+    const index = Math.max(found, 0);
     const [last, next] = [this.points[index], this.points[index + 1]];
-    const share = next ? (u - last.sum) / (next.sum - last.sum) : 0;
+    const share = next ? (u - of(last)) / (of(next) - of(last)) : 0;
     return { index, share: Math.min(Math.max(share, 0), 1) };
   }
 
@@ -240,10 +241,8 @@ export class Clip {
 }
 
 /** @param {Point} point */
-const bytesOf = ({ positions, field, panes }) =>
-  (positions?.byteLength ?? 0) +
-  (field?.values.byteLength ?? 0) +
-  panes.reduce(
-    (sum, { triangles, wireEdges }) => sum + 2 * (triangles.length + wireEdges.length),
-    0,
-  );
+function bytesOf({ positions, field, panes }) {
+  let bytes = (positions?.byteLength ?? 0) + (field?.values.byteLength ?? 0);
+  for (const { triangles, wireEdges } of panes) bytes += 2 * (triangles.length + wireEdges.length);
+  return bytes;
+}

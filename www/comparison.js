@@ -58,17 +58,9 @@ export function align(lead, others, lockstep) {
     }
     const between = b ? b.state[lockstep] - a.state[lockstep] : 0;
     const wanted = a.state[lockstep] + part * between;
-    const n = Math.max(
-      points.findLastIndex(({ state }) => state[lockstep] <= wanted),
-      0,
-    );
-    const [p, q] = [points[n], points[n + 1]];
-    if (!p) other.u = 0;
-    else if (!q) other.u = total;
-    else {
-      const rest = (wanted - p.state[lockstep]) / (q.state[lockstep] - p.state[lockstep]);
-      other.u = p.sum + Math.max(rest, 0) * (q.sum - p.sum);
-    }
+    const place = other.clip.at(wanted, ({ state }) => state[lockstep]);
+    const [p, q] = [points[place.index], points[place.index + 1]];
+    other.u = q ? p.sum + place.share * (q.sum - p.sum) : total;
   }
 }
 
