@@ -27,12 +27,9 @@ import { plainArrangement } from "./options.js";
 export const linkIn = ({ search, hash }) =>
   hash.length > 1 ? { text: hash.slice(1), isOwn: true } : { text: search.slice(1), isOwn: false };
 
-/** What is shown at first. */
-const first = "bumpy-sphere";
-
-/** Without a link. @type {Readonly<Scene>} */
+/** What is shown without a link. @type {Readonly<Scene>} */
 export const plainScene = Object.freeze({
-  sample: first,
+  sample: "bumpy-sphere",
   mesh: null,
   hash: null,
   figure: null,

@@ -71,11 +71,6 @@ export function createPlayer({
   /** How long the clip lasts. */
   const seconds = () => tracks()[0]?.clip.seconds ?? secondsOf(0);
 
-  /** When the clip is to end: as long as usual, and what came late not in a rush. */
-  function plan() {
-    end = Math.max(seconds() * toPlay, spent + 0.6 * seconds() * share(tracks()[0]));
-  }
-
   /** @param {Track} track @param {number} by  seconds */
   function advance(track, by) {
     const left = Math.max(end - spent, 1e-3);
@@ -94,7 +89,8 @@ export function createPlayer({
       const waited = performance.now() - lastStart;
       if (steps < HEAD_START.steps && waited < HEAD_START.milliseconds) return;
     }
-    if (wasOpen) plan();
+    // As long as usual, and what came late not in a rush.
+    if (wasOpen) end = Math.max(seconds() * toPlay, spent + 0.6 * seconds() * share(lead));
     wasOpen = isOpen;
     const isFree = lockstep() === "progress";
     const moved = isFree ? all : [lead];
@@ -121,13 +117,18 @@ export function createPlayer({
     }
   }
 
+  const halt = () =>
+    batch(() => {
+      motion.value = "still";
+      isWaiting.value = false;
+    });
+
   /** @param {readonly Track[]} all */
   function finish(all) {
     place(all[0].clip.total);
     if (loops.peek()) return begin(true);
     batch(() => {
-      motion.value = "still";
-      isWaiting.value = false;
+      halt();
       redraw();
     });
     onEnd();
@@ -203,10 +204,7 @@ export function createPlayer({
     /** Stops where it is. */
     stop() {
       ease = null;
-      batch(() => {
-        motion.value = "still";
-        isWaiting.value = false;
-      });
+      halt();
     },
     /** Stops on a true step. @param {number} index  of the first clip's points */
     async rest(index) {

@@ -64,15 +64,9 @@ async function keep(path) {
 
 /** @param {string} path @param {Request} request */
 async function answer(path, request) {
-  if (Object.hasOwn(files, path)) {
-    try {
-      return await keep(path);
-    } catch {
-      return fetch(request);
-    }
-  }
-  // A page of the version before, still open.
-  return (await find(path)) ?? fetch(request);
+  // What is not among these is of a page of the version before, still open.
+  const known = Object.hasOwn(files, path) ? keep(path).catch(() => undefined) : find(path);
+  return (await known) ?? fetch(request);
 }
 
 scope.addEventListener("install", (event) => {

@@ -83,10 +83,8 @@ function advance() {
   // On the way to a step a limit is none: how far a minute goes depends on the machine.
   const isEnd = isOver(state.status) && !(report && until !== null && state.status === "stepLimit");
   if (!report || isEnd || report.step >= (until ?? Infinity)) {
-    running = false;
-    frame();
+    rest();
     page.postMessage({ type: "stopped", run, state, fault });
-    fetchAhead();
     return;
   }
   frame();
@@ -98,6 +96,13 @@ function frame(stored = false) {
   const shown = session.frame();
   page.postMessage({ type: "frame", run, stored, ...shown }, buffersOf(shown));
   owed += 1;
+}
+
+/** No more steps for now. */
+function rest() {
+  running = false;
+  frame();
+  fetchAhead();
 }
 
 /** Gives up what is done a piece at a time. */
@@ -201,11 +206,7 @@ const own = {
   },
   /** The step in hand was given up for it: where the session stands. */
   pause() {
-    if (running) {
-      running = false;
-      frame();
-      fetchAhead();
-    }
+    if (running) rest();
     return perform(session, "state");
   },
   /** Makes the mesh of a recipe or a link; the one at hand stays until it is there. */
