@@ -201,27 +201,20 @@ export function createOpen(core, run, compare) {
     notes.answer(say("recipe-wants-mesh", { name: mesh.name }));
   }
 
-  /** Whether a file is the one a link was made with; null where the link does not say. @param {Scene} scene @param {Uint8Array<ArrayBuffer>} bytes */
-  async function isLinked({ mesh, hash }, bytes) {
-    if (mesh === null || hash === null) return null;
-    const digest = await sha256(bytes);
-    return digest === "" ? null : digest.startsWith(hash);
-  }
-
   /** Files that were chosen: a link that is still being read does not take their place. */
   let chosen = 0;
 
   /** Settled once nothing runs or loads. */
   async function still() {
     const isBusy = () => get().running || get().phase === "loading";
-    for (;;) {
-      await enqueue(async () => {});
-      if (!isBusy()) return;
+    await enqueue(() => {});
+    while (isBusy()) {
       await new Promise((resolve) => {
         const end = core.state.subscribe(() => {
           if (!isBusy()) queueMicrotask(() => resolve(end()));
         });
       });
+      await enqueue(() => {});
     }
   }
 
@@ -260,7 +253,9 @@ export function createOpen(core, run, compare) {
       return notes.answer(say("recipe-other-mesh", { name }));
     }
     if (!scene) return loadFile(file, {});
-    const isFile = await isLinked(scene, file.bytes);
+    // Whether it is the file that the link was made with; null where that cannot be told.
+    const digest = scene.hash && (await sha256(file.bytes));
+    const isFile = digest ? digest.startsWith(scene.hash ?? "") : null;
     const isMeant = isFile || stem(file.name) === scene.mesh;
     const { prepares: _, follows: __, ...bare } = scene;
     // What was done to another mesh means nothing on this one.
@@ -313,16 +308,12 @@ export function createOpen(core, run, compare) {
     },
     /** @param {Address} address */
     async openLink(address) {
-      /** @type {unknown} */
-      let refusal = null;
       const before = chosen;
-      const read = await open.readLink(address).catch((error) => {
-        refusal = error;
-        return null;
-      });
+      const [read] = await Promise.allSettled([open.readLink(address)]);
       if (chosen !== before) return;
       // Where nothing is shown yet, that would be a dead end.
-      const scene = read ?? (get().mesh ? null : plainScene);
+      const none = get().mesh ? null : plainScene;
+      const scene = (read.status === "fulfilled" ? read.value : null) ?? none;
       if (scene) run.view(scene.view);
       if (scene?.sample) await open.sample(scene.sample, scene);
       else if (scene) {
@@ -331,7 +322,7 @@ export function createOpen(core, run, compare) {
         notes.error({ message: say("link-wants-file", { mesh: scene.mesh }), hint });
       }
       // Said now: a mesh that is loaded clears what was said before.
-      if (refusal) core.report(refusal);
+      if (read.status === "rejected") core.report(read.reason);
       if (scene?.sample) await check(scene);
     },
     /** @param {boolean} [shared]  sent to somebody, so that there is always an energy to compare */
