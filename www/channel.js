@@ -18,16 +18,6 @@ export const LOST = "SolverLost";
  * @property {(isSilent: boolean) => void} [onSilent]
  */
 
-/** @returns {Worker} @throws {Fault} */
-function begun() {
-  try {
-    return new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-  } catch (error) {
-    const { message: reason } = /** @type {Error} */ (error);
-    throw fault("NoWorker", "worker-forbidden", { reason });
-  }
-}
-
 /** @param {Hearer} hearer @param {number} [patience] */
 export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE) {
   /** @type {Worker | null} */
@@ -40,8 +30,8 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
   let lastId = 0;
   /** @type {Map<number, { resolve: (ok: any) => void, reject: (fault: Fault) => void }>} */
   const waiting = new Map();
-  /** @type {ReturnType<typeof setTimeout> | null} */
-  let watch = null;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let watch;
   /**
    * A URL that the worker fetches within long steps. It has none of its messages then, and memory
    * is shared with no page that a plain host serves; but that the URL is revoked it notices.
@@ -64,17 +54,17 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
 
   /** Waits for a sign of life, where one is owed. */
   function expect() {
-    if (watch !== null || isSilent || !isReady || (waiting.size === 0 && running === null)) return;
+    if (watch || isSilent || !isReady || (waiting.size === 0 && running === null)) return;
     watch = setTimeout(() => {
-      watch = null;
+      watch = undefined;
       setSilent(true);
     }, patience);
   }
 
   /** There was one. */
   function heard() {
-    if (watch !== null) clearTimeout(watch);
-    watch = null;
+    clearTimeout(watch);
+    watch = undefined;
     setSilent(false);
   }
 
@@ -98,7 +88,14 @@ export function createChannel({ onEvent, onLost, onSilent }, patience = PATIENCE
   /** @throws {Fault} where the page may start none */
   function begin() {
     if (worker) return worker;
-    const started = begun();
+    /** @type {Worker} */
+    let started;
+    try {
+      started = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    } catch (error) {
+      const { message: reason } = /** @type {Error} */ (error);
+      throw fault("NoWorker", "worker-forbidden", { reason });
+    }
     started.onmessage = ({ data }) => started === worker && receive(data);
     started.onerror = (event) => {
       if (started === worker) onLost(event.message || say("worker-not-loaded"));

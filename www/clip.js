@@ -165,14 +165,11 @@ export class Clip {
   /** @param {Point} a @param {Point} b */
   #change(a, b) {
     const isOther = a.drawable !== b.drawable;
-    b.isCut = isOther || b.panes.length > 0 || a.panes.length > 0;
+    const isLike = a.positions?.length === b.positions?.length;
+    b.isCut = isOther || !isLike || !a.positions || b.panes.length > 0 || a.panes.length > 0;
     // Nothing can be measured from triangles to others: as much as a step next to it.
     if (isOther) return a.change || (this.points[this.points.indexOf(b) + 1]?.change ?? 0);
-    if (!a.positions || !b.positions || a.positions.length !== b.positions.length) {
-      b.isCut = true;
-      return 0;
-    }
-    if (b.isCut) return 0;
+    if (b.isCut || !a.positions || !b.positions) return 0;
     const triangles = b.drawable?.triangles ?? this.#triangles;
     const { change, isSharp } = changeOf(a.positions, b.positions, triangles, this.#size);
     b.isSharp = isSharp;

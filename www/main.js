@@ -49,10 +49,8 @@ Object.assign(page, {
 page.stage = createStage(byId("panes"), quality);
 
 const theme = remembered("theme");
-page.run.view({
-  systemDark: dark.matches,
-  ...(theme === "light" || theme === "dark" ? { theme } : {}),
-});
+if (theme === "light" || theme === "dark") page.run.view({ theme });
+page.run.view({ systemDark: dark.matches });
 dark.addEventListener("change", () => page.run.view({ systemDark: dark.matches }));
 
 const { top, rail, drawer, overStage: cards, dialog, question: ask } = shell;

@@ -128,6 +128,17 @@ export const sayFault = ({ message, hint, ...rest }) => ({
 });
 
 /**
+ * What went wrong, in words: a refusal, which has a kind, or an error of the page's own. A worker
+ * that could not be asked refuses in no language.
+ * @param {any} error @returns {Fault}
+ */
+export function faultOf(error) {
+  if (typeof error?.message === "object") return sayFault(error);
+  if (error?.kind) return error;
+  return { kind: "", message: String(error?.message ?? error), hint: "", detail: {} };
+}
+
+/**
  * What the page itself refuses, in words.
  * @param {string} kind @param {string} id  of the words @param {Record<string, unknown>} [values]
  * @param {string} [hint]  id of its words; empty for none @returns {Fault}

@@ -7,7 +7,7 @@ import { changeOf, MOST_PANES, optionsOf, timeUnitsAgree } from "../comparison.j
 import { isRead } from "../options.js";
 import { createSolver, withSelection } from "../solver.js";
 import { alone } from "../store.js";
-import { say, sayFault } from "../words.js";
+import { faultOf, say } from "../words.js";
 import { take } from "./core.js";
 
 /** @import { Scene } from "../link.js" */
@@ -95,12 +95,10 @@ export function createCompare(core) {
       if (clip.points[0]) clip.points[0].field = field;
       changed(rival, { phase: "ready", reason: "", reading, held });
     } catch (error) {
-      const fault = /** @type {any} */ (error);
-      if (fault?.kind === LOST) return;
-      const said = typeof fault?.message === "object" ? sayFault(fault) : fault;
-      const message = String(said?.message ?? error);
-      changed(rival, { phase: "lost", reason: message });
-      notes.error({ message, hint: said?.hint ?? "" });
+      const fault = faultOf(error);
+      if (fault.kind === LOST) return;
+      changed(rival, { phase: "lost", reason: fault.message });
+      notes.error(fault);
     }
     player.place(lead.u);
   }

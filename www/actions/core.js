@@ -8,7 +8,7 @@ import { createPlayer } from "../player.js";
 import { rangeOf } from "../range.js";
 import { isOver } from "../session.js";
 import { CANCELLED, createSolver } from "../solver.js";
-import { say, sayFault } from "../words.js";
+import { faultOf, say } from "../words.js";
 
 /** @import { Point } from "../clip.js" */
 /** @import { Frame as Taken, Loaded, Message, State as Reading } from "../generated/types.js" */
@@ -158,11 +158,9 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   function report(error) {
     // Whoever ended the solver has said so already.
     if (error?.kind === LOST || error?.kind === CANCELLED) return;
-    // A worker that could not be asked refuses in no language.
-    const fault = typeof error?.message === "object" ? sayFault(error) : error;
-    if (error?.kind) return notes.error(fault, core.offers(fault));
-    notes.error({ message: String(error?.message ?? error), hint: "" });
-    console.error(error);
+    const fault = faultOf(error);
+    notes.error(fault, fault.kind ? core.offers(fault) : []);
+    if (!fault.kind) console.error(error);
   }
 
   // One thing at a time: a load followed by its options must not mix with another load.

@@ -24,7 +24,7 @@ export function buildDocumentation() {
   const header = path.join(root, "www", "tools", "formulas.html");
   const flags = ["-D", "warnings", "--html-in-header", header].join("\x1f");
   run("cargo", ["doc", "--locked", "--no-deps", "--lib", "--document-private-items"], {
-    env: { CARGO_ENCODED_RUSTDOCFLAGS: flags },
+    CARGO_ENCODED_RUSTDOCFLAGS: flags,
   });
   const setter = path.join(root, "node_modules", "temml", "dist", "temml.min.js");
   copyFileSync(setter, path.join(targetDir, "doc", "temml.min.js"));

@@ -23,7 +23,7 @@ function nodeVersion() {
 }
 
 /** Installs the node packages when they are missing or older than the lock file. */
-export function nodePackages() {
+function nodePackages() {
   const installed = path.join(root, "node_modules", ".package-lock.json");
   const lock = path.join(root, "package-lock.json");
   if (existsSync(installed) && statSync(installed).mtimeMs >= statSync(lock).mtimeMs) return;
@@ -35,7 +35,7 @@ export function nodePackages() {
 }
 
 /** Checks for cargo and adds the wasm target to the toolchain when it is not there. */
-export function rust() {
+function rust() {
   if (ask("cargo", ["--version"]) === null) {
     throw new Refusal("Rust is needed and cargo was not found. Install it from https://rustup.rs.");
   }

@@ -22,12 +22,12 @@ export function say(text) {
 /**
  * Runs a program with the terminal attached and waits for it.
  * @param {string} program @param {string[]} parameters
- * @param {{ env?: Record<string, string>, cwd?: string }} [options]
+ * @param {Record<string, string>} [env]
  * @throws {Refusal} when it cannot be started or ends with anything but 0
  */
-export function run(program, parameters, { env = {}, cwd = root } = {}) {
+export function run(program, parameters, env) {
   const { error, status, signal } = spawnSync(program, parameters, {
-    cwd,
+    cwd: root,
     stdio: "inherit",
     env: { ...process.env, ...env },
   });
@@ -59,11 +59,8 @@ export function runLater(program, parameters) {
 /**
  * Runs a node program, among them those of the installed packages.
  * @param {string[]} parameters  script and its arguments
- * @param {{ env?: Record<string, string> }} [options]
  */
-export function runNode(parameters, options) {
-  run(process.execPath, parameters, options);
-}
+export const runNode = (parameters) => run(process.execPath, parameters);
 
 /**
  * Standard output of a program, or null when it is missing or fails.

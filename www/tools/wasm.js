@@ -61,7 +61,7 @@ export function buildHalf(name, profile) {
     ...(isSplit ? ["--config", `profile.${profile}.strip="none"`] : []),
   ];
   const rustFlags = [...flags(), ...(isSplit ? ["-C", "link-arg=--emit-relocs"] : [])];
-  run("cargo", parameters, { env: { CARGO_ENCODED_RUSTFLAGS: rustFlags.join("\x1f") } });
+  run("cargo", parameters, { CARGO_ENCODED_RUSTFLAGS: rustFlags.join("\x1f") });
   const compiled = path.join(folder, target, profile, "umbilic.wasm");
 
   const out = path.join(root, "www", "pkg", name);
