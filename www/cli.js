@@ -2,7 +2,6 @@
 // The command line: arguments in, one `Session`, JSON and mesh files out.
 
 import { readFileSync, realpathSync } from "node:fs";
-import { fileURLToPath } from "node:url";
 import { perform } from "./cli/command.js";
 import { commands, overview } from "./cli/commands.js";
 import { failed, usage } from "./cli/failure.js";
@@ -68,5 +67,5 @@ process.stdout.on("error", (error) => {
 });
 
 /** Whether this file is the program and not imported; npm starts it through a link. */
-const started = process.argv[1] && realpathSync(process.argv[1]) === fileURLToPath(import.meta.url);
+const started = process.argv[1] && realpathSync(process.argv[1]) === import.meta.filename;
 if (started) process.exitCode = await main(process.argv.slice(2), terminal, openSession);

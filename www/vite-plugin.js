@@ -4,10 +4,9 @@
 
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
-import { fileURLToPath } from "node:url";
 
 /** The built site. */
-const site = fileURLToPath(new URL("../dist/", import.meta.url));
+const site = path.join(import.meta.dirname, "../dist/");
 const script = path.join(site, "embed.js");
 /** How the element says where it is. */
 const place = "import.meta.url";

@@ -16,9 +16,9 @@ export function prerequisites() {
 
 /** Vite, the strictest of the packages, wants 20.19. */
 function nodeVersion() {
-  const [major, minor] = process.versions.node.split(".").map(Number);
-  if (major < 20 || (major === 20 && minor < 19)) {
-    throw new Refusal(`Node 20.19 or newer is needed; this is ${process.versions.node}.`);
+  const { node } = process.versions;
+  if (node.localeCompare("20.19", "en", { numeric: true }) < 0) {
+    throw new Refusal(`Node 20.19 or newer is needed; this is ${node}.`);
   }
 }
 

@@ -2,11 +2,10 @@
 
 import { execFile, spawnSync } from "node:child_process";
 import path from "node:path";
-import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 
 /** The repository's folder. */
-export const root = fileURLToPath(new URL("../..", import.meta.url));
+export const root = path.join(import.meta.dirname, "../../");
 
 /** Where cargo builds; honours cargo's own variable. */
 export const targetDir = path.resolve(root, process.env.CARGO_TARGET_DIR ?? "target");

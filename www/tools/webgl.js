@@ -2,24 +2,22 @@
 // asks for it.
 
 import { spawn } from "node:child_process";
+import { once } from "node:events";
 import path from "node:path";
-import { fileURLToPath } from "node:url";
 import { script } from "./process.js";
 import { buildHalf } from "./wasm.js";
 
-const self = fileURLToPath(import.meta.url);
+const self = import.meta.filename;
 const isViewer = (/** @type {string} */ id) => id.endsWith("/viewer-webgl.js");
 
 /** @type {Promise<void> | null} */
 let built = null;
 
-/** Compiles it in a process of its own: the server goes on serving. @returns {Promise<void>} */
-const build = () =>
-  new Promise((resolve, reject) => {
-    spawn(process.execPath, [self], { stdio: "inherit" }).on("exit", (code) =>
-      code === 0 ? resolve() : reject(new Error("the viewer for WebGL2 could not be compiled")),
-    );
-  });
+/** Compiles it in a process of its own: the server goes on serving. */
+async function build() {
+  const [code] = await once(spawn(process.execPath, [self], { stdio: "inherit" }), "exit");
+  if (code !== 0) throw new Error("the viewer for WebGL2 could not be compiled");
+}
 
 /** @returns {import("vite").Plugin} */
 export const webglOnDemand = () => ({
