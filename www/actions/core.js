@@ -210,6 +210,12 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     }
   }
 
+  /** Says what is under way until it is done. @template T @param {string} stage @param {() => Promise<T>} ask */
+  function during(stage, ask) {
+    patch({ progress: { stage, fraction: 0 } });
+    return ask().finally(() => patch({ progress: null }));
+  }
+
   /** Gives it up, and all stays as it was. @returns {Promise<boolean>} whether there was something */
   async function giveUp() {
     if (!ending) return false;
@@ -354,7 +360,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   const core = {
     ...{ store, state: store.state, get, patch, notes, solver, player, lead, tracks },
     ...{ enqueue, atRest, rest, settle, anew, refill, show, shown, shownIndex, isStill },
-    ...{ configure, colour, run, mend, revive, report, stoppable, giveUp },
+    ...{ configure, colour, run, mend, revive, report, stoppable, during, giveUp },
     /** Whether the last step is the last there will be. */
     isOver: () => isOver(lead.clip.last?.state.status ?? "ready"),
     // What the groups of actions know, and put in their place.

@@ -47,10 +47,7 @@ export function createEdit(core) {
   }
 
   /** @template T @param {string} stage @param {() => Promise<T>} ask */
-  const long = (stage, ask) => {
-    patch({ progress: { stage, fraction: 0 } });
-    return core.stoppable(ask);
-  };
+  const long = (stage, ask) => core.during(stage, () => core.stoppable(ask));
 
   /**
    * What the solver makes of the mesh at hand.
@@ -151,10 +148,8 @@ export function createEdit(core) {
       notes.answer(say("inverted", { change: Math.abs(after.circle - before.circle) }));
     },
     /** The stored steps as a ZIP of meshes. @param {string} format @param {number} every */
-    sequence(format, every) {
-      patch({ progress: { stage: "sequence", fraction: 0 } });
-      return solver.ask("sequence", { format, every }).finally(() => patch({ progress: null }));
-    },
+    sequence: (format, every) =>
+      core.during("sequence", () => solver.ask("sequence", { format, every })),
   };
 
   const edit = {

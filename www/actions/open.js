@@ -61,16 +61,14 @@ export function createOpen(core, run, compare) {
       // A new solver knows of none.
       await run.arranged(scene.arrangement ?? {});
       if (scene.colour && scene.colour !== get().colour) patch({ colour: scene.colour });
-      const suits = await core.configure(options).then(
-        () => true,
-        async (error) => {
-          if (error?.kind === LOST) throw error;
-          // A mesh without a flow would be a dead end: said, and another flow in its place.
-          core.report(error);
-          await core.configure(fallback);
-          return false;
-        },
-      );
+      let suits = true;
+      await core.configure(options).catch((error) => {
+        if (error?.kind === LOST) throw error;
+        // A mesh without a flow would be a dead end: said, and another flow in its place.
+        core.report(error);
+        suits = false;
+        return core.configure(fallback);
+      });
       patch({ phase: "ready" });
       if (get().colour !== "none") await core.colour(get().colour);
       if (!suits) return;
@@ -104,10 +102,8 @@ export function createOpen(core, run, compare) {
   /** @template T @param {() => Promise<T>} ask */
   function replayed(ask) {
     isReplaying = true;
-    patch({ progress: { stage: "replay", fraction: 0 } });
-    return ask().finally(() => {
+    return core.during("replay", ask).finally(() => {
       isReplaying = false;
-      patch({ progress: null });
     });
   }
   /** The mesh that a recipe or a link begins with, and of it what its edits made. @param {ScriptText} script @param {Bytes | null} file */
