@@ -15,14 +15,11 @@ const withoutGzip = (/** @type {string} */ name) => name.replace(/\.gz$/i, "");
 /** What a file system adds of its own. @param {string} name */
 const isHidden = (name) => name.startsWith("__MACOSX/") || base(name).startsWith(".");
 
-/** @param {Bytes} file @returns {Promise<Part[]>} */
-async function partsOf({ name, bytes }) {
-  if (isGzip(bytes)) {
-    const plain = await gunzip(bytes);
-    return isZip(plain)
-      ? partsOf({ name: withoutGzip(name), bytes: plain })
-      : [{ name: withoutGzip(name), size: plain.length, read: async () => plain }];
-  }
+/** What is in a file, but for gzip in gzip. @param {Bytes} file @returns {Promise<Part[]>} */
+async function partsOf(file) {
+  const isPacked = isGzip(file.bytes);
+  const bytes = isPacked ? await gunzip(file.bytes) : file.bytes;
+  const name = isPacked ? withoutGzip(file.name) : file.name;
   if (!isZip(bytes)) return [{ name, size: bytes.length, read: async () => bytes }];
   const entries = entriesOf(bytes).filter((entry) => !isHidden(entry.name));
   const models = entries.filter((entry) => /^3D\/.*\.model$/i.test(entry.name));
@@ -110,10 +107,9 @@ export async function meshAmong(files) {
   const read = await mesh.read();
   const plain = isGzip(read) ? await gunzip(read) : read;
   const name = base(withoutGzip(mesh.name));
-  const isScene = /\.gltf$/i.test(name);
   return {
     name,
-    bytes: isScene ? await withBuffers(plain, mesh.name, parts) : plain,
+    bytes: /\.gltf$/i.test(name) ? await withBuffers(plain, mesh.name, parts) : plain,
     others: meshes.filter((one) => one !== mesh).map((one) => one.name),
   };
 }
