@@ -1,6 +1,6 @@
 // The icons of the installed page, drawn from www/icon.svg: `node www/tools/icons.js`.
 
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { launch, openPage } from "../../tests/web/support/browser.js";
 import { root } from "./process.js";
@@ -15,7 +15,6 @@ const icons = [
   { name: "maskable-512", size: 512, isMaskable: true },
 ];
 
-mkdirSync(folder, { recursive: true });
 const browser = await launch();
 for (const { name, size, isMaskable } of icons) {
   const { page, close } = await openPage(browser, { viewport: { width: size, height: size } });

@@ -31,14 +31,8 @@ export function writeServiceWorker(folder, source) {
 }
 
 /** @param {string} source @returns {import("vite").Plugin} */
-export function serviceWorker(source) {
-  let folder = "";
-  return {
-    name: "service-worker",
-    apply: "build",
-    configResolved({ root, build }) {
-      folder = path.resolve(root, build.outDir);
-    },
-    closeBundle: () => writeServiceWorker(folder, source),
-  };
-}
+export const serviceWorker = (source) => ({
+  name: "service-worker",
+  apply: "build",
+  writeBundle: ({ dir = "" }) => writeServiceWorker(dir, source),
+});

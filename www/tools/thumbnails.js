@@ -1,7 +1,7 @@
 // The small pictures of the library, taken from the built page: samples before and after their
 // flow, and the figures of the papers. `node www/tools/thumbnails.js [id …]`.
 
-import { mkdirSync, writeFileSync } from "node:fs";
+import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { until, untilDrawn } from "../../tests/web/support/app.js";
 import { launch, openPage } from "../../tests/web/support/browser.js";
@@ -15,7 +15,6 @@ const MOST = 30;
 
 const folder = path.join(root, "www", "thumbnails");
 const wanted = process.argv.slice(2);
-mkdirSync(folder, { recursive: true });
 const server = await serve();
 const browser = await launch();
 
