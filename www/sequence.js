@@ -50,14 +50,13 @@ export async function sequence(session, format, every, tell) {
     if (error) throw error;
     parts.push(/** @type {Uint8Array<ArrayBuffer>} */ (part));
   });
-  const { at } = perform(session, "timeline");
-  const { name } = perform(session, "loaded");
-  const stem = name.replace(/[^\p{L}\p{N}._-]+/gu, "-");
-  const digits = String(perform(session, "timeline").last).length;
+  const { at, last } = perform(session, "timeline");
+  const stem = perform(session, "loaded").name.replace(/[^\p{L}\p{N}._-]+/gu, "-");
+  const digits = Math.max(4, String(last).length);
   const seen = new Set();
   try {
     for (const step of chosen(session, every)) {
-      const number = String(step).padStart(Math.max(4, digits), "0");
+      const number = String(step).padStart(digits, "0");
       // A step that was regularised is there twice.
       const twice = seen.has(step) ? "-regularised" : "";
       seen.add(step);

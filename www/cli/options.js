@@ -17,11 +17,9 @@ import { loadSolver } from "./solver.js";
  */
 /** @typedef {Record<string, Option>} Options */
 /**
- * What a command accepts.
- * @typedef {object} Syntax
- * @property {string} summary     one line
- * @property {string[]} operands  names of the arguments without a dash, e.g. `MESH`; `[MESH]` may be left out
- * @property {Options} options
+ * What a command accepts: a summary in one line, and names of the arguments without a dash, such as
+ * `MESH`, of which `[MESH]` may be left out.
+ * @typedef {{ summary: string, operands: string[], options: Options }} Syntax
  */
 /** What was typed: text, lists of text for `many`, booleans for switches. @typedef {Record<string, any>} Values */
 
