@@ -136,15 +136,14 @@ if (!embedding) {
     if (file.files?.length) openFiles([...file.files]);
     file.value = "";
   });
-  for (const kind of ["dragover", "dragleave", "drop"]) {
+  for (const kind of /** @type {const} */ (["dragover", "dragleave", "drop"])) {
     addEventListener(kind, (event) => {
       if (kind !== "dragleave") event.preventDefault();
       document.documentElement.classList.toggle("dropping", kind === "dragover");
+      const { files = [] } = event.dataTransfer ?? {};
+      if (kind === "drop" && files.length > 0) openFiles([...files]);
     });
   }
-  addEventListener("drop", ({ dataTransfer }) => {
-    if (dataTransfer?.files.length) openFiles([...dataTransfer.files]);
-  });
 }
 
 /** After the scene of the address, which they replace. @param {File[]} files */

@@ -43,13 +43,11 @@ export function run(program, parameters, env) {
 export function runLater(program, parameters) {
   const running = promisify(execFile)(program, parameters, { cwd: root, maxBuffer: 1e9 });
   process.on("exit", () => running.child.kill());
-  const done = running.then(
-    ({ stdout, stderr }) => console.log(stdout, stderr),
-    ({ stdout, stderr, message }) => {
-      console.log(stdout, stderr);
-      throw new Refusal(message.split("\n")[0]);
-    },
-  );
+  const ended = running.catch((error) => error);
+  const done = ended.then(({ stdout, stderr, message }) => {
+    console.log(stdout, stderr);
+    if (message) throw new Refusal(message.split("\n")[0]);
+  });
   // Whoever waits for it learns of a failure; nobody may, where something else failed before.
   done.catch(() => {});
   return done;
