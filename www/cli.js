@@ -2,7 +2,7 @@
 // The command line: arguments in, one `Session`, JSON and mesh files out.
 
 import { readFileSync, realpathSync } from "node:fs";
-import { perform } from "./cli/command.js";
+import { execute } from "./cli/command.js";
 import { commands, overview } from "./cli/commands.js";
 import { failed, usage } from "./cli/failure.js";
 import { openSession, unknown } from "./cli/solver.js";
@@ -40,7 +40,7 @@ export async function main(parameters, io, open) {
 
 /** @type {typeof main} */
 async function dispatch([name = "", ...parameters], io, open) {
-  if (Object.hasOwn(commands, name)) return perform(name, commands[name], { parameters, io, open });
+  if (Object.hasOwn(commands, name)) return execute(name, commands[name], { parameters, io, open });
   if (name === "--help") io.write(overview());
   else if (name === "--version") {
     const file = new URL("../package.json", import.meta.url);

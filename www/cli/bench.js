@@ -3,7 +3,6 @@
 import { readdirSync } from "node:fs";
 import path from "node:path";
 import * as schema from "../generated/schema.js";
-import { perform } from "../session.js";
 import { say } from "../words.js";
 import { attempt, orExit, usage } from "./failure.js";
 import { isMesh, readHelp, readInput, readMesh } from "./files.js";
@@ -26,11 +25,11 @@ export const bench = {
     if (options.table !== "robustness") throw usage("--meshes needs --table robustness.");
     return { ...options, meshes: await meshesIn(values.meshes, io) };
   },
-  run({ session, asked: options, io }) {
-    const { columns, left, digits, row } = orExit(4, () => perform(session, "bench", { options }));
+  run({ perform, asked: options, io }) {
+    const { columns, left, digits, row } = orExit(4, () => perform("bench", { options }));
     const cells = [];
     const rows = [];
-    for (let next = row; next; next = orExit(4, () => perform(session, "bench")).row) {
+    for (let next = row; next; next = orExit(4, () => perform("bench")).row) {
       const said = next.map((/** @type {any} */ value) => (value?.id ? say(value) : value));
       const shown = said.map((value) => cell(value, digits));
       io.log(columns.map((column, i) => `${column} ${shown[i]}`).join("  "));

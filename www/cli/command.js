@@ -1,7 +1,7 @@
 // How every command runs: what was typed is read and checked, places to write to are tried, the
 // mesh is loaded, the solver is asked, and what it answers is written.
 
-import * as solver from "../session.js";
+import { perform as performIn } from "../session.js";
 import { say } from "../words.js";
 import { checkOutput, formatOf, readMesh, writeOutput, writtenHelp } from "./files.js";
 import { flagsOf, help, parse, readFlags, typed } from "./options.js";
@@ -10,8 +10,13 @@ import { print } from "./text.js";
 /** @import { Row } from "../generated/schema.js" */
 /** @import { Options, Values } from "./options.js" */
 /** @import { Session } from "./solver.js" */
+/** @import { AnswerOf, CommandName, FieldsOf, Loose } from "../session.js" */
 /** @import { Terminal } from "../cli.js" */
 
+/**
+ * Asks the solver.
+ * @typedef {<N extends CommandName>(name: N, fields?: Loose<FieldsOf<N>>) => AnswerOf<N>} Perform
+ */
 /**
  * What a command comes to: the JSON; a text for people, the result in lines unless given; what
  * `--history` and its like ask for; the exit code.
@@ -27,9 +32,9 @@ import { print } from "./text.js";
  * @property {Options | ((parameters: string[]) => Options)} [options]  others
  * @property {(values: Values, operands: string[], io: Terminal) => any} [ask]  what is asked of the
  *   solver; the options of the rows unless given
- * @property {(session: Session, mesh: { bytes: Uint8Array, name: string }, asked: any) => any} [load]
+ * @property {(perform: Perform, mesh: { bytes: Uint8Array, name: string }, asked: any) => any} [load]
  *   how the mesh is loaded, where that takes more; what it answers is `loaded`
- * @property {(done: { session: Session, asked: any, values: Values, operands: string[],
+ * @property {(done: { perform: Perform, asked: any, values: Values, operands: string[],
  *   io: Terminal, loaded: any }) => Done | Promise<Done>} run
  */
 
@@ -43,7 +48,7 @@ export const out = {
  * @param {{ parameters: string[], io: Terminal, open: () => Session | Promise<Session> }} call
  * @returns {Promise<number>} the exit code
  */
-export async function perform(name, spec, { parameters, io, open }) {
+export async function execute(name, spec, { parameters, io, open }) {
   const { summary, operands = ["MESH"], rows = [], words = name, load, run } = spec;
   const isHelp = parameters.includes("--help");
   const { options } = spec;
@@ -61,11 +66,13 @@ export async function perform(name, spec, { parameters, io, open }) {
   }
   const mesh = operands[0] === "MESH" ? await readMesh(given[0], io) : null;
   const session = await open();
-  const loaded = mesh && (load?.(session, mesh, asked) ?? solver.perform(session, "load", mesh));
-  const done = await run({ session, asked, values, operands: given, io, loaded });
+  /** @type {Perform} */
+  const perform = (command, fields) => performIn(session, command, fields);
+  const loaded = mesh && (load?.(perform, mesh, asked) ?? perform("load", mesh));
+  const done = await run({ perform, asked, values, operands: given, io, loaded });
   if (format) {
-    const losses = solver.perform(session, "losses", { format });
-    writeOutput(values.out, solver.perform(session, "export", { format }));
+    const losses = perform("losses", { format });
+    writeOutput(values.out, perform("export", { format }));
     for (const loss of losses) io.log(say(loss));
   }
   for (const [key, content] of Object.entries(done.files ?? {})) {

@@ -1,7 +1,6 @@
 // The commands there are.
 
 import * as schema from "../generated/schema.js";
-import { perform } from "../session.js";
 import { bench } from "./bench.js";
 import { out } from "./command.js";
 import { isRefusal, orExit } from "./failure.js";
@@ -13,11 +12,11 @@ import { inWords, repairInWords } from "./text.js";
 
 /**
  * What a file is before a repair; null where it is no surface.
- * @param {import("./solver.js").Session} session @param {{ bytes: Uint8Array, name: string }} mesh
+ * @param {import("./command.js").Perform} perform @param {{ bytes: Uint8Array, name: string }} mesh
  */
-function infoOf(session, mesh) {
+function infoOf(perform, mesh) {
   try {
-    return inWords(perform(session, "load", mesh).info);
+    return inWords(perform("load", mesh).info);
   } catch (error) {
     // What a repair does not help against it will refuse itself.
     if (isRefusal(error)) return null;
@@ -29,26 +28,26 @@ function infoOf(session, mesh) {
 export const commands = {
   info: {
     summary: "what a mesh is and what is odd about it",
-    run: ({ session }) => ({ result: inWords(perform(session, "info")) }),
+    run: ({ perform }) => ({ result: inWords(perform("info")) }),
   },
   repair: {
     summary: "makes a whole surface of a broken file, and lists what it changed",
     rows: schema.repair,
     options: out,
-    load(session, mesh, asked) {
-      const before = infoOf(session, mesh);
-      const { repaired } = perform(session, "load", { ...mesh, repair: asked });
+    load(perform, mesh, asked) {
+      const before = infoOf(perform, mesh);
+      const { repaired } = perform("load", { ...mesh, repair: asked });
       return { before, repaired };
     },
-    run({ session, loaded: { before, repaired } }) {
-      const after = inWords(perform(session, "info"));
+    run({ perform, loaded: { before, repaired } }) {
+      const after = inWords(perform("info"));
       return { result: { changes: repaired.map(repairInWords), before, after } };
     },
   },
   energy: {
     summary: "all energies and integrals",
     rows: schema.energy,
-    run: ({ session, asked }) => ({ result: perform(session, "energy", asked) }),
+    run: ({ perform, asked }) => ({ result: perform("energy", asked) }),
   },
   flow,
   flips: {
@@ -58,9 +57,9 @@ export const commands = {
       ...out,
       history: { value: "FILE.csv", isWritten: true, help: "every flip: edge, reduction, area, W" },
     },
-    run({ session, asked, values, loaded }) {
+    run({ perform, asked, values, loaded }) {
       const options = { ...asked, history: values.history !== undefined };
-      const { history, ...result } = perform(session, "flip", { options });
+      const { history, ...result } = perform("flip", { options });
       const { warnings } = loaded.info;
       // Those who read the result rely on its keys.
       const told = warnings.length > 0 ? inWords({ ...result, warnings }) : result;
@@ -71,11 +70,11 @@ export const commands = {
     summary: "slides vertices along a closed surface towards a conformal mesh, or refuses",
     rows: schema.regularise,
     options: out,
-    run({ session, asked }) {
+    run({ perform, asked }) {
       // Without steps: the flow's checks of the mesh are those of the regularisation.
-      perform(session, "configure", { options: { flow: "p-willmore" } });
+      perform("configure", { options: { flow: "p-willmore" } });
       const start = performance.now();
-      const outcome = orExit(4, () => perform(session, "regularise", { options: asked }));
+      const outcome = orExit(4, () => perform("regularise", { options: asked }));
       return { result: { ...outcome, milliseconds: performance.now() - start } };
     },
   },
@@ -83,7 +82,7 @@ export const commands = {
     summary: "gives a surface other triangles, of one size or as small as it bends",
     rows: schema.remesh,
     options: out,
-    run: ({ session, asked }) => ({ result: perform(session, "remesh", { options: asked }) }),
+    run: ({ perform, asked }) => ({ result: perform("remesh", { options: asked }) }),
   },
   fill,
   replay,

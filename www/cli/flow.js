@@ -3,7 +3,7 @@
 
 import * as schema from "../generated/schema.js";
 import { byCurvature, rowOf } from "../options.js";
-import { isOver, perform } from "../session.js";
+import { isOver } from "../session.js";
 import { say } from "../words.js";
 import { out } from "./command.js";
 import { isRefusal, usage } from "./failure.js";
@@ -13,7 +13,7 @@ import { format, inWords } from "./text.js";
 
 /** @import { Outcome, StepReport } from "../generated/types.js" */
 /** @import { Options, Values } from "./options.js" */
-/** @import { Session } from "./solver.js" */
+/** @import { Perform } from "./command.js" */
 /** @import { Terminal } from "../cli.js" */
 
 /** @typedef {import("./command.js").Spec} Spec */
@@ -38,13 +38,13 @@ function budgetOf(values) {
   return { maxSeconds: "auto" };
 }
 
-/** Steps until the run is over, and the exit code of that. @param {Session} session @param {Terminal} io */
-function runSteps(session, io) {
+/** Steps until the run is over, and the exit code of that. @param {Perform} perform @param {Terminal} io */
+function runSteps(perform, io) {
   /** @type {StepReport[]} */
   const steps = [];
   try {
-    while (!isOver(perform(session, "state").status)) {
-      const report = perform(session, "step");
+    while (!isOver(perform("state").status)) {
+      const report = perform("step");
       if (!report) break;
       steps.push(report);
       const { step, energy, dt, gradientNorm: gradient, milliseconds } = report;
@@ -56,7 +56,7 @@ function runSteps(session, io) {
     // Why a step failed is part of the outcome.
     if (!isRefusal(error)) throw error;
   }
-  const outcome = perform(session, "outcome");
+  const outcome = perform("outcome");
   return { steps, outcome, exit: outcome.isBreakdown ? 4 : 0 };
 }
 
@@ -94,24 +94,24 @@ export const flow = {
     }
     return readFlags("flow", words);
   },
-  run({ session, asked, values, io, loaded }) {
+  run({ perform, asked, values, io, loaded }) {
     const options = { ...asked };
     for (const name of selections) {
       if (asked[name]) options[name] = numbered(asked[name], loaded.numbers);
     }
-    perform(session, "configure", { options });
+    perform("configure", { options });
     const { p, boundary } = asked;
     const energies = { ...(p !== undefined && { p: [p] }), ...(boundary && { boundary }) };
     const readings = () => {
-      const found = values["self-intersections"] && perform(session, "selfIntersections");
+      const found = values["self-intersections"] && perform("selfIntersections");
       return {
-        ...perform(session, "energy", energies),
+        ...perform("energy", energies),
         // Null if there are too many triangles for that.
         ...(found !== undefined && { selfIntersections: found && found.pairs.length / 2 }),
       };
     };
     const initial = readings();
-    const { steps, outcome, exit } = runSteps(session, io);
+    const { steps, outcome, exit } = runSteps(perform, io);
     const { monitored, curvatureJump, soundness } = outcome;
     const warnings = outcome.warnings.filter(({ id }) => id === "warning-untrusted");
     const result = {
@@ -120,7 +120,7 @@ export const flow = {
       ...(soundness && { soundness, ...inWords({ warnings }) }),
       ...(byCurvature.includes(asked.flow) && { curvatureJump }),
     };
-    const history = () => perform(session, "history");
+    const history = () => perform("history");
     const report = () => `${JSON.stringify(result, null, 1)}\n`;
     return { result, files: { history, report }, exit };
   },
@@ -150,12 +150,12 @@ export const fill = {
       fair: fair === "none" ? null : readFlags("flow", words),
     };
   },
-  run({ session, asked: { options, fair }, io }) {
-    const { firstVertex, ...filled } = perform(session, "fill", { options });
+  run({ perform, asked: { options, fair }, io }) {
+    const { firstVertex, ...filled } = perform("fill", { options });
     const report = (/** @type {object} */ fairing, /** @type {typeof filled.warnings} */ more) => ({
       ...inWords({ ...filled, warnings: [...filled.warnings, ...more] }),
       ...fairing,
-      info: inWords(perform(session, "info")),
+      info: inWords(perform("info")),
     });
     if (!fair) return { result: report({}, []) };
     const { flow } = fair;
@@ -163,8 +163,8 @@ export const fill = {
       return { result: report({}, [{ id: "fair-nothing", values: { flow } }]) };
     }
     // The new vertices are those that move: the solver knows them.
-    perform(session, "configure", { options: fair });
-    const { steps, outcome, exit } = runSteps(session, io);
+    perform("configure", { options: fair });
+    const { steps, outcome, exit } = runSteps(perform, io);
     const { curvatureJump, warnings } = outcome;
     const fairing = { flow, ...ended(outcome), steps: steps.length, curvatureJump };
     return { result: report({ fair: fairing }, warnings), exit };

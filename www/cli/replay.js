@@ -2,14 +2,13 @@
 
 import { existsSync } from "node:fs";
 import path from "node:path";
-import { perform } from "../session.js";
 import { out } from "./command.js";
 import { orExit, usage } from "./failure.js";
 import { readInput, readMesh } from "./files.js";
 import { table } from "./text.js";
 
 /** @import { RecipeMesh, ReplayReport, ReplayResult } from "../generated/types.js" */
-/** @typedef {import("../pkg/solver/solver.js").Session} Session */
+/** @typedef {import("./command.js").Perform} Perform */
 /** @typedef {import("../cli.js").Terminal} Terminal */
 
 /** @type {import("./command.js").Spec} */
@@ -18,19 +17,19 @@ export const replay = {
   operands: ["RECIPE.json", "[MESH]"],
   options: out,
   ask: async (_, [file], io) => new TextDecoder().decode(readInput(file, io)),
-  async run({ session, asked: text, operands: [file, given], io }) {
-    const { mesh, flow, estimate } = perform(session, "readRecipe", { text });
+  async run({ perform, asked: text, operands: [file, given], io }) {
+    const { mesh, flow, estimate } = perform("readRecipe", { text });
     const script = { recipe: text };
     const bytes = await meshOf(mesh, file, given, io);
     if (estimate.isLong) io.log(`The recipe runs about ${estimate.steps} steps.`);
-    perform(session, "prepare", { script, bytes, name: "" });
-    advance(session, io);
-    perform(session, "configure", { options: flow });
+    perform("prepare", { script, bytes, name: "" });
+    advance(perform, io);
+    perform("configure", { options: flow });
     orExit(4, () => {
-      perform(session, "follow", { script });
-      advance(session, io);
+      perform("follow", { script });
+      advance(perform, io);
     });
-    const report = perform(session, "compareRecipe", { text });
+    const report = perform("compareRecipe", { text });
     const { same, exact, tolerance, steps, expected, got } = report;
     const result = { same, exact, ...(!exact && { tolerance }), steps, expected, got };
     return { result, text: summary(report), exit: same ? 0 : 4 };
@@ -56,11 +55,11 @@ async function meshOf(mesh, file, given, io) {
   return (await readMesh(found, io)).bytes;
 }
 
-/** Does what was begun, to its end. @param {Session} session @param {Terminal} io */
-function advance(session, io) {
+/** Does what was begun, to its end. @param {Perform} perform @param {Terminal} io */
+function advance(perform, io) {
   let tenths = 0;
   for (;;) {
-    const { share, isDone } = perform(session, "advance");
+    const { share, isDone } = perform("advance");
     const now = Math.floor(10 * share);
     if (now > tenths) io.log(`${10 * now} %`);
     tenths = now;

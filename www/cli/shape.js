@@ -1,6 +1,5 @@
 // `umbilic shape`: writes a sample shape.
 
-import { perform } from "../session.js";
 import { orExit, usage } from "./failure.js";
 import { formatOf, writtenHelp } from "./files.js";
 import { loadSolver, unknown } from "./solver.js";
@@ -52,9 +51,9 @@ export const shape = {
     const number = (/** @type {string} */ text) => Number(text.trim() || Number.NaN);
     return Object.fromEntries(given.map((one) => [one.name, number(values[one.name])]));
   },
-  run({ session, asked, values, operands: [name] }) {
+  run({ perform, asked, values, operands: [name] }) {
     if (values.list) return { result: asked, text: listed(asked) };
-    const sample = orExit(2, () => perform(session, "sample", { name, parameters: asked }));
+    const sample = orExit(2, () => perform("sample", { name, parameters: asked }));
     const { vertices, faces } = sample.info;
     // As the file that is written counts.
     const first = Number(formatOf(values.out) === "obj");
