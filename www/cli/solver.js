@@ -13,19 +13,14 @@ const built = existsSync(wasm) ? await import("../pkg/solver/solver.js") : null;
 if (built) {
   const { provide } = await import("../deferred.js");
   provide(() => new WebAssembly.Module(readFileSync(second)));
+  built.initSync({ module: readFileSync(wasm) });
 }
-
-let isLoaded = false;
 
 /** What the solver can do without a session. @throws {Failure} where it has not been built */
 export function loadSolver() {
-  if (!built) {
-    const hint = "Run `npm run build` once in the project's folder.";
-    throw new Failure(2, "NotBuilt", "The solver has not been built yet.", hint);
-  }
-  if (!isLoaded) built.initSync({ module: readFileSync(wasm) });
-  isLoaded = true;
-  return built;
+  if (built) return built;
+  const hint = "Run `npm run build` once in the project's folder.";
+  throw new Failure(2, "NotBuilt", "The solver has not been built yet.", hint);
 }
 
 /** @returns {Session} */
