@@ -287,10 +287,11 @@ for (let seed = 1; seed <= seeds; seed += 1) {
     }
     context.diagnostic(`${done} of ${actions} actions could be done; MB held: ${memory.join(" ")}`);
     assert.ok(done > actions / 2, `${done} actions`);
-    // By the second quarter everything has been there once; garbage of the worker comes and goes.
+    // By the third quarter everything has been there once, and the solver's memory, which never
+    // shrinks, is as large as it gets; garbage of the worker comes and goes.
     const least = (/** @type {number} */ from, /** @type {number} */ to) =>
       Math.min(...memory.slice(from * memory.length, to * memory.length));
-    if (memory.length >= 12) assert.ok(least(0.75, 1) <= 1.25 * least(0.25, 0.5), memory.join(" "));
+    if (memory.length >= 12) assert.ok(least(0.75, 1) <= 1.25 * least(0.5, 0.75), memory.join(" "));
     assert.deepEqual(faults, []);
     await close();
   });
