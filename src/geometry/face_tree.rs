@@ -176,6 +176,18 @@ mod tests {
     use crate::mesh::{build, shape};
 
     #[test]
+    fn a_surface_takes_so_many_boxes_a_triangle() {
+        for name in ["icosphere", "trefoil", "torus", "bumpy-sphere"] {
+            let sample = shape::make(name, &[]).expect("a shape");
+            let built = build(&sample.soup).expect("a surface");
+            let n = built.mesh.n_faces();
+            let tree = FaceTree::new(&built.mesh, &built.positions, 0.0);
+            let is_enough = |each: usize| tree.overlapping_pairs(each * n, |_, _| {});
+            assert_eq!([16, 30].map(is_enough), [false, true], "{name}");
+        }
+    }
+
+    #[test]
     fn every_overlap_is_visited_once() {
         for (name, margin) in [("trefoil", 0.0), ("octahedron", 0.0), ("icosphere", 0.1)] {
             let sample = shape::make(name, &[]).expect("a shape");
