@@ -5,7 +5,7 @@ use super::fault::Fault;
 use super::message::Notice;
 use super::numbers::{Numbers, first_of};
 use super::readings::Info;
-use super::repairs::{Memo, Mended, RepairItem, mend, preview};
+use super::repairs::{Memo, Mended, RepairItem, preview};
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
 use crate::geometry::quality::flat_triangles;
@@ -15,7 +15,6 @@ use crate::mesh::shape::Sample;
 use crate::mesh::{self, Built, HalfedgeMesh};
 use crate::message::{Message, Say};
 use crate::operator::Elements;
-use crate::remesh::repair::Weld;
 use glam::DVec3;
 use std::rc::Rc;
 
@@ -84,22 +83,9 @@ impl Opened {
 }
 
 impl Document {
-    /// From a file.
-    pub(super) fn from_file(bytes: &[u8], file_name: &str) -> Result<Self, Fault> {
-        match Opened::of(bytes, file_name)? {
-            Opened::Surface(document) => Ok(document),
-            Opened::Broken(read, mut fault) => {
-                if let Ok(mended) = mend(&read.soup, Weld::Auto) {
-                    fault.repairs = mended.items.into();
-                }
-                Err(fault)
-            }
-        }
-    }
-
     /// From a file that is no surface until it is repaired.
-    pub(super) fn from_broken(read: Read, file_name: &str, weld: Weld) -> Result<Self, Fault> {
-        let Mended { built, items, were } = mend(&read.soup, weld)?;
+    pub(super) fn from_broken(read: Read, mended: Mended, file_name: &str) -> Result<Self, Fault> {
+        let Mended { built, items, were } = mended;
         let mut warnings: Vec<Message> = read.warnings.into_iter().map(Message::from).collect();
         warnings.extend(items.iter().map(|item| item.message.clone()));
         let told = Built {
@@ -259,7 +245,7 @@ mod tests {
     fn triangles_have_the_numbers_of_the_faces_that_they_were_cut_from() {
         let points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 3 0.5 0\n";
         let text = format!("{points}f 1 1 2\nf 1 2 3 4\nf 2 5 7 6 3\nf 5 1 2\n");
-        let Ok(document) = Document::from_file(text.as_bytes(), "a.obj") else {
+        let Ok(Opened::Surface(document)) = Opened::of(text.as_bytes(), "a.obj") else {
             panic!("refused");
         };
         let numbers = |document: &Document| document.numbers.faces.clone().map(|list| list.0);
@@ -280,7 +266,7 @@ mod tests {
         let obj = format!("v {}\nf 1 2 3\nf 3 4 5\n", points.join("\nv "));
         let off = format!("OFF\n5 2 0\n{}\n3 0 1 2\n3 2 3 4\n", points.join("\n"));
         for (text, name, number, first) in [(obj, "a.obj", 3_u32, 1.0), (off, "a.off", 2, 0.0)] {
-            let Ok(document) = Document::from_file(text.as_bytes(), name) else {
+            let Ok(Opened::Surface(document)) = Opened::of(text.as_bytes(), name) else {
                 panic!("{name} is refused");
             };
             let split = &document.warnings[0];

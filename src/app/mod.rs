@@ -99,8 +99,9 @@ use crate::remesh::adaptive::Soundness;
 use crate::remesh::fill::FillProgress;
 use crate::remesh::flips::lab::Lab;
 use colours::Colours;
-use document::Document;
+use document::{Document, Opened};
 use edit::Edits;
+use edit::repair::Offered;
 use frame::View;
 use glam::DVec3;
 use halves::OtherHalf;
@@ -178,6 +179,7 @@ pub struct Session {
     is_given_up: bool,
     replay: Option<Replay>,
     other_half: OtherHalf,
+    offered: Option<Offered>,
 }
 
 impl Session {
@@ -204,8 +206,10 @@ impl Session {
     /// # Errors
     /// What is wrong with the file and where; the mesh loaded before stays.
     pub fn load(&mut self, bytes: &[u8], file_name: &str) -> Result<Loaded, Fault> {
-        let document = Document::from_file(bytes, file_name)?;
-        self.open(document)
+        match Opened::of(bytes, file_name)? {
+            Opened::Surface(document) => self.open(document),
+            Opened::Broken(read, fault) => Err(self.offer_repair(bytes, file_name, read, fault)),
+        }
     }
 
     /// Loads a sample shape by name; parameters not given take their defaults.
@@ -226,6 +230,7 @@ impl Session {
         self.edits.clear();
         self.panes.clear();
         self.other_half = OtherHalf::default();
+        self.offered = None;
         let loaded = self.loaded()?;
         let crossings = loaded.info.self_intersections;
         self.runner_mut()?.crosses = crossings.is_some_and(|count| count > 0);

@@ -215,10 +215,36 @@ fn is_refused_and_repaired(bytes: &[u8], kind: &str, name: usize) -> (Session, L
         "{name}: {:?}",
         fault.repairs
     );
-    let (session, loaded) = repaired(bytes, Weld::Auto);
+    // What was made for the offer is what a session that knows nothing of it makes.
+    let options = RepairOptions::default();
+    let offered = session.load_repaired(bytes, "a.obj", options);
+    let (other, loaded) = repaired(bytes, Weld::Auto);
+    assert!(offered.expect("repaired") == loaded, "{name}");
+    assert!(session.provenance() == other.provenance(), "{name}");
     assert_eq!(kinds(&loaded.repaired), kinds(&fault.repairs), "{name}");
     stays_whole(&session, kind);
     (session, loaded)
+}
+
+/// An offer is of the file that was refused, and of no other, nor of another repair.
+#[test]
+fn an_offer_is_taken_for_no_other_file() {
+    let finned = |rings| {
+        let mut soup = Soup::sphere(rings, 9);
+        soup.x.push([2.0, 2.0, 2.0]);
+        soup.faces.push(vec![0, 1, soup.x.len() - 1]);
+        soup.obj()
+    };
+    let mut session = Session::new();
+    session.load(&finned(7), "a.obj").expect_err("no surface");
+    let options = RepairOptions::default();
+    let loaded = session.load_repaired(&finned(8), "a.obj", options);
+    let own = repaired(&finned(8), Weld::Auto).1;
+    assert!(loaded.expect("repaired") == own);
+    session.load(&finned(7), "a.obj").expect_err("no surface");
+    let weld = Weld::Within(0.3);
+    let loaded = session.load_repaired(&finned(7), "a.obj", RepairOptions { weld });
+    assert!(loaded.expect("repaired") == repaired(&finned(7), weld).1);
 }
 
 fn torn(soup: &mut Soup, face: usize) {

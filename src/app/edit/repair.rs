@@ -7,7 +7,9 @@ use crate::app::provenance::{Edit, EditRecord};
 use crate::app::repairs::{Mended, mend, preview};
 use crate::app::runner::Runner;
 use crate::app::{Loaded, Session};
+use crate::io::Read;
 use crate::remesh::repair::{Weld, is_suspect};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::rc::Rc;
 
 impl Runner {
@@ -107,6 +109,14 @@ impl Session {
         file_name: &str,
         options: RepairOptions,
     ) -> Result<Loaded, Fault> {
+        let offered = self.offered.take();
+        if let Some(Offered { file, read, mended }) = offered
+            && options.weld == Weld::Auto
+            && file == digest(bytes, file_name)
+        {
+            self.open_mended(read, mended, file_name, options)?;
+            return self.loaded();
+        }
         match Opened::of(bytes, file_name)? {
             Opened::Surface(document) => {
                 let opened = document.opened.clone();
@@ -117,15 +127,59 @@ impl Session {
             }
             Opened::Broken(read, fault) => {
                 // What it is refused for is the reason to repair it.
-                let document = Document::from_broken(read, file_name, options.weld);
-                self.open(document.map_err(|_| fault)?)?;
-                self.runner_mut()?.origin = Some(vec![EditRecord {
-                    flow: None,
-                    path: Vec::new(),
-                    edit: Edit::Repair(options),
-                }]);
+                let mended = mend(&read.soup, options.weld).map_err(|_| fault)?;
+                self.open_mended(read, mended, file_name, options)?;
             }
         }
         self.loaded()
     }
+
+    /// What a file that is no surface is refused with: why, and what a repair would change, which is
+    /// kept for when it is asked for.
+    pub(in crate::app) fn offer_repair(
+        &mut self,
+        bytes: &[u8],
+        file_name: &str,
+        read: Read,
+        mut fault: Fault,
+    ) -> Fault {
+        if let Ok(mended) = mend(&read.soup, Weld::Auto) {
+            fault.repairs = mended.items.clone().into();
+            self.offered = Some(Offered {
+                file: digest(bytes, file_name),
+                read,
+                mended,
+            });
+        }
+        fault
+    }
+
+    fn open_mended(
+        &mut self,
+        read: Read,
+        mended: Mended,
+        file_name: &str,
+        options: RepairOptions,
+    ) -> Result<(), Fault> {
+        self.open(Document::from_broken(read, mended, file_name)?)?;
+        self.runner_mut()?.origin = Some(vec![EditRecord {
+            flow: None,
+            path: Vec::new(),
+            edit: Edit::Repair(options),
+        }]);
+        Ok(())
+    }
+}
+
+/// A file that was refused, and what the usual repair makes of it.
+pub(in crate::app) struct Offered {
+    file: u64,
+    read: Read,
+    mended: Mended,
+}
+
+fn digest(bytes: &[u8], file_name: &str) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (bytes, file_name).hash(&mut hasher);
+    hasher.finish()
 }
