@@ -84,7 +84,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     ...{ origin: null, loaded: null, last: null },
     ...{ isConfigured: false, options: {}, again: {} },
   };
-  /** Those of before the edits that can be undone. @type {Pick<Shown, "origin" | "loaded">[]} */
+  /** Those of before the edits that can be undone. @type {(Pick<Shown, "origin" | "loaded"> & { film: typeof film })[]} */
   let origins = [];
   /** Whether the worker has the scene: a new one has not. */
   let isWhole = true;
@@ -281,7 +281,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     const loaded = isMesh ? /** @type {any} */ (outcome) : await send("loaded");
     if (name === "repair" && loaded.repaired.length === 0) return { outcome, loaded };
     const bytes = await send("export", { format: "ply" });
-    origins.push({ origin: scene.origin, loaded: scene.loaded });
+    origins.push({ origin: scene.origin, loaded: scene.loaded, film });
     const file = { name: `${loaded.name}.ply`, bytes };
     begin(loaded, { name: "load", fields: file, isEdited: true });
     return { outcome, loaded };
@@ -329,12 +329,13 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     // What changes it.
     edit,
     adopt: () => edit("adopt"),
-    /** Takes the last edit back. */
+    /** Takes the last edit back: the mesh that there was, which a flow may have remeshed since. */
     async undo() {
-      const loaded = await ask("undo");
-      film = null;
-      scene = { ...scene, ...origins.pop(), isConfigured: true };
-      return loaded;
+      await ask("undo");
+      const before = origins.pop();
+      film = before?.film ?? null;
+      scene = { ...scene, origin: null, loaded: null, ...before, isConfigured: true, last: null };
+      return /** @type {Loaded} */ (scene.loaded);
     },
 
     // The flow, and where it stands.

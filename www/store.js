@@ -7,6 +7,7 @@ import { defaults, plainArrangement } from "./options.js";
 
 /** @import { Arrangement, Configured, Curves, CurvatureJump, Diagnosis, Inverted, LinkView, Loaded, Look, LookOptions, State as Reading, Timeline } from "./generated/types.js" */
 /** @import { Options } from "./options.js" */
+/** @import { Figure } from "./library.js" */
 
 /** @typedef {'empty' | 'loading' | 'ready' | 'failed'} Phase */
 export const tabs = /** @type {const} */ (["surface", "flow", "measure", "compare", "share"]);
@@ -26,7 +27,13 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
  */
 /** @typedef {Source | { kind: 'shape', shape: string, parameters: Record<string, number> }} Origin */
 
-/** What an edit was made of. @typedef {{ source: Source, options: Options, what: string }} Earlier */
+/**
+ * Of a figure of two halves: the one that is shown backwards is computed; the film is shown; some of
+ * it was lost with its solver.
+ * @typedef {"back" | "whole" | "cut" | null} Film
+ */
+
+/** What an edit was made of. @typedef {{ source: Source, options: Options, figure: Figure | null, film: Film, what: string }} Earlier */
 
 /** Edges, two ends each, and triangles to be seen; those that are turned to. @typedef {{ edges: Uint32Array, triangles: Uint32Array, near?: Uint32Array }} Marks */
 
@@ -96,12 +103,8 @@ export const initial = Object.freeze({
     Object.freeze({ probe: null, circles: false, directions: false, crossings: false })
   ),
   preview: /** @type {Inverted | null} */ (null),
-  figure: /** @type {import("./library.js").Figure | null} */ (null),
-  /**
-   * Of a figure of two halves: the one that is shown backwards is computed; the film is shown; some
-   * of it was lost with its solver.
-   */
-  film: /** @type {"back" | "whole" | "cut" | null} */ (null),
+  figure: /** @type {Figure | null} */ (null),
+  film: /** @type {Film} */ (null),
   comparison: alone,
   colour: /** @type {FieldName} */ ("none"),
   range: /** @type {readonly [number, number] | null} */ (null), // of colours, held for the run

@@ -42,8 +42,39 @@ async function inflated(packed, most) {
 
 export const isGzip = (/** @type {Uint8Array} */ bytes) => bytes[0] === 0x1f && bytes[1] === 0x8b;
 
-/** @param {Uint8Array<ArrayBuffer>} bytes */
-export const gunzip = (bytes) => inflated([bytes], mostOf(bytes));
+/** Where the next member of a gzip file may begin, or its end. @param {Uint8Array} bytes @param {number} from */
+function memberAfter(bytes, from) {
+  for (let at = bytes.indexOf(0x1f, from); at >= 0; at = bytes.indexOf(0x1f, at + 1)) {
+    if (bytes[at + 1] === 0x8b && bytes[at + 2] === 8) return at;
+  }
+  return bytes.length;
+}
+
+/** Out of gzip of one member or, as `cat` and `bgzip` put them, several. @param {Uint8Array<ArrayBuffer>} bytes */
+export async function gunzip(bytes) {
+  const most = mostOf(bytes);
+  /** @type {BlobPart[]} */
+  const members = [];
+  let length = 0;
+  let [from, to] = [0, bytes.length];
+  let isOfSeveral = false;
+  while (from < bytes.length) {
+    try {
+      const member = await inflated([bytes.subarray(from, to)], most - length);
+      members.push(member);
+      length += member.length;
+      from = to;
+    } catch (error) {
+      // Where it is not one, it may be several; what looks like the next may be of the same.
+      const isOver = isOfSeveral && to === bytes.length;
+      if (isOver || /** @type {any} */ (error).kind !== "Damaged") throw error;
+      if (!isOfSeveral) to = from;
+      isOfSeveral = true;
+    }
+    to = memberAfter(bytes, to + 1);
+  }
+  return new Uint8Array(await new Blob(members).arrayBuffer());
+}
 
 /** @param {Uint8Array} bytes */
 export const isZip = ([p, k, a, b]) =>

@@ -136,7 +136,12 @@ impl Driver {
                 self.restore(before);
                 (self.refusal, self.flipped) = told;
             }
-            Err(_) => self.restore(before),
+            Err(_) => {
+                self.restore(before);
+                if let Some(flat) = self.flat_at_first(x) {
+                    return Ok((None, flat));
+                }
+            }
         }
         outcome
     }

@@ -165,6 +165,9 @@ impl Driver {
         before: Functional,
         cost: &mut Cost,
     ) -> Result<Decision, FlowError> {
+        if let Some(flat) = self.flat_at_first(x) {
+            return Ok(flat);
+        }
         let rules = self.flow.rules();
         if self.run.window.met_bound() || self.is_collapsing(before.value) {
             return Ok(match self.run.step == self.run.first_step {
@@ -186,21 +189,23 @@ impl Driver {
         if is_at_rest {
             return Ok(Decision::Stop(Status::Converged, Reason::AtRest));
         }
-        if self.run.step == self.run.first_step
-            && self.mesh.is_triangular()
-            && let flat = flat_triangles(&self.mesh, x)
-            && let Some(&Face(face)) = flat.first()
-        {
-            let count = flat.len();
-            let why = Reason::FlatFace { count, face };
-            return Ok(Decision::Stop(Status::Stalled, why));
-        }
         let advice = self.flow.advice();
         let why = match self.refusal {
             Some(Refusal { cause, .. }) => Reason::Refused { cause, advice },
             None => Reason::Creeping { advice },
         };
         Ok(Decision::Stop(Status::Stalled, why))
+    }
+
+    /// No first step leads on from faces that have no area, whatever is read there.
+    pub(super) fn flat_at_first(&self, x: &[DVec3]) -> Option<Decision> {
+        let is_first = self.run.step == self.run.first_step && self.mesh.is_triangular();
+        let is_asked = is_first && x.iter().all(|p| p.is_finite());
+        let flat = is_asked.then(|| flat_triangles(&self.mesh, x))?;
+        let &Face(face) = flat.first()?;
+        let count = flat.len();
+        let why = Reason::FlatFace { count, face };
+        Some(Decision::Stop(Status::Stalled, why))
     }
 
     /// Whether no step was accepted as it would go below a theorem's bound; or as triangles

@@ -188,6 +188,25 @@ fn a_link_has_a_step_of_either_half() {
 }
 
 #[test]
+fn an_edit_that_is_undone_leaves_both_halves() {
+    let mut session = begun();
+    session.step().expect("a step").expect("a report");
+    let forth = exact(&mut session);
+    session.turn("eversion").expect("the half shown backwards");
+    for _ in 0..2 {
+        session.step().expect("a step").expect("a report");
+    }
+    let back = exact(&mut session);
+    session.adopt().expect("the start");
+    session.undo_edit().expect("undone");
+    assert!(exact(&mut session) == back);
+    session.turn("eversion").expect("the other half");
+    assert!(exact(&mut session) == forth);
+    session.turn("eversion").expect("the half shown backwards");
+    assert!(exact(&mut session) == back);
+}
+
+#[test]
 fn crossings_are_read_where_the_start_has_some() {
     let mut session = begun();
     let found = session.self_intersections().expect("a mesh").expect("few");

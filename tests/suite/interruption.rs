@@ -5,7 +5,9 @@ use serde_json::{Value as Json, json};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::rc::Rc;
-use umbilic::app::{Arrangement, Compare, Origin, Progress, ScriptText, Session, ToolCommand};
+use umbilic::app::{
+    Arrangement, Compare, Origin, Progress, RunCommand, ScriptText, Session, ToolCommand,
+};
 use umbilic::flow::options::{FlowName, FlowOptions, Goal, Integrator, Remeshing, Scheme};
 use umbilic::flow::{Decision, Driver, StepReport};
 use umbilic::interrupt;
@@ -348,6 +350,19 @@ fn compare_edit(make: &dyn Fn() -> Session, command: &Json) -> usize {
     }
     assert_eq!(shown(&mut disturbed), shown(&mut plain), "{command:?}");
     given_up
+}
+
+/// Where the step was too quick to learn that it is not wanted, what is asked next must not pay for it.
+#[test]
+fn where_a_session_stands_is_told_whoever_gives_up() {
+    let mut session = opened("ellipsoid", &[], &flowing(FlowName::Circle));
+    session.run(1).expect("a step");
+    session.set_progress(Some(Rc::new(|_, _| ControlFlow::Break(()))));
+    for command in [RunCommand::State {}, RunCommand::Timeline {}] {
+        session.perform(command).expect("an answer");
+    }
+    let given_up = session.perform(RunCommand::Reset {});
+    given_up.map(|_| ()).expect_err("given up");
 }
 
 #[test]

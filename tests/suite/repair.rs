@@ -2,6 +2,7 @@
 //! listed, and what comes of it is a surface.
 
 use crate::support::shared_folder;
+use serde_json::json;
 use std::fmt::Write as _;
 use umbilic::app::{
     Edit, Info, Loaded, Origin, RepairItem, RepairOptions, RunCommand, ScriptText, Session,
@@ -734,6 +735,45 @@ fn a_triangle_without_area_is_named_as_the_file_numbers_it_and_stops_flows_truth
     }
     session.repair(RepairOptions::default()).expect("repaired");
     assert_eq!(session.loaded().expect("a mesh").numbers.vertices, None);
+}
+
+/// On a sphere, where most flows are at rest, a face without area is named and not called rest.
+#[test]
+fn no_flow_is_at_rest_on_a_face_without_area() {
+    for name in [
+        "p-willmore",
+        "mean-curvature",
+        "volume-preserving",
+        "surface-diffusion",
+        "willmore",
+        "mmcv",
+    ] {
+        for at in [3, 40] {
+            let mut soup = Soup::sphere(9, 12);
+            let [a, b, c] = soup.faces[at][..] else {
+                panic!("no triangle");
+            };
+            let middle = std::array::from_fn(|k| (soup.x[a][k] + soup.x[b][k]) / 2.0);
+            soup.x.push(middle);
+            let m = soup.x.len() - 1;
+            soup.faces[at] = vec![a, m, c];
+            soup.faces.push(vec![m, b, c]);
+            soup.faces.push(vec![a, b, m]);
+            let (mut session, _) = open(&soup.obj());
+            let options = json!({ "flow": name, "maxSteps": 2 });
+            let options = serde_json::from_value(options).expect("options");
+            session
+                .perform(RunCommand::Configure { options })
+                .expect("a flow");
+            while session.step().expect("no failure").is_some() {}
+            let state = session.state().expect("a state");
+            let why = state.message.expect("a reason");
+            assert!(
+                state.step > 0 || &*why.id == "reason-flat-face",
+                "{name} {at}: {why:?}"
+            );
+        }
+    }
 }
 
 #[test]

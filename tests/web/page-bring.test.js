@@ -4,6 +4,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { gzipSync } from "node:zlib";
 import { strToU8, zipSync } from "fflate";
 import { reading, surface, until, useSite } from "./support/app.js";
 import { glb, gltf } from "./support/formats.js";
@@ -27,6 +28,15 @@ async function drop(page, files) {
   }, listed);
 }
 
+/** A text in gzip of two members. @param {string} text */
+const halves = (text) =>
+  new Uint8Array(
+    Buffer.concat([
+      gzipSync(text.slice(0, text.length / 2)),
+      gzipSync(text.slice(text.length / 2)),
+    ]),
+  );
+
 test("files of other programs that are dropped are shown", async () => {
   const { page, faults, close } = await site.open();
   /** @type {{ title: string, along: number, files: Record<string, Uint8Array> }[]} */
@@ -43,6 +53,8 @@ test("files of other programs that are dropped are shown", async () => {
       },
     },
     { title: "mesh", along: 36, files: gltf(wavyTorus(36, 12)) },
+    // As `cat` puts two packed files together.
+    { title: "joined", along: 27, files: { "joined.obj.gz": halves(obj(wavyTorus(27, 12))) } },
   ];
   for (const { title, along, files } of dropped) {
     await drop(page, files);

@@ -85,6 +85,38 @@ test("Pause stands on a true step, with its numbers, while the solver is far ahe
   await close();
 });
 
+test("Play goes on from where Pause stood, and colours change on the way, while the solver is far ahead", async () => {
+  const { page, faults, close } = await site.open("sample=letter-c");
+  const step = await playAndPause(page, 3);
+  const last = (await plotted(page)).length - 1;
+  assert.ok(last > step + 10, `${last} steps are there already`);
+  /** The steps that are shown from now on, until there are so many. @param {number} count */
+  const shown = (count) =>
+    page.evaluate(async (wanted) => {
+      const label = () => document.querySelector("#surface")?.getAttribute("aria-label") ?? "";
+      /** @type {Set<number>} */
+      const steps = new Set();
+      while (steps.size < wanted) {
+        steps.add(Number(/step (\d+)/.exec(label())?.[1]));
+        await new Promise(requestAnimationFrame);
+      }
+      return [...steps];
+    }, count);
+  await button(page, "Play").click();
+  const on = await shown(3);
+  assert.ok(on[2] > step && on[2] < last, `${on} after ${step}, of ${last}`);
+  await page.keyboard.press("c");
+  await page.waitForFunction(() => document.querySelector(".legend"));
+  const coloured = await shown(3);
+  assert.ok(coloured[0] >= on[2] && coloured[2] < last, `${coloured} after ${on}, of ${last}`);
+  await button(page, "Pause").click();
+  await until(page, /^Paused at step/);
+  assert.ok((await plotted(page)).length > last, "no step is lost");
+  assert.equal(await page.getByText(/branch/).count(), 0);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("a change applies from the start, or from this step, which keeps what came as a branch", async () => {
   const { page, faults, close } = await site.open("sample=bumpy-sphere");
   const step = await playAndPause(page, 2);

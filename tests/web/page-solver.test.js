@@ -339,6 +339,30 @@ test("“Restoring” is said of a lost solver and not of a mesh on its way", as
   assert.ok(!statuses.has("Restoring the surface…"), [...statuses].join());
 });
 
+test("colours chosen while a run goes on let it come to rest, colour, and go on", async () => {
+  const { store, run, load } = page();
+  await load();
+  await run.play();
+  assert.equal(store.get().running, true);
+  const before = FakeWorker.last.asked.length;
+  await run.colour("willmore");
+  const asked = FakeWorker.last.asked.slice(before).map(({ name }) => name);
+  assert.deepEqual(asked, ["pause", "colour", "run"]);
+  assert.equal(store.get().running, true);
+  await run.pause();
+});
+
+test("an edit that is undone brings back the mesh that there was, not what a flow made of it", async () => {
+  const { store, run, edit, load } = page();
+  await load();
+  const { mesh } = store.get();
+  await run.step();
+  await edit.adopt();
+  assert.notEqual(store.get().mesh, mesh);
+  await edit.undo();
+  assert.equal(store.get().mesh, mesh);
+});
+
 test("each press of Step is a step, however fast they come", async () => {
   const { run, load, shown } = page();
   await load();

@@ -62,6 +62,8 @@ export function take(track, frame, follows) {
 export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   const { get, patch } = store;
   let lastProgress = 0;
+  /** Whether the display stays where it is. */
+  let isHeld = false;
   /** @type {Track} */
   const lead = { clip: new Clip(), u: 0, isOpen: () => get().running };
   /** With those that go on beside it. */
@@ -107,7 +109,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
   function onFrame(frame) {
     const { state, stored, timeline, curves, jump, look, flow, reports } = frame;
     batch(() => {
-      const isFollowed = !stored && isStill();
+      const isFollowed = !stored && !isHeld && isStill();
       take(lead, frame, isFollowed);
       if (isFollowed) player.place(lead.u);
       const { range, options, extras } = get();
@@ -223,10 +225,18 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     return true;
   }
 
+  /** Lets the solver go elsewhere while the display stays where it is. @template T @param {() => Promise<T>} ask */
+  function held(ask) {
+    isHeld = true;
+    return ask().finally(() => {
+      isHeld = false;
+    });
+  }
+
   /** Ends a run, and puts the solver where the display stands: at a true step. */
   async function settle() {
     if (get().running) {
-      const reading = await solver.ask("pause");
+      const reading = await held(() => solver.ask("pause"));
       patch({ reading, running: false, goal: null, progress: null });
     }
     await core.beside.settle();
@@ -333,7 +343,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
     const end = isBack ? lead.clip.points[0] : lead.clip.last;
     const isNew = end !== null && end.state.step >= 0;
     if (isBack && figure && isNew) await solver.turn(figure.id, true);
-    else if (end && reading?.step !== end.state.step) await solver.seek(end.state.step);
+    else if (end && reading?.step !== end.state.step) await held(() => solver.seek(end.state.step));
     patch({ running: true });
     await solver.run(null);
   }

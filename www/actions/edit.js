@@ -25,11 +25,12 @@ export function createEdit(core) {
    * @param {Loaded} loaded @param {string} what  undoing takes back @param {Options} options
    */
   async function edited(loaded, what, options) {
-    const { source, options: before, earlier: all, mesh } = get();
+    const { source, options: before, figure, film, earlier: all, mesh } = get();
     if (!source || !mesh) return;
-    const earlier = [...all, { source, options: before, what }].slice(-MOST_EDITS);
-    // No sample any more, and no file either: a link to it can only name it.
+    const earlier = [...all, { source, options: before, figure, film, what }].slice(-MOST_EDITS);
+    // No sample any more, nor what a figure shows, and no file either: a link to it can only name it.
     patch({ source: { kind: "file", name: mesh.name }, mesh: loaded, earlier, mode: null });
+    patch({ figure: null });
     patch({ preview: null, reading: null, configured: null, isNew: false });
     anew();
     await core.configure(options);
@@ -42,7 +43,7 @@ export function createEdit(core) {
   /** Other options on the surface as it is, which becomes the start. @param {Options} options */
   async function restart(options) {
     const { reading } = get();
-    if (reading && reading.step > 0) await adopt(options, stepsOf(reading.step));
+    if (reading && reading.step !== 0) await adopt(options, stepsOf(Math.abs(reading.step)));
     else await core.configure(options);
   }
 
@@ -85,7 +86,7 @@ export function createEdit(core) {
     /** Makes the surface as it is the start of what comes. */
     async adopt() {
       const { options, reading } = get();
-      if (reading && reading.step > 0) await adopt(options, stepsOf(reading.step));
+      if (reading && reading.step !== 0) await adopt(options, stepsOf(Math.abs(reading.step)));
     },
     /** What keeps it from being a whole surface. @param {Partial<RepairOptions>} [wanted] */
     async repair(wanted = {}) {
@@ -116,9 +117,10 @@ export function createEdit(core) {
       if (!last) return;
       anew();
       const mesh = await solver.undo();
-      const { source, options } = last;
-      patch({ source, options, mesh, earlier: earlier.slice(0, -1), mode: null, preview: null });
+      const { what: _, film, ...before } = last;
+      patch({ ...before, mesh, earlier: earlier.slice(0, -1), mode: null, preview: null });
       anew();
+      patch({ film });
       await core.refill();
       await core.beside.follow();
       if (get().colour !== "none") await core.colour(get().colour);

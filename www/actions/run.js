@@ -42,9 +42,12 @@ export function createRun(core, adopt) {
 
   const moves = {
     /** Each press is a step. */
-    step() {
+    async step() {
       const next = lead.clip.points[core.shownIndex() + 1];
       if (next) return solver.seek(next.state.step);
+      const { film, figure } = get();
+      // Behind the half that is shown backwards comes the other one.
+      if (film && figure) await solver.turn(figure.id, false);
       return core.stoppable(() => Promise.all(all().map((one) => one.ask("step"))), all());
     },
     async back() {
@@ -141,9 +144,14 @@ export function createRun(core, adopt) {
     },
     /** @param {FieldName} name */
     colour: (name) =>
-      enqueue(() => {
+      enqueue(async () => {
+        const isOn = isMoving();
+        const { goal } = get();
+        // All steps are coloured anew, for which the solver goes through them.
+        await core.rest();
         patch({ comparison: { ...get().comparison, difference: null } });
-        return core.colour(name);
+        await core.colour(name);
+        if (isOn) await (goal === null ? play() : moves.runTo(goal));
       }),
     /** @param {Partial<View>} change */
     view: (change) => patch({ view: Object.freeze({ ...get().view, ...change }) }),

@@ -136,9 +136,11 @@ impl Session {
     /// # Errors
     /// Those of the method it stands for; nothing has changed then.
     pub fn perform(&mut self, command: RunCommand) -> Result<RunAnswer, Fault> {
-        // Steps are observed one by one: what is given up is a step.
-        let steps = matches!(command, RunCommand::Step {});
-        let progress = self.progress.clone().filter(|_| !steps);
+        // Steps are observed one by one: what is given up is a step. Where the session stands is told
+        // even then.
+        use RunCommand::{State, Step, Timeline};
+        let is_plain = matches!(command, Step {} | State {} | Timeline {});
+        let progress = self.progress.clone().filter(|_| !is_plain);
         let outcome = interrupt::observed(progress, || {
             interrupt::commit()?;
             self.run_command(command)

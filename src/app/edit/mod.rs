@@ -23,12 +23,12 @@ use std::rc::Rc;
 /// Edits that can be undone.
 const MAX_EDITS: usize = 8;
 
-/// What was there before each edit, oldest first.
+/// What was there before each edit, oldest first, with the other half of a film.
 #[derive(Default)]
-pub(super) struct Edits(Vec<Suspended>);
+pub(super) struct Edits(Vec<(Suspended, OtherHalf)>);
 
 impl Edits {
-    fn push(&mut self, before: Suspended) {
+    fn push(&mut self, before: (Suspended, OtherHalf)) {
         if self.0.len() == MAX_EDITS {
             self.0.remove(0);
         }
@@ -92,8 +92,8 @@ impl Session {
         runner.crosses = before.crosses;
         runner.origin = before.origin_of(name);
         self.runner = Some(runner);
-        self.edits.push(before.suspend());
-        self.other_half = OtherHalf::default();
+        let other_half = std::mem::take(&mut self.other_half);
+        self.edits.push((before.suspend(), other_half));
         self.panes.clear();
         Ok(outcome)
     }
@@ -119,11 +119,11 @@ impl Session {
     /// # Errors
     /// `NothingToUndo`.
     pub fn undo_edit(&mut self) -> Result<Loaded, Fault> {
-        let Some(before) = self.edits.0.pop() else {
+        let Some((before, other_half)) = self.edits.0.pop() else {
             return Err(AppError::NothingToUndo.into());
         };
         self.runner = Some(before.resume());
-        self.other_half = OtherHalf::default();
+        self.other_half = other_half;
         self.settle_panes();
         self.loaded()
     }

@@ -128,7 +128,10 @@ oddity-uncounted = Der Kopf zählt { $announced ->
     [0] keine Dreiecke; bis zum Ende der Datei wurden { $count } gelesen.
    *[other] { $announced } Dreiecke; gelesen wurden die { $count }, die die Datei hat.
 }
-oddity-fourth-numbers = { $count } Ecken haben eine vierte Zahl, zuerst bei { $first }; sie blieb unbeachtet.
+oddity-fourth-numbers = { $count ->
+    [one] { $count } Ecke hat
+   *[other] { $count } Ecken haben
+} eine vierte Zahl, zuerst bei { $first }; sie blieb unbeachtet.
 oddity-other-cells = Punkte, Linien und Körper gehören zu keiner Fläche und wurden übergangen: { $count }, zuerst bei { $first }.
 oddity-seams-joined = { $count ->
     [one] { $count } Ecke am Ort einer anderen wurde
@@ -143,7 +146,7 @@ extra-data = Werte an Ecken und Zellen
 
 ## Was einer geschriebenen Datei fehlt
 
-loss-moved = { $format } hat Koordinaten einfacher Genauigkeit: Das Netz wurde an den Ursprung verschoben, um ({ NUMBER($x) }, { NUMBER($y) }, { NUMBER($z) }). PLY, OBJ und OFF behalten seinen Ort.
+loss-moved = { $format } hat Koordinaten einfacher Genauigkeit: Das Netz wurde an den Ursprung verschoben, um ({ NUMBER($x, digits: 17) }, { NUMBER($y, digits: 17) }, { NUMBER($z, digits: 17) }). PLY, OBJ und OFF behalten seinen Ort.
 loss-colours = { $format } hat keinen Platz für Farben der Ecken: Sie wurden weggelassen. PLY, OBJ, OFF und GLB behalten sie.
 loss-colours-remeshed = Die Eckenfarben der Datei sind entfallen: Beim Neuvernetzen sind andere Ecken entstanden.
 

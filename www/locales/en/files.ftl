@@ -128,7 +128,10 @@ oddity-uncounted = The header counts { $announced ->
     [0] no triangles; { $count } were read, to the end of the file.
    *[other] { $announced } triangles; the { $count } that the file has were read.
 }
-oddity-fourth-numbers = { $count } vertices have a fourth number, the first at { $first }; it was left aside.
+oddity-fourth-numbers = { $count ->
+    [one] { $count } vertex has
+   *[other] { $count } vertices have
+} a fourth number, the first at { $first }; it was left aside.
 oddity-other-cells = Points, lines and volumes are no part of a surface and were skipped: { $count }, the first at { $first }.
 oddity-seams-joined = { $count ->
     [one] { $count } vertex at the position of another was
@@ -143,7 +146,7 @@ extra-data = values at vertices and cells
 
 ## What a written file lacks
 
-loss-moved = { $format } holds coordinates in single precision: the mesh was moved to the origin, by ({ NUMBER($x) }, { NUMBER($y) }, { NUMBER($z) }). PLY, OBJ and OFF keep its place.
+loss-moved = { $format } holds coordinates in single precision: the mesh was moved to the origin, by ({ NUMBER($x, digits: 17) }, { NUMBER($y, digits: 17) }, { NUMBER($z, digits: 17) }). PLY, OBJ and OFF keep its place.
 loss-colours = { $format } has no place for colours of vertices: they were left out. PLY, OBJ, OFF and GLB keep them.
 loss-colours-remeshed = The file’s vertex colours were dropped: remeshing has made other vertices.
 
