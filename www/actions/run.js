@@ -31,8 +31,10 @@ export function createRun(core, adopt) {
     const { figure, film, comparison } = get();
     const isNewFilm = figure?.back && film === null && comparison.rivals.length === 0;
     if (isNewFilm) patch({ film: "back" });
-    if (isNewFilm || film === "back") await core.run();
-    else if (!maySolve() && isAtEnd()) player.begin(true);
+    if (isNewFilm || film === "back") {
+      await core.run();
+      await core.beside.run();
+    } else if (!maySolve() && isAtEnd()) player.begin(true);
     else {
       if (maySolve()) await core.run();
       await core.beside.run();
