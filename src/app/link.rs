@@ -29,7 +29,7 @@ use crate::flow::options::{FlowName, FlowOptions};
 use base::{base_of, before_of};
 pub use error::{LinkError, LinkValue};
 use serde::{Deserialize, Serialize};
-use words::{Words, is_among, is_energy, whole};
+use words::{Words, is_among, is_energy, step, whole};
 
 /// Vertices in all selections of a link at most.
 const MAX_SELECTED: usize = 1 << 20;
@@ -226,7 +226,7 @@ impl Link {
         };
         link.read_source(&words)?;
         link.read_options(&words, &mut reader)?;
-        let step = words.read_as("step", LinkValue::Step, |text| link.step_of(text))?;
+        let step = words.read_as("step", LinkValue::Step, |text| step(text, link.is_film()))?;
         link.step = step.unwrap_or_default();
         link.read_actions(&words, &mut reader)?;
         link.read_view(&words)?;
@@ -298,17 +298,10 @@ impl Link {
         Ok(())
     }
 
-    /// A step; a negative one where the figure that is shown is a film.
-    fn step_of(&self, text: &str) -> Option<i32> {
+    /// Whether it shows a figure of two halves.
+    fn is_film(&self) -> bool {
         let figure = self.figure.as_deref().and_then(library::figure);
-        let is_film = figure.is_some_and(|figure| {
-            figure.back.is_some() && self.sample.as_deref() == Some(figure.sample)
-        });
-        let step = |text: &str| i32::try_from(whole(text)?).ok();
-        match text.strip_prefix('-').filter(|_| is_film) {
-            Some(text) => step(text).map(|step| -step),
-            None => step(text),
-        }
+        figure.is_some_and(|one| one.back.is_some() && self.sample.as_deref() == Some(one.sample))
     }
 
     fn read_actions(&mut self, words: &Words, reader: &mut Reader) -> Result<(), LinkError> {

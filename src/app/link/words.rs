@@ -111,6 +111,15 @@ pub(super) fn is_among(text: &str, also: &str) -> bool {
     text.bytes().all(fits)
 }
 
+/// A step; in the half of a film that is shown backwards a negative one.
+pub(super) fn step(text: &str, is_film: bool) -> Option<i32> {
+    let step = |text: &str| i32::try_from(whole(text)?).ok();
+    match text.strip_prefix('-').filter(|_| is_film) {
+        Some(text) => step(text).map(|step| -step),
+        None => step(text),
+    }
+}
+
 /// A number of at most seven digits.
 pub(super) fn whole(text: &str) -> Option<usize> {
     let is_short = (1..=7).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit());
