@@ -284,8 +284,7 @@ impl Session {
         link.step = step;
         // On the way to another step the energy there is not known yet. At the start it follows
         // from the rest of the link.
-        let is_there = step == here && (step != 0 || scene.shared);
-        if is_there || (scene.shared && scene.goal.is_none()) {
+        if step == here && (step != 0 || scene.shared) {
             link.version = Some(env!("CARGO_PKG_VERSION").into());
             link.check = Some(state.energy)
                 .filter(|energy| energy.is_finite())
