@@ -6,6 +6,7 @@ import { execute } from "./cli/command.js";
 import { commands, overview } from "./cli/commands.js";
 import { failed, usage } from "./cli/failure.js";
 import { openSession, unknown } from "./cli/solver.js";
+import { pending } from "./cli/text.js";
 
 /** @typedef {import("./cli/solver.js").Session} Session */
 /**
@@ -31,8 +32,7 @@ export async function main(parameters, io, open) {
       const offer = repairs.length > 0 ? { repairs } : {};
       io.write(`${JSON.stringify({ kind, message, hint, ...offer })}\n`);
     } else {
-      const would = repairs.map(({ message: change }) => `repair: ${change}`);
-      io.log([`umbilic: ${message}`, ...(hint ? [hint] : []), ...would].join("\n  "));
+      io.log([`umbilic: ${message}`, ...(hint ? [hint] : []), ...pending(repairs)].join("\n  "));
     }
     return exit;
   }

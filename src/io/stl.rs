@@ -49,10 +49,10 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
         Some(count) => u64::from(count),
         None => return Err(cut_short(0, HEADER as u64)),
     };
-    // Some programs write their triangles as a stream and never come back to the header, which
-    // then counts none, or too many.
+    // Some programs write their triangles as a stream and never come back to the header, or join
+    // files and leave the header of the first: what the file has counts.
     let whole = (bytes.len() - HEADER) / TRIANGLE;
-    let is_uncounted = (announced == 0 || announced > whole as u64)
+    let is_uncounted = announced != whole as u64
         && whole > 0
         && (bytes.len() - HEADER).is_multiple_of(TRIANGLE);
     let count = if is_uncounted {
@@ -291,6 +291,8 @@ mod tests {
         assert_eq!(read.soup.n_faces(), 2);
         let said = |announced, count| [Oddity::Uncounted { announced, count }];
         assert_eq!(read.warnings, said(0, 2));
+        uncounted[80..84].copy_from_slice(&1_u32.to_le_bytes());
+        assert_eq!(read_binary(&uncounted).unwrap().warnings, said(1, 2));
         // As a stream, or cut after a whole triangle.
         uncounted[80..84].fill(0xFF);
         let read = read_binary(&uncounted).unwrap();

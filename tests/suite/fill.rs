@@ -463,6 +463,23 @@ fn coinciding_neighbours_do_no_harm_and_holes_that_share_a_corner_are_two() {
 }
 
 #[test]
+fn a_vertex_on_an_edge_leaves_no_hole() {
+    // A tetrahedron of which one face knows of a vertex on its side and the other does not; once in
+    // single precision, where the vertex is not quite there.
+    for offset in [0.0, 3e-7] {
+        let corners = [[0.0; 3], [1.3, 0.2, 0.1], [0.3, 1.1, 0.4], [0.2, 0.5, 1.2]];
+        let mut x = corners.map(DVec3::from_array).to_vec();
+        x.push(x[0].lerp(x[1], 0.4) + offset * DVec3::Z);
+        let faces = [[0, 2, 4], [4, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+        let s = surface(&PolygonSoup::from_faces(x, &faces));
+        let reason = FillError::StraightLoop { index: 0 };
+        assert_eq!(boundary_loops(&s.mesh, &s.x).len(), 1);
+        let filled = try_fill(&s.mesh, &s.x, &FillOptions::default());
+        assert_eq!(filled.err(), Some(reason), "{offset}");
+    }
+}
+
+#[test]
 fn a_slit_is_no_hole() {
     // Between two rings of a tube, two thirds of the way around, vertices are twice there.
     let (around, x): (usize, Vec<DVec3>) = (12, {

@@ -86,6 +86,33 @@ test("other commands say that a repair would help, and what it would do", () => 
   assert.equal(empty.repairs, undefined);
 });
 
+test("what works on a broken surface as it is says that a repair would help", () => {
+  // A torus in two pieces: the second half of it has vertices of its own.
+  const { positions, triangles } = wavyTorus(12, 8);
+  const half = triangles.length / 2;
+  const torn = written(
+    "torn.obj",
+    obj({
+      positions: [...positions, ...positions],
+      triangles: triangles.map((t, n) => (n < half ? t : t.map((v) => v + positions.length))),
+    }),
+  );
+  const wouldWeld = /repair: Welded [\s\S]*umbilic repair MESH --out FILE/;
+  for (const command of [["energy"], ["flips"], ["remesh"], ["flow", "--steps", "2"]]) {
+    const { exit, log } = umbilic([...command, torn]);
+    assert.equal(exit, 0, log);
+    assert.match(log, wouldWeld, command[0]);
+  }
+  const info = umbilic(["info", torn]);
+  assert.match(info.out, wouldWeld);
+  assert.equal(info.log, "");
+  assert.doesNotMatch(umbilic(["repair", torn]).log, /repair:/);
+  // Two mouths of tubes are no holes, and here they are no mouths.
+  const { exit, log } = umbilic(["fill", torn]);
+  assert.equal(exit, 3);
+  assert.equal(log.match(/repair: Welded/g)?.length, 1, log);
+});
+
 test("repair --weld welds within a length, or not at all", () => {
   // The torus as a heap of triangles, one side of it a little off.
   const { positions, triangles } = wavyTorus(12, 8);

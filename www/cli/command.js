@@ -5,7 +5,7 @@ import { perform as performIn } from "../session.js";
 import { say } from "../words.js";
 import { checkOutput, formatOf, readMesh, writeOutput, writtenHelp } from "./files.js";
 import { flagsOf, help, parse, readFlags, typed } from "./options.js";
-import { print } from "./text.js";
+import { pending, print, repairInWords, repairWay } from "./text.js";
 
 /** @import { Row } from "../generated/schema.js" */
 /** @import { Options, Values } from "./options.js" */
@@ -70,6 +70,11 @@ export async function execute(name, spec, { parameters, io, open }) {
   const perform = (command, fields) => performIn(session, command, fields);
   const loaded = mesh && (load?.(perform, mesh, asked) ?? perform("load", mesh));
   const done = await run({ perform, asked, values, operands: given, io, loaded });
+  // What works on a broken surface as it is says so; `info` lists that itself.
+  if (loaded?.info && name !== "info") {
+    const wanting = pending(loaded.info.repairs.map(repairInWords));
+    if (wanting.length > 0) io.log([...wanting, repairWay].join("\n"));
+  }
   if (format) {
     const losses = perform("losses", { format });
     writeOutput(values.out, perform("export", { format }));

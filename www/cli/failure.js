@@ -1,7 +1,7 @@
 // How a command ends when it does not end well: one shape, three exit codes.
 
 import { sayFault } from "../words.js";
-import { repairInWords } from "./text.js";
+import { repairInWords, repairWay } from "./text.js";
 
 /** @typedef {import("../generated/types.js").Fault} Refusal */
 
@@ -41,8 +41,8 @@ export function failed(exit, error) {
   if (!isRefusal(error)) throw error;
   const { kind, message, hint } = sayFault(error);
   const repairs = (error.repairs ?? []).map(repairInWords);
-  const way = "`umbilic repair MESH --out FILE` writes such a surface.";
-  return new Failure(exit, kind, message, repairs.length > 0 ? `${hint} ${way}` : hint, repairs);
+  const way = repairs.length > 0 ? `${hint} ${repairWay}` : hint;
+  return new Failure(exit, kind, message, way, repairs);
 }
 
 /**

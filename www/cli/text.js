@@ -16,7 +16,17 @@ export const inWords = (told) => ({
 });
 
 /** A change of a repair as people read it. @param {RepairItem} item */
-export const repairInWords = ({ kind, count, message }) => ({ kind, count, message: say(message) });
+export const repairInWords = ({ kind, count, message, done }) => ({
+  ...{ kind, count, done },
+  message: say(message),
+});
+
+/** How what a repair would change is changed. */
+export const repairWay = "`umbilic repair MESH --out FILE` writes such a surface.";
+
+/** What a repair would change. @param {readonly ReturnType<typeof repairInWords>[]} repairs */
+export const pending = (repairs) =>
+  repairs.filter(({ done }) => !done).map(({ message }) => `repair: ${message}`);
 
 /** Six significant digits; whole numbers in full. @param {unknown} value @returns {string} */
 export function format(value) {
@@ -50,6 +60,7 @@ export function print({ message, warnings = [], changes, repairs = [], ...rest }
   const rows = entries(all).map(([key, value]) => [key, format(value)]);
   const lines = (/** @type {string[]} */ list, kind = "") =>
     list.map((line) => `${kind}${line}\n`).join("");
+  const wanting = pending(repairs);
   const said = (/** @type {{ message: string }} */ one) => one.message;
   const parts = [
     message ? `${message}\n` : "",
@@ -57,7 +68,7 @@ export function print({ message, warnings = [], changes, repairs = [], ...rest }
     rows.length > 0 ? table(rows) : "",
     sides ? compared(sides) : "",
     lines(warnings, "warning: "),
-    lines(repairs.map(said), "repair: "),
+    wanting.length > 0 ? lines([...wanting, repairWay]) : "",
   ];
   return parts.filter((part) => part !== "").join("\n");
 }

@@ -60,7 +60,7 @@ impl Runner {
 }
 
 /// Refusals of a surface that a repair may help against.
-const MENDABLE: [&str; 8] = [
+const MENDABLE: [&str; 10] = [
     "NotClosed",
     // Of loose triangles all vertices are boundary.
     "NothingFree",
@@ -69,6 +69,8 @@ const MENDABLE: [&str; 8] = [
     "ZeroLengthEdge",
     "Unfit",
     "TouchingLoop",
+    "StraightLoop",
+    "NoSmallLoops",
     "NoRoom",
 ];
 

@@ -12,6 +12,10 @@ use std::f64::consts::TAU;
 /// Vertices of a loop closer than this share of its mean edge lie in the same place.
 const SAME_PLACE: f64 = 1e-9;
 
+/// Vertices of a loop closer to a line than this share of its length lie on it, as far as numbers
+/// of single precision can tell.
+const ON_A_LINE: f64 = 1e-6;
+
 /// A loop is small where it is no longer than so many times the diagonal of its component's
 /// bounding box: a circle of a third of it. The outer rim of a sheet is twice and more as long.
 const SMALL: f64 = 1.0;
@@ -124,12 +128,16 @@ pub fn small_loops(mesh: &HalfedgeMesh, x: &[DVec3], all: &[BoundaryLoop]) -> Ve
     small
 }
 
-/// Refuses a loop of which two vertices that are not neighbours lie in the same place.
+/// Refuses a loop that has no inside: all of it on a line, or two vertices that are not neighbours
+/// in the same place.
 pub(super) fn check_simple(
     index: usize,
     boundary: &BoundaryLoop,
     x: &[DVec3],
 ) -> Result<(), FillError> {
+    if is_straight(boundary, x) {
+        return Err(FillError::StraightLoop { index });
+    }
     let m = boundary.vertices.len();
     let same = SAME_PLACE * boundary.length / m as f64;
     // Along a direction that few meshes have a plane across.
@@ -150,6 +158,15 @@ pub(super) fn check_simple(
         }
     }
     Ok(())
+}
+
+/// Whether all vertices lie on the line from the first to the one farthest from it.
+fn is_straight(boundary: &BoundaryLoop, x: &[DVec3]) -> bool {
+    let first = x[boundary.vertices[0] as usize];
+    let arms = || boundary.vertices.iter().map(|&v| x[v as usize] - first);
+    let farthest = arms().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
+    let line = farthest.unwrap_or_default().normalize_or_zero();
+    arms().all(|arm| arm.reject_from_normalized(line).length() <= ON_A_LINE * boundary.length)
 }
 
 /// The held vertices of a patch, numbered loop after loop.

@@ -27,6 +27,12 @@ messages! {
             /// Another.
             b: u32,
         },
+        /// All vertices of a loop lie on a line, as where a vertex lies on an edge that it does not
+        /// end: filled, it would be faces without area.
+        StraightLoop {
+            /// The loop.
+            index: usize,
+        },
         /// No loop is so small that it is a hole rather than the outer rim of a sheet.
         NoSmallLoops {
             /// How many loops there are.

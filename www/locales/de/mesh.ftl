@@ -153,6 +153,8 @@ fill-loop-out-of-range = es gibt keine Randkurve { $index }; das Netz hat { $loo
     .hint = Nehmen Sie alle Randkurven oder eine von denen, die es gibt.
 fill-touching-loop = Randkurve { $index } berührt sich selbst: Die Ecken { VERTEX($a, bare: 1) } und { VERTEX($b) } liegen am selben Ort
     .hint = Eine Reparatur näht Ränder zusammen, die aufeinander liegen.
+fill-straight-loop = die ganze Randkurve { $index } liegt auf einer Linie und hat kein Inneres
+    .hint = Eine Reparatur schließt eine solche Lücke, wie sie eine Ecke mitten auf einer Kante lässt.
 fill-no-small-loops = { $loops ->
     [one] die Randkurve ist
    *[other] die { $loops } Randkurven sind

@@ -159,6 +159,8 @@ fill-loop-out-of-range = there is no boundary loop { $index }; the mesh has { $l
     .hint = Ask for all loops, or for one of those there are.
 fill-touching-loop = boundary loop { $index } touches itself: vertices { VERTEX($a, bare: 1) } and { VERTEX($b) } lie in the same place
     .hint = A repair stitches boundaries that lie on each other.
+fill-straight-loop = all of boundary loop { $index } lies on one line, and has no inside
+    .hint = A repair closes such a gap, as a vertex in the middle of an edge leaves it.
 fill-no-small-loops = { $loops ->
     [one] the boundary loop is
    *[other] the { $loops } boundary loops are
