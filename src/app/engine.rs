@@ -167,6 +167,13 @@ impl Engine {
         }
     }
 
+    /// See [`Driver::exhaust`].
+    pub(super) fn exhaust(&mut self) {
+        if let Self::Flow(driver) = self {
+            driver.exhaust();
+        }
+    }
+
     /// Lets go of what is large and can be made again.
     pub(super) fn release(&mut self) {
         if let Self::Flow(driver) = self {

@@ -318,8 +318,11 @@ impl Runner {
         }
         let (report, decision) = self.flow_step(before, None, extends)?;
         if let Some(kind) = self.can_pass_at(&decision) {
-            // With a step it goes on, and the next one will find out.
+            // The next step begins with the pass, or says that the run is over.
             if report.is_some() {
+                if let Some(flow) = &mut self.engine {
+                    flow.exhaust();
+                }
                 return Ok(report);
             }
             if let Some(pass) = self.pass(kind, self.copied())? {

@@ -70,6 +70,11 @@ impl Driver {
         self.flow.relearn(mark.learnt);
     }
 
+    /// Takes no step of this phase any more: the next one says that the run is over.
+    pub fn exhaust(&mut self) {
+        self.run.is_exhausted = true;
+    }
+
     /// Lets go of what is large and can be made again, as it was, from what is kept.
     pub fn release(&mut self) {
         self.flow.release();

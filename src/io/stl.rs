@@ -52,9 +52,8 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Read, ReadError> {
     // Some programs write their triangles as a stream and never come back to the header, or join
     // files and leave the header of the first: what the file has counts.
     let whole = (bytes.len() - HEADER) / TRIANGLE;
-    let is_uncounted = announced != whole as u64
-        && whole > 0
-        && (bytes.len() - HEADER).is_multiple_of(TRIANGLE);
+    let is_uncounted =
+        announced != whole as u64 && whole > 0 && (bytes.len() - HEADER).is_multiple_of(TRIANGLE);
     let count = if is_uncounted {
         whole as u64
     } else {

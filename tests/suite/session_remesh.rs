@@ -172,6 +172,41 @@ fn a_flow_remeshes_between_steps_and_comes_to_rest_at_the_sphere() {
 }
 
 #[test]
+fn at_rest_on_needles_that_no_pass_betters_a_run_is_over() {
+    // A rod as CAD programs write it: nothing but its edges, joined by needles.
+    let n = 31;
+    let mut text = String::new();
+    for end in [0, 20] {
+        for i in 0..n {
+            let (sin, cos) = (2.0 * PI * f64::from(i) / f64::from(n)).sin_cos();
+            text += &format!("v {cos} {sin} {end}\n");
+        }
+    }
+    for i in 1..=n {
+        let (j, k) = (i % n + 1, i + n);
+        text += &format!("f {i} {j} {k}\nf {j} {} {k}\n", j + n);
+        if (2..n).contains(&i) {
+            text += &format!("f 1 {} {i}\nf {} {k} {}\n", i + 1, 1 + n, k + 1);
+        }
+    }
+    let mut s = Session::new();
+    s.load(text.as_bytes(), "rod.obj").expect("a rod");
+    s.configure(FlowOptions {
+        flow: FlowName::PWillmore,
+        ..FlowOptions::default()
+    })
+    .expect("configured");
+    let taken = s.run(2000).expect("steps");
+    let state = s.state().expect("a state");
+    assert!(state.status.is_final() && taken < 500, "{taken}: {state:?}");
+    // Going back, and doing it again, it is over in the same step.
+    let end = exact(&mut s);
+    s.back().expect("a step back");
+    s.run(2000).expect("steps");
+    assert!(exact(&mut s) == end);
+}
+
+#[test]
 fn going_back_over_a_pass_and_doing_it_again_is_exact() {
     let mut s = worn(Remeshing::Adaptive);
     let mut seen = vec![exact(&mut s)];
