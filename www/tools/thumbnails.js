@@ -18,6 +18,11 @@ const wanted = process.argv.slice(2);
 const server = await serve();
 const browser = await launch();
 
+/** Of flows side by side the first, without what is said of it. */
+const FIRST = `#panes { --columns: 1 !important; }
+  .pane + .pane { position: absolute; visibility: hidden; }
+  .pane figcaption { display: none; }`;
+
 /** A fifth of the bytes. @param {Buffer} png */
 async function asWebp(png) {
   const page = await browser.newPage();
@@ -44,6 +49,7 @@ async function take(name, scene, viewport) {
   const { page, close } = await openPage(browser, { viewport, colorScheme: "light" });
   page.setDefaultTimeout(120_000);
   await page.goto(`${server.url}?embed&controls=none&effects=always#${new URLSearchParams(texts)}`);
+  await page.addStyleTag({ content: FIRST });
   await until(page, /^(Ready|Paused|Converged|Stopped|Stalled|Singular|Collapsed)/);
   await untilDrawn(page);
   const png = await page.locator("#surface").screenshot();

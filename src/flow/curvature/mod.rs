@@ -11,7 +11,7 @@
 //! closed surface under the flow by mean curvature, the driver finds smaller ones. The share s
 //! of a step that is taken is such that no vertex moves by more than half an edge.
 //!
-//! Area falls under surface diffusion of a whole surface. Of a patch with a held rim it need
+//! Area falls under surface diffusion of a whole surface, and the volume stays what it was. Of a patch with a held rim it need
 //! not, and no functional is known that the discrete flow lowers: whole steps, which find the
 //! steady state in a few, are taken there without a test for descent.
 //!
@@ -26,6 +26,7 @@
 mod curvature_variation;
 mod curvatures;
 mod gauge;
+mod kept;
 mod ladder;
 mod law;
 mod mean_curvature;
@@ -55,6 +56,7 @@ use crate::mesh::HalfedgeMesh;
 use crate::operator::FittedOperators;
 use curvatures::Curvatures;
 use glam::DVec3;
+use kept::KeptVolume;
 use ladder::Ladder;
 use law::Law;
 use region::{Region, check_mesh};
@@ -111,6 +113,8 @@ pub struct CurvatureFlow {
     /// of the flows that go by curvatures alone.
     smooth_minimum: Option<f64>,
     ladder: Ladder,
+    /// What surface diffusion keeps, of a closed surface all of which moves.
+    kept_volume: Option<KeptVolume>,
     /// Whether the last proposal from here was a whole step.
     has_tried_whole: bool,
     /// At the present positions, once they are needed; and at a trial.
@@ -157,7 +161,9 @@ impl CurvatureFlow {
         let at = Curvatures::of(mesh, x, &region);
         let is_whole = region.free.len() == x.len();
         let is_bounded = matches!(law, Law::Willmore | Law::CurvatureVariation) && is_whole;
+        let is_kept = law == Law::SurfaceDiffusion && is_whole && options.scheme != Scheme::Paper;
         let mut flow = Self {
+            kept_volume: KeptVolume::of(mesh, x).filter(|_| is_kept),
             system: CurvatureSystem::new(law, &region),
             start: x.to_vec(),
             has_tried_whole: false,
@@ -358,6 +364,9 @@ impl Flow for CurvatureFlow {
     }
 
     fn measure(&mut self, _x: &[DVec3], y: &mut [DVec3]) -> Result<f64, Refusal> {
+        if let Some(kept) = &self.kept_volume {
+            kept.restore(&self.mesh, y)?;
+        }
         let next = Curvatures::of(&self.mesh, y, &self.region);
         let unfit = self.unfit(&next);
         let energy = self

@@ -1,4 +1,5 @@
-//! Surface diffusion, V = ΔH: decreases the area and keeps the volume.
+//! Surface diffusion, V = ΔH: decreases the area and keeps the volume, of a closed surface to the
+//! last digits (see `kept`).
 //!
 //! In the paper's sign of H the velocity is −ΔH.
 
