@@ -133,6 +133,11 @@ messages! {
         },
         /// All faces were turned, as the volume was negative.
         InsideOut,
+        /// Closed parts of negative volume were turned.
+        TurnedParts {
+            /// How many.
+            count: usize,
+        },
     }
 }
 

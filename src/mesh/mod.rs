@@ -14,6 +14,7 @@ pub mod flip;
 pub mod noise;
 mod orient;
 mod outline;
+mod outward;
 mod repair;
 pub mod shape;
 mod sides;
@@ -21,6 +22,7 @@ pub mod subdivide;
 pub mod topology;
 pub mod validate;
 pub mod walk;
+mod wall;
 
 pub use build::{Built, build, build_as_given};
 pub use element::{Edge, Face, Halfedge, Vertex};

@@ -1,7 +1,8 @@
 //! Consistent orientation of a soup, and outward where it is closed.
 
 use super::error::Repair;
-use super::sides::{Side, face_adjacency, interior_edges};
+use super::outward::turn_outward;
+use super::sides::{Side, face_adjacency};
 use crate::soup::PolygonSoup;
 
 /// Turns faces so that neighbours agree, keeping the majority of each component.
@@ -17,6 +18,7 @@ pub(super) fn orient(
     let mut turned: Vec<Option<bool>> = vec![None; n];
     let (mut n_turned, mut twisted_components) = (0usize, 0usize);
     let mut component = Vec::new();
+    let (mut part, mut n_parts) = (vec![0; n], 0);
     for seed in 0..n {
         if turned[seed].is_some() {
             continue;
@@ -52,7 +54,9 @@ pub(super) fn orient(
         };
         for &f in &component {
             turned[f as usize] = turned[f as usize].map(|t| t ^ invert);
+            part[f as usize] = n_parts;
         }
+        n_parts += 1;
     }
     for (f, turned) in turned.iter().enumerate() {
         if *turned == Some(true) {
@@ -67,27 +71,7 @@ pub(super) fn orient(
     } else if n_turned > 0 {
         repairs.push(Repair::TurnedFaces { count: n_turned });
     }
-    if turns_outward && twisted_components == 0 && closed_volume(soup, sides) < 0.0 {
-        for f in 0..n {
-            let range = soup.face_starts[f] as usize..soup.face_starts[f + 1] as usize;
-            soup.corners[range].reverse();
-        }
-        repairs.push(Repair::InsideOut);
+    if turns_outward && twisted_components == 0 {
+        turn_outward(soup, sides, &part, n_parts as usize, repairs);
     }
-}
-
-/// Signed volume of a closed soup by fans of tetrahedra; 0 if it is open.
-fn closed_volume(soup: &PolygonSoup, sides: &[Side]) -> f64 {
-    if 2 * interior_edges(sides).count() != sides.len() {
-        return 0.0;
-    }
-    let x = |v: u32| soup.positions[v as usize] - soup.positions[0];
-    soup.faces()
-        .flat_map(|f| {
-            f[1..]
-                .windows(2)
-                .map(move |w| x(f[0]).dot(x(w[0]).cross(x(w[1]))))
-        })
-        .sum::<f64>()
-        / 6.0
 }

@@ -3,6 +3,7 @@
 
 use super::error::Repair;
 use super::sides::{Side, face_adjacency, interior_edges};
+use super::wall::{are_opposite, walls};
 use crate::order;
 use crate::soup::{PolygonSoup, cut_bridged};
 use glam::DVec3;
@@ -67,7 +68,7 @@ pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> Poly
     clean
 }
 
-/// Marks every face whose vertex set an earlier face has.
+/// Marks every face whose vertex set an earlier face has, walls between two bodies excepted.
 fn duplicate_faces(soup: &PolygonSoup) -> Vec<bool> {
     let key = |f: usize| {
         let mut corners = soup.face(f).to_vec();
@@ -88,18 +89,31 @@ fn duplicate_faces(soup: &PolygonSoup) -> Vec<bool> {
         entries[range[0] as usize..range[1] as usize].sort_unstable();
     }
     let mut duplicate = vec![false; soup.n_faces()];
+    let mut opposite: Vec<[usize; 2]> = Vec::new();
     for group in entries
         .chunk_by(|a, b| a >> 32 == b >> 32)
         .filter(|g| g.len() > 1)
     {
-        let mut seen = Vec::new();
+        let mut seen: Vec<(Vec<u32>, Vec<usize>)> = Vec::new();
         for f in group.iter().map(|entry| *entry as u32 as usize) {
             let corners = key(f);
-            duplicate[f] = seen.contains(&corners);
-            if !duplicate[f] {
-                seen.push(corners);
+            if let Some((_, same)) = seen.iter_mut().find(|(other, _)| *other == corners) {
+                duplicate[f] = true;
+                same.push(f);
+            } else {
+                seen.push((corners, vec![f]));
             }
         }
+        for (_, same) in seen {
+            if let &[f, g] = &same[..]
+                && are_opposite(soup.face(f), soup.face(g))
+            {
+                opposite.push([f, g]);
+            }
+        }
+    }
+    for [_, kept] in walls(soup, &opposite) {
+        duplicate[kept] = false;
     }
     duplicate
 }

@@ -127,6 +127,60 @@ fn an_inside_out_surface_is_turned() {
     assert_eq!(repairs, [Repair::InsideOut]);
 }
 
+/// Balls of these radii about these places, those of negative radius inside out.
+fn balls(of: &[(f64, f64)]) -> PolygonSoup {
+    let ball = sample("icosphere");
+    let mut soup = PolygonSoup::default();
+    for &(radius, at) in of {
+        let first = soup.positions.len() as u32;
+        let place = |p: &DVec3| radius.abs() * *p + at * DVec3::X;
+        soup.positions.extend(ball.positions.iter().map(place));
+        for face in ball.faces() {
+            let mut face: Vec<u32> = face.iter().map(|v| v + first).collect();
+            if radius < 0.0 {
+                face.reverse();
+            }
+            soup.push_face(&face);
+        }
+    }
+    soup
+}
+
+#[test]
+fn parts_that_are_inside_out_are_turned_and_walls_of_cavities_are_not() {
+    type Case = (&'static [(f64, f64)], f64, Option<Repair>);
+    let turned = |count| Some(Repair::TurnedParts { count });
+    let cases: [Case; 8] = [
+        (&[(1.0, 0.0), (-0.5, 3.0)], 1.125, turned(1)),
+        (&[(-0.5, 3.0), (-0.2, 6.0), (1.0, 0.0)], 1.133, turned(2)),
+        // A hollow ball, as it should be; all of it inside out; beside another; and alone within.
+        (&[(1.0, 0.0), (-0.5, 0.1)], 0.875, None),
+        (&[(-1.0, 0.0), (0.5, 0.1)], 0.875, Some(Repair::InsideOut)),
+        (&[(-1.0, 0.0), (0.5, 0.1), (1.0, 4.0)], 1.875, turned(2)),
+        (&[(1.0, 0.0), (0.5, 0.1)], 1.125, None),
+        (&[(1.0, 0.0), (-0.05, 0.0)], 0.999_875, None),
+        (&[(-1.0, 0.0), (-0.5, 3.0)], 1.125, Some(Repair::InsideOut)),
+    ];
+    let unit = {
+        let Surface { mesh, x, .. } = surface(&sample("icosphere"));
+        measure::volume(&mesh, &x).expect("closed")
+    };
+    for (n, (of, volume, repair)) in cases.into_iter().enumerate() {
+        let Surface { mesh, x, repairs } = surface(&balls(of));
+        let found = measure::volume(&mesh, &x).expect("closed") / unit;
+        assert!((found - volume).abs() < 1e-12, "{n}: {found}");
+        assert_eq!(repairs, repair.into_iter().collect::<Vec<_>>(), "{n}");
+    }
+    // In the box of a ball, but in its corner.
+    let mut soup = balls(&[(1.0, 0.0), (-0.1, 0.0)]);
+    let half = soup.positions.len() / 2;
+    for p in &mut soup.positions[half..] {
+        *p += DVec3::splat(0.8);
+    }
+    let repairs = surface(&soup).repairs;
+    assert_eq!(repairs, [Repair::TurnedParts { count: 1 }]);
+}
+
 #[test]
 fn harmless_debris_is_dropped_with_a_word() {
     let clean = sample("icosahedron");

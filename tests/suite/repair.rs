@@ -662,6 +662,109 @@ fn files_that_people_brought_become_surfaces() {
     }
 }
 
+/// A sphere as a grid of latitudes and longitudes, the poles rows of their own: of squares or triangles,
+/// its two ends joined or not, in double or single precision.
+fn grid(rings: usize, around: usize, triangles: bool, joined: bool, single: bool) -> Soup {
+    let mut soup = Soup::default();
+    let columns = around + usize::from(!joined);
+    for ring in 0..=rings {
+        let (sin, z) = (std::f64::consts::PI * ring as f64 / rings as f64).sin_cos();
+        for n in 0..columns {
+            let (y, x) = (std::f64::consts::TAU * n as f64 / around as f64).sin_cos();
+            let p = [sin * x, sin * y, z];
+            soup.x.push(if single {
+                p.map(|c| f64::from(c as f32))
+            } else {
+                p
+            });
+        }
+    }
+    for ring in 0..rings {
+        for n in 0..around {
+            let at = |ring: usize, n: usize| ring * columns + n % columns;
+            let [a, b] = [at(ring, n), at(ring, n + 1)];
+            let [c, d] = [at(ring + 1, n), at(ring + 1, n + 1)];
+            if triangles {
+                soup.faces.extend([vec![a, c, d], vec![a, d, b]]);
+            } else {
+                soup.faces.push(vec![a, c, d, b]);
+            }
+        }
+    }
+    soup
+}
+
+#[test]
+fn a_grid_whose_poles_are_rows_becomes_a_sphere() {
+    for case in 0..16 {
+        let [triangles, joined, single, fine] = [1, 2, 4, 8].map(|bit| case & bit != 0);
+        let (rings, around) = if fine { (9, 70) } else { (8, 12) };
+        let soup = grid(rings, around, triangles, joined, single);
+        let (_, loaded) = repaired(&soup.obj(), Weld::Auto);
+        let info = &loaded.info;
+        assert!(is_sphere(info), "{case}: {info:?}");
+        assert_eq!(info.vertices, (rings - 1) * around + 2, "{case}");
+        assert_eq!(info.repairs, [], "{case}");
+    }
+}
+
+/// Two cubes of squares or triangles that share a side, each with a wall of its own there, on the same
+/// vertices.
+#[test]
+fn bodies_that_share_a_wall_are_taken_apart() {
+    for n in [1, 3] {
+        let mut soup = Soup::cube(n);
+        let names: Vec<usize> = (soup.x.clone().iter())
+            .map(|&[x, y, z]| {
+                let moved = [x + 1.0, y, z];
+                soup.x.iter().position(|p| *p == moved).unwrap_or_else(|| {
+                    soup.x.push(moved);
+                    soup.x.len() - 1
+                })
+            })
+            .collect();
+        let other = soup.faces.clone().into_iter();
+        // The mirror image of the first, so that diagonals of the wall agree.
+        let wall = |soup: &Soup, face: &[usize], x: f64| face.iter().all(|&v| soup.x[v][0] == x);
+        let near: Vec<Vec<usize>> = soup
+            .faces
+            .iter()
+            .filter(|f| wall(&soup, f, 1.0))
+            .cloned()
+            .collect();
+        let far = other.filter(|face| !wall(&soup, face, 0.0));
+        let far: Vec<Vec<usize>> = far
+            .map(|face| face.iter().map(|&v| names[v]).collect())
+            .collect();
+        soup.faces.extend(far);
+        soup.faces.extend(
+            near.into_iter()
+                .map(|face| face.into_iter().rev().collect()),
+        );
+        let fault = Session::new()
+            .load(&soup.obj(), "walls.obj")
+            .expect_err("no surface");
+        assert_eq!(fault.kind, "NonManifoldEdge");
+        let (_, loaded) = repaired(&soup.obj(), Weld::Auto);
+        let info = &loaded.info;
+        assert!(info.closed && info.components == 2, "{info:?}");
+        assert_eq!(info.faces, soup.faces.len());
+        assert!(
+            (info.area - 12.0).abs() < 1e-12 && (info.volume.expect("closed") - 2.0).abs() < 1e-12
+        );
+    }
+    // A sheet with a back of its own is one sheet.
+    let mut sheet = Soup::cube(2);
+    let is_side = |face: &Vec<usize>| face.iter().all(|&v| sheet.x[v][0] == 1.0);
+    let side: Vec<Vec<usize>> = sheet.faces.iter().filter(|f| is_side(f)).cloned().collect();
+    let back = side.iter().map(|face| face.iter().rev().copied().collect());
+    sheet.faces = side.iter().cloned().chain(back).collect();
+    let loaded = Session::new()
+        .load(&sheet.obj(), "sheet.obj")
+        .expect("a sheet");
+    assert_eq!(loaded.info.faces, side.len());
+}
+
 /// A vertex of no face, a face with a corner twice, and a triangle of three corners on a line: all
 /// before or among the rest, so that the surface's own numbers are not the file's.
 fn with_flat_triangle() -> Vec<u8> {

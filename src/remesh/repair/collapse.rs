@@ -41,14 +41,20 @@ impl Collapser {
             with.map(|(p, q)| if p == v { q } else { p }).collect()
         };
         let is_boundary = |v: u32| around(v).iter().any(|&w| faces.at(v, w).len() == 1);
-        // Every neighbour of both must be across a triangle that goes with the edge.
+        // Every neighbour of both must be across a triangle that goes with the edge, or the third of a
+        // hole of three edges, which closes.
         let at_edge = faces.at(a, b);
-        let triangles = at_edge
-            .iter()
-            .filter(|&&f| faces.face(f as usize).len() == 3);
-        let shared = around(a).intersection(&around(b)).count();
+        let is_open = |v: u32, w: u32| faces.at(v, w).len() == 1;
+        let triangles = at_edge.iter().map(|&f| faces.face(f as usize));
+        let triangles: Vec<&[u32]> = triangles.filter(|face| face.len() == 3).collect();
+        let mut shared: Vec<u32> = around(a).intersection(&around(b)).copied().collect();
+        let n_shared = shared.len();
+        shared.retain(|w| triangles.iter().all(|face| !face.contains(w)));
+        let is_link = n_shared - shared.len() == triangles.len();
+        let closes = |w: &u32| at_edge.len() == 1 && is_open(a, *w) && is_open(b, *w);
+        let may_close = shared.len() < 2 && shared.iter().all(closes);
         let pinches = at_edge.len() == 2 && is_boundary(a) && is_boundary(b);
-        if shared != triangles.count() || pinches {
+        if !is_link || !may_close || pinches {
             return None;
         }
         let (kept, gone) = (a.min(b), a.max(b));

@@ -1,7 +1,7 @@
-//! Triangles without area.
+//! Triangles without area, and sides without length.
 
 use super::collapse::Collapser;
-use super::faces::Faces;
+use super::faces::{Faces, sides};
 use crate::order;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
@@ -18,10 +18,15 @@ enum Flat {
     Short([u32; 2]),
 }
 
-/// `None` for a face with an area, and for any that is no triangle.
+/// `None` for a triangle with an area, and for any other face whose sides have a length.
 fn flat(face: &[u32], x: &[DVec3]) -> Option<Flat> {
-    let &[a, b, c] = face else { return None };
     let at = |v: u32| x[v as usize];
+    let &[a, b, c] = face else {
+        let length = |(a, b): (u32, u32)| at(a).distance_squared(at(b));
+        let longest = sides(face).map(length).fold(0.0, f64::max);
+        let short = sides(face).find(|&side| length(side) <= FLAT * FLAT * longest);
+        return short.map(|(a, b)| Flat::Short([a, b]));
+    };
     let mut sides = [[a, b, c], [b, c, a], [c, a, b]];
     let length = |s: &[u32; 3]| at(s[0]).distance_squared(at(s[1]));
     order::sort_by(&mut sides, |s, t| length(s).total_cmp(&length(t)));
@@ -39,7 +44,7 @@ fn flat(face: &[u32], x: &[DVec3]) -> Option<Flat> {
     })
 }
 
-/// Whether a face has no area.
+/// Whether a triangle has no area, or another face a side without length.
 pub(super) fn is_flat(face: &[u32], x: &[DVec3]) -> bool {
     flat(face, x).is_some()
 }
@@ -52,25 +57,35 @@ pub(super) struct Dropped {
 }
 
 /// Drops triangles without area. Where a corner lies between the others it joins the neighbour
-/// across the longest side, so that no gap is left; an edge without length is collapsed.
-pub(super) fn drop_flat(soup: &mut PolygonSoup) -> Dropped {
+/// across the longest side, so that no gap is left; an edge without length is collapsed, and so is one
+/// of the boundary no longer than `near`, as where each face at a pole has a pole of its own.
+pub(super) fn drop_flat(soup: &mut PolygonSoup, near: f64) -> Dropped {
     let mut dropped = Dropped::default();
-    if !soup.faces().any(|face| is_flat(face, &soup.positions)) {
+    let x = &soup.positions;
+    let is_near = |(a, b): &(u32, u32)| x[*a as usize].distance(x[*b as usize]) <= near;
+    let is_short = |face| sides(face).any(|side| is_near(&side));
+    if !soup.faces().any(|face| is_flat(face, x) || is_short(face)) {
         return dropped;
     }
     let mut faces = Faces::of(soup);
     let mut collapser = Collapser::default();
-    let x = &soup.positions;
+    let mut collapse = |faces: &mut Faces, ends| {
+        if let Some(kept) = collapser.collapse(faces, ends) {
+            dropped.collapsed.0 += 1;
+            dropped.collapsed.1.push(kept);
+        }
+    };
     // Those that an insertion makes are of the next round.
     for f in 0..faces.len() {
+        let is_open = |(a, b): &(u32, u32)| faces.at(*a, *b).len() == 1;
         match flat(faces.face(f), x) {
-            None => {}
-            Some(Flat::Short(ends)) => {
-                if let Some(kept) = collapser.collapse(&mut faces, ends) {
-                    dropped.collapsed.0 += 1;
-                    dropped.collapsed.1.push(kept);
+            None => {
+                let short = sides(faces.face(f)).find(|side| is_near(side) && is_open(side));
+                if let Some((a, b)) = short {
+                    collapse(&mut faces, [a, b]);
                 }
             }
+            Some(Flat::Short(ends)) => collapse(&mut faces, ends),
             Some(Flat::Between([a, b, c])) => {
                 faces.remove(f);
                 dropped.flat.0 += 1;

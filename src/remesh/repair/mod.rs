@@ -202,6 +202,9 @@ fn changed(soup: &mut PolygonSoup, origin: &mut Vec<u32>, weld: Weld) -> Vec<Cha
     doubled.add(double::drop_doubles(soup));
     changes.extend(doubled.change(|count| RepairChange::DoubledFaces { count }));
     let near = distance(soup, weld);
+    let short = distance(soup, Weld::Auto)
+        .unwrap_or(0.0)
+        .min(near.unwrap_or(0.0));
     let [mut welded, mut collapsed, mut flat, mut inserted] = [(); 4].map(|()| Tally::default());
     for _ in 0..ROUNDS {
         let mut again = false;
@@ -211,7 +214,7 @@ fn changed(soup: &mut PolygonSoup, origin: &mut Vec<u32>, weld: Weld) -> Vec<Cha
             again |= welded.add(weld::weld(soup, 0.0));
             again |= welded.add(weld::weld(soup, near));
         }
-        let dropped = flat::drop_flat(soup);
+        let dropped = flat::drop_flat(soup, short);
         again |= collapsed.add(dropped.collapsed);
         again |= flat.add(dropped.flat);
         again |= inserted.add(junction::insert(soup, near.unwrap_or(0.0)));

@@ -7,6 +7,7 @@ use crate::order;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 /// A sheet that hangs on others is dropped where it has no more than this share of all faces.
 const SMALL: f64 = 0.01;
@@ -174,13 +175,26 @@ fn paired(faces: &Faces, sheet_of: &[usize], (a, b): (u32, u32), x: &[DVec3]) ->
             (f, away, sides(face).any(|side| side == (a, b)))
         })
         .collect();
+    // A wall between two bodies is there twice: each goes on where its body is inside.
+    let corners = |f: u32| {
+        let mut corners = faces.face(f as usize).to_vec();
+        corners.sort_unstable();
+        corners
+    };
+    let all: Vec<Vec<u32>> = wings.iter().map(|(f, ..)| corners(*f)).collect();
+    let has_wall = (1..all.len()).any(|i| all[..i].contains(&all[i]));
     let mut candidates = Vec::new();
     for (i, (f, p, runs)) in wings.iter().enumerate() {
         for (g, q, other) in &wings[i + 1..] {
             // Of one sheet first, flattest first; faces that disagree last.
             let is_one = sheet_of[*f as usize] == sheet_of[*g as usize];
             let far = if is_one { 0.0 } else { 4.0 } + if runs == other { 8.0 } else { 0.0 };
-            let bend = p.dot(*q) + far;
+            let bend = if has_wall && runs != other {
+                let along = if *runs { axis } else { -axis };
+                inside(along.cross(*p), *p, *q)
+            } else {
+                p.dot(*q) + far
+            };
             candidates.push((bend, *f, *g));
         }
     }
@@ -196,6 +210,13 @@ fn paired(faces: &Faces, sheet_of: &[usize], (a, b): (u32, u32), x: &[DVec3]) ->
         }
     }
     pairs
+}
+
+/// By how much a face must be turned about an edge, through what is inside of it, to lie on another:
+/// from its normal and the directions of both away from the edge. A whole turn where they coincide.
+fn inside(normal: DVec3, p: DVec3, q: DVec3) -> f64 {
+    let angle = (-normal.dot(q)).atan2(p.dot(q));
+    if angle > 1e-9 { angle } else { angle + TAU }
 }
 
 /// Gives every fan of faces about a vertex of a cut edge a vertex of its own; faces hang together

@@ -61,6 +61,10 @@ repair-turned-faces = Den Nachbarn entsprechend umgedreht: { $count ->
    *[other] { $count } Facetten
 }.
 repair-inside-out = Die Fläche war umgestülpt (negatives Volumen): Alle Facetten wurden umgedreht.
+repair-turned-parts = Umgedreht: { $count ->
+    [one] { $count } geschlossener Teil, der umgestülpt war
+   *[other] { $count } geschlossene Teile, die umgestülpt waren
+}.
 
 repaired-doubled-faces = Weggelassen: { $count ->
     [one] { $count } Facette, die

@@ -61,6 +61,10 @@ repair-turned-faces = Turned { $count ->
    *[other] { $count } faces
 } to agree with the neighbours.
 repair-inside-out = The surface was inside out (negative volume): all faces were turned.
+repair-turned-parts = Turned { $count ->
+    [one] { $count } closed part that was
+   *[other] { $count } closed parts that were
+} inside out.
 
 repaired-doubled-faces = Dropped { $count ->
     [one] { $count } face that lies

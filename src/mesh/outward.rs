@@ -1,0 +1,129 @@
+//! Closed surfaces with their outside out, part by part.
+
+use super::error::Repair;
+use super::sides::{Side, interior_edges};
+use crate::soup::PolygonSoup;
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+/// A part of a soup that hangs together.
+#[derive(Clone, Copy)]
+struct Part {
+    is_closed: bool,
+    volume: f64,
+    low: DVec3,
+    high: DVec3,
+    /// A vertex of it.
+    place: DVec3,
+}
+
+/// Turns closed parts outward whose volume is negative and which lie in no other; with them what
+/// lies in them, so that the wall of a cavity keeps its side. A part within another that is as it
+/// should be stays as it is given: as the wall of a cavity its volume is negative.
+///
+/// `part` is that of each face, of `n_parts`; neighbours agree.
+pub(super) fn turn_outward(
+    soup: &mut PolygonSoup,
+    sides: &[Side],
+    part: &[u32],
+    n_parts: usize,
+    repairs: &mut Vec<Repair>,
+) {
+    let parts = parts(soup, sides, part, n_parts);
+    let is_in = |inner: usize, outer: usize| {
+        let [p, q] = [parts[inner], parts[outer]];
+        inner != outer
+            && q.is_closed
+            && q.low.cmple(p.low).all()
+            && p.high.cmple(q.high).all()
+            && winding(soup, part, outer as u32, p.place).abs() > 0.5
+    };
+    let inside_out: Vec<usize> = (0..n_parts)
+        .filter(|&i| parts[i].is_closed && parts[i].volume < 0.0)
+        .filter(|&i| (0..n_parts).all(|other| !is_in(i, other)))
+        .collect();
+    if inside_out.is_empty() {
+        return;
+    }
+    let is_turned: Vec<bool> = (0..n_parts)
+        .map(|i| {
+            inside_out
+                .iter()
+                .any(|&outer| i == outer || is_in(i, outer))
+        })
+        .collect();
+    for (f, part) in part.iter().enumerate() {
+        if is_turned[*part as usize] {
+            let range = soup.face_starts[f] as usize..soup.face_starts[f + 1] as usize;
+            soup.corners[range].reverse();
+        }
+    }
+    let count = is_turned.iter().filter(|turned| **turned).count();
+    repairs.push(if count == n_parts {
+        Repair::InsideOut
+    } else {
+        Repair::TurnedParts { count }
+    });
+}
+
+fn parts(soup: &PolygonSoup, sides: &[Side], part: &[u32], n_parts: usize) -> Vec<Part> {
+    let empty = Part {
+        is_closed: true,
+        volume: 0.0,
+        low: DVec3::INFINITY,
+        high: DVec3::NEG_INFINITY,
+        place: DVec3::ZERO,
+    };
+    let mut parts = vec![empty; n_parts];
+    for (face, p) in soup.faces().zip(part) {
+        let part = &mut parts[*p as usize];
+        part.place = soup.positions[face[0] as usize];
+        for v in face {
+            let x = soup.positions[*v as usize];
+            (part.low, part.high) = (part.low.min(x), part.high.max(x));
+        }
+        let sum: f64 = fans(soup, face, soup.positions[0])
+            .map(|[a, b, c]| a.dot(b.cross(c)))
+            .sum();
+        part.volume += sum / 6.0;
+    }
+    // Sides of edges that no other face has.
+    let mut open = vec![0_usize; n_parts];
+    for side in sides {
+        open[part[side.face as usize] as usize] += 1;
+    }
+    for (side, _) in interior_edges(sides) {
+        open[part[side.face as usize] as usize] -= 2;
+    }
+    for (part, open) in parts.iter_mut().zip(open) {
+        part.is_closed = open == 0;
+    }
+    parts
+}
+
+/// The triangles of a face, relative to a point.
+fn fans<'a>(
+    soup: &'a PolygonSoup,
+    face: &'a [u32],
+    from: DVec3,
+) -> impl Iterator<Item = [DVec3; 3]> + 'a {
+    let x = move |v: u32| soup.positions[v as usize] - from;
+    face[1..]
+        .windows(2)
+        .map(move |w| [x(face[0]), x(w[0]), x(w[1])])
+}
+
+/// How often a part goes around a point: the sum of its solid angles over 4π. That of a triangle
+/// a, b, c is 2 atan2(a·(b × c), |a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|) (Van Oosterom and
+/// Strackee, 1983).
+fn winding(soup: &PolygonSoup, part: &[u32], of: u32, point: DVec3) -> f64 {
+    let faces = soup.faces().zip(part).filter(|(_, p)| **p == of);
+    let halves = faces
+        .flat_map(|(face, _)| fans(soup, face, point))
+        .map(|[a, b, c]| {
+            let [p, q, r] = [a, b, c].map(DVec3::length);
+            let below = p * q * r + a.dot(b) * r + b.dot(c) * p + c.dot(a) * q;
+            a.dot(b.cross(c)).atan2(below)
+        });
+    halves.sum::<f64>() / TAU
+}
