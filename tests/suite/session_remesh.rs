@@ -48,6 +48,50 @@ fn a_remeshed_surface_is_the_same_with_as_many_vertices_as_asked_for() {
 }
 
 #[test]
+fn what_is_thinner_than_its_triangles_is_not_made_another_surface() {
+    let ball = opened("icosphere", &[("level", 3.0)]);
+    let obj = ball.export(Format::Obj).expect("a file");
+    let obj = String::from_utf8(obj).expect("a text");
+    for (thickness, is_kept) in [(0.02, false), (0.05, false), (0.07, false), (0.4, true)] {
+        // A pancake: its rim is bent more sharply than its triangles can tell.
+        let line = |line: &str| {
+            let words: Vec<&str> = line.split_whitespace().collect();
+            match words[..] {
+                ["v", x, y, z] => {
+                    format!(
+                        "v {x} {y} {}\n",
+                        thickness * z.parse::<f64>().expect("a number")
+                    )
+                }
+                _ => format!("{line}\n"),
+            }
+        };
+        let text: String = obj.lines().map(line).collect();
+        let mut s = Session::new();
+        s.load(text.as_bytes(), "pancake.obj").expect("a surface");
+        for kind in [Kind::Adaptive, Kind::Isotropic] {
+            let options = RemeshOptions {
+                kind,
+                vertices: None,
+                target: None,
+            };
+            let before = s.info().expect("a mesh");
+            match s.remesh(&options) {
+                Ok(outcome) => {
+                    let change = outcome.after.area / before.area - 1.0;
+                    assert!(is_kept && change.abs() < 0.01, "{thickness}: {change}");
+                    s.undo_edit().expect("undone");
+                }
+                Err(fault) => {
+                    assert!(!is_kept && fault.kind == "Spoilt", "{thickness}: {fault:?}");
+                    assert_eq!(s.info().expect("a mesh"), before);
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn a_length_asks_for_edges_of_that_length() {
     let mut s = opened("icosphere", &[("level", 3.0)]);
     let options = RemeshOptions {

@@ -42,13 +42,18 @@ const MOST_ROUNDS: usize = 12;
 /// A mesh is done where a round splits and collapses fewer edges than this share of its vertices.
 const SETTLED: f64 = 0.01;
 
-/// The area of a mesh that is folded over is not that of its surface, and changes by more.
+/// The area of a mesh that is folded over is not that of its surface, and changes by more: it is not
+/// brought back.
 const SAME_AREA: f64 = 0.02;
 
-/// A surface whose volume changes by more than this share of that of the ball with its area has
-/// become another, as one of needles does, whose normals say nothing of what lies between their
-/// ends.
-const SAME_VOLUME: f64 = 0.1;
+/// A surface whose area or volume changes by more than these shares has become another, as one does
+/// of needles, whose normals say nothing of what lies between their ends, or one that is thinner than
+/// its triangles are long. Healthy meshes change by less than a hundredth.
+const OTHER_AREA: f64 = 0.1;
+const OTHER_VOLUME: f64 = 0.05;
+/// An immersed surface may enclose nothing: volumes are compared with at least this share of that of
+/// the ball with the area.
+const LEAST_VOLUME: f64 = 0.05;
 
 /// What decides how long edges are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
@@ -169,15 +174,16 @@ pub fn remesh(
     }
     counts.flips += flip::to_delaunay(&mut draft);
     let area = measure::area(mesh, x);
-    if let Some(volume) = measure::volume(mesh, x)
-        && !start.held.contains(&true)
-    {
-        let ball = area.powf(1.5) / (6.0 * std::f64::consts::PI.sqrt());
-        if (restore::volume(&draft) - volume).abs() > SAME_VOLUME * ball {
-            return Err(RemeshError::Spoilt);
-        }
-    }
     let change = draft.areas().iter().sum::<f64>() / area - 1.0;
+    let mut is_other = change.abs() > OTHER_AREA;
+    if let Some(volume) = measure::volume(mesh, x) {
+        let ball = area.powf(1.5) / (6.0 * std::f64::consts::PI.sqrt());
+        let size = volume.abs().max(LEAST_VOLUME * ball);
+        is_other |= (restore::volume(&draft) - volume).abs() > OTHER_VOLUME * size;
+    }
+    if is_other {
+        return Err(RemeshError::Spoilt);
+    }
     let is_same = change.abs() < SAME_AREA && !start.held.contains(&true);
     let targets = is_same.then_some(Targets { area, volume: None });
     finished(&start, draft, targets, counts)

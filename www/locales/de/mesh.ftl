@@ -223,5 +223,5 @@ remesh-not-oriented = eine einseitige Fläche wird nicht neu vernetzt
     .hint = Stattdessen ihre zweiblättrige Überlagerung neu vernetzen.
 remesh-all-held = nichts darf sich ändern: alle Ecken sind fest oder liegen auf dem Rand
     .hint = Einige Ecken freigeben oder das Netz erst unterteilen.
-remesh-spoilt = die Fläche wäre eine andere geworden: sie ist zu grob oder zu zerknittert, um neu vernetzt zu werden
-    .hint = Mehr Ecken verlangen oder die Fläche erst glätten.
+remesh-spoilt = die Fläche wäre eine andere geworden: Sie ist zu grob, zu dünn oder zu zerknittert, um neu vernetzt zu werden
+    .hint = Unterteilen oder glätten Sie sie zuerst: Scharfe Kanten, und was dünner ist, als seine Dreiecke lang sind, bleiben nicht erhalten.

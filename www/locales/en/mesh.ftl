@@ -229,5 +229,5 @@ remesh-not-oriented = a one-sided surface is not remeshed
     .hint = Remesh its double cover instead.
 remesh-all-held = nothing may be changed: all vertices are held or lie on the boundary
     .hint = Free some vertices, or subdivide the mesh first.
-remesh-spoilt = the surface would have become another: it is too coarse or too crumpled to be remeshed
-    .hint = Ask for more vertices, or smooth the surface first.
+remesh-spoilt = the surface would have become another: it is too coarse, too thin or too crumpled to be remeshed
+    .hint = Subdivide or smooth it first: sharp edges, and what is thinner than its triangles are long, are not kept.
