@@ -90,6 +90,40 @@ fn run(s: &Surface, options: FlowOptions) -> Run {
     }
 }
 
+/// The part of ρ = 1 + aP₂ that vertices near the unit sphere have, spread evenly, a.
+fn second_harmonic(x: &[DVec3]) -> f64 {
+    let p2 = |p: &DVec3| 1.5 * p.normalize().z.powi(2) - 0.5;
+    let of: f64 = x.iter().map(|p| p.length() * p2(p)).sum();
+    of / x.iter().map(|p| p2(p).powi(2)).sum::<f64>()
+}
+
+#[test]
+fn small_bumps_are_no_rest() {
+    // Of 0.4 % of the radius, a twentieth of an edge; and of 2 % in short steps of constant size.
+    for (bump, dt) in [(0.004, None), (0.02, Some(0.001))] {
+        let mut s = sample("icosphere", &[("level", 4.0)]);
+        let round = second_harmonic(&s.x);
+        for p in &mut s.x {
+            let z = p.z;
+            *p *= 1.0 + bump * (1.5 * z * z - 0.5);
+        }
+        let before = second_harmonic(&s.x) - round;
+        assert!((before / bump - 1.0).abs() < 0.02, "{before}");
+        let run = run(
+            &s,
+            FlowOptions {
+                dt,
+                max_steps: Some(4000),
+                ..options()
+            },
+        );
+        let left = (second_harmonic(&run.x) - round) / before;
+        let steps = run.reports.len();
+        assert_eq!(run.status, Status::Converged, "{bump}, {steps} steps");
+        assert!(left.abs() < 0.05, "{bump}: {left} after {steps} steps");
+    }
+}
+
 #[test]
 fn a_sphere_is_at_rest() {
     let s = sample("icosphere", &[("level", 3.0)]);
