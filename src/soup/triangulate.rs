@@ -1,7 +1,7 @@
 //! Polygons cut into triangles, the same way for pictures, flows, energies and files.
 //!
 //! A polygon that a fan covers is cut as people expect it: a quadrilateral along its shorter
-//! diagonal, a larger one from its first corner. Any other is cut by ears in the plane of its
+//! diagonal, from its first corner where both are as long, and so is a larger one. Any other is cut by ears in the plane of its
 //! vector area, so that no triangle leaves it; and none is flat where that can be: a corner in the
 //! middle of a straight side would else put a chord along that side into both faces at it.
 
@@ -17,6 +17,10 @@ const FLAT: f64 = 1e-5;
 
 /// The same where nothing else is to be had.
 const LEAST: f64 = 1e-12;
+
+/// Squares of diagonals that differ by no more than this share are as long as each other, in numbers
+/// of single precision: the first corner decides, and not what turning the surface rounds off.
+const SAME: f64 = 1e-6;
 
 /// Cuts polygons of one soup.
 #[derive(Default)]
@@ -38,7 +42,7 @@ impl Cutter {
                 let by_bd = [[a, b, d], [b, c, d]];
                 let fits = |cut: &[[u32; 3]; 2]| cut.iter().all(|t| is_inside(t, up, x));
                 let distance = |a: u32, b: u32| x[a as usize].distance_squared(x[b as usize]);
-                let is_bd_shorter = distance(b, d) < distance(a, c);
+                let is_bd_shorter = distance(b, d) < (1.0 - SAME) * distance(a, c);
                 // Where neither fits the corners are out of a plane, or in a line.
                 let takes_bd = match (fits(&by_ac), fits(&by_bd)) {
                     (true, false) => false,
@@ -186,6 +190,20 @@ mod tests {
             let soup = PolygonSoup::from_faces(x.clone(), &[face]);
             let turned = soup.triangles();
             assert!(turned.iter().all(|t| area(*t, &x).dot(up) < 0.0));
+        }
+    }
+
+    #[test]
+    fn of_diagonals_of_one_length_the_first_corner_decides() {
+        for noise in [0.0, 1e-8, -1e-8, 3e-8] {
+            let x = plane(&[[0., 0.], [1., 0.], [1. + noise, 1.], [0., 1. - noise]]);
+            for turn in 0..4 {
+                let mut face: Vec<u32> = (0..4).collect();
+                face.rotate_left(turn);
+                let [a, b, c, d] = [0, 1, 2, 3].map(|i| face[i]);
+                let cut = PolygonSoup::from_faces(x.clone(), &[face]).triangles();
+                assert_eq!(cut, [[a, b, c], [a, c, d]], "{noise}, {turn}");
+            }
         }
     }
 

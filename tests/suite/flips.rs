@@ -14,6 +14,7 @@ use umbilic::mesh::flip::Flippable;
 use umbilic::mesh::{Edge, HalfedgeMesh, shape};
 use umbilic::remesh::flips::FlipOptimiser;
 use umbilic::remesh::flips::reduction::{Criterion, Quad, willmore_reduction};
+use umbilic::soup::PolygonSoup;
 
 const ALL: [Criterion; 3] = Criterion::ALL;
 
@@ -302,6 +303,28 @@ fn running_totals_are_exact_and_the_cost_only_falls() {
 }
 
 /// Cocircular corners: no flip gains anything, and none is made.
+#[test]
+fn no_flip_cuts_along_a_straight_boundary() {
+    // A saddle over a square: three vertices of its boundary are on a line.
+    for n in [4_u32, 11] {
+        let points = (0..n * n).map(|i| {
+            let [x, y] = [i % n, i / n].map(|c| f64::from(c) / f64::from(n - 1) - 0.5);
+            DVec3::new(x, y, 0.5 * x * y)
+        });
+        let mut faces = Vec::new();
+        for i in (0..n * (n - 1)).filter(|i| i % n < n - 1) {
+            faces.extend([[i, i + 1, i + n + 1], [i, i + n + 1, i + n]]);
+        }
+        let s = surface(&PolygonSoup::from_faces(points.collect(), &faces));
+        for criterion in ALL {
+            let mut optimiser = optimiser(&s, criterion);
+            while optimiser.step().is_some() {}
+            let angle = measure::min_angle_degrees(optimiser.mesh(), &s.x);
+            assert!(angle > 1.0, "{n}, {criterion:?}: {angle}");
+        }
+    }
+}
+
 #[test]
 fn a_regular_torus_stays() {
     let torus = sample("torus", &[("around", 20.0), ("tube", 10.0)]);

@@ -42,6 +42,9 @@ const LEAST_AREA_GAIN: f64 = 1e-12;
 /// A flip must take more than this off the angles.
 const LEAST_ANGLE_GAIN: f64 = 1e-11;
 
+/// Twice the area over the square of the longest side, up to which a face has no area.
+const FLAT: f64 = 1e-10;
+
 /// What the search for a flip, and the flip itself, did to edges other than those about it.
 #[derive(Default)]
 struct Trace {
@@ -143,7 +146,7 @@ impl FlipOptimiser {
     }
 
     /// How often a flip that would have gained was refused: its other diagonal was there, or
-    /// the fold guard was against it.
+    /// the fold guard was against it, or a face would have had no area.
     pub fn rejected(&self) -> usize {
         self.rejected
     }
@@ -237,7 +240,7 @@ impl FlipOptimiser {
     pub fn step(&mut self) -> Option<Flip> {
         while let Some((edge, reduction)) = self.queue.pop() {
             match self.mesh.flippable(edge) {
-                Flippable::Yes if self.guards_folds && self.folds(edge) => {
+                Flippable::Yes if self.flattens(edge) || self.guards_folds && self.folds(edge) => {
                     self.refuse(edge, queue::NEVER);
                 }
                 Flippable::Yes => return Some(self.flip(edge, reduction)),
@@ -307,6 +310,18 @@ impl FlipOptimiser {
         for e in refused {
             self.enqueue(e);
         }
+    }
+
+    /// Whether a face after the flip would have no area, where both before have one.
+    fn flattens(&self, e: Edge) -> bool {
+        let Quad { i, j, k, l } = Quad::of(&self.mesh, &self.x, e);
+        let is_flat = |[a, b, c]: [DVec3; 3]| {
+            let longest = [a - b, b - c, c - a].map(DVec3::length_squared);
+            let longest = longest.into_iter().fold(0.0, f64::max);
+            (b - a).cross(c - a).length() <= FLAT * longest
+        };
+        let is_any_flat = |pair: [[DVec3; 3]; 2]| pair.into_iter().any(is_flat);
+        is_any_flat([[i, l, k], [j, k, l]]) && !is_any_flat([[i, j, k], [j, i, l]])
     }
 
     /// Whether a face after the flip would oppose the two before.
