@@ -65,9 +65,12 @@ impl Driver {
             None => (taken.y.clone(), taken.value),
         };
         let dt = taken.share * step.dt;
-        self.run.step += 1;
-        self.run.time += dt;
         let after = self.evaluate(&y, cost)?;
+        self.run.step += 1;
+        // Steps of automatic size are implicit and long: less of the flow's time has passed.
+        let is_long = self.flow.rules().ceiling != Ceiling::None && !self.run.step_size.is_given;
+        let passed = before.time_to(&after).filter(|_| is_long);
+        self.run.time += passed.map_or(dt, |time| time.min(dt));
         let mut report = StepReport {
             step: self.run.step,
             time: self.run.time,

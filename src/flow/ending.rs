@@ -18,6 +18,8 @@ use glam::DVec3;
 /// at which it is about to, where no step is accepted any more.
 const VANISHED: f64 = 1e-3;
 const VANISHING: f64 = 0.1;
+/// What vanishes and is still as long as this share of what it was has become no point.
+const STILL_LONG: f64 = 0.3;
 /// With faces of so many times the mean, and four times what there was at the start, the
 /// surface's curvature sits in a few tiny faces and the rest is not resolved; with so many
 /// more there is no sense in going on.
@@ -220,10 +222,16 @@ impl Driver {
     }
 
     fn vanished(&self, x: &[DVec3]) -> Decision {
-        let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();
         let time = self.run.time;
         let clock = self.flow.clock();
-        Decision::Stop(Status::Singular, Reason::Vanishes { time, clock, place })
+        let [size, at_first] = [x, &self.start.x].map(measure::bounding_diagonal);
+        let why = if size > STILL_LONG * at_first {
+            Reason::VanishesToCurve { time, clock }
+        } else {
+            let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();
+            Reason::Vanishes { time, clock, place }
+        };
+        Decision::Stop(Status::Singular, why)
     }
 
     /// A neck or a tip thinner than the mesh can show, where that is why no step was accepted.

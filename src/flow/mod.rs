@@ -63,6 +63,9 @@ pub struct Functional {
     pub value: f64,
     /// What gains are compared with: the value, less a part that no step can change.
     pub scale: f64,
+    /// By how much the smooth flow would lower it here in a unit of its time, −dF/dt, where that is
+    /// known: then it tells the time of steps that are longer than the flow's law holds.
+    pub rate: Option<f64>,
 }
 
 impl Functional {
@@ -71,7 +74,23 @@ impl Functional {
         Self {
             value,
             scale: value.abs(),
+            rate: None,
         }
+    }
+
+    /// How long the smooth flow takes from this to a lower value: their difference over the
+    /// logarithmic mean of the rates, which is exact where it decays exponentially, as near rest, and
+    /// where the rate is constant, as of a sphere that shrinks. `None` where that is not known.
+    fn time_to(&self, lower: &Self) -> Option<f64> {
+        let (a, b) = (self.rate?, lower.rate?);
+        let ratio = a / b;
+        let mean = if (ratio - 1.0).abs() < 1e-6 {
+            a
+        } else {
+            (a - b) / ratio.ln()
+        };
+        let time = (self.value - lower.value) / mean;
+        (time.is_finite() && time >= 0.0).then_some(time)
     }
 }
 

@@ -87,7 +87,7 @@ pub struct Reading {
 pub struct StepReport {
     /// Number of the step, from 1.
     pub step: usize,
-    /// Flow time after it, Σ dt; for the circle flow with uniform mass unit length².
+    /// Flow time after it, Σ dt, or what the flow's law takes for as much where steps are longer; for the circle flow with uniform mass unit length².
     pub time: f64,
     /// Raw step size.
     pub dt: f64,

@@ -113,6 +113,13 @@ messages! {
             /// Where.
             place: [f64; 3],
         },
+        /// The surface shrinks to a curve, as a thin torus does.
+        VanishesToCurve {
+            /// When.
+            time: f64,
+            /// By which clock.
+            clock: Clock,
+        },
         /// A neck pinches off.
         PinchedNeck {
             /// When.

@@ -65,6 +65,11 @@ messages! {
             /// Rings that there should be.
             rings: usize,
         },
+        /// The area has grown beside a boundary of which only the place is held.
+        OpenBoundary {
+            /// By so much.
+            percent: f64,
+        },
         /// Two discretisations of ∫H² disagree.
         Disagreement {
             /// By so much.

@@ -7,10 +7,11 @@ use crate::support::*;
 use glam::DVec3;
 use std::f64::consts::PI;
 use std::rc::Rc;
+use umbilic::energy::circle::Boundary;
 use umbilic::flow::Status;
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::flow::{Advice, Clock, Decision, Driver, Reason};
+use umbilic::flow::{Advice, Clock, Decision, Driver, Reason, StepReport, Warning};
 use umbilic::geometry::measure;
 use umbilic::mesh::shape::blocks::handles;
 use umbilic::soup::PolygonSoup;
@@ -137,6 +138,136 @@ fn a_sphere_shrinks_by_its_law_and_vanishes() {
         "{:?}",
         end.reason
     );
+}
+
+/// The time at which the area has fallen to that, between two steps in proportion to it.
+fn time_of(reports: &[StepReport], first: f64, area: f64) -> f64 {
+    let mut before = (0.0, first);
+    for report in reports {
+        if report.area <= area {
+            let share = (before.1 - area) / (before.1 - report.area);
+            return before.0 + share * (report.time - before.0);
+        }
+        before = (report.time, report.area);
+    }
+    panic!("an area of {area} was not reached: {:?}", before);
+}
+
+/// Automatic steps are long, and the time they take is nevertheless that of the flow.
+#[test]
+fn the_time_of_long_steps_is_that_of_short_ones() {
+    let values = [("around", 32.0), ("tube", 16.0), ("minor", 0.4)];
+    let cases = [
+        (
+            FlowName::MeanCurvature,
+            sample("torus", &values),
+            2e-3,
+            0.6,
+            0.1,
+        ),
+        (
+            FlowName::PWillmore,
+            sample("torus", &values),
+            1e-3,
+            0.6,
+            0.1,
+        ),
+        (
+            FlowName::SurfaceDiffusion,
+            sample(
+                "ellipsoid",
+                &[("level", 3.0), ("a", 2.0), ("b", 1.0), ("c", 1.0)],
+            ),
+            2e-3,
+            0.97,
+            // A step that goes all the way goes another way.
+            2.0,
+        ),
+    ];
+    for (flow, soup, dt, share, factor) in cases {
+        let s = surface(&soup);
+        let first = measure::area(&s.mesh, &s.x);
+        let options = FlowOptions {
+            p: 0.0,
+            ..limited(flow, 400)
+        };
+        let short = FlowOptions {
+            dt: Some(dt),
+            ..options.clone()
+        };
+        let [long, short] = [options, short].map(|options| {
+            let found = watch(&s, options, "time");
+            time_of(&found.reports, first, share * first)
+        });
+        println!("{flow:?}: {long} and {short}");
+        let off = f64::max(long / short, short / long) - 1.0;
+        assert!(off < factor, "{flow:?}: {long} and {short}");
+    }
+    // A sphere vanishes at ½ under V = −H, and at ¼ under −2H.
+    let s = surface(&sample("icosphere", &[("level", 4.0)]));
+    for (flow, time) in [(FlowName::MeanCurvature, 0.5), (FlowName::PWillmore, 0.25)] {
+        let options = FlowOptions {
+            p: 0.0,
+            ..limited(flow, 400)
+        };
+        let found = watch(&s, options, "sphere");
+        assert_eq!(found.status, Status::Singular);
+        let off = found.last().time / time - 1.0;
+        println!("{flow:?}: {off}");
+        assert!(off.abs() < 0.02, "{flow:?}: {off}");
+    }
+}
+
+/// A thin torus shrinks to its circle, and a sphere to a point.
+#[test]
+fn what_shrinks_to_a_curve_is_no_point() {
+    let torus = sample("torus", &[("around", 32.0), ("tube", 12.0), ("minor", 0.2)]);
+    let end = watch(
+        &surface(&torus),
+        limited(FlowName::MeanCurvature, 400),
+        "torus",
+    );
+    assert_eq!(end.status, Status::Singular);
+    let is_curve = matches!(end.reason, Some(Reason::VanishesToCurve { .. }));
+    assert!(is_curve, "{:?}", end.reason);
+}
+
+/// A tube is at rest under surface diffusion; with its ends held in place alone it grows, and that is
+/// said.
+#[test]
+fn an_area_that_grows_beside_a_boundary_is_told() {
+    let mut x = Vec::new();
+    let mut faces = Vec::new();
+    let (around, rings) = (32_u32, 12_u32);
+    for ring in 0..=rings {
+        for i in 0..around {
+            let (sin, cos) = (2.0 * PI * f64::from(i) / f64::from(around)).sin_cos();
+            x.push(DVec3::new(
+                cos,
+                sin,
+                2.0 * f64::from(ring) / f64::from(rings),
+            ));
+            if ring < rings {
+                let [a, b] = [i, (i + 1) % around].map(|i| ring * around + i);
+                faces.extend([[a, b, b + around], [a, b + around, a + around]]);
+            }
+        }
+    }
+    let s = surface(&PolygonSoup::from_faces(x, &faces));
+    for (boundary, is_told) in [(None, true), (Some(Boundary::Clamped), false)] {
+        let options = FlowOptions {
+            boundary,
+            ..limited(FlowName::SurfaceDiffusion, 60)
+        };
+        let end = watch(&s, options, "tube");
+        let warnings = end.reports.iter().flat_map(|report| &report.warnings);
+        let told = warnings
+            .filter(|w| matches!(w, Warning::OpenBoundary { .. }))
+            .count();
+        assert_eq!(told, usize::from(is_told), "{boundary:?}");
+        let grown = end.last().area / measure::area(&s.mesh, &s.x) - 1.0;
+        assert!(is_told == (grown > 0.02), "{boundary:?}: {grown}");
+    }
 }
 
 /// W ≥ 4π² on tori (Marques & Neves): a noisy one comes near it, and what people see jumps up

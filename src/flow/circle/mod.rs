@@ -262,6 +262,7 @@ impl Flow for CircleFlow {
         Ok(Functional {
             value: self.monitored_value(&self.evaluation),
             scale: self.evaluation.exact.max(self.round_enough()),
+            rate: None,
         })
     }
 

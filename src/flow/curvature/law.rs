@@ -74,6 +74,18 @@ impl Law {
         }
     }
 
+    /// By how much the area falls in a unit of the flow's time, −dA/dt = 2∫H² or 2∫|∇H|² over the
+    /// vertices that move; `None` of the other laws.
+    pub(super) fn rate(self, at: &Curvatures, is_free: &[bool]) -> Option<f64> {
+        let density = match self {
+            Self::MeanCurvature => willmore::density,
+            Self::SurfaceDiffusion => curvature_variation::density,
+            Self::Willmore | Self::CurvatureVariation => return None,
+        };
+        let of = |at: &Curvatures, row, i: usize| f64::from(is_free[i]) * density(at, row, i);
+        Some(2.0 * at.integrate(of))
+    }
+
     /// The energy without a unit, for surfaces of size `length`.
     pub(super) fn normalised(self, energy: f64, length: f64) -> f64 {
         match self {

@@ -341,12 +341,12 @@ impl Flow for CurvatureFlow {
         let at = self.take_curvatures(x);
         let unfit = self.unfit(&at);
         let energy = self.watched().energy(&at, || measure::area(&self.mesh, x));
+        let rate = self.watched().rate(&at, &self.region.is_free);
         self.curvatures = Some(at);
         cost.assemble += watch.elapsed().as_secs_f64();
-        match unfit {
-            Some(vertex) => Err(FlowError::Unfit { vertex }),
-            None => Ok(Functional::plain(energy)),
-        }
+        let plain = Functional::plain(energy);
+        let found = Functional { rate, ..plain };
+        unfit.map_or(Ok(found), |vertex| Err(FlowError::Unfit { vertex }))
     }
 
     fn propose(&mut self, x: &[DVec3], dt: f64, cost: &mut Cost) -> Result<Proposal, FlowError> {

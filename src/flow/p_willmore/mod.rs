@@ -30,6 +30,7 @@
 //! What is monitored and shown is W^p/2^p = ∫|H|^p dA with the terms in force.
 
 mod centred;
+mod decay;
 mod gauge;
 mod kept;
 mod paper;
@@ -80,8 +81,6 @@ const LEAST: f64 = 0.97;
 const REFERENCE_TAU: f64 = 0.1;
 /// … by this share of it at most.
 const AT_REST: f64 = 1e-4;
-/// A mesh adds to the area of a ball, so that what there is to be lowered is no less than this share.
-const LEAST_EXCESS: f64 = 1e-6;
 /// Gains in steps of more than this τ/L^(p+2) count by so much only.
 const LONG_TAU: f64 = 10.0;
 /// Roundoff of the energy, as a share of it.
@@ -227,35 +226,6 @@ impl PWillmoreFlow {
         let scale = (integrals.area / (4.0 * PI)).sqrt();
         integrals.energy / 2f64.powf(p) / (4.0 * PI * scale.powf(2.0 - p))
     }
-
-    /// What gains are compared with: the functional; of an area while the volume is kept what a ball
-    /// leaves of it to be lowered, A³ ≥ 36πV², on meshes too. Near a round sphere that is little: bumps
-    /// of a hundredth of the radius add a ten-thousandth to the area, and are no rest.
-    fn excess(&self, value: f64) -> f64 {
-        let is_area = self.options.p == 0.0 && self.functional.helfrich().is_zero();
-        if !is_area || self.kept.volume.is_none() {
-            return value.abs();
-        }
-        let volume = self.evaluation.integrals.volume;
-        let ball = (36.0 * PI * volume.powi(2)).cbrt();
-        (value - self.shown(ball)).max(LEAST_EXCESS * value)
-    }
-
-    /// |P(∇J − Σ λ∇C)| in the metric of M⁻¹, over J/L²: scale-free; 0 at a critical point. On
-    /// a mesh it comes to rest at the size of the discretisation error, not at 0.
-    fn residual(&self, multipliers: &[f64]) -> f64 {
-        let e = &self.evaluation;
-        let kept = self.kept.gradients(e);
-        let mut sum = 0.0;
-        for (i, n) in e.volume_gradient.iter().enumerate() {
-            let mut g = e.gradient[i];
-            for (lambda, gradient) in multipliers.iter().zip(&kept) {
-                g -= *lambda * gradient[i];
-            }
-            sum += g.dot(n.normalize_or_zero()).powi(2) / e.mass[i].max(f64::MIN_POSITIVE);
-        }
-        sum.sqrt() * self.scale.powi(2) / e.integrals.energy.abs().max(f64::MIN_POSITIVE)
-    }
 }
 
 impl Flow for PWillmoreFlow {
@@ -325,7 +295,8 @@ impl Flow for PWillmoreFlow {
         cost.assemble += watch.elapsed().as_secs_f64();
         let value = self.shown(self.evaluation.integrals.objective);
         let scale = self.excess(value);
-        Ok(Functional { value, scale })
+        let rate = self.rate();
+        Ok(Functional { value, scale, rate })
     }
 
     fn propose(&mut self, x: &[DVec3], dt: f64, cost: &mut Cost) -> Result<Proposal, FlowError> {

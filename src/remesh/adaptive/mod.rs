@@ -175,7 +175,8 @@ pub fn remesh(
     counts.flips += flip::to_delaunay(&mut draft);
     let area = measure::area(mesh, x);
     let change = draft.areas().iter().sum::<f64>() / area - 1.0;
-    let mut is_other = change.abs() > OTHER_AREA;
+    // Of folds that are smoothed away the area goes too.
+    let mut is_other = change.abs() > OTHER_AREA && alignment(mesh, x) > 0.0;
     if let Some(volume) = measure::volume(mesh, x) {
         let ball = area.powf(1.5) / (6.0 * std::f64::consts::PI.sqrt());
         let size = volume.abs().max(LEAST_VOLUME * ball);
