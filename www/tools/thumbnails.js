@@ -49,7 +49,11 @@ async function take(name, scene, viewport) {
   const { page, close } = await openPage(browser, { viewport, colorScheme: "light" });
   page.setDefaultTimeout(120_000);
   await page.goto(`${server.url}?embed&controls=none&effects=always#${new URLSearchParams(texts)}`);
-  await page.addStyleTag({ content: FIRST });
+  await page.evaluate((css) => {
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(css);
+    document.adoptedStyleSheets.push(sheet);
+  }, FIRST);
   await until(page, /^(Ready|Paused|Converged|Stopped|Stalled|Singular|Collapsed)/);
   await untilDrawn(page);
   const png = await page.locator("#surface").screenshot();
