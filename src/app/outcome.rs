@@ -55,7 +55,8 @@ pub struct Outcome {
     pub fault: Option<Fault>,
     /// Which functional its steps must not raise.
     pub monitored: Monitored,
-    /// Whether the readings at the end can be believed, of the p-Willmore flow.
+    /// Whether the readings at the end can be believed, of the p-Willmore flow and of a rest under
+    /// flows by fits.
     pub soundness: Option<Soundness>,
     /// The jump of H across the boundary of what moves.
     pub curvature_jump: Option<CurvatureJump>,

@@ -335,7 +335,12 @@ impl Runner {
 
     fn end(&mut self, decision: Decision) {
         if let Decision::Stop(status, why) = decision {
-            let is_read = spec::of(self.options().flow).family == Family::PWillmore;
+            let is_read = match spec::of(self.options().flow).family {
+                Family::PWillmore => true,
+                // A rest is one of the fits, which on a coarse mesh say nothing of the surface.
+                Family::Curvature => status == Status::Converged,
+                Family::Circle | Family::Flips => false,
+            };
             if is_read && self.polygons().is_triangular() {
                 self.state.soundness = self.soundness();
             }

@@ -1514,7 +1514,8 @@ fault: Fault | null,
  */
 monitored: Monitored, 
 /**
- * Whether the readings at the end can be believed, of the p-Willmore flow.
+ * Whether the readings at the end can be believed, of the p-Willmore flow and of a rest under
+ * flows by fits.
  */
 soundness: Soundness | null, 
 /**
@@ -2366,7 +2367,7 @@ export type StepReport = {
  */
 step: number, 
 /**
- * Flow time after it, Σ dt; for the circle flow with uniform mass unit length².
+ * Flow time after it, Σ dt, or what the flow's law takes for as much where steps are longer; for the circle flow with uniform mass unit length².
  */
 time: number, 
 /**

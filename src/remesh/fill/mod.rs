@@ -9,9 +9,9 @@
 //! Old vertices keep their numbers and positions bit for bit, old faces their numbers and
 //! corners; what is new follows. Two holes that share a corner are two loops, though the mesh has
 //! copies of that corner, one for each sheet: they are one vertex again in what is filled, and
-//! numbers after the second move up. (Only where the closed result would be inside out all
-//! faces are turned, as [`build`](crate::mesh::build()) does, and a warning says so.) Nothing depends on position,
-//! orientation or size of the mesh.
+//! numbers after the second move up. (Only where a closed part of the result would be inside out its
+//! faces are turned, as [`build`](crate::mesh::build()) does, and a warning says so.) Nothing depends
+//! on position, orientation or size of the mesh.
 
 mod blend;
 mod boundary;
