@@ -17,6 +17,7 @@ const energies = {
 const info = {
   ...{ vertices: 3, faces: 1, area: 4, volume: null },
   warnings: [{ id: "repair-turned-faces", values: { count: 1 } }],
+  repairs: [],
   gap: null,
 };
 
