@@ -12,10 +12,13 @@
 
 /// Declares a function of the deferred part.
 macro_rules! deferred {
-    ($vis:vis fn $name:ident($($argument:ident: $type:ty),* $(,)?) -> $result:ty $body:block) => {
+    ($(#[$attribute:meta])*
+     $vis:vis fn $name:ident($($argument:ident: $type:ty),* $(,)?) -> $result:ty $body:block) => {
+        $(#[$attribute])*
         #[cfg(not(feature = "split"))]
         $vis fn $name($($argument: $type),*) -> $result $body
 
+        $(#[$attribute])*
         #[cfg(feature = "split")]
         #[allow(unsafe_code, reason = "exports a symbol, for the splitter to find")]
         $vis fn $name($($argument: $type),*) -> $result {

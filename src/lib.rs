@@ -69,7 +69,6 @@
 //!
 //! Keys like [BS05](bibliography#bs05) are those of the [`bibliography`].
 
-#[cfg(feature = "solver")]
 #[macro_use]
 pub mod deferred;
 #[cfg(feature = "solver")]

@@ -310,7 +310,13 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
      * @param {string} name @param {Uint8Array<ArrayBuffer>} bytes  kept, so that a lost worker can be replaced
      * @param {Asked<"load">["repair"]} [repair]  how it is repaired, where it is
      */
-    load: (name, bytes, repair = null) => make("load", { name, bytes, repair }),
+    async load(name, bytes, repair = null) {
+      const before = { origin: scene.origin, loaded: scene.loaded, film };
+      const loaded = await make("load", { name, bytes, repair });
+      // Of a file that is no surface undoing the repair brings back what was there before.
+      if (repair && before.origin) origins.push(before);
+      return loaded;
+    },
     /** @param {string} name @param {Record<string, number>} parameters */
     sample: (name, parameters) => make("sample", { name, parameters }),
     /**

@@ -33,7 +33,15 @@ export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remes
  * @typedef {"back" | "whole" | "cut" | null} Film
  */
 
-/** What an edit was made of. @typedef {{ source: Source, options: Options, figure: Figure | null, film: Film, what: string }} Earlier */
+/** What an edit was made of. @typedef {{ source: Source, origin: Origin | null, options: Options, figure: Figure | null, film: Film, what: string }} Earlier */
+
+/**
+ * What undoing brings back of what is shown: nothing where nothing is.
+ * @param {Pick<Earlier, "origin" | "options" | "figure" | "film"> & { source: Source | null }} shown
+ * @param {string} what  is undone then @returns {Earlier[]}
+ */
+export const earlierOf = ({ source, origin, options, figure, film }, what) =>
+  source ? [{ source, origin, options, figure, film, what }] : [];
 
 /** Edges, two ends each, and triangles to be seen; those that are turned to. @typedef {{ edges: Uint32Array, triangles: Uint32Array, near?: Uint32Array }} Marks */
 

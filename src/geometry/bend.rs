@@ -25,40 +25,42 @@ pub struct Sharpest {
     pub is_neck: bool,
 }
 
-/// The largest 2|H|√m of interior vertices, with the vertices about it.
-pub fn sharpest(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<Sharpest> {
-    let (gradient, areas) = (
-        curvature::area_gradient(mesh, x),
-        measure::vertex_areas(mesh, x),
-    );
-    let bend = |v: Vertex| {
-        let area = areas[v.index()];
-        if mesh.is_boundary_vertex(v) || area <= 0.0 {
-            return 0.0;
-        }
-        gradient[v.index()].length() / area.sqrt()
-    };
-    let top = mesh
-        .vertices()
-        .max_by(|&a, &b| bend(a).total_cmp(&bend(b)))?;
-    let most = bend(top);
-    let mut ring = vec![top];
-    let mut next = 0;
-    while let Some(&v) = ring.get(next) {
-        next += 1;
-        for w in mesh.neighbours(v) {
-            if bend(w) > SHARE * most && !ring.contains(&w) && ring.len() < MOST {
-                ring.push(w);
+deferred! {
+    /// The largest 2|H|√m of interior vertices, with the vertices about it.
+    pub fn sharpest(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<Sharpest> {
+        let (gradient, areas) = (
+            curvature::area_gradient(mesh, x),
+            measure::vertex_areas(mesh, x),
+        );
+        let bend = |v: Vertex| {
+            let area = areas[v.index()];
+            if mesh.is_boundary_vertex(v) || area <= 0.0 {
+                return 0.0;
+            }
+            gradient[v.index()].length() / area.sqrt()
+        };
+        let top = mesh
+            .vertices()
+            .max_by(|&a, &b| bend(a).total_cmp(&bend(b)))?;
+        let most = bend(top);
+        let mut ring = vec![top];
+        let mut next = 0;
+        while let Some(&v) = ring.get(next) {
+            next += 1;
+            for w in mesh.neighbours(v) {
+                if bend(w) > SHARE * most && !ring.contains(&w) && ring.len() < MOST {
+                    ring.push(w);
+                }
             }
         }
+        let defect = curvature::integrated_gauss_curvature(mesh, x);
+        let total: f64 = ring.iter().map(|v| defect[v.index()]).sum();
+        Some(Sharpest {
+            vertex: top.0,
+            bend: most,
+            mean_curvature: 0.5 * most / areas[top.index()].sqrt(),
+            ring: ring.into_iter().map(|v| v.0).collect(),
+            is_neck: total < 0.0,
+        })
     }
-    let defect = curvature::integrated_gauss_curvature(mesh, x);
-    let total: f64 = ring.iter().map(|v| defect[v.index()]).sum();
-    Some(Sharpest {
-        vertex: top.0,
-        bend: most,
-        mean_curvature: 0.5 * most / areas[top.index()].sqrt(),
-        ring: ring.into_iter().map(|v| v.0).collect(),
-        is_neck: total < 0.0,
-    })
 }

@@ -8,6 +8,7 @@
 //! cycles of half-edges without a face.
 
 pub mod build;
+mod duplicate;
 pub mod element;
 pub mod error;
 pub mod flip;
@@ -22,7 +23,6 @@ pub mod subdivide;
 pub mod topology;
 pub mod validate;
 pub mod walk;
-mod wall;
 
 pub use build::{Built, build, build_as_given};
 pub use element::{Edge, Face, Halfedge, Vertex};

@@ -29,41 +29,58 @@ pub(super) fn turn_outward(
     n_parts: usize,
     repairs: &mut Vec<Repair>,
 ) {
-    let parts = parts(soup, sides, part, n_parts);
-    let is_in = |inner: usize, outer: usize| {
-        let [p, q] = [parts[inner], parts[outer]];
-        inner != outer
-            && q.is_closed
-            && q.low.cmple(p.low).all()
-            && p.high.cmple(q.high).all()
-            && winding(soup, part, outer as u32, p.place).abs() > 0.5
-    };
-    let inside_out: Vec<usize> = (0..n_parts)
-        .filter(|&i| parts[i].is_closed && parts[i].volume < 0.0)
-        .filter(|&i| (0..n_parts).all(|other| !is_in(i, other)))
-        .collect();
-    if inside_out.is_empty() {
+    // Most surfaces are one part, open or as it should be.
+    let is_closed = || 2 * interior_edges(sides).count() == sides.len();
+    let volume = || soup.faces().map(|face| cone(soup, face)).sum::<f64>();
+    if n_parts == 1 && !(is_closed() && volume() < 0.0) {
         return;
     }
-    let is_turned: Vec<bool> = (0..n_parts)
-        .map(|i| {
-            inside_out
-                .iter()
-                .any(|&outer| i == outer || is_in(i, outer))
-        })
-        .collect();
-    for (f, part) in part.iter().enumerate() {
-        if is_turned[*part as usize] {
-            let range = soup.face_starts[f] as usize..soup.face_starts[f + 1] as usize;
-            soup.corners[range].reverse();
+    repairs.extend(turn_parts(soup, sides, part, n_parts));
+}
+
+deferred! {
+    fn turn_parts(
+        soup: &mut PolygonSoup,
+        sides: &[Side],
+        part: &[u32],
+        n_parts: usize,
+    ) -> Option<Repair> {
+        let parts = parts(soup, sides, part, n_parts);
+        let is_in = |inner: usize, outer: usize| {
+            let [p, q] = [parts[inner], parts[outer]];
+            inner != outer
+                && q.is_closed
+                && q.low.cmple(p.low).all()
+                && p.high.cmple(q.high).all()
+                && winding(soup, part, outer as u32, p.place).abs() > 0.5
+        };
+        let inside_out: Vec<usize> = (0..n_parts)
+            .filter(|&i| parts[i].is_closed && parts[i].volume < 0.0)
+            .filter(|&i| (0..n_parts).all(|other| !is_in(i, other)))
+            .collect();
+        if inside_out.is_empty() {
+            return None;
         }
+        let is_turned: Vec<bool> = (0..n_parts)
+            .map(|i| {
+                inside_out
+                    .iter()
+                    .any(|&outer| i == outer || is_in(i, outer))
+            })
+            .collect();
+        for (f, part) in part.iter().enumerate() {
+            if is_turned[*part as usize] {
+                let range = soup.face_starts[f] as usize..soup.face_starts[f + 1] as usize;
+                soup.corners[range].reverse();
+            }
+        }
+        let count = is_turned.iter().filter(|turned| **turned).count();
+        Some(if count == n_parts {
+            Repair::InsideOut
+        } else {
+            Repair::TurnedParts { count }
+        })
     }
-    let count = is_turned.iter().filter(|turned| **turned).count();
-    repairs.push(if count == n_parts {
-        Repair::InsideOut
-    } else {
-        Repair::TurnedParts { count }
-    });
 }
 
 fn parts(soup: &PolygonSoup, sides: &[Side], part: &[u32], n_parts: usize) -> Vec<Part> {
@@ -82,10 +99,7 @@ fn parts(soup: &PolygonSoup, sides: &[Side], part: &[u32], n_parts: usize) -> Ve
             let x = soup.positions[*v as usize];
             (part.low, part.high) = (part.low.min(x), part.high.max(x));
         }
-        let sum: f64 = fans(soup, face, soup.positions[0])
-            .map(|[a, b, c]| a.dot(b.cross(c)))
-            .sum();
-        part.volume += sum / 6.0;
+        part.volume += cone(soup, face);
     }
     // Sides of edges that no other face has.
     let mut open = vec![0_usize; n_parts];
@@ -99,6 +113,12 @@ fn parts(soup: &PolygonSoup, sides: &[Side], part: &[u32], n_parts: usize) -> Ve
         part.is_closed = open == 0;
     }
     parts
+}
+
+/// Signed volume of the cone from the first vertex over a face.
+fn cone(soup: &PolygonSoup, face: &[u32]) -> f64 {
+    let triangles = fans(soup, face, soup.positions[0]);
+    triangles.map(|[a, b, c]| a.dot(b.cross(c))).sum::<f64>() / 6.0
 }
 
 /// The triangles of a face, relative to a point.

@@ -1,9 +1,9 @@
 //! Repairs that are safe: what they drop or split changes no surface. Each leaves a
 //! warning.
 
+use super::duplicate::duplicate_faces;
 use super::error::Repair;
 use super::sides::{Side, face_adjacency, interior_edges};
-use super::wall::{are_opposite, walls};
 use crate::order;
 use crate::soup::{PolygonSoup, cut_bridged};
 use glam::DVec3;
@@ -57,65 +57,14 @@ pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> Poly
     if bridged > 0 {
         repairs.push(Repair::BridgedFaces { count: bridged });
     }
-    let duplicate = duplicate_faces(&clean);
-    let n_duplicates = duplicate.iter().filter(|&&d| d).count();
-    if n_duplicates > 0 {
+    let duplicates = duplicate_faces(&clean);
+    if !duplicates.is_empty() {
         repairs.push(Repair::DuplicateFaces {
-            count: n_duplicates,
+            count: duplicates.len(),
         });
-        retain_faces(&mut clean, |f| !duplicate[f]);
+        retain_faces(&mut clean, |f| duplicates.binary_search(&f).is_err());
     }
     clean
-}
-
-/// Marks every face whose vertex set an earlier face has, walls between two bodies excepted.
-fn duplicate_faces(soup: &PolygonSoup) -> Vec<bool> {
-    let key = |f: usize| {
-        let mut corners = soup.face(f).to_vec();
-        corners.sort_unstable();
-        corners
-    };
-    // A hash in the upper half, the face in the lower: whole vertex sets are compared only
-    // where hashes agree.
-    let hash = |f: usize| {
-        let mix = |v: &u32| (u64::from(*v) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 7;
-        soup.face(f).iter().map(mix).fold(0, u64::wrapping_add) << 32
-    };
-    // Only faces with the same least vertex can be duplicates.
-    let least = |f: usize| soup.face(f).iter().copied().min().unwrap_or_default();
-    let entries = (0..soup.n_faces()).map(|f| (least(f), hash(f) | f as u64));
-    let (start, mut entries) = order::bucketed(soup.positions.len(), entries);
-    for range in start.windows(2) {
-        entries[range[0] as usize..range[1] as usize].sort_unstable();
-    }
-    let mut duplicate = vec![false; soup.n_faces()];
-    let mut opposite: Vec<[usize; 2]> = Vec::new();
-    for group in entries
-        .chunk_by(|a, b| a >> 32 == b >> 32)
-        .filter(|g| g.len() > 1)
-    {
-        let mut seen: Vec<(Vec<u32>, Vec<usize>)> = Vec::new();
-        for f in group.iter().map(|entry| *entry as u32 as usize) {
-            let corners = key(f);
-            if let Some((_, same)) = seen.iter_mut().find(|(other, _)| *other == corners) {
-                duplicate[f] = true;
-                same.push(f);
-            } else {
-                seen.push((corners, vec![f]));
-            }
-        }
-        for (_, same) in seen {
-            if let &[f, g] = &same[..]
-                && are_opposite(soup.face(f), soup.face(g))
-            {
-                opposite.push([f, g]);
-            }
-        }
-    }
-    for [_, kept] in walls(soup, &opposite) {
-        duplicate[kept] = false;
-    }
-    duplicate
 }
 
 fn retain_faces(soup: &mut PolygonSoup, keep: impl Fn(usize) -> bool) {

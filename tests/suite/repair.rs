@@ -662,6 +662,50 @@ fn files_that_people_brought_become_surfaces() {
     }
 }
 
+#[test]
+fn undoing_the_repair_of_a_file_that_is_no_surface_brings_back_what_was_there() {
+    let mut soup = Soup::sphere(6, 8);
+    let last = soup.x.len();
+    soup.x.push([3.0; 3]);
+    soup.faces
+        .push(vec![soup.faces[20][0], soup.faces[20][1], last]);
+    let mut session = Session::new();
+    session.sample("torus", &[]).expect("a torus");
+    let options = FlowOptions {
+        flow: FlowName::Circle,
+        ..FlowOptions::default()
+    };
+    session.configure(options).expect("configured");
+    session.run(2).expect("steps");
+    let before = (
+        session.frame().expect("a frame").exact,
+        session.state().expect("a state"),
+        session.provenance().expect("known"),
+    );
+    session
+        .load(&soup.obj(), "fin.obj")
+        .expect_err("no surface");
+    let options = RepairOptions::default();
+    let repaired = session.load_repaired(&soup.obj(), "fin.obj", options);
+    assert!(is_sphere(&repaired.expect("repaired").info));
+    assert!(session.can_undo_edit());
+    let loaded = session.undo_edit().expect("undone");
+    assert_eq!(loaded.name, "torus");
+    let after = (
+        session.frame().expect("a frame").exact,
+        session.state().expect("a state"),
+        session.provenance().expect("known"),
+    );
+    assert!(before == after && !session.can_undo_edit());
+    session.run(1).expect("a step");
+    // Where nothing was shown there is nothing to go back to.
+    let mut session = Session::new();
+    session
+        .load_repaired(&soup.obj(), "fin.obj", options)
+        .expect("repaired");
+    assert!(!session.can_undo_edit());
+}
+
 /// A sphere as a grid of latitudes and longitudes, the poles rows of their own: of squares or triangles,
 /// its two ends joined or not, in double or single precision.
 fn grid(rings: usize, around: usize, triangles: bool, joined: bool, single: bool) -> Soup {

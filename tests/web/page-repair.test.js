@@ -9,6 +9,7 @@ import {
   openMesh,
   openTab,
   reading,
+  surface,
   until,
   upload,
   useSite,
@@ -42,6 +43,7 @@ function scan() {
 test("a broken scan is opened by a repair, filled, and is whole in the download", async () => {
   const { page, faults, close } = await site.open();
   const mesh = scan();
+  const before = await surface(page);
   assert.ok(edgesOf(mesh.triangles).some((count) => count > 2));
   await upload(page, "scan.obj", obj(mesh));
   const offer = button(page, "Repair and open");
@@ -75,6 +77,13 @@ test("a broken scan is opened by a repair, filled, and is whole in the download"
     edgesOf(faces).every((count) => count === 2),
     "closed, two faces an edge",
   );
+  // The file as it is cannot be shown: what was there before it is back.
+  await openTab(page, "Surface");
+  await page.getByRole("button", { name: /^Undo the fill/ }).click();
+  await page.getByRole("button", { name: /^Undo the repair/ }).click();
+  await page.getByRole("img", { name: before, exact: true }).waitFor();
+  await button(page, "Step").click();
+  await until(page, "Paused at step 1");
   assert.deepEqual(faults, []);
   await close();
 });

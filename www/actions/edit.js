@@ -2,6 +2,7 @@
 
 import { flowOf, toFlow } from "../options.js";
 import { withSelection } from "../solver.js";
+import { earlierOf } from "../store.js";
 import { say } from "../words.js";
 import { stepsOf } from "./run.js";
 
@@ -25,9 +26,9 @@ export function createEdit(core) {
    * @param {Loaded} loaded @param {string} what  undoing takes back @param {Options} options
    */
   async function edited(loaded, what, options) {
-    const { source, options: before, figure, film, earlier: all, mesh } = get();
-    if (!source || !mesh) return;
-    const earlier = [...all, { source, options: before, figure, film, what }].slice(-MOST_EDITS);
+    const { mesh, earlier: all } = get();
+    if (!mesh) return;
+    const earlier = [...all, ...earlierOf(get(), what)].slice(-MOST_EDITS);
     // No sample any more, nor what a figure shows, and no file either: a link to it can only name it.
     patch({ source: { kind: "file", name: mesh.name }, mesh: loaded, earlier, mode: null });
     patch({ figure: null });

@@ -5,7 +5,7 @@ import { sha256 } from "../digest.js";
 import { sampleName } from "../library.js";
 import { linkIn, pageScene, plainScene, sceneOf } from "../link.js";
 import { defaults } from "../options.js";
-import { alone } from "../store.js";
+import { alone, earlierOf } from "../store.js";
 import { say } from "../words.js";
 
 /** @import { Loaded, RecipeCard, RepairOptions, ScriptText } from "../generated/types.js" */
@@ -18,9 +18,9 @@ import { say } from "../words.js";
 
 /**
  * How a mesh is loaded: under a name, with options or, where they do not suit it, others; what is to
- * be filled is so before it is shown.
+ * be filled is so before it is shown; what undoing goes back from, where it can.
  * @typedef {{ name: string, source: Source, origin: Origin, ask: () => Promise<Loaded>, options: Options,
- *   fallback: Options, scene: Partial<Scene>, fill?: Sample["fill"] }} Loading
+ *   fallback: Options, scene: Partial<Scene>, fill?: Sample["fill"], undoes?: string }} Loading
  */
 
 /** A file that something begins with. @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} Bytes */
@@ -43,16 +43,17 @@ export function createOpen(core, run, compare) {
   const { get, patch, notes, solver, enqueue, rest, anew } = core;
 
   /** @param {Loading} loading */
-  async function load({ name, source, origin, ask, options, fallback, scene, fill }) {
+  async function load({ name, source, origin, ask, options, fallback, scene, fill, undoes }) {
     await rest();
     const { mesh: before, phase } = get();
+    const earlier = undoes ? earlierOf(get(), undoes) : [];
     patch({ phase: "loading", loadingName: name, mode: null, preview: null });
     try {
       const shape = await ask();
       const mesh = fill ? (await solver.edit("fill", { options: fill })).loaded : shape;
       const camera = scene.camera ?? null;
       notes.clear();
-      patch({ source, origin, mesh, reading: null, timeline: null, configured: null, earlier: [] });
+      patch({ source, origin, mesh, reading: null, timeline: null, configured: null, earlier });
       patch({ figure: null, goal: null, isNew: false, camera, applies: "start" });
       anew();
       for (const warning of mesh.info.warnings) notes.note(say(warning), warning.id);
@@ -142,8 +143,9 @@ export function createOpen(core, run, compare) {
     const made = scene.prepares
       ? { name, source: edited(name), ask: prepared(scene.prepares, file) }
       : { name: whole, source: origin, ask: () => solver.load(whole, bytes, repair) };
+    const undoes = repair ? say("edit-repair") : undefined;
     try {
-      await load({ ...made, origin, options, fallback, scene });
+      await load({ ...made, origin, options, fallback, scene, undoes });
     } catch (error) {
       const { message, hint, repairs } = /** @type {Fault} */ (error);
       if (!repairs?.length || scene.prepares) throw error;

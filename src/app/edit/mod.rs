@@ -28,7 +28,7 @@ const MAX_EDITS: usize = 8;
 pub(super) struct Edits(Vec<(Suspended, OtherHalf)>);
 
 impl Edits {
-    fn push(&mut self, before: (Suspended, OtherHalf)) {
+    pub(super) fn push(&mut self, before: (Suspended, OtherHalf)) {
         if self.0.len() == MAX_EDITS {
             self.0.remove(0);
         }

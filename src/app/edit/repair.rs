@@ -101,7 +101,8 @@ impl Session {
     }
 
     /// Loads a mesh file and repairs it; it need not be a surface.
-    /// [`undo_edit`](Self::undo_edit) takes the repair of one that is back.
+    /// [`undo_edit`](Self::undo_edit) takes the repair of one that is back, and with that of another
+    /// the file: what was there before is there again.
     ///
     /// # Errors
     /// As [`load`](Self::load), less what a repair helps against; the mesh loaded before stays.
@@ -163,12 +164,22 @@ impl Session {
         file_name: &str,
         options: RepairOptions,
     ) -> Result<(), Fault> {
-        self.open(Document::from_broken(read, mended, file_name)?)?;
-        self.runner_mut()?.origin = Some(vec![EditRecord {
+        let document = Document::from_broken(read, mended, file_name)?;
+        let before = self.runner.take();
+        let arrangement = before.as_ref().map(|runner| runner.arrangement);
+        let other_half = std::mem::take(&mut self.other_half);
+        self.open(document)?;
+        let runner = self.runner_mut()?;
+        runner.arrangement = arrangement.unwrap_or_default();
+        runner.origin = Some(vec![EditRecord {
             flow: None,
             path: Vec::new(),
             edit: Edit::Repair(options),
         }]);
+        // The file as it is cannot be shown: what was shown before it can.
+        if let Some(before) = before {
+            self.edits.push((before.suspend(), other_half));
+        }
         Ok(())
     }
 }
