@@ -74,9 +74,9 @@ test("what is painted moves, and nothing else", async () => {
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2 + 30, box.y + box.height / 2, { steps: 3 });
   await page.mouse.up();
-  const said = (await bar.getByText(/vertices move/).textContent()) ?? "";
-  const free = Number(/^(\d+) of 2562/.exec(said)?.[1]);
-  assert.ok(free > 5 && free < 1000, said);
+  // What lies under the pointer where it stopped is painted a picture later.
+  const painted = bar.getByText(/^([6-9]|\d{2,3}) of 2562 vertices move/);
+  const free = Number.parseInt((await painted.textContent()) ?? "", 10);
   await bar.getByRole("button", { name: "Grow" }).click();
   await bar.getByRole("button", { name: "Apply" }).click();
   await until(page, "Ready");
