@@ -1,9 +1,10 @@
 //! Polygons cut into triangles, the same way for pictures, flows, energies and files.
 //!
 //! A polygon that a fan covers is cut as people expect it: a quadrilateral along its shorter
-//! diagonal, from its first corner where both are as long, and so is a larger one. Any other is cut by ears in the plane of its
-//! vector area, so that no triangle leaves it; and none is flat where that can be: a corner in the
-//! middle of a straight side would else put a chord along that side into both faces at it.
+//! diagonal, from its first corner where both are as long, and so is a larger one. Any other is cut
+//! by ears in the plane of its vector area, so that no triangle leaves it; and none is flat where
+//! that can be: a corner in the middle of a straight side would else put a chord along that side
+//! into both faces at it.
 
 mod ears;
 

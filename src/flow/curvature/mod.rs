@@ -11,9 +11,9 @@
 //! closed surface under the flow by mean curvature, the driver finds smaller ones. The share s
 //! of a step that is taken is such that no vertex moves by more than half an edge.
 //!
-//! Area falls under surface diffusion of a whole surface, and the volume stays what it was. Of a patch with a held rim it need
-//! not, and no functional is known that the discrete flow lowers: whole steps, which find the
-//! steady state in a few, are taken there without a test for descent.
+//! Area falls under surface diffusion of a whole surface, and the volume stays what it was. Of a
+//! patch with a held rim it need not, and no functional is known that the discrete flow lowers:
+//! whole steps, which find the steady state in a few, are taken there without a test for descent.
 //!
 //! A rest of the fitted flow is not quite the least of the fitted energy, so that a good fill may
 //! end a little above an earlier step: by a thousandth of the least so far, and where whole steps

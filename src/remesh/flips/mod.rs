@@ -9,6 +9,7 @@ pub mod reduction;
 
 use crate::energy::circle::angle::diamond_angle;
 use crate::geometry::measure;
+use crate::geometry::quality::triangle_quality;
 use crate::mesh::flip::{Anchors, Flippable};
 use crate::mesh::{Edge, HalfedgeMesh, Vertex};
 use angles::Angles;
@@ -42,8 +43,8 @@ const LEAST_AREA_GAIN: f64 = 1e-12;
 /// A flip must take more than this off the angles.
 const LEAST_ANGLE_GAIN: f64 = 1e-11;
 
-/// Twice the area over the square of the longest side, up to which a face has no area.
-const FLAT: f64 = 1e-10;
+/// Quality up to which a face has no area.
+const FLAT: f64 = 2e-10;
 
 /// What the search for a flip, and the flip itself, did to edges other than those about it.
 #[derive(Default)]
@@ -315,12 +316,8 @@ impl FlipOptimiser {
     /// Whether a face after the flip would have no area, where both before have one.
     fn flattens(&self, e: Edge) -> bool {
         let Quad { i, j, k, l } = Quad::of(&self.mesh, &self.x, e);
-        let is_flat = |[a, b, c]: [DVec3; 3]| {
-            let longest = [a - b, b - c, c - a].map(DVec3::length_squared);
-            let longest = longest.into_iter().fold(0.0, f64::max);
-            (b - a).cross(c - a).length() <= FLAT * longest
-        };
-        let is_any_flat = |pair: [[DVec3; 3]; 2]| pair.into_iter().any(is_flat);
+        let is_any_flat =
+            |pair: [[DVec3; 3]; 2]| pair.into_iter().any(|t| triangle_quality(t) <= FLAT);
         is_any_flat([[i, l, k], [j, k, l]]) && !is_any_flat([[i, j, k], [j, i, l]])
     }
 
