@@ -809,6 +809,41 @@ fn bodies_that_share_a_wall_are_taken_apart() {
     assert_eq!(loaded.info.faces, side.len());
 }
 
+/// A hexagonal prism in three wedges about its axis, each with walls of its own on the same vertices.
+#[test]
+fn bodies_that_meet_in_an_edge_are_taken_apart() {
+    let mut soup = Soup {
+        x: vec![[0.0; 3], [0.0, 0.0, 1.0]],
+        faces: Vec::new(),
+    };
+    for i in 0..6 {
+        let (y, x) = (std::f64::consts::FRAC_PI_3 * f64::from(i)).sin_cos();
+        soup.x.extend([[x, y, 0.0], [x, y, 1.0]]);
+    }
+    let low = |i: usize| 2 + 2 * (i % 6);
+    let high = |i: usize| low(i) + 1;
+    for first in [0, 2, 4] {
+        for i in [first, first + 1] {
+            soup.faces.push(vec![0, low(i + 1), low(i)]);
+            soup.faces.push(vec![1, high(i), high(i + 1)]);
+            soup.faces
+                .push(vec![low(i), low(i + 1), high(i + 1), high(i)]);
+        }
+        soup.faces.push(vec![0, low(first), high(first), 1]);
+        soup.faces.push(vec![0, 1, high(first + 2), low(first + 2)]);
+    }
+    let (_, loaded) = repaired(&soup.obj(), Weld::Auto);
+    let Info {
+        components,
+        closed,
+        faces,
+        volume,
+        ..
+    } = loaded.info;
+    assert_eq!((components, closed, faces), (3, true, 24));
+    assert!((volume.expect("closed") - 1.5 * 3f64.sqrt()).abs() < 1e-12);
+}
+
 /// A vertex of no face, a face with a corner twice, and a triangle of three corners on a line: all
 /// before or among the rest, so that the surface's own numbers are not the file's.
 fn with_flat_triangle() -> Vec<u8> {
