@@ -53,7 +53,11 @@ pub fn read_flags(command: &str, words: &Values) -> Result<Values, Fault> {
         "regularise" => option::read::<RegulariseOptions>(words)?,
         "fill" => option::read::<FillOptions>(words)?,
         "repair" => option::read::<RepairOptions>(words)?,
-        "remesh" => option::read::<RemeshOptions>(words)?,
+        "remesh" => {
+            let values = option::read::<RemeshOptions>(words)?;
+            option::options_of::<RemeshOptions>(&values)?.check()?;
+            values
+        }
         "bench" => {
             let values = option::read::<BenchOptions>(words)?;
             option::options_of::<BenchOptions>(&values)?.check()?;

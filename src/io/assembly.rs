@@ -38,6 +38,14 @@ impl Assembly {
         self.soup.positions.len()
     }
 
+    pub(super) fn n_faces(&self) -> usize {
+        self.soup.n_faces()
+    }
+
+    pub(super) fn positions(&self) -> &[DVec3] {
+        &self.soup.positions
+    }
+
     /// Appends a vertex.
     ///
     /// # Errors
@@ -75,7 +83,7 @@ impl Assembly {
             self.dropped.count(place);
             return Ok(());
         }
-        self.check_limit("corners", self.soup.corners.len() + corners.len(), place)?;
+        self.check_corners(self.soup.corners.len() + corners.len(), place)?;
         self.soup.push_face(corners);
         Ok(())
     }
@@ -103,6 +111,12 @@ impl Assembly {
             index: index as i64,
             vertices,
         })
+    }
+
+    /// # Errors
+    /// [`ReadError::CountTooLarge`] past 2³² corners.
+    pub(super) fn check_corners(&self, n: usize, place: Place) -> Result<(), ReadError> {
+        self.check_limit("corners", n, place)
     }
 
     fn check_limit(&self, what: &'static str, n: usize, place: Place) -> Result<(), ReadError> {
@@ -177,6 +191,12 @@ impl Tally {
     pub(super) fn count(&mut self, place: Place) {
         self.count += 1;
         self.first.get_or_insert(place);
+    }
+
+    /// Counts in what another has met.
+    pub(super) fn add(&mut self, other: &Self) {
+        self.count += other.count;
+        self.first = self.first.into_iter().chain(other.first).min();
     }
 
     /// How often, and where first; `None` if never.

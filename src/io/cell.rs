@@ -1,11 +1,15 @@
-//! Which cells of VTK are faces of a surface.
+//! Cells of VTK and elements of Gmsh: which are faces of a surface.
 
 use super::assembly::{Assembly, Tally};
+use super::solid::{Solid, Solids};
 use super::{Format, Oddity, Place, Read, ReadError};
 
-/// Takes cells in as faces, and counts the rest.
+/// Takes cells in as faces, and counts the rest. Where there is no face, the cells with a volume
+/// give theirs.
 pub(super) struct Cells {
     pub(super) assembly: Assembly,
+    solids: Solids,
+    volumes: Tally,
     skipped: Tally,
 }
 
@@ -13,6 +17,8 @@ impl Cells {
     pub(super) fn new() -> Self {
         Self {
             assembly: Assembly::new(),
+            solids: Solids::default(),
+            volumes: Tally::default(),
             skipped: Tally::default(),
         }
     }
@@ -39,6 +45,14 @@ impl Cells {
             (23 | 28 | 30 | 70 | 77, _) => self.assembly.face(first(4), place),
             // A polygon of second order: corners, then middles of sides.
             (36, _) => self.assembly.face(first(corners.len() / 2), place),
+            (10 | 24 | 71 | 78, _) => self.solid(Solid::Tetrahedron, corners, place),
+            (12 | 25 | 29 | 33 | 72 | 79, _) => self.solid(Solid::Hexahedron, corners, place),
+            (13 | 26 | 31 | 32 | 73 | 80, _) => self.solid(Solid::Wedge, corners, place),
+            (14 | 27 | 37 | 74, _) => self.solid(Solid::Pyramid, corners, place),
+            // A voxel: in the order of its axes.
+            (11, &[a, b, c, d, e, f, g, h, ..]) => {
+                self.solid(Solid::Hexahedron, &[a, b, d, c, e, f, h, g], place)
+            }
             // Nothing.
             (0, _) => Ok(()),
             _ => {
@@ -48,16 +62,45 @@ impl Cells {
         }
     }
 
+    /// A cell with a volume. Once there is a face, none gives its own.
+    ///
+    /// # Errors
+    /// [`ReadError::CountTooLarge`] past 2³² corners.
+    pub(super) fn solid(
+        &mut self,
+        solid: Solid,
+        corners: &[u32],
+        place: Place,
+    ) -> Result<(), ReadError> {
+        self.volumes.count(place);
+        if self.assembly.n_faces() > 0 {
+            self.solids.clear();
+            return Ok(());
+        }
+        self.solids.push(solid, corners);
+        self.assembly.check_corners(self.solids.n_corners(), place)
+    }
+
     /// Cells that are known to be none of a surface.
     pub(super) fn skip(&mut self, place: Place) {
         self.skipped.count(place);
     }
 
-    pub(super) fn finish(self, format: Format) -> Result<Read, ReadError> {
+    pub(super) fn finish(mut self, format: Format) -> Result<Read, ReadError> {
+        let mut oddities = Vec::new();
+        match self.volumes.met() {
+            Some((count, first)) if self.assembly.n_faces() == 0 => {
+                for face in self.solids.boundary(self.assembly.positions()) {
+                    self.assembly.face(&face, first)?;
+                }
+                oddities.push(Oddity::SolidCells { count });
+            }
+            _ => self.skipped.add(&self.volumes),
+        }
         let other = |(count, first)| Oddity::OtherCells { count, first };
-        let other = self.skipped.met().map(other);
+        oddities.extend(self.skipped.met().map(other));
         let mut read = self.assembly.finish(format)?;
-        read.warnings.extend(other);
+        read.warnings.extend(oddities);
         Ok(read)
     }
 }

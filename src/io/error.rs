@@ -6,7 +6,7 @@ use crate::soup::PolygonSoup;
 
 messages! {
     /// Where in a file.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Place as "place" {
         /// Of text.
         Line {
@@ -358,6 +358,11 @@ messages! {
             /// The first.
             first: Place,
         },
+        /// There were no faces, but cells with a volume: their surface was read.
+        SolidCells {
+            /// How many.
+            count: usize,
+        },
         /// Corners at the same position were joined: the format splits vertices along seams.
         SeamsJoined {
             /// How many vertices fewer there are.
@@ -416,6 +421,13 @@ messages! {
         Colours {
             /// The format.
             format: Format,
+        },
+        /// The format holds triangles alone: others were cut.
+        Polygons {
+            /// The format.
+            format: Format,
+            /// How many faces had more corners.
+            count: usize,
         },
         /// A remeshing has made other vertices than those that had colours.
         ColoursRemeshed,

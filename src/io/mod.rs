@@ -8,8 +8,8 @@
 //! | STL | ASCII and binary, corners welded | triangles; binary in single precision |
 //! | glTF | GLB, and JSON that holds its buffers; triangles where nodes put them, colours | GLB: triangles in single precision, colours, optional normals |
 //! | 3MF | its model, with objects where components put them | no |
-//! | VTK | legacy, ASCII and binary, and XML; surface cells | no |
-//! | MSH | Gmsh 2 and 4.1, ASCII and binary; surface elements | no |
+//! | VTK | legacy, ASCII and binary, and XML; surface cells, or the surface of solid ones | no |
+//! | MSH | Gmsh 2 and 4.1, ASCII and binary; the same of its elements | no |
 //!
 //! Readers keep the file's vertex order, unused vertices and repeated faces, so that
 //! a download matches the upload; what such a soup means as a surface is decided by
@@ -48,6 +48,7 @@ mod off;
 mod placed;
 mod ply;
 mod single;
+mod solid;
 mod stl;
 mod stream;
 mod text;
@@ -143,8 +144,8 @@ pub fn write(soup: &PolygonSoup, format: Format, comment: &str) -> Result<Vec<u8
     }
 }
 
-/// What a file written by [`write()`] does not hold as the mesh does, beyond polygons being cut and
-/// the precision of the format.
+/// What a file written by [`write()`] does not hold as the mesh does, beyond the precision of the
+/// format.
 pub fn losses(soup: &PolygonSoup, format: Format) -> Vec<Loss> {
     let shift = match format {
         Format::Stl => stl::moved_by(soup),
@@ -157,8 +158,13 @@ pub fn losses(soup: &PolygonSoup, format: Format) -> Vec<Loss> {
         z: by.z,
     };
     let mut losses: Vec<Loss> = shift.map(moved).into_iter().collect();
-    if soup.has_colours() && matches!(format, Format::Stl | Format::StlAscii) {
+    let is_stl = matches!(format, Format::Stl | Format::StlAscii);
+    if soup.has_colours() && is_stl {
         losses.push(Loss::Colours { format });
+    }
+    let count = soup.faces().filter(|face| face.len() > 3).count();
+    if count > 0 && (is_stl || format == Format::Glb) {
+        losses.push(Loss::Polygons { format, count });
     }
     losses
 }

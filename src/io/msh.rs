@@ -1,11 +1,12 @@
 //! MSH, the format of Gmsh, in text and in binary: the surface elements of versions 2 and 4.1.
 //!
 //! Source: the Gmsh reference manual, "File formats". Nodes have numbers of their own, in any
-//! order; elements of higher order are read as their corners; points, lines and volumes are
-//! counted as skipped.
+//! order; elements of higher order are read as their corners; points and lines are counted as
+//! skipped, and so are volumes unless there are no others.
 
-use super::assembly::{Assembly, Tally};
 use super::binary::Scalar;
+use super::cell::Cells;
+use super::solid::Solid;
 use super::stream::Stream;
 use super::{Expected, Extra, Format, Oddity, Place, Read, ReadError};
 use crate::order;
@@ -16,55 +17,72 @@ pub(super) fn is_header(bytes: &[u8]) -> bool {
     STARTS.iter().any(|start| bytes.starts_with(start))
 }
 
-/// How many nodes an element of each of Gmsh's types has, from type 1, and how many of the first
-/// make a face: 0 where it is of no surface.
-const ELEMENTS: [(usize, usize); 38] = [
-    (2, 0),
-    (3, 3),
-    (4, 4),
-    (4, 0),
-    (8, 0),
-    (6, 0),
-    (5, 0),
-    (3, 0),
-    (6, 3),
-    (9, 4),
-    (10, 0),
-    (27, 0),
-    (18, 0),
-    (14, 0),
-    (1, 0),
-    (8, 4),
-    (20, 0),
-    (15, 0),
-    (13, 0),
-    (9, 3),
-    (10, 3),
-    (12, 3),
-    (15, 3),
-    (15, 3),
-    (21, 3),
-    (4, 0),
-    (5, 0),
-    (6, 0),
-    (20, 0),
-    (35, 0),
-    (56, 0),
+/// What an element is.
+#[derive(Clone, Copy)]
+enum Shape {
+    /// A face with so many corners.
+    Face(usize),
+    Solid(Solid),
+    /// A point, a line, or of several parts.
+    Other,
+}
+
+const TRIANGLE: Shape = Shape::Face(3);
+const QUADRILATERAL: Shape = Shape::Face(4);
+const TETRAHEDRON: Shape = Shape::Solid(Solid::Tetrahedron);
+const HEXAHEDRON: Shape = Shape::Solid(Solid::Hexahedron);
+const WEDGE: Shape = Shape::Solid(Solid::Wedge);
+const PYRAMID: Shape = Shape::Solid(Solid::Pyramid);
+
+/// How many nodes an element of each of Gmsh's types has, from type 1, and what the first of them
+/// make.
+const ELEMENTS: [(usize, Shape); 38] = [
+    (2, Shape::Other),
+    (3, TRIANGLE),
+    (4, QUADRILATERAL),
+    (4, TETRAHEDRON),
+    (8, HEXAHEDRON),
+    (6, WEDGE),
+    (5, PYRAMID),
+    (3, Shape::Other),
+    (6, TRIANGLE),
+    (9, QUADRILATERAL),
+    (10, TETRAHEDRON),
+    (27, HEXAHEDRON),
+    (18, WEDGE),
+    (14, PYRAMID),
+    (1, Shape::Other),
+    (8, QUADRILATERAL),
+    (20, HEXAHEDRON),
+    (15, WEDGE),
+    (13, PYRAMID),
+    (9, TRIANGLE),
+    (10, TRIANGLE),
+    (12, TRIANGLE),
+    (15, TRIANGLE),
+    (15, TRIANGLE),
+    (21, TRIANGLE),
+    (4, Shape::Other),
+    (5, Shape::Other),
+    (6, Shape::Other),
+    (20, TETRAHEDRON),
+    (35, TETRAHEDRON),
+    (56, TETRAHEDRON),
     // Of 32 and 33 the manual has none, of 34 and 35 neither.
-    (0, 0),
-    (0, 0),
-    (0, 0),
-    (0, 0),
-    (16, 4),
-    (25, 4),
-    (36, 4),
+    (0, Shape::Other),
+    (0, Shape::Other),
+    (0, Shape::Other),
+    (0, Shape::Other),
+    (16, QUADRILATERAL),
+    (25, QUADRILATERAL),
+    (36, QUADRILATERAL),
 ];
 
-fn element(kind: u64) -> Option<(usize, usize)> {
+fn element(kind: u64) -> Option<(usize, Shape)> {
     let row = match kind {
-        // Hexahedra of third and fourth order.
-        92 => (64, 0),
-        93 => (125, 0),
+        // Of third and fourth order.
+        92 => (64, HEXAHEDRON),
+        93 => (125, HEXAHEDRON),
         _ => *ELEMENTS.get(usize::try_from(kind.checked_sub(1)?).ok()?)?,
     };
     (row.0 > 0).then_some(row)
@@ -76,10 +94,9 @@ struct Reader<'a> {
     is_binary: bool,
     /// How sizes and numbers of nodes are written.
     size: Scalar,
-    assembly: Assembly,
+    cells: Cells,
     /// Numbers of the nodes with their place in the mesh, in the order of numbers.
     nodes: Vec<(u64, u32)>,
-    skipped: Tally,
 }
 
 /// Reads an MSH file.
@@ -91,9 +108,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
         stream: Stream::new(Format::Msh, bytes.trim_ascii_start()),
         is_binary: false,
         size: Scalar::U64,
-        assembly: Assembly::new(),
+        cells: Cells::new(),
         nodes: Vec::new(),
-        skipped: Tally::default(),
     };
     let mut version = None;
     let (mut has_groups, mut has_data) = (false, false);
@@ -122,10 +138,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     if version.is_none() {
         return Err(reader.stream.error(None, SECTION));
     }
-    let other = |(count, first)| Oddity::OtherCells { count, first };
-    let other = reader.skipped.met().map(other);
-    let mut read = reader.assembly.finish(Format::Msh)?;
-    read.warnings.extend(other);
+    let mut read = reader.cells.finish(Format::Msh)?;
     let extra = [(Extra::Groups, has_groups), (Extra::Data, has_data)];
     read.warnings.extend(Oddity::left_out(&extra));
     Ok(read)
@@ -180,8 +193,8 @@ impl<'a> Reader<'a> {
             return Err(self.stream.error(found, Expected::VertexNumber));
         }
         let position = self.stream.point(scalar)?;
-        let vertex = self.assembly.n_vertices() as u32;
-        self.assembly.vertex(position, place)?;
+        let vertex = self.cells.assembly.n_vertices() as u32;
+        self.cells.assembly.vertex(position, place)?;
         self.nodes.push((number as u64, vertex));
         Ok(())
     }
@@ -220,21 +233,27 @@ impl<'a> Reader<'a> {
     /// The nodes of an element of a type that is known.
     fn element(
         &mut self,
-        (nodes, corners): (usize, usize),
+        (nodes, shape): (usize, Shape),
         scalar: Scalar,
         place: Place,
     ) -> Result<(), ReadError> {
-        let mut face = [0; 4];
-        for corner in &mut face[..corners] {
+        let n = match shape {
+            Shape::Face(corners) => corners,
+            Shape::Solid(solid) => solid.n_corners(),
+            Shape::Other => 0,
+        };
+        let mut corners = [0; 8];
+        for corner in &mut corners[..n] {
             let number = self.stream.value(scalar, Expected::VertexIndex)?;
             *corner = self.corner(number, place)?;
         }
-        self.stream.skip(scalar, (nodes - corners) as u64)?;
-        if corners == 0 {
-            self.skipped.count(place);
-            return Ok(());
+        self.stream.skip(scalar, (nodes - n) as u64)?;
+        match shape {
+            Shape::Face(_) => self.cells.assembly.face(&corners[..n], place)?,
+            Shape::Solid(solid) => self.cells.solid(solid, &corners[..n], place)?,
+            Shape::Other => self.cells.skip(place),
         }
-        self.assembly.face(&face[..corners], place)
+        Ok(())
     }
 
     fn unknown(&self, kind: u64) -> ReadError {
@@ -248,7 +267,7 @@ impl<'a> Reader<'a> {
         let count = self.stream.count_word(Expected::VertexCount)?;
         self.numbers(|reader| {
             let count = reader.stream.checked("vertices", count, 4, 28)?;
-            reader.assembly.reserve(count, 0);
+            reader.cells.assembly.reserve(count, 0);
             for _ in 0..count {
                 let place = reader.stream.place();
                 let number = reader.stream.value(Scalar::I32, Expected::VertexNumber)?;

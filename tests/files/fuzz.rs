@@ -10,7 +10,7 @@
 
 use crate::colours::{coloured, triangle_in_light};
 use crate::mesh::{cube, octahedron};
-use crate::{gltf, msh, plain, three_mf, vtk, vtp};
+use crate::{gltf, msh, plain, solid, three_mf, vtk, vtp};
 use std::time::{Duration, Instant};
 use umbilic::io::{self, Format};
 
@@ -43,6 +43,7 @@ fn seeds(format: Format) -> Vec<Vec<u8>> {
         Format::Vtk => vtk::variants()
             .into_iter()
             .map(|(_, style)| vtk::file(&soup, style))
+            .chain(solid::files(format))
             .collect(),
         Format::Vtp => vtp::variants()
             .into_iter()
@@ -51,6 +52,7 @@ fn seeds(format: Format) -> Vec<Vec<u8>> {
         Format::Msh => msh::variants()
             .into_iter()
             .map(|style| msh::file(&soup, style))
+            .chain(solid::files(format))
             .collect(),
         Format::ThreeMf => three_mf::variants(),
         Format::Glb | Format::Gltf => gltf::variants()

@@ -227,6 +227,10 @@ fn flags_are_read_by_the_rows_of_their_command() {
     assert_eq!(refused("regularise", &[("epsilon", "0")]), "BadOption");
     assert_eq!(refused("flips", &[("max", "-1")]), "BadOption");
     assert_eq!(refused("flips", &[("goal", "smooth")]), "UnknownOption");
+    assert_eq!(
+        refused("remesh", &[("vertices", "9"), ("target", "0.1")]),
+        "ConflictingOptions"
+    );
     assert_eq!(refused("bench", &[]), "MissingOption");
     assert_eq!(
         refused("bench", &[("table", "circle"), ("quick", "true")]),

@@ -95,6 +95,7 @@ test("bad usage ends with 2 and says what would be right", async () => {
     [["flow", mesh, "--flow", "p-willmore", "--epsilon", "0.1"], /it is for circle/],
     [["flow", mesh, "--flow", "p-willmore", "--keep", "area,shape"], /any of area, volume/],
     [["flow", mesh, "--flow", "p-willmore", "--p=-1"], /`p` cannot be `-1`/],
+    [["remesh", mesh, "--vertices", "9", "--target", "0.1"], /cannot both/],
     [["regularise", mesh, "--mode", "fast"], /one of linear, nonlinear/],
     [["regularise", mesh, "--mode", "off"], /one of linear, nonlinear/],
     [["regularise", mesh, "--epsilon", "0"], /above 0/],

@@ -8,7 +8,7 @@ import { readHelp } from "./files.js";
 import { fill, flow } from "./flow.js";
 import { replay } from "./replay.js";
 import { shape } from "./shape.js";
-import { inWords, repairInWords } from "./text.js";
+import { inWords, repairInWords, table } from "./text.js";
 
 /**
  * What a file is before a repair; null where it is no surface.
@@ -92,16 +92,15 @@ export const commands = {
 
 /** @returns {string} */
 export function overview() {
-  const rows = Object.entries(commands).map(
-    ([name, { operands = ["MESH"], summary }]) =>
-      `  ${[name, ...operands].join(" ").padEnd(17)}${summary}`,
-  );
+  const rows = Object.entries(commands).map(([name, { operands = ["MESH"], summary }]) => [
+    `  ${[name, ...operands].join(" ")}`,
+    summary,
+  ]);
   return `umbilic <command> [options]
 
 Willmore-type geometric flows on triangle meshes.
 
-${rows.join("\n")}
-
+${table(rows, 2)}
 MESH is a file that ends in
 ${readHelp},
 or - for standard input.

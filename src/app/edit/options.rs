@@ -1,5 +1,6 @@
 //! What the edits of a mesh can be asked for. Unknown names are refused.
 
+use crate::flow::option::OptionError;
 use crate::remesh::adaptive::Kind;
 use crate::remesh::flips::reduction::Criterion;
 use crate::remesh::repair::Weld;
@@ -101,4 +102,18 @@ pub struct RemeshOptions {
     pub target: Option<f64>,
     /// Number of vertices; as many as there are if both are absent.
     pub vertices: Option<usize>,
+}
+
+impl RemeshOptions {
+    /// That no two say the same thing.
+    ///
+    /// # Errors
+    /// [`OptionError::ConflictingOptions`].
+    pub fn check(&self) -> Result<(), OptionError> {
+        let (first, second) = ("vertices", "target");
+        match (self.vertices, self.target) {
+            (Some(_), Some(_)) => Err(OptionError::ConflictingOptions { first, second }),
+            _ => Ok(()),
+        }
+    }
 }

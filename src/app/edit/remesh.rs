@@ -10,7 +10,6 @@ use crate::app::runner::Runner;
 use crate::energy::circle::Boundary;
 use crate::energy::p_willmore::integrated_power;
 use crate::flow::boundary;
-use crate::flow::option::OptionError;
 use crate::geometry::measure;
 use crate::mesh::HalfedgeMesh;
 use crate::remesh::adaptive::{self, Counts, Remeshed, Soundness};
@@ -76,15 +75,11 @@ impl Runner {
         let moves =
             boundary::free_vertices(mesh, Boundary::Fixed, free.as_deref(), fixed.as_deref())?;
         let held: Vec<bool> = moves.iter().map(|moves| !moves).collect();
-        let wanted = match (options.vertices, options.target) {
-            (Some(_), Some(_)) => {
-                let (first, second) = ("vertices", "target");
-                return Err(OptionError::ConflictingOptions { first, second }.into());
-            }
-            (Some(vertices), None) => vertices as f64,
-            (None, Some(length)) => adaptive::vertices_for(mesh, x, length),
-            (None, None) => x.len() as f64,
-        };
+        options.check()?;
+        let length = options.target;
+        let as_target = length.map(|length| adaptive::vertices_for(mesh, x, length));
+        let as_asked = options.vertices.map(|vertices| vertices as f64);
+        let wanted = as_asked.or(as_target).unwrap_or(x.len() as f64);
         if wanted > MAX_VERTICES as f64 || wanted.is_nan() {
             let (vertices, most) = (wanted, MAX_VERTICES);
             return Err(AppError::TooManyVertices { vertices, most }.into());
