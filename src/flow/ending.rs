@@ -5,8 +5,8 @@ use super::rules::Ceiling;
 use super::signs::{NARROW, SHARPENED, SLIVER, UNDER_RESOLVED, WORN};
 use super::termination::{self, Clock, Ending};
 use super::{
-    Advice, Cause, Cost, Decision, FlowError, Functional, Occasion, Phase, Reason, Refusal, Status,
-    StepReport, Warning,
+    Advice, Cause, Cost, Decision, FlowError, Functional, Monitored, Occasion, Phase, Reason,
+    Refusal, Status, StepReport, Warning,
 };
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
@@ -236,11 +236,11 @@ impl Driver {
 
     /// A neck or a tip thinner than the mesh can show, where that is why no step was accepted.
     fn singular(&self, x: &[DVec3]) -> Option<Decision> {
-        // The flow by mean curvature is the fastest way to less area: where no step however small
-        // leads to less, the mesh no longer shows the surface.
+        // A flow that lowers the area is the fastest way to less of it, each in its own metric:
+        // where no step however small leads to less, the mesh no longer shows the surface.
         let is_geometric = self.run.is_exhausted
             || termination::is_geometric(self.refusal)
-            || self.flow.clock() == Clock::MeanCurvature;
+            || self.flow.monitored() == Monitored::Area;
         if !self.mesh.is_triangular() || !is_geometric {
             return None;
         }

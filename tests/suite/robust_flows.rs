@@ -507,6 +507,19 @@ fn both_flows_by_mean_curvature_tell_of_the_same_pinch() {
     assert!((a / b - 1.0).abs() < 0.3, "{a} {b}");
 }
 
+/// A torus so thick is drawn towards a ball, which it cannot become.
+#[test]
+fn the_hole_of_a_thick_torus_closes_under_surface_diffusion() {
+    let soup = sample("torus", &[("major", 1.0), ("minor", 0.7)]);
+    let s = surface(&soup);
+    let end = watch(&s, limited(FlowName::SurfaceDiffusion, 100), "thick torus");
+    let Some(Reason::PinchedNeck { place, .. }) = end.reason else {
+        panic!("{:?}", end.reason);
+    };
+    assert_eq!(end.status, Status::Singular);
+    assert!(DVec3::from(place).length() < 0.05, "{place:?}");
+}
+
 /// A round rod of so many corners around, radius ½, without a vertex between its ends.
 fn needles(across: usize, length: f64) -> PolygonSoup {
     let end = |z: f64| {

@@ -2,7 +2,7 @@
 
 use super::{Script, idle};
 use crate::flow::rules::{Ceiling, Rules};
-use crate::flow::{Cause, Clock, Reason, Refusal, Search, Status};
+use crate::flow::{Cause, Monitored, Reason, Refusal, Search, Status};
 use std::rc::Rc;
 
 #[test]
@@ -94,9 +94,9 @@ fn a_surface_that_may_vanish_is_singular_once_it_has() {
 }
 
 /// A ball that grows a tip, from where on every step is refused.
-fn tip(cause: Cause, spike: f64, clock: Clock) -> Script {
+fn tip(cause: Cause, spike: f64, monitored: Monitored) -> Script {
     Script {
-        clock,
+        monitored,
         rules: Rules {
             can_vanish: true,
             ..idle().rules
@@ -111,24 +111,28 @@ fn tip(cause: Cause, spike: f64, clock: Clock) -> Script {
 }
 
 /// A tip that has grown on a surface that may vanish, and from which no step bends further, is
-/// singular; not so where the functional alone is in the way, unless it is the flow by mean
-/// curvature that cannot lower the area; nor where the tip was there before.
+/// singular; not so where the functional alone is in the way, unless it is an area that no
+/// step lowers; nor where the tip was there before.
 #[test]
 fn a_new_tip_from_which_no_step_leads_is_singular() {
-    let grown = |cause, spike, clock| tip(cause, spike, clock).run(200).1.expect("an ending");
-    let (status, why) = grown(Cause::Turn, 10.0, Clock::Own);
+    let grown =
+        |cause, spike, monitored| tip(cause, spike, monitored).run(200).1.expect("an ending");
+    let (status, why) = grown(Cause::Turn, 10.0, Monitored::Willmore);
     assert_eq!(status, Status::Singular, "{why}");
     assert!(
         matches!(why, Reason::PinchedNeck { vertex: 0, .. }),
         "{why}"
     );
-    let status = |cause, spike, clock| grown(cause, spike, clock).0;
-    assert_eq!(status(Cause::Rise, 10.0, Clock::Own), Status::Stalled);
+    let status = |cause, spike, monitored| grown(cause, spike, monitored).0;
     assert_eq!(
-        status(Cause::Rise, 10.0, Clock::MeanCurvature),
-        Status::Singular
+        status(Cause::Rise, 10.0, Monitored::Willmore),
+        Status::Stalled
     );
-    assert_eq!(status(Cause::Turn, 1.0, Clock::Own), Status::Stalled);
+    assert_eq!(status(Cause::Rise, 10.0, Monitored::Area), Status::Singular);
+    assert_eq!(
+        status(Cause::Turn, 1.0, Monitored::Willmore),
+        Status::Stalled
+    );
 }
 
 /// The tip is no longer there then.
@@ -136,7 +140,7 @@ fn a_new_tip_from_which_no_step_leads_is_singular() {
 fn where_a_better_surface_takes_the_place_of_a_tip_nothing_is_singular() {
     let script = Script {
         better: Some((false, 0.5)),
-        ..tip(Cause::Turn, 10.0, Clock::Own)
+        ..tip(Cause::Turn, 10.0, Monitored::Willmore)
     };
     let (_, ending, r) = script.run(200);
     let (status, why) = ending.expect("an ending");

@@ -23,7 +23,7 @@ type Function = Rc<dyn Fn(f64) -> f64>;
 /// A flow of spheres about the origin: a function of the radius, moved by a speed.
 #[derive(Clone)]
 struct Script {
-    clock: Clock,
+    monitored: Monitored,
     value: Function,
     /// dr/dt at a radius.
     speed: Function,
@@ -55,7 +55,7 @@ struct Script {
 impl Script {
     fn new(value: impl Fn(f64) -> f64 + 'static, speed: impl Fn(f64) -> f64 + 'static) -> Self {
         Self {
-            clock: Clock::Own,
+            monitored: Monitored::Willmore,
             value: Rc::new(value),
             speed: Rc::new(speed),
             refusal: Rc::new(|_| None),
@@ -137,10 +137,10 @@ impl Scripted {
 
 impl Flow for Scripted {
     fn monitored(&self) -> Monitored {
-        Monitored::Area
+        self.script.monitored
     }
     fn clock(&self) -> Clock {
-        self.script.clock
+        Clock::Own
     }
     fn rules(&self) -> Rules {
         self.script.rules
