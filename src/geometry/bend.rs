@@ -8,13 +8,17 @@ use glam::DVec3;
 const SHARE: f64 = 0.5;
 /// Vertices that are told of a neck.
 const MOST: usize = 200;
+/// Total Gaussian curvature below which a ring is a neck beyond doubt: a whole catenoid has −4π.
+const NECK: f64 = -1.0;
 
 /// Where the surface bends most in one edge.
 pub struct Sharpest {
     /// The vertex.
     pub vertex: u32,
     /// 2|H|√m there, m its area: an edge length over a radius of curvature; no unit. On a
-    /// closed ring of n edges of equilateral triangles about a cylinder it is 5.8/n.
+    /// closed ring of n edges of equilateral triangles about a cylinder it is 5.8/n. Where the
+    /// ring is a neck beyond doubt it is 2|H| times the longest edge there, if that is more: a mesh
+    /// that is fine around a neck and coarse along it shows it no better.
     pub bend: f64,
     /// |H| there.
     pub mean_curvature: f64,
@@ -55,10 +59,14 @@ deferred! {
         }
         let defect = curvature::integrated_gauss_curvature(mesh, x);
         let total: f64 = ring.iter().map(|v| defect[v.index()]).sum();
+        let mean_curvature = 0.5 * most / areas[top.index()].sqrt();
+        let edges = mesh.neighbours(top);
+        let edges = edges.map(|w| x[w.index()].distance(x[top.index()]));
+        let along = 2.0 * mean_curvature * edges.fold(0.0, f64::max);
         Some(Sharpest {
             vertex: top.0,
-            bend: most,
-            mean_curvature: 0.5 * most / areas[top.index()].sqrt(),
+            bend: if total < NECK { along.max(most) } else { most },
+            mean_curvature,
             ring: ring.into_iter().map(|v| v.0).collect(),
             is_neck: total < 0.0,
         })

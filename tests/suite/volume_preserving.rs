@@ -281,6 +281,19 @@ fn a_thin_neck_pinches_and_a_wide_one_does_not() {
     assert!(off_sphere(&found.x) < 5e-3, "{}", off_sphere(&found.x));
 }
 
+/// The hole of a torus so thick closes, with all the vertices around it that it began with: rings of
+/// short edges, far apart.
+#[test]
+fn the_hole_of_a_thick_torus_closes() {
+    let soup = sample("torus", &[("major", 1.0), ("minor", 0.7)]);
+    let found = run(&soup, options());
+    let Some(Reason::PinchedNeck { place, .. }) = found.reason else {
+        panic!("{:?}", found.reason)
+    };
+    assert_eq!(found.status, Status::Singular);
+    assert!(DVec3::from(place).length() < 0.05, "{place:?}");
+}
+
 /// What is offered is something else than to keep the volume.
 #[test]
 fn of_a_neck_that_pinches_the_reason_is_found() {
