@@ -41,7 +41,7 @@ export async function main(parameters, io, open) {
 /** @type {typeof main} */
 async function dispatch([name = "", ...parameters], io, open) {
   if (Object.hasOwn(commands, name)) return execute(name, commands[name], { parameters, io, open });
-  if (name === "--help") io.write(overview());
+  if (["--help", "-h", "help"].includes(name)) io.write(overview());
   else if (name === "--version") {
     const file = new URL("../package.json", import.meta.url);
     io.write(`umbilic ${JSON.parse(readFileSync(file, "utf8")).version}\n`);

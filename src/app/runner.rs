@@ -336,16 +336,16 @@ impl Runner {
     fn end(&mut self, decision: Decision) {
         if let Decision::Stop(status, why) = decision {
             let is_read = match spec::of(self.options().flow).family {
-                Family::PWillmore => true,
+                Family::PWillmore => self.polygons().is_triangular(),
                 // A rest is one of the fits, which on a coarse mesh say nothing of the surface.
                 Family::Curvature => status == Status::Converged,
                 Family::Circle | Family::Flips => false,
             };
-            if is_read && self.polygons().is_triangular() {
+            if is_read {
                 self.state.soundness = self.soundness();
             }
             self.state.status = status;
-            self.state.message = Some(why.into());
+            self.state.message = Some(why.moved(self.document.frame.shift).into());
         }
     }
 

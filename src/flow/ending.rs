@@ -10,6 +10,7 @@ use super::{
 };
 use crate::geometry::bend::{Sharpest, sharpest};
 use crate::geometry::measure;
+use crate::geometry::parts::shrunken_part;
 use crate::geometry::quality::{flat_triangles, largest_face};
 use crate::mesh::Face;
 use glam::DVec3;
@@ -99,7 +100,7 @@ impl Driver {
         }
         let rules = self.flow.rules();
         if rules.can_vanish && report.area < VANISHED * self.start.area {
-            return Ok(self.vanished(x));
+            return Ok(vanished(self, x));
         }
         let (face, largest) = largest_face(&self.mesh, x);
         let is_recommended = rules.ceiling != Ceiling::None;
@@ -179,7 +180,7 @@ impl Driver {
         }
         let area = measure::area(&self.mesh, x);
         if rules.can_vanish && area < VANISHING * self.start.area {
-            return Ok(self.vanished(x));
+            return Ok(vanished(self, x));
         }
         let is_at_rest = rules.ceiling != Ceiling::None && self.flow.stationarity(x, cost)? <= 1.0;
         // A run that ended at rest is asked again where something better is put in place.
@@ -221,20 +222,7 @@ impl Driver {
         })
     }
 
-    fn vanished(&self, x: &[DVec3]) -> Decision {
-        let time = self.run.time;
-        let clock = self.flow.clock();
-        let [size, at_first] = [x, &self.start.x].map(measure::bounding_diagonal);
-        let why = if size > STILL_LONG * at_first {
-            Reason::VanishesToCurve { time, clock }
-        } else {
-            let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();
-            Reason::Vanishes { time, clock, place }
-        };
-        Decision::Stop(Status::Singular, why)
-    }
-
-    /// A neck or a tip thinner than the mesh can show, where that is why no step was accepted.
+    /// What has become singular, where that is why no step was accepted.
     fn singular(&self, x: &[DVec3]) -> Option<Decision> {
         // A flow that lowers the area is the fastest way to less of it, each in its own metric:
         // where no step however small leads to less, the mesh no longer shows the surface.
@@ -244,45 +232,7 @@ impl Driver {
         if !self.mesh.is_triangular() || !is_geometric {
             return None;
         }
-        let Sharpest {
-            vertex,
-            bend,
-            is_neck,
-            ring,
-            ..
-        } = sharpest(&self.mesh, x)?;
-        let then = sharpest(&self.mesh, &self.start.x).map_or(0.0, |found| found.bend);
-        // A surface that could vanish does so round, unless a neck closes before.
-        let is_neck = is_neck || self.flow.rules().can_vanish;
-        let least = if is_neck { NARROW } else { UNDER_RESOLVED };
-        if bend < least || bend < SHARPENED * then || !self.flow.is_free(vertex as usize) {
-            return None;
-        }
-        // All around, as the sharpest vertex itself may lie on any side of it.
-        let middle = ring.iter().map(|v| x[*v as usize]).sum::<DVec3>() / ring.len() as f64;
-        let (time, clock, place) = (self.run.time, self.flow.clock(), middle.to_array());
-        let advice = match clock {
-            Clock::Own => self.flow.advice(),
-            _ => Advice::KeepVolume,
-        };
-        let why = if is_neck {
-            Reason::PinchedNeck {
-                time,
-                clock,
-                vertex,
-                place,
-                advice,
-            }
-        } else {
-            Reason::SharpTip {
-                time,
-                clock,
-                vertex,
-                place,
-                advice,
-            }
-        };
-        Some(Decision::Stop(Status::Singular, why))
+        singularity(self, x, false)
     }
 
     /// What holds for every flow; then what the flow itself has to say.
@@ -308,5 +258,75 @@ impl Driver {
             given.give_once(slivers, warnings);
         }
         self.flow.warn(x, report, given);
+    }
+}
+
+/// All of the surface has.
+fn vanished(driver: &Driver, x: &[DVec3]) -> Decision {
+    singularity(driver, x, true).unwrap_or(Decision::GoOn)
+}
+
+deferred! {
+    /// All of the surface, if it `has_vanished`; otherwise one of several parts that has shrunk to a point, or a neck or a tip thinner than the mesh can
+    /// show.
+    fn singularity(driver: &Driver, x: &[DVec3], has_vanished: bool) -> Option<Decision> {
+        let (time, clock) = (driver.run.time, driver.flow.clock());
+        if has_vanished {
+            let [size, at_first] = [x, &driver.start.x].map(measure::bounding_diagonal);
+            let why = if size > STILL_LONG * at_first {
+                Reason::VanishesToCurve { time, clock }
+            } else {
+                let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();
+                Reason::Vanishes { time, clock, place }
+            };
+            return Some(Decision::Stop(Status::Singular, why));
+        }
+        if let Some(place) = shrunken_part(&driver.mesh, &driver.start.x, x, VANISHED) {
+            let why = Reason::PartVanishes {
+                time,
+                clock,
+                place: place.to_array(),
+            };
+            return Some(Decision::Stop(Status::Singular, why));
+        }
+        let Sharpest {
+            vertex,
+            bend,
+            is_neck,
+            ring,
+            ..
+        } = sharpest(&driver.mesh, x)?;
+        let then = sharpest(&driver.mesh, &driver.start.x).map_or(0.0, |found| found.bend);
+        // A surface that could vanish does so round, unless a neck closes before.
+        let is_neck = is_neck || driver.flow.rules().can_vanish;
+        let least = if is_neck { NARROW } else { UNDER_RESOLVED };
+        if bend < least || bend < SHARPENED * then || !driver.flow.is_free(vertex as usize) {
+            return None;
+        }
+        // All around, as the sharpest vertex itself may lie on any side of it.
+        let middle = ring.iter().map(|v| x[*v as usize]).sum::<DVec3>() / ring.len() as f64;
+        let place = middle.to_array();
+        let advice = match clock {
+            Clock::Own => driver.flow.advice(),
+            _ => Advice::KeepVolume,
+        };
+        let why = if is_neck {
+            Reason::PinchedNeck {
+                time,
+                clock,
+                vertex,
+                place,
+                advice,
+            }
+        } else {
+            Reason::SharpTip {
+                time,
+                clock,
+                vertex,
+                place,
+                advice,
+            }
+        };
+        Some(Decision::Stop(Status::Singular, why))
     }
 }

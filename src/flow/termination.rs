@@ -8,6 +8,7 @@
 
 use super::{Advice, Cause, Functional, Refusal, Status};
 use crate::message::messages;
+use glam::DVec3;
 
 /// Steps looked back at.
 const WINDOW: usize = 10;
@@ -120,6 +121,15 @@ messages! {
             /// By which clock.
             clock: Clock,
         },
+        /// A part that hangs together with no other shrinks to a point.
+        PartVanishes {
+            /// When.
+            time: f64,
+            /// By which clock.
+            clock: Clock,
+            /// Where.
+            place: [f64; 3],
+        },
         /// A neck pinches off.
         PinchedNeck {
             /// When.
@@ -151,6 +161,21 @@ messages! {
             /// `area`, `willmore` or `localised`; `all` of the three.
             criterion: &'static str,
         },
+    }
+}
+
+impl Reason {
+    /// With its place, if it has one, moved as the surface is.
+    #[must_use]
+    pub fn moved(mut self, shift: DVec3) -> Self {
+        if let Self::Vanishes { place, .. }
+        | Self::PartVanishes { place, .. }
+        | Self::PinchedNeck { place, .. }
+        | Self::SharpTip { place, .. } = &mut self
+        {
+            *place = (DVec3::from_array(*place) + shift).to_array();
+        }
+        self
     }
 }
 

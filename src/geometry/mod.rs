@@ -11,6 +11,7 @@ pub mod frame;
 pub mod inversion;
 pub mod measure;
 pub mod nearest;
+pub mod parts;
 pub mod quality;
 pub mod self_intersection;
 pub mod survey;

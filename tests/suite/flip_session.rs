@@ -2,6 +2,7 @@
 //! known ends, edits and their undoing.
 
 use umbilic::app::{Arrangement, Compare, Curve, FlipOptions, Session};
+use umbilic::energy::circle::Boundary;
 use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::flow::{Reason, Status};
 use umbilic::io::Format;
@@ -438,5 +439,35 @@ fn curves_follow_every_run_to_its_end() {
             curve.area.contains(&reading.area) && curve.circle.contains(&reading.circle)
         };
         assert!(curves.runs.iter().any(found), "{:?}", reading.criterion);
+    }
+}
+
+/// W of flips is what `energy` tells, on open surfaces that with a free boundary.
+#[test]
+fn flips_and_energies_tell_the_same_w() {
+    for shape in ["hemisphere", "moebius", "monkey-saddle", "ellipsoid"] {
+        for criterion in Criterion::ALL {
+            let mut session = session(shape, &[]);
+            let told = |session: &Session| {
+                let readings = session.energy(Boundary::Free, &[]).expect("a mesh");
+                readings.circle
+            };
+            let before = told(&session);
+            let options = FlipOptions {
+                criterion,
+                ..FlipOptions::default()
+            };
+            let outcome = session.flip(&options).expect("flips");
+            let after = told(&session);
+            let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * b.abs().max(1.0);
+            assert!(
+                close(outcome.before.circle, before),
+                "{shape} {criterion:?}: {before}"
+            );
+            assert!(
+                close(outcome.after.circle, after),
+                "{shape} {criterion:?}: {after}"
+            );
+        }
     }
 }

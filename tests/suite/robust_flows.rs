@@ -507,6 +507,31 @@ fn both_flows_by_mean_curvature_tell_of_the_same_pinch() {
     assert!((a / b - 1.0).abs() < 0.3, "{a} {b}");
 }
 
+/// Of two balls the smaller vanishes, under one flow to the other's gain.
+#[test]
+fn of_two_balls_the_smaller_is_said_to_vanish() {
+    let mut soup = sample("icosphere", &[("level", 3.0)]);
+    let ball = soup.clone();
+    let n = ball.positions.len() as u32;
+    let centre = DVec3::new(3.0, 0.0, 0.0);
+    let small = ball.positions.iter().map(|p| centre + 0.6 * *p);
+    soup.positions.extend(small);
+    for face in ball.faces() {
+        let face: Vec<u32> = face.iter().map(|v| v + n).collect();
+        soup.push_face(&face);
+    }
+    let s = surface(&soup);
+    for flow in [FlowName::VolumePreserving, FlowName::MeanCurvature] {
+        let end = watch(&s, limited(flow, 300), "two balls");
+        let Some(Reason::PartVanishes { place, .. }) = end.reason else {
+            panic!("{flow:?}: {:?}", end.reason);
+        };
+        assert_eq!(end.status, Status::Singular);
+        let off = DVec3::from(place).distance(centre);
+        assert!(off < 1e-3, "{flow:?}: {off}");
+    }
+}
+
 /// A torus so thick is drawn towards a ball, which it cannot become.
 #[test]
 fn the_hole_of_a_thick_torus_closes_under_surface_diffusion() {

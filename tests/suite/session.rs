@@ -8,6 +8,7 @@ use umbilic::energy::circle::Boundary;
 use umbilic::flow::options::{FlowName, FlowOptions, Goal, Integrator, Scheme};
 use umbilic::flow::{Reason, Status};
 use umbilic::io::{self, Format};
+use umbilic::message::Value;
 
 fn with(name: &str, values: &[(&str, f64)]) -> Session {
     let mut session = Session::new();
@@ -173,6 +174,40 @@ fn meshes_far_from_the_origin_lose_nothing() {
         .expect("readable")
         .soup;
     assert!(soup.positions.iter().all(|p| (p.x - offset).abs() < 10.0));
+}
+
+/// In the coordinates of the file.
+#[test]
+fn the_place_of_a_singularity_is_that_of_the_file() {
+    for shift in [[0.0; 3], [1e5, -2e5, 0.0]] {
+        let session = small();
+        let mut soup = io::read(&session.export(Format::Ply).expect("a file"), "")
+            .expect("a mesh")
+            .soup;
+        for p in &mut soup.positions {
+            *p += glam::DVec3::from(shift);
+        }
+        let bytes = io::write(&soup, Format::Ply, "").expect("a file");
+        let mut session = Session::new();
+        session.load(&bytes, "far.ply").expect("a surface");
+        let options = FlowOptions {
+            flow: FlowName::MeanCurvature,
+            ..FlowOptions::default()
+        };
+        session.configure(options).expect("a flow");
+        session.run(300).expect("steps");
+        let message = session.state().expect("a mesh").message.expect("an end");
+        assert_eq!(&*message.id, "reason-vanishes");
+        let Some(Value::List(place)) = message.value("place") else {
+            panic!("{message:?}")
+        };
+        for (told, right) in place.iter().zip(shift) {
+            let Value::Number(told) = told else {
+                panic!("{told:?}")
+            };
+            assert!((told - right).abs() < 1e-4, "{told} {right}");
+        }
+    }
 }
 
 #[test]

@@ -6,9 +6,9 @@ import { byCurvature, rowOf } from "../options.js";
 import { isOver } from "../session.js";
 import { say } from "../words.js";
 import { out } from "./command.js";
-import { isRefusal, usage } from "./failure.js";
+import { attempt, failed, isRefusal, usage } from "./failure.js";
 import { numbered, readSelection } from "./files.js";
-import { flagsOf, readFlags, typed } from "./options.js";
+import { checkWord, flagsOf, readFlags, typed } from "./options.js";
 import { format, inWords } from "./text.js";
 
 /** @import { Outcome, StepReport } from "../generated/types.js" */
@@ -88,6 +88,8 @@ export const flow = {
     const words = { flow: "circle", ...typed(schema.options, values), ...budgetOf(values) };
     if (words.flow === "flips")
       throw usage("Edge flips have a command of their own: umbilic flips.");
+    if (words.goal === "smooth" && values["until-converged"])
+      throw usage("--until-converged is for --goal relax: smoothing takes a set amount of steps.");
     for (const name of selections) {
       const file = words[name] ?? "auto";
       if (file !== "auto") words[name] = readSelection(String(file), name);
@@ -99,7 +101,11 @@ export const flow = {
     for (const name of selections) {
       if (asked[name]) options[name] = numbered(asked[name], loaded.numbers);
     }
-    perform("configure", { options });
+    attempt(
+      () => perform("configure", { options }),
+      // Options that cannot be together.
+      (error) => failed(error.message?.id?.startsWith("option-error") ? 2 : 3, error),
+    );
     const { p, boundary } = asked;
     const energies = { ...(p !== undefined && { p: [p] }), ...(boundary && { boundary }) };
     const readings = () => {
@@ -126,14 +132,16 @@ export const flow = {
   },
 };
 
+/** Flows that can hold what is around a patch. */
+const fairing = ["none", ...rowOf("free").flows];
+
 /** @type {Spec} */
 export const fill = {
   summary: "closes holes, or connects boundary loops, and fairs the patches",
   rows: schema.fill,
   options: {
     fair: {
-      // Those that can hold what is around a patch.
-      value: ["none", ...rowOf("free").flows].join("|"),
+      value: fairing.join("|"),
       help: "a flow that moves the new vertices afterwards (default none)",
     },
     ...flagsOf(budget, "option"),
@@ -142,6 +150,7 @@ export const fill = {
   },
   ask(values) {
     const { fair = "none" } = values;
+    checkWord("fair", fair, fairing);
     const words = { flow: fair, boundary: "fixed", ...budgetOf(values) };
     const limit = [...budget.map(({ flag }) => flag), "until-converged"].find((key) => values[key]);
     if (fair === "none" && limit) throw usage(`--${limit} needs --fair FLOW.`);
@@ -152,9 +161,9 @@ export const fill = {
   },
   run({ perform, asked: { options, fair }, io }) {
     const { firstVertex, ...filled } = perform("fill", { options });
-    const report = (/** @type {object} */ fairing, /** @type {typeof filled.warnings} */ more) => ({
+    const report = (/** @type {object} */ faired, /** @type {typeof filled.warnings} */ more) => ({
       ...inWords({ ...filled, warnings: [...filled.warnings, ...more] }),
-      ...fairing,
+      ...faired,
       info: inWords(perform("info")),
     });
     if (!fair) return { result: report({}, []) };
@@ -166,7 +175,7 @@ export const fill = {
     perform("configure", { options: fair });
     const { steps, outcome, exit } = runSteps(perform, io);
     const { curvatureJump, warnings } = outcome;
-    const fairing = { flow, ...ended(outcome), steps: steps.length, curvatureJump };
-    return { result: report({ fair: fairing }, warnings), exit };
+    const faired = { flow, ...ended(outcome), steps: steps.length, curvatureJump };
+    return { result: report({ fair: faired }, warnings), exit };
   },
 };

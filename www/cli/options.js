@@ -52,14 +52,33 @@ function strictly(args, options) {
   ]);
   try {
     const known = Object.fromEntries(kinds);
-    return parseArgs({ args, options: known, allowPositionals: true, allowNegative: true });
+    const joined = withNegatives(args, options);
+    return parseArgs({ args: joined, options: known, allowPositionals: true, allowNegative: true });
   } catch (error) {
     const { code = "", message } = /** @type {NodeJS.ErrnoException} */ (error);
     if (!code.startsWith("ERR_PARSE_ARGS")) throw error;
     if (code !== "ERR_PARSE_ARGS_UNKNOWN_OPTION") throw usage(message);
-    const typed = /'--?(?:no-)?([^' ]*)/.exec(message)?.[1] ?? "";
+    const typed = /'--?([^' ]*)/.exec(message)?.[1] ?? "";
+    const taken = options[typed.replace(/^no-/, "")]?.value;
+    if (taken) throw usage(`\`--${typed}\`: such an option takes a value, ${taken}.`);
     throw failed(2, loadSolver().unknownFlag(typed, Object.keys(options)));
   }
+}
+
+/**
+ * With negative numbers joined to their options, as they begin like options themselves.
+ * @param {string[]} args @param {Options} options
+ */
+function withNegatives(args, options) {
+  /** @type {string[]} */
+  const joined = [];
+  for (const arg of args) {
+    const [last = ""] = joined.slice(-1);
+    const isValue = /^-\.?\d/.test(arg) && options[last.slice(2)]?.value;
+    if (isValue) joined.splice(-1, 1, `${last}=${arg}`);
+    else joined.push(arg);
+  }
+  return joined;
 }
 
 /**
@@ -74,6 +93,20 @@ export function flagsOf(rows, words) {
     return [flag, { value, many: kind === "numbers", help }];
   });
   return Object.fromEntries(entries);
+}
+
+/**
+ * Refuses a word that is none of a few.
+ * @param {string} flag @param {string} word @param {readonly string[]} words
+ */
+export function checkWord(flag, word, words) {
+  if (words.includes(word)) return;
+  const near = loadSolver().nearest(word, [...words]);
+  const all = `It may be one of ${words.join(", ")}.`;
+  throw usage(
+    `\`--${flag}\` cannot be \`${word}\``,
+    near ? `Did you mean \`${near}\`? ${all}` : all,
+  );
 }
 
 /**

@@ -296,7 +296,7 @@ export type Costs = {
  */
 area: number, 
 /**
- * W = 2 Σ β − 2πV over interior edges: Σ W_i as printed on closed meshes.
+ * W, with a free boundary where there is one.
  */
 circle: number, };
 

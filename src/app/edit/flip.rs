@@ -4,6 +4,8 @@ use super::options::FlipOptions;
 use crate::app::document::Document;
 use crate::app::fault::Fault;
 use crate::app::runner::Runner;
+use crate::energy::circle::angle::Smoothing;
+use crate::energy::circle::{Boundary, CircleEnergy};
 use crate::interrupt;
 use crate::mesh::HalfedgeMesh;
 use crate::remesh::flips::{Flip, FlipOptimiser};
@@ -17,7 +19,7 @@ use std::rc::Rc;
 pub struct Costs {
     /// Total area.
     pub area: f64,
-    /// W = 2 Σ β − 2πV over interior edges: Σ W_i as printed on closed meshes.
+    /// W, with a free boundary where there is one.
     pub circle: f64,
 }
 
@@ -52,7 +54,7 @@ impl Runner {
             FlipOptimiser::new(copy, Rc::clone(&x), options.criterion, options.guard_folds);
         let costs = |optimiser: &FlipOptimiser| Costs {
             area: optimiser.area(),
-            circle: optimiser.willmore(),
+            circle: CircleEnergy::new(optimiser.mesh(), Boundary::Free).value(&x, Smoothing::EXACT),
         };
         let before = costs(&optimiser);
         let most = options.max.unwrap_or(usize::MAX);

@@ -145,20 +145,26 @@ pub fn nearest<'a>(typed: &str, names: impl IntoIterator<Item = &'a str>) -> Opt
     (distance <= MOST_SLIPS && distance < name.chars().count()).then_some(name)
 }
 
-/// Levenshtein's distance: letters to insert, leave out or replace.
+/// The distance of Damerau and Levenshtein: letters to insert, leave out or replace, and neighbours
+/// to change over.
 fn edits(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
+    let [a, b]: [Vec<char>; 2] = [a, b].map(|word| word.chars().collect());
+    let first: Vec<usize> = (0..=b.len()).collect();
+    let mut rows = vec![first];
+    for (i, x) in a.iter().enumerate() {
+        let above = &rows[i];
+        let mut row = vec![i + 1];
         for (j, y) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(x != *y);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
+            let replaced = above[j] + usize::from(x != y);
+            let mut least = replaced.min(above[j + 1] + 1).min(row[j] + 1);
+            if i > 0 && j > 0 && *x == b[j - 1] && a[i - 1] == *y {
+                least = least.min(rows[i - 1][j - 1] + 1);
+            }
+            row.push(least);
         }
+        rows.push(row);
     }
-    row[b.len()]
+    rows[a.len()][b.len()]
 }
 
 #[cfg(test)]
@@ -166,12 +172,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn distances_are_those_of_levenshtein() {
+    fn distances_are_those_of_damerau_and_levenshtein() {
         for (a, b, distance) in [
             ("kitten", "sitting", 3),
             ("", "abc", 3),
             ("flaw", "lawn", 2),
-            ("ab", "ba", 2),
+            ("ab", "ba", 1),
+            ("hlep", "help", 1),
             ("same", "same", 0),
         ] {
             assert_eq!(edits(a, b), distance, "{a} {b}");

@@ -133,10 +133,7 @@ oddity-fourth-numbers = { $count ->
    *[other] { $count } Ecken haben
 } eine vierte Zahl, zuerst bei { $first }; sie blieb unbeachtet.
 oddity-other-cells = Punkte, Linien und Körper gehören zu keiner Fläche und wurden übergangen: { $count }, zuerst bei { $first }.
-oddity-solid-cells = { $count ->
-    [one] Die Datei hat keine Flächen, aber { $count } Zelle mit Rauminhalt: Gelesen wurde ihre Oberfläche.
-   *[other] Die Datei hat keine Flächen, aber { $count } Zellen mit Rauminhalt: Gelesen wurde die Oberfläche um sie.
-}
+oddity-solid-cells = Die Datei hat Zellen mit Rauminhalt ({ $count }) und keine Flächen: Gelesen wurde die Oberfläche um sie.
 oddity-seams-joined = { $count ->
     [one] { $count } Ecke am Ort einer anderen wurde
    *[other] { $count } Ecken am Ort einer anderen wurden
@@ -151,10 +148,7 @@ extra-data = Werte an Ecken und Zellen
 ## Was einer geschriebenen Datei fehlt
 
 loss-moved = { $format } hat Koordinaten einfacher Genauigkeit: Das Netz wurde an den Ursprung verschoben, um ({ NUMBER($x, digits: 17) }, { NUMBER($y, digits: 17) }, { NUMBER($z, digits: 17) }). PLY, OBJ und OFF behalten seinen Ort.
-loss-polygons = { $format } kennt nur Dreiecke: { $count ->
-    [one] { $count } Fläche mit mehr Ecken wurde
-   *[other] { $count } Flächen mit mehr Ecken wurden
-} zerlegt. PLY, OBJ und OFF behalten sie.
+loss-polygons = { $format } kennt nur Dreiecke: Vielecke wurden zerlegt ({ $count }). PLY, OBJ und OFF behalten sie.
 loss-colours = { $format } hat keinen Platz für Farben der Ecken: Sie wurden weggelassen. PLY, OBJ, OFF und GLB behalten sie.
 loss-colours-remeshed = Die Eckenfarben der Datei sind entfallen: Beim Neuvernetzen sind andere Ecken entstanden.
 

@@ -130,6 +130,7 @@ reason-worse-rest = der Fluss endet mit mehr Energie, als er unterwegs hatte; { 
 reason-below-bound = jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft
 reason-unresolved = die Krümmungen dieser Dreiecke haben zusammen weniger Energie als jede glatte Fläche dieser Topologie, sodass sich kein Schritt an ihnen messen lässt; die Fläche ist, wie sie war, und ein Netz aus gleichmäßigen Dreiecken hilft oder der p-Willmore-Fluss
 reason-vanishes = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf einen Punkt bei ({ $place }); das Volumen beizubehalten verhindert das
+reason-part-vanishes = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft ein Teil der Fläche zu einem Punkt nahe ({ $place })
 reason-vanishes-to-curve = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf eine Kurve; das Volumen beizubehalten verhindert das
 reason-pinched-neck = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schnürt sich bei Ecke { VERTEX($vertex) }, nahe ({ $place }), ein Hals ab; darüber hinaus hat der Fluss keine Lösung; { $advice }
 reason-sharp-tip = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) wird bei Ecke { VERTEX($vertex) }, nahe ({ $place }), eine Spitze zum Punkt; darüber hinaus hat der Fluss keine Lösung; { $advice }

@@ -2,7 +2,7 @@
 
 option-error-unknown-option = es gibt keine Option `{ $name }`
     .hint = { $near ->
-        [none] --help nennt die Optionen; ein von der Seite kopierter Link zeigt, wie sie geschrieben werden.
+        [none] --help nennt die Optionen der Befehlszeile, ein kopierter Link die der Seite.
        *[other] Meinten Sie `{ $near }` (--{ $flag })?
     }
 option-error-bad-option = `{ $name }` kann nicht `{ $value }` sein

@@ -132,10 +132,10 @@ symptom-pinch = The surface pinches off at vertex { VERTEX($vertex) }: the neck 
     [2] too thin for a ring of edges
    *[other] with room for { $edges } edges around
 }, and this flow shrinks a neck to nothing in finite time.
-symptom-inflating = The surface has swollen to { $times } times its area, as ∫H² does not depend on size, and its mesh is worn out by that: the smallest angle of face { FACE($face) } is { $angle }°.
+symptom-inflating = The surface has swollen to { $times } times its area, as ∫H² does not depend on size, and its mesh is worn out: the smallest angle of face { FACE($face) } is { $angle }°.
 symptom-growing = ∫|H|^p falls as the surface grows, for every exponent above 2: with p = { $p } its area is { $times } times that at the start, and it never comes to rest.
 symptom-shrinking = ∫|H|^p falls as the surface shrinks, for every exponent below 2: with p = { $p } its area is 1/{ $times } of that at the start, and it vanishes in finite time.
-symptom-degenerate-faces = The mesh degenerates: the smallest angle of face { FACE($face) } is { $angle }°, and at the start no angle was below { $before }°; steps can be no longer than such a face allows.
+symptom-degenerate-faces = The mesh degenerates: the smallest angle of face { FACE($face) } is { $angle }°, and at the start no angle was below { $before }°; that limits the steps.
 symptom-folded-faces = { $count ->
     [one] Face { FACE($face) } is folded over, against its neighbours: about it normals and curvatures mean nothing, and steps are short or go astray.
    *[other] { $count } faces are folded over, against their neighbours, the first of them face { FACE($face) }: about them normals and curvatures mean nothing, and steps are short or go astray.

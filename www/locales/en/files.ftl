@@ -133,10 +133,7 @@ oddity-fourth-numbers = { $count ->
    *[other] { $count } vertices have
 } a fourth number, the first at { $first }; it was left aside.
 oddity-other-cells = Points, lines and volumes are no part of a surface and were skipped: { $count }, the first at { $first }.
-oddity-solid-cells = { $count ->
-    [one] The file has no faces but { $count } cell with a volume: its surface was read.
-   *[other] The file has no faces but { $count } cells with a volume: the surface around them was read.
-}
+oddity-solid-cells = The file has solid cells ({ $count }) and no faces: the surface around them was read.
 oddity-seams-joined = { $count ->
     [one] { $count } vertex at the position of another was
    *[other] { $count } vertices at the position of another were
@@ -151,10 +148,7 @@ extra-data = values at vertices and cells
 ## What a written file lacks
 
 loss-moved = { $format } holds coordinates in single precision: the mesh was moved to the origin, by ({ NUMBER($x, digits: 17) }, { NUMBER($y, digits: 17) }, { NUMBER($z, digits: 17) }). PLY, OBJ and OFF keep its place.
-loss-polygons = { $format } holds triangles alone: { $count ->
-    [one] { $count } face with more corners was
-   *[other] { $count } faces with more corners were
-} cut. PLY, OBJ and OFF keep them.
+loss-polygons = { $format } holds triangles alone: polygons were cut ({ $count }). PLY, OBJ and OFF keep them.
 loss-colours = { $format } has no place for colours of vertices: they were left out. PLY, OBJ, OFF and GLB keep them.
 loss-colours-remeshed = The file’s vertex colours were dropped: remeshing has made other vertices.
 

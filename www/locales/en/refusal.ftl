@@ -2,7 +2,7 @@
 
 option-error-unknown-option = there is no option `{ $name }`
     .hint = { $near ->
-        [none] --help lists the options; a link that is copied from the page shows how they are written.
+        [none] --help and copied links show how they are written.
        *[other] Did you mean `{ $near }` (--{ $flag })?
     }
 option-error-bad-option = `{ $name }` cannot be `{ $value }`
