@@ -11,7 +11,7 @@ flow-zero-length-edge = die Kante zwischen den Ecken { VERTEX($a, bare: 1) } und
 }
     .hint = Eine Reparatur zieht die Kante zusammen.
 flow-nothing-free = keine Ecke kann sich bewegen
-    .hint = Bei eingespanntem Rand werden auch die Ecken festgehalten, die eine Kante von ihm entfernt sind: Wählen Sie festen oder freien Rand, ein feineres Netz oder eine größere Auswahl.
+    .hint = Wählen Sie eine größere Auswahl. Ein eingespannter Rand hält auch die Ecken fest, die eine Kante von ihm entfernt sind: Ein fester oder freier tut das nicht, oder ein feineres Netz hilft.
 flow-selection-out-of-range = die Auswahl nennt Ecke { VERTEX($vertex) }, es gibt aber nur { $vertices } Ecken
     .hint = Ecken haben die Nummern, die die Datei ihnen gibt.
 flow-option = { $error }

@@ -11,7 +11,7 @@ flow-zero-length-edge = the edge between vertices { VERTEX($a, bare: 1) } and { 
 }
     .hint = A repair collapses the edge.
 flow-nothing-free = no vertex is free to move
-    .hint = With a clamped boundary the vertices within one edge of it are held too: choose a fixed or free boundary, a finer mesh, or a larger selection.
+    .hint = Choose a larger selection. A clamped boundary holds the vertices within one edge of it too: a fixed or free one does not, or a finer mesh helps.
 flow-selection-out-of-range = the selection names vertex { VERTEX($vertex) }, but there are only { $vertices } vertices
     .hint = Vertices have the numbers that the file gives them.
 flow-option = { $error }
