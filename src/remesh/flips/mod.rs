@@ -7,8 +7,7 @@ pub mod lab;
 mod queue;
 pub mod reduction;
 
-use crate::energy::circle::angle::{Smoothing, diamond_angle};
-use crate::energy::circle::{Boundary, CircleEnergy};
+use crate::energy::circle::angle::diamond_angle;
 use crate::geometry::measure;
 use crate::geometry::quality::triangle_quality;
 use crate::mesh::flip::{Anchors, Flippable};
@@ -80,8 +79,6 @@ pub struct FlipOptimiser {
     anchors: Vec<Anchors>,
     /// Area and Σ β at the start and after each flip.
     totals: Vec<[f64; 2]>,
-    /// What W has beyond 2 Σ β − 2πV at the start: of the boundary.
-    rim: f64,
     /// By the number of flips made before.
     traces: HashMap<usize, Trace>,
     /// Since the last flip.
@@ -103,12 +100,6 @@ impl FlipOptimiser {
         guards_folds: bool,
     ) -> Self {
         let totals = [measure::area(&mesh, &x), total_angles(&mesh, &x)];
-        let rim = if mesh.is_closed() {
-            0.0
-        } else {
-            let free = CircleEnergy::new(&mesh, Boundary::Free);
-            free.value(&x, Smoothing::EXACT) - of_angles(&mesh, totals[1])
-        };
         let by_angles = criterion == Criterion::Willmore;
         let mut this = Self {
             queue: Queue::new(mesh.n_edges()),
@@ -116,7 +107,6 @@ impl FlipOptimiser {
             made: Vec::new(),
             anchors: Vec::new(),
             totals: vec![totals],
-            rim,
             traces: HashMap::new(),
             trace: Trace::default(),
             rejected: 0,
@@ -169,7 +159,7 @@ impl FlipOptimiser {
     }
 
     fn energy(&self, angles: f64) -> f64 {
-        of_angles(&self.mesh, angles) + self.rim
+        2.0 * angles - TAU * self.mesh.n_vertices() as f64
     }
 
     fn total(&self) -> [f64; 2] {
@@ -182,8 +172,7 @@ impl FlipOptimiser {
     }
 
     /// W = 2 Σ β − 2πV over interior edges, kept up flip by flip: Σ W_i as printed on closed
-    /// meshes; on open ones that of a free boundary, with the angles β₂ and β₃ there as they were
-    /// at the start, as no flip counts them.
+    /// meshes; on open ones it differs from that by a constant.
     pub fn willmore(&self) -> f64 {
         self.energy(self.total()[1])
     }
@@ -339,11 +328,6 @@ impl FlipOptimiser {
         let before = normal(i, j, k) + normal(j, i, l);
         normal(i, l, k).dot(before) < 0.0 || normal(j, k, l).dot(before) < 0.0
     }
-}
-
-/// 2 Σ β − 2πV.
-fn of_angles(mesh: &HalfedgeMesh, sum: f64) -> f64 {
-    2.0 * sum - TAU * mesh.n_vertices() as f64
 }
 
 /// Σ β over interior edges.
