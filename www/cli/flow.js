@@ -104,7 +104,7 @@ export const flow = {
     attempt(
       () => perform("configure", { options }),
       // Options that cannot be together.
-      (error) => failed(error.message?.id?.startsWith("option-error") ? 2 : 3, error),
+      (error) => failed(error.message?.id === "flow-option" ? 2 : 3, error),
     );
     const { p, boundary } = asked;
     const energies = { ...(p !== undefined && { p: [p] }), ...(boundary && { boundary }) };
