@@ -261,14 +261,15 @@ impl Driver {
     }
 }
 
-/// All of the surface has.
+/// The end of a surface all of which has shrunk to a point or a curve.
 fn vanished(driver: &Driver, x: &[DVec3]) -> Decision {
     singularity(driver, x, true).unwrap_or(Decision::GoOn)
 }
 
 deferred! {
-    /// All of the surface, if it `has_vanished`; otherwise one of several parts that has shrunk to a point, or a neck or a tip thinner than the mesh can
-    /// show.
+    /// What has become singular: all of the surface, if it `has_vanished`; otherwise one of several
+    /// parts that has shrunk to a point, or a neck or a tip thinner than the mesh can show. One way
+    /// into the second file for all of them, as each costs bytes in the first.
     fn singularity(driver: &Driver, x: &[DVec3], has_vanished: bool) -> Option<Decision> {
         let (time, clock) = (driver.run.time, driver.flow.clock());
         if has_vanished {
