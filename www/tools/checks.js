@@ -1,9 +1,8 @@
 // Every check of the source that needs no test run, cheapest first.
 
-import { copyFileSync, existsSync } from "node:fs";
+import { copyFileSync } from "node:fs";
 import path from "node:path";
 import { root, run, runNode, targetDir } from "./process.js";
-import { buildWasm } from "./wasm.js";
 
 /** @typedef {{ title: string, run: () => unknown }} Check */
 
@@ -46,12 +45,8 @@ export const rustChecks = [
   { title: "Links in the Rust documentation", run: buildDocumentation },
 ];
 
-/** @type {Check} */
+/** Of the wasm files too, as the build has written them. @type {Check} */
 export const typeCheck = {
   title: "Types of the JavaScript source",
-  run: () => {
-    // The types of the wasm files are written by the build.
-    if (!existsSync(path.join(root, "www", "pkg", "viewer-webgl"))) buildWasm();
-    runNode(["node_modules/typescript/bin/tsc", "--project", "tsconfig.json"]);
-  },
+  run: () => runNode(["node_modules/typescript/bin/tsc", "--project", "tsconfig.json"]),
 };

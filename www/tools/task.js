@@ -1,9 +1,10 @@
 // `npm run build`, `start`, `lint`, `doc` and `bench`: `node www/tools/task.js NAME`.
 
 import { buildDocumentation, formatChecks, rustChecks, typeCheck } from "./checks.js";
+import { buildLater } from "./half.js";
 import { prerequisites } from "./prerequisites.js";
 import { run, runNode, say, script } from "./process.js";
-import { buildHalf, buildWasm } from "./wasm.js";
+import { buildHalf } from "./wasm.js";
 
 const [name, ...others] = process.argv.slice(2);
 // Through node and not npx: ending this process then ends vite as well.
@@ -15,37 +16,53 @@ function buildSite() {
   runNode([...vite, "build", "--logLevel", "warn"]);
 }
 
+/**
+ * The solver's wasm file, and others meanwhile: the end of each is one compiler's, of the program as a
+ * whole.
+ * @param {import("./wasm.js").Profile} profile @param {import("./wasm.js").Half[]} viewers
+ */
+async function buildWasm(profile, ...viewers) {
+  const others = viewers.map((name) => buildLater(name, profile));
+  buildHalf("solver", profile);
+  await Promise.all(others);
+}
+
+const buildRelease = () => buildWasm("release", "viewer", "viewer-webgl");
+
 /** @type {Record<string, () => unknown>} */
 const tasks = {
-  /** Both wasm halves and the static site in `dist`. */
-  build() {
-    buildWasm();
+  /** All wasm files and the static site in `dist`. */
+  async build() {
+    await buildRelease();
     buildSite();
   },
   /**
    * From a fresh clone to the page in the browser. The viewer for browsers without WebGPU, which
    * takes as long to compile as all else, follows when one asks for it (`webgl.js`).
    */
-  start() {
-    buildHalf("solver", "quick");
-    buildHalf("viewer", "quick");
+  async start() {
+    await buildWasm("quick", "viewer");
     say("Serving the page; Ctrl-C ends it");
     runNode([...vite, ...others]);
   },
   /** Format, lints and types, nothing run. */
-  lint() {
-    for (const check of [...formatChecks, ...rustChecks, typeCheck]) {
+  async lint() {
+    for (const check of [...formatChecks, ...rustChecks]) {
       say(check.title);
       check.run();
     }
+    // The types of the wasm files are written by the build.
+    await buildRelease();
+    say(typeCheck.title);
+    typeCheck.run();
   },
   /** The documentation of the Rust source, in `target/doc/umbilic`. */
   doc: buildDocumentation,
   /** The Rust benchmarks, the command line's tables, and tasks of the page. */
-  bench() {
+  async bench() {
     say("Rust benchmarks");
     run("cargo", ["bench", "--locked", "--bench", "*"]);
-    buildWasm();
+    await buildRelease();
     say("A step of the circle-angle flow in wasm");
     runNode(["www/cli.js", "bench", "--table", "circle", ...others]);
     say("How long the page does not answer");
@@ -56,5 +73,5 @@ const tasks = {
 
 await script(() => {
   prerequisites();
-  tasks[name]();
+  return tasks[name]();
 });

@@ -12,6 +12,7 @@ import { gzipSync } from "node:zlib";
 import { root, run, runNode, say, targetDir } from "./process.js";
 
 /** A cargo feature, which is also the folder under `www/pkg`. @typedef {"solver" | "viewer" | "viewer-webgl"} Half */
+/** As it is shipped, or for the development server. @typedef {"release" | "quick"} Profile */
 
 /**
  * Our own crate's optimisation level, and that of all others, where it is not the release profile's;
@@ -36,12 +37,7 @@ const toolSources = ["Cargo.lock", "src/bin/bindgen.rs", "src/bin/splitter.rs"].
 /** Of the wasm files, as the splitter calls the second one. */
 const DEFERRED = "split_deferred.wasm";
 
-/** Builds what is missing or out of date, as it is shipped. */
-export function buildWasm() {
-  for (const name of /** @type {Half[]} */ (Object.keys(halves))) buildHalf(name, "release");
-}
-
-/** @param {Half} name @param {"release" | "quick"} profile  as it is shipped, or for the development server */
+/** Builds one, if it is missing or out of date. @param {Half} name @param {Profile} profile */
 export function buildHalf(name, profile) {
   const { level, rest, splits } = halves[name];
   const isSplit = splits && profile === "release";
