@@ -197,14 +197,17 @@ impl Driver {
                     Decision::Stop(status, _) => self.better(here, *status, &mut cost)?,
                     _ => None,
                 };
+                let goes_on = better.as_ref().is_some_and(|phase| phase.goes_on);
                 let Some(from) = better.and_then(|phase| self.begin(phase, &mut cost.warnings))
                 else {
                     return Ok((None, ending));
                 };
-                (
-                    self.placed(here, from, &mut cost)?,
-                    Some(self.replaced(ending)),
-                )
+                self.run.is_exhausted &= !goes_on;
+                let ending = match goes_on {
+                    true => Decision::GoOn,
+                    false => self.replaced(ending),
+                };
+                (self.placed(here, from, &mut cost)?, Some(ending))
             }
         };
         let here = here.to_vec();

@@ -44,6 +44,8 @@ pub enum Occasion {
 pub struct Phase {
     /// Where it begins, if not at the surface as it is.
     pub from: Option<Vec<DVec3>>,
+    /// Whether a run that was about to end goes on from there.
+    pub goes_on: bool,
     /// Whether the step size begins anew.
     pub resets_step_size: bool,
     /// Whether it is from now on at least the one that a run would begin with here.

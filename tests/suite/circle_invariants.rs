@@ -6,8 +6,8 @@ use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};
-use umbilic::flow::Decision;
 use umbilic::flow::options::FlowOptions;
+use umbilic::flow::{Decision, Status};
 use umbilic::geometry::{curvature, measure};
 use umbilic::mesh::shape;
 use umbilic::soup::PolygonSoup;
@@ -362,4 +362,45 @@ fn steps_commute_with_scaling_and_rotation() {
         (scaled_time / (scale * scale * time) - 1.0).abs() < 1e-12,
         "time has unit length²"
     );
+}
+
+/// W may rise on the way, as only U_ε must fall. A surface at rest has no more of it than any before:
+/// an aligned lattice of the Clifford torus is one already, and of the clamped cylinder there is a
+/// better rest than the first. Gone on with from a step after a rise, the run is the same.
+#[test]
+fn a_run_ends_at_no_more_energy_than_it_has_passed() {
+    for (name, values) in [
+        ("clifford-torus", [("around", 20.0), ("tube", 20.0)]),
+        ("cylinder", [("around", 32.0), ("along", 10.0)]),
+    ] {
+        let start = sample(name, &values);
+        let mut x = start.x.clone();
+        let mut flow = drive(&start.mesh, &mut x, FlowOptions::default()).expect("a flow");
+        let mut least = energy(&start, Boundary::Clamped);
+        let mut kept = None;
+        let mut end = None;
+        while end.is_none() {
+            let (report, decision) = flow.step(&mut x).expect("a step");
+            if let Decision::Stop(status, _) = decision {
+                end = Some(status);
+            }
+            let Some(report) = report else { continue };
+            if kept.is_none() && report.energy > (1.0 + 1e-3) * least {
+                kept = Some((flow.checkpoint(), x.clone()));
+            }
+            least = least.min(report.energy);
+        }
+        assert_eq!(end, Some(Status::Converged), "{name}");
+        let (checkpoint, mut again) = kept.expect("a rise on the way");
+        let last = flow.reading(&x).energy;
+        assert!(
+            last <= (1.0 + 1e-12) * least,
+            "{name}: {last} above {least}"
+        );
+        let moved = largest_difference(&x, &start.x);
+        assert_eq!(moved == 0.0, name == "clifford-torus", "{name}: {moved}");
+        flow.restore(checkpoint);
+        while let (_, Decision::GoOn) = flow.step(&mut again).expect("a step") {}
+        assert!(again == x, "{name}: gone on with, it ends elsewhere");
+    }
 }

@@ -19,11 +19,12 @@
 //!
 //! It has the gradient of the smoothed energy W_ε = U_ε − 2εE, lies above W and meets it at ε = 0,
 //! and falls when ε is made smaller. W itself, which is what people see, may rise by the angles
-//! that a step opens.
+//! that a step opens, but not from where a run has passed to its end.
 
 mod backward_euler;
 mod direction;
 mod lbfgs;
+mod least;
 mod problem;
 mod schedule;
 mod warning;
@@ -89,17 +90,19 @@ pub struct CircleFlow {
     is_assembled: bool,
     /// The same at a trial, kept from one to the next.
     trial: Evaluation,
+    /// Where W was least.
+    passed: least::Passed,
     quasi_newton: lbfgs::QuasiNewton,
     newton: Option<backward_euler::NewtonSystem>,
 }
 
 /// What the flow must remember beside the positions.
-#[derive(Clone, Copy, Debug)]
-pub struct Memory(Schedule);
+#[derive(Clone, Debug)]
+pub struct Memory(Schedule, Option<least::Surface>);
 
 /// What a step may change beside that.
 pub struct Learnt {
-    schedule: Schedule,
+    memory: Memory,
     model: lbfgs::Model,
 }
 
@@ -142,6 +145,7 @@ impl CircleFlow {
             evaluated: None,
             is_assembled: false,
             trial: Evaluation::default(),
+            passed: least::Passed::default(),
             quasi_newton: lbfgs::QuasiNewton::default(),
             newton: None,
         })
@@ -186,6 +190,10 @@ impl CircleFlow {
     /// An energy so small that gains are not worth comparing with it.
     fn round_enough(&self) -> f64 {
         ROUND_PER_VERTEX * self.n_free() as f64
+    }
+
+    fn own_memory(&self) -> Memory {
+        Memory(self.schedule, self.passed.least.clone())
     }
 
     /// A phase that begins with the schedule's change.
@@ -317,8 +325,12 @@ impl Flow for CircleFlow {
         let exact = self.evaluation.exact;
         let is_spherical = exact < self.nearly_spherical();
         let stage = match *occasion {
-            Occasion::Before => self.schedule.before_step(is_spherical),
+            Occasion::Before => {
+                self.passed.begin(exact, x);
+                self.schedule.before_step(is_spherical)
+            }
             Occasion::Accepted { before, after } => {
+                self.passed.note(exact);
                 let is_whole = self.was_whole;
                 self.schedule
                     .after_step(before, after, exact, is_spherical, is_whole)
@@ -327,7 +339,7 @@ impl Flow for CircleFlow {
                 let tau = dt / self.time_unit();
                 self.schedule.at_end(tau, exact, is_spherical, is_guarded)
             }
-            Occasion::Ending { .. } => Stage::Same,
+            Occasion::Ending { .. } => return Ok(self.back_to_least()),
         };
         Ok(match stage {
             Stage::Same => None,
@@ -421,12 +433,12 @@ impl Flow for CircleFlow {
     }
 
     fn memory(&self) -> super::Memory {
-        super::Memory::Circle(Memory(self.schedule))
+        super::Memory::Circle(self.own_memory())
     }
 
     fn recall(&mut self, memory: super::Memory) {
-        if let super::Memory::Circle(Memory(schedule)) = memory {
-            self.schedule = schedule;
+        if let super::Memory::Circle(Memory(schedule, least)) = memory {
+            (self.schedule, self.passed.least) = (schedule, least);
         }
         self.forget();
         self.quasi_newton = lbfgs::QuasiNewton::default();
@@ -434,16 +446,16 @@ impl Flow for CircleFlow {
 
     fn learnt(&self) -> super::Learnt {
         super::Learnt::Circle(Learnt {
-            schedule: self.schedule,
+            memory: self.own_memory(),
             model: self.quasi_newton.model.clone(),
         })
     }
 
     fn relearn(&mut self, learnt: super::Learnt) {
-        if let super::Learnt::Circle(Learnt { schedule, model }) = learnt {
-            (self.schedule, self.quasi_newton.model) = (schedule, model);
+        if let super::Learnt::Circle(Learnt { memory, model }) = learnt {
+            self.recall(super::Memory::Circle(memory));
+            self.quasi_newton.model = model;
         }
-        self.forget();
     }
 
     fn release(&mut self) {

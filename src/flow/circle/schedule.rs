@@ -330,6 +330,17 @@ impl Schedule {
         }
     }
 
+    /// Goes on by L-BFGS and the exact energy, from a surface of this W, and says whether that may
+    /// be: where the user asked for smoothed angles to the end, it may not.
+    pub(super) fn goes_exact(&mut self, energy: f64) -> bool {
+        let may = self.is_finishing && !self.always_exact && self.sharpens;
+        if may {
+            self.begin_round(energy);
+            (self.level, self.exact) = (0.0, true);
+        }
+        may
+    }
+
     /// Gives up the exact energy chosen for closeness to a sphere, for the rest of the run.
     fn retreats(&mut self, tau: f64) -> bool {
         let frozen = self.exact && !self.always_exact && self.level > 0.0 && tau < FROZEN;

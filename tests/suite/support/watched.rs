@@ -77,6 +77,19 @@ pub fn watch(s: &Surface, options: FlowOptions, what: &str) -> Run {
             reports.push(report);
         }
         if let Decision::Stop(status, reason) = verdict {
+            // W is what people see fall.
+            let seen = reports.iter().map(|report| report.energy);
+            if flow == FlowName::Circle
+                && status == Status::Converged
+                && let Some(last) = reports.last()
+            {
+                let least = seen.fold(f64::INFINITY, f64::min);
+                assert!(
+                    last.energy <= (1.0 + 1e-6) * least + 1e-9,
+                    "{what}: at rest at {}, having passed {least}",
+                    last.energy
+                );
+            }
             return Run {
                 x,
                 reports,

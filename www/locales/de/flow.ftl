@@ -75,7 +75,7 @@ warning-another-round = W fällt noch: eine weitere Runde L-BFGS.
 warning-open-boundary = Der Inhalt ist um { $percent } % gewachsen: Was ein Fluss dieser Ordnung an einem Rand tut, der nur an seinem Ort gehalten wird, ist nicht bestimmt. Ein eingespannter Rand hält auch seine Tangentialebenen.
 warning-rough-start = Der Anfang ist zu rau für den Fluss sechster Ordnung, der ihn um { NUMBER($edges, digits: 2) } Kantenlängen bewegen würde: Bis zu { $steps } Schritte der Oberflächendiffusion gehen voraus.
 warning-back-to-start = Keine Ruhe in Sicht: zurück zum Anfang, bis zu { $steps } Schritte der Oberflächendiffusion gehen voraus.
-warning-better-before = Eine Fläche unterwegs hatte eine kleinere Variation der Krümmung als die letzte: Sie wird eingesetzt.
+warning-better-before = Eine Fläche unterwegs hatte weniger Energie als die letzte: Sie wird eingesetzt.
 
 ## Was hilft, in einem halben Satz
 

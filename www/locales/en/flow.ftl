@@ -78,7 +78,7 @@ warning-another-round = W still falls: another round of L-BFGS.
 warning-open-boundary = The area has grown by { $percent } %: a boundary held in place alone does not determine a flow of this order. A clamped one holds its tangent planes too.
 warning-rough-start = The start is too rough for the sixth-order flow, which would move it by { NUMBER($edges, digits: 2) } edge lengths: up to { $steps } steps of surface diffusion go before.
 warning-back-to-start = No rest in sight: back to the start, up to { $steps } steps of surface diffusion go before.
-warning-better-before = A surface on the way varied its curvature less than the last: it is put in place.
+warning-better-before = A surface on the way had less energy than the last: it is put in place.
 
 ## What helps, in half a sentence
 
