@@ -36,6 +36,7 @@ export const bench = {
       cells.push(shown);
       rows.push(Object.fromEntries(columns.map((column, i) => [column, said[i]])));
     }
+    if (rows.length === 0) throw usage("No row of this table has so few vertices.");
     const text = `${say(`bench-${options.table}`)}\n\n${table([columns, ...cells], left)}`;
     return { result: { table: options.table, rows }, text };
   },
@@ -51,7 +52,7 @@ function cell(value, digits) {
 async function meshesIn(folder, io) {
   const files = attempt(
     () => readdirSync(folder),
-    ({ message }) => usage(`${folder} is not a folder: ${message}.`),
+    () => usage(`${folder} is not a folder that can be read.`),
   );
   const names = files.filter(isMesh).sort();
   if (names.length === 0) throw usage(`${folder} holds no mesh.`, `Meshes end in ${readHelp}.`);

@@ -144,7 +144,8 @@ export const fill = {
       value: fairing.join("|"),
       help: "a flow that moves the new vertices afterwards (default none)",
     },
-    ...flagsOf(budget, "option"),
+    // It relaxes, and has no other goal.
+    ...flagsOf(budget, "option", () => "--fair: "),
     ...untilConverged,
     ...out,
   },

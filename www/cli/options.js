@@ -84,12 +84,13 @@ function withNegatives(args, options) {
 /**
  * The flags of options that tables know, with their help.
  * @param {readonly Row[]} rows @param {string} words  what the names of their words begin with
+ * @param {(of: string) => string} where  what the command says of where an option counts
  */
-export function flagsOf(rows, words) {
+export function flagsOf(rows, words, where = (of) => of && `${of}: `) {
   const entries = rows.map(({ name, flag, kind }) => {
     const { value, of, notes } = schema.flags[`${words}-${name}`];
     const own = say(`${words}-${name}-help`);
-    const help = `${of && `${of}: `}${own}${notes && ` (${notes})`}`;
+    const help = `${where(of)}${own}${notes && ` (${notes})`}`;
     return [flag, { value, many: kind === "numbers", help }];
   });
   return Object.fromEntries(entries);
