@@ -13,13 +13,13 @@ use std::rc::Rc;
 const WORSE: f64 = 1e-6;
 
 /// W, and where it was that.
-pub(super) type Surface = (f64, Rc<Vec<DVec3>>);
+pub(super) type Surface = Rc<(f64, Vec<DVec3>)>;
 
 /// What a run has passed.
 #[derive(Debug, Default)]
 pub(super) struct Passed {
     /// Where the step in hand begins.
-    last: Option<Surface>,
+    last: (f64, Vec<DVec3>),
     /// Where W was least, if it has risen since.
     pub(super) least: Option<Surface>,
 }
@@ -27,16 +27,19 @@ pub(super) struct Passed {
 impl Passed {
     /// A step begins at `x`.
     pub(super) fn begin(&mut self, energy: f64, x: &[DVec3]) {
-        self.last = Some((energy, Rc::new(x.to_vec())));
+        self.last.0 = energy;
+        self.last.1.clear();
+        self.last.1.extend_from_slice(x);
     }
 
     /// It has led to a surface of this W.
     pub(super) fn note(&mut self, energy: f64) {
-        let last = self.last.take();
-        if self.least.is_none() {
-            self.least = last;
+        let least = self.least.as_ref().map_or(self.last.0, |least| least.0);
+        if energy <= least {
+            self.least = None;
+        } else if self.least.is_none() {
+            self.least = Some(Rc::new(std::mem::take(&mut self.last)));
         }
-        self.least = self.least.take().filter(|(least, _)| *least < energy);
     }
 }
 
@@ -45,12 +48,12 @@ impl CircleFlow {
     /// again before it has begun, it is the same.
     pub(super) fn back_to_least(&mut self) -> Option<Phase> {
         let worst = (1.0 - WORSE) * self.evaluation.exact;
-        let (energy, x) = self.passed.least.clone()?;
-        if energy >= worst || !self.schedule.goes_exact(energy) {
+        let least = self.passed.least.clone()?;
+        if least.0 >= worst || !self.schedule.goes_exact(least.0) {
             return None;
         }
         Some(Phase {
-            from: Some(x.to_vec()),
+            from: Some(least.1.clone()),
             goes_on: true,
             ..self.began(Some(Warning::BetterBefore))
         })
@@ -67,7 +70,7 @@ mod tests {
         let mut take = |from: f64, to: f64| {
             passed.begin(from, &[DVec3::splat(from)]);
             passed.note(to);
-            passed.least.as_ref().map(|(energy, x)| (*energy, x[0].x))
+            passed.least.as_ref().map(|least| (least.0, least.1[0].x))
         };
         assert_eq!(take(5.0, 4.0), None);
         assert_eq!(take(4.0, 4.5), Some((4.0, 4.0)));
