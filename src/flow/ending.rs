@@ -232,7 +232,7 @@ impl Driver {
         if !self.mesh.is_triangular() || !is_geometric {
             return None;
         }
-        singularity(self, x, false)
+        singularity(self, x)
     }
 
     /// What holds for every flow; then what the flow itself has to say.
@@ -261,27 +261,26 @@ impl Driver {
     }
 }
 
-/// The end of a surface all of which has shrunk to a point or a curve.
-fn vanished(driver: &Driver, x: &[DVec3]) -> Decision {
-    singularity(driver, x, true).unwrap_or(Decision::GoOn)
+deferred! {
+    /// The end of a surface all of which has shrunk to a point or a curve.
+    fn vanished(driver: &Driver, x: &[DVec3]) -> Decision {
+        let (time, clock) = (driver.run.time, driver.flow.clock());
+        let [size, at_first] = [x, &driver.start.x].map(measure::bounding_diagonal);
+        let why = if size > STILL_LONG * at_first {
+            Reason::VanishesToCurve { time, clock }
+        } else {
+            let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();
+            Reason::Vanishes { time, clock, place }
+        };
+        Decision::Stop(Status::Singular, why)
+    }
 }
 
 deferred! {
-    /// What has become singular: all of the surface, if it `has_vanished`; otherwise one of several
-    /// parts that has shrunk to a point, or a neck or a tip thinner than the mesh can show. One way
-    /// into the second file for all of them, as each costs bytes in the first.
-    fn singularity(driver: &Driver, x: &[DVec3], has_vanished: bool) -> Option<Decision> {
+    /// What has become singular of a surface the rest of which is there: one of several parts that has
+    /// shrunk to a point, or a neck or a tip thinner than the mesh can show.
+    fn singularity(driver: &Driver, x: &[DVec3]) -> Option<Decision> {
         let (time, clock) = (driver.run.time, driver.flow.clock());
-        if has_vanished {
-            let [size, at_first] = [x, &driver.start.x].map(measure::bounding_diagonal);
-            let why = if size > STILL_LONG * at_first {
-                Reason::VanishesToCurve { time, clock }
-            } else {
-                let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();
-                Reason::Vanishes { time, clock, place }
-            };
-            return Some(Decision::Stop(Status::Singular, why));
-        }
         if let Some(place) = shrunken_part(&driver.mesh, &driver.start.x, x, VANISHED) {
             let why = Reason::PartVanishes {
                 time,
