@@ -29,7 +29,9 @@ test("a sentence says what will happen, twelve controls at most, and no number",
   const text = (await page.locator("body").allInnerTexts()).join("\n");
   assert.doesNotMatch(text, /\d/);
   assert.match(text, /In a few seconds it will be round/);
-  await button(page, "Watch it flow").click();
+  // Called what it is called everywhere, whatever it says.
+  assert.equal((await button(page, "Play").textContent())?.trim(), "Watch it flow");
+  await button(page, "Play").click();
   assert.equal(await page.getByText("Watch a surface find its shape").count(), 0);
 
   // The clip: eight seconds, at least five pictures a second in software, ever less energy.

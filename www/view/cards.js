@@ -28,7 +28,7 @@ function welcome() {
   );
   return html`<section class="card welcome" aria-labelledby="welcome-heading">
     <h2 id="welcome-heading">${say("welcome")}</h2><p>${say("welcome-text")}</p>
-    <button type="button" class="button primary go" @click=${leave(page.run.play)}>${icon("play")}${say("watch")}</button>
+    <button type="button" class="button primary go" aria-label=${say("watch.name")} @click=${leave(page.run.play)}>${icon("play")}${say("watch")}</button>
     <div class="starters">${samples}${starter("own", icon("open"), page.chooseFile)}</div></section>`;
 }
 

@@ -56,6 +56,7 @@ drawn-with = Gezeichnet mit { $name }: { $reason }.
 welcome = Zusehen, wie eine Fläche ihre Form findet
 welcome-text = Dieser eingedellte Ball bewegt sich so, dass er sich möglichst wenig biegt. In wenigen Sekunden ist er rund, und jeder Schritt dahin ist zu sehen.
 watch = Fließen lassen
+    .name = Abspielen
 starter-vesicle = Blutkörperchen
     .small = Inhalt bleibt
 starter-coarse-torus = Ring

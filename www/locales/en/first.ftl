@@ -56,6 +56,7 @@ drawn-with = Drawn with { $name }: { $reason }.
 welcome = Watch a surface find its shape
 welcome-text = This dented ball moves so as to bend as little as possible. In a few seconds it will be round, and you see every step of the way.
 watch = Watch it flow
+    .name = Play
 starter-vesicle = Red blood cell
     .small = area kept
 starter-coarse-torus = Doughnut
