@@ -4,6 +4,7 @@
 //! [`crate::mesh`] builds connectivity from. It makes no promise beyond its own
 //! index ranges: faces may repeat, be degenerate or meet in a non-manifold way.
 
+mod diagonals;
 mod triangulate;
 
 pub(crate) use triangulate::cut_bridged;

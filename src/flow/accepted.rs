@@ -69,8 +69,11 @@ impl Driver {
         self.run.step += 1;
         // Steps of automatic size are implicit and long: less of the flow's time has passed.
         let is_long = self.flow.rules().ceiling != Ceiling::None && !self.run.step_size.is_given;
-        let passed = before.time_to(&after).filter(|_| is_long);
-        self.run.time += passed.map_or(dt, |time| time.min(dt));
+        let can_vanish = self.flow.rules().can_vanish;
+        let passed = before.time_to(&after, can_vanish).filter(|_| is_long);
+        // Near rest nothing but rounding is left of either reading.
+        let most = if can_vanish { f64::INFINITY } else { dt };
+        self.run.time += passed.map_or(dt, |time| time.min(most));
         let mut report = StepReport {
             step: self.run.step,
             time: self.run.time,

@@ -97,6 +97,8 @@ impl Driver {
             step_size: flow.step_size(),
             time: 0.0,
             step: 0,
+            first_area: start.area,
+            first_size: measure::bounding_diagonal(x),
             first_step: 0,
             seconds: 0.0,
             window: Window::default(),

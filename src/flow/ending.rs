@@ -19,6 +19,8 @@ use glam::DVec3;
 /// at which it is about to, where no step is accepted any more.
 const VANISHED: f64 = 1e-3;
 const VANISHING: f64 = 0.1;
+/// And at which one that grows without end has shown that.
+const GROWN: f64 = 100.0;
 /// What vanishes and is still as long as this share of what it was has become no point.
 const STILL_LONG: f64 = 0.3;
 /// With faces of so many times the mean, and four times what there was at the start, the
@@ -64,7 +66,9 @@ impl Driver {
     /// How a run has ended once something better was put in place: not at rest, and not where it
     /// became singular.
     pub(super) fn replaced(&self, ending: Decision) -> Decision {
-        let Decision::Stop(Status::Converged | Status::Singular, _) = ending else {
+        let (Decision::Stop(Status::Converged | Status::Singular, _)
+        | Decision::Stop(_, Reason::SharpTip { .. })) = ending
+        else {
             return ending;
         };
         let advice = self.flow.advice();
@@ -99,8 +103,12 @@ impl Driver {
             return Ok(decision);
         }
         let rules = self.flow.rules();
-        if rules.can_vanish && report.area < VANISHED * self.start.area {
+        if rules.can_vanish && report.area < VANISHED * self.run.first_area {
             return Ok(vanished(self, x));
+        }
+        let times = report.area / self.run.first_area;
+        if rules.grows && times > GROWN {
+            return Ok(Decision::Stop(Status::Stalled, Reason::GrowsOn { times }));
         }
         let (face, largest) = largest_face(&self.mesh, x);
         let is_recommended = rules.ceiling != Ceiling::None;
@@ -179,7 +187,7 @@ impl Driver {
             });
         }
         let area = measure::area(&self.mesh, x);
-        if rules.can_vanish && area < VANISHING * self.start.area {
+        if rules.can_vanish && area < VANISHING * self.run.first_area {
             return Ok(vanished(self, x));
         }
         let is_at_rest = rules.ceiling != Ceiling::None && self.flow.stationarity(x, cost)? <= 1.0;
@@ -265,8 +273,8 @@ deferred! {
     /// The end of a surface all of which has shrunk to a point or a curve.
     fn vanished(driver: &Driver, x: &[DVec3]) -> Decision {
         let (time, clock) = (driver.run.time, driver.flow.clock());
-        let [size, at_first] = [x, &driver.start.x].map(measure::bounding_diagonal);
-        let why = if size > STILL_LONG * at_first {
+        let size = measure::bounding_diagonal(x);
+        let why = if size > STILL_LONG * driver.run.first_size {
             Reason::VanishesToCurve { time, clock }
         } else {
             let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();
@@ -297,9 +305,9 @@ deferred! {
             ..
         } = sharpest(&driver.mesh, x)?;
         let then = sharpest(&driver.mesh, &driver.start.x).map_or(0.0, |found| found.bend);
-        // A surface that could vanish does so round, unless a neck closes before.
-        let is_neck = is_neck || driver.flow.rules().can_vanish;
-        let least = if is_neck { NARROW } else { UNDER_RESOLVED };
+        // A surface that can vanish becomes round, and bends so nowhere.
+        let is_low = is_neck || driver.flow.rules().can_vanish;
+        let least = if is_low { NARROW } else { UNDER_RESOLVED };
         if bend < least || bend < SHARPENED * then || !driver.flow.is_free(vertex as usize) {
             return None;
         }
@@ -310,22 +318,22 @@ deferred! {
             Clock::Own => driver.flow.advice(),
             _ => Advice::KeepVolume,
         };
-        let why = if is_neck {
-            Reason::PinchedNeck {
-                time,
-                clock,
+        if !is_neck {
+            // Of a tip a mesh does not tell whether the flow draws it to a point.
+            let advice = driver.flow.advice();
+            let why = Reason::SharpTip {
                 vertex,
                 place,
                 advice,
-            }
-        } else {
-            Reason::SharpTip {
-                time,
-                clock,
-                vertex,
-                place,
-                advice,
-            }
+            };
+            return Some(Decision::Stop(Status::Stalled, why));
+        }
+        let why = Reason::PinchedNeck {
+            time,
+            clock,
+            vertex,
+            place,
+            advice,
         };
         Some(Decision::Stop(Status::Singular, why))
     }

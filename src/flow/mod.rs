@@ -78,12 +78,29 @@ impl Functional {
         }
     }
 
-    /// How long the smooth flow takes from this to a lower value: their difference over the
-    /// logarithmic mean of the rates, which is exact where it decays exponentially, as near rest, and
-    /// where the rate is constant, as of a sphere that shrinks. `None` where that is not known.
-    fn time_to(&self, lower: &Self) -> Option<f64> {
+    /// How long the smooth flow takes from this to a lower value; `None` where that is not known.
+    ///
+    /// Towards a rest it is their difference over the logarithmic mean of the rates, which is exact
+    /// where it decays exponentially. Where it can vanish the rate is taken for a power of the value, as
+    /// it is of spheres (constant) and of thin tubes (the reciprocal), r = r₀(v/v₀)ᵏ:
+    ///
+    /// ```math
+    /// t = \frac{v_0}{r_0} \, \frac{1 - (v_1/v_0)^{1-k}}{1 - k}.
+    /// ```
+    fn time_to(&self, lower: &Self, can_vanish: bool) -> Option<f64> {
         let (a, b) = (self.rate?, lower.rate?);
         let ratio = a / b;
+        let fall = (lower.value / self.value).ln();
+        if can_vanish && fall < -1e-6 {
+            let power = fall + ratio.ln();
+            let time = self.value / a
+                * if power == 0.0 {
+                    -fall
+                } else {
+                    -power.exp_m1() / (power / fall)
+                };
+            return (time.is_finite() && time >= 0.0).then_some(time);
+        }
         let mean = if (ratio - 1.0).abs() < 1e-6 {
             a
         } else {
@@ -234,4 +251,42 @@ pub trait Flow {
 
     /// Lets go of what is large and can be made again, as it was, from what is kept.
     fn release(&mut self) {}
+}
+
+#[cfg(test)]
+mod time {
+    use super::Functional;
+
+    /// Of v with dv/dt = −r: a sphere whose area falls at a constant rate, a thin tube whose rate is
+    /// the reciprocal of its area, and a decay to nothing, whose rate is the area itself.
+    #[test]
+    fn the_time_of_a_step_is_exact_for_powers() {
+        let at = |value: f64, power: i32| Functional {
+            rate: Some(2.0 * value.powi(power)),
+            ..Functional::plain(value)
+        };
+        let (first, last) = (3.0_f64, 0.2_f64);
+        for (power, time) in [
+            (0, 0.5 * (first - last)),
+            (-1, 0.25 * (first * first - last * last)),
+            (1, 0.5 * (first / last).ln()),
+        ] {
+            let found = at(first, power).time_to(&at(last, power), true);
+            let found = found.expect("known rates");
+            assert!(
+                (found / time - 1.0_f64).abs() < 1e-12,
+                "{power}: {found} {time}"
+            );
+        }
+        // Towards a rest the rate is what is left.
+        let rest = |left: f64| Functional {
+            rate: Some(2.0 * left),
+            ..Functional::plain(1.0 + left)
+        };
+        let found = rest(3.0).time_to(&rest(0.2), false).expect("known rates");
+        assert!(
+            (found / (0.5 * 15.0_f64.ln()) - 1.0).abs() < 1e-12,
+            "{found}"
+        );
+    }
 }

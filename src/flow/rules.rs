@@ -50,6 +50,8 @@ pub struct Rules {
     pub zero: f64,
     /// Whether the surface can shrink to a point.
     pub can_vanish: bool,
+    /// Whether the surface grows without end, as a larger one of any shape has less of the functional.
+    pub grows: bool,
     /// Whether a run ends at rest; if not, after a set number of steps.
     pub ends_at_rest: bool,
     /// Whether a functional that has stopped falling is a sign of rest.
@@ -73,6 +75,7 @@ impl Rules {
             roundoff: 0.0,
             zero: 0.0,
             can_vanish: false,
+            grows: false,
             ends_at_rest: true,
             ends_when_idle: false,
             long_dt: f64::INFINITY,

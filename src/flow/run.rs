@@ -21,6 +21,9 @@ pub(super) struct Run {
     pub(super) step_size: StepSize,
     pub(super) time: f64,
     pub(super) step: usize,
+    /// Area and diagonal of the surface at its very first, whatever meshes it has had since.
+    pub(super) first_area: f64,
+    pub(super) first_size: f64,
     /// The step the budget counts from, and the seconds used since.
     pub(super) first_step: usize,
     pub(super) seconds: f64,

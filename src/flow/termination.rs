@@ -96,6 +96,11 @@ messages! {
             /// What helps.
             advice: Advice,
         },
+        /// The surface is so large already, and a larger one always has less energy.
+        GrowsOn {
+            /// Its area over that at first.
+            times: f64,
+        },
         /// The flow ends with more energy than it had on the way.
         WorseRest {
             /// What helps.
@@ -143,12 +148,8 @@ messages! {
             /// What helps.
             advice: Advice,
         },
-        /// A tip becomes a point.
+        /// The surface bends more than its triangles can show, and is no neck there.
         SharpTip {
-            /// When.
-            time: f64,
-            /// By which clock.
-            clock: Clock,
             /// The vertex of the sharpest bend.
             vertex: u32,
             /// Where it lies.
@@ -165,6 +166,14 @@ messages! {
 }
 
 impl Reason {
+    /// Whether the surface, or a part of it, is no more.
+    pub fn is_of_vanishing(&self) -> bool {
+        matches!(
+            self,
+            Self::Vanishes { .. } | Self::VanishesToCurve { .. } | Self::PartVanishes { .. }
+        )
+    }
+
     /// With its place, if it has one, moved as the surface is.
     #[must_use]
     pub fn moved(mut self, shift: DVec3) -> Self {

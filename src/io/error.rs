@@ -150,6 +150,11 @@ messages! {
             /// `gltf-draco`, `gltf-meshopt` or `gltf-version`.
             what: &'static str,
         },
+        /// A glTF file says that it cannot be read without what is not known here.
+        RequiredExtension {
+            /// What.
+            name: String,
+        },
         /// A NUL byte in what should be text.
         NotText {
             /// The text format.
@@ -252,7 +257,10 @@ impl ReadError {
             Place::Byte { byte } => ("byte", byte as f64),
         };
         match self {
-            Self::Empty | Self::UnknownFormat { .. } | Self::Unsupported { .. } => Vec::new(),
+            Self::Empty
+            | Self::UnknownFormat { .. }
+            | Self::Unsupported { .. }
+            | Self::RequiredExtension { .. } => Vec::new(),
             Self::NotText { offset, .. } => vec![("byte", *offset as f64)],
             Self::Syntax { place, .. } | Self::DecimalComma { place, .. } => vec![at(place)],
             Self::IndexOutOfRange {
@@ -416,6 +424,13 @@ messages! {
             y: f64,
             /// directions.
             z: f64,
+        },
+        /// The format knows vertices by their places: those at one place are one when it is read.
+        Joined {
+            /// The format.
+            format: Format,
+            /// How many are at the place of another.
+            count: usize,
         },
         /// The format has no place for colours of vertices.
         Colours {

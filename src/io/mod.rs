@@ -159,6 +159,10 @@ pub fn losses(soup: &PolygonSoup, format: Format) -> Vec<Loss> {
     };
     let mut losses: Vec<Loss> = shift.map(moved).into_iter().collect();
     let is_stl = matches!(format, Format::Stl | Format::StlAscii);
+    let count = if is_stl { stl::joined(soup, format) } else { 0 };
+    if count > 0 {
+        losses.push(Loss::Joined { format, count });
+    }
     if soup.has_colours() && is_stl {
         losses.push(Loss::Colours { format });
     }

@@ -10,6 +10,7 @@ use glam::DVec3;
 use super::text::{Lines, comment_lines};
 use super::weld::Weld;
 use super::{Expected, Format, Oddity, Place, Read, ReadError, WriteError, single};
+use crate::order;
 use crate::soup::PolygonSoup;
 
 /// Bytes before the first triangle of a binary file: a free text, then the count.
@@ -186,6 +187,21 @@ pub(super) fn write_ascii(soup: &PolygonSoup, comment: &str) -> Vec<u8> {
 pub(super) fn moved_by(soup: &PolygonSoup) -> Option<DVec3> {
     let centre = single::centre(&soup.positions);
     (centre != DVec3::ZERO).then_some(-centre)
+}
+
+/// How many vertices are at the place of another, as a file has it, where it knows no other name of them.
+pub(super) fn joined(soup: &PolygonSoup, format: Format) -> usize {
+    let shift = moved_by(soup).unwrap_or(DVec3::ZERO);
+    // Nothing added to -0 is 0.
+    let place = |p: &DVec3| match format {
+        Format::Stl => (*p + shift).as_vec3().as_dvec3() + DVec3::ZERO,
+        _ => *p + DVec3::ZERO,
+    };
+    let bits = |p: &DVec3| place(p).to_array().map(f64::to_bits);
+    let mut places: Vec<[u64; 3]> = soup.positions.iter().map(bits).collect();
+    order::sort(&mut places);
+    places.dedup();
+    soup.positions.len() - places.len()
 }
 
 /// Writes positions rounded to single precision, of a mesh far from the origin after it was moved

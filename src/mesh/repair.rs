@@ -8,6 +8,9 @@ use crate::order;
 use crate::soup::{PolygonSoup, cut_bridged};
 use glam::DVec3;
 
+/// Area below which a piece has none, over the square of the diagonal of its own box.
+const NEGLIGIBLE: f64 = 1e-14;
+
 /// Drops degenerate and duplicate faces; one that has a hole, which a bridge leads to, is cut into
 /// triangles.
 pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> PolygonSoup {
@@ -144,7 +147,7 @@ pub(super) fn split_vertices(
     origin
 }
 
-/// Drops components that have no area at all: they are debris, and no curvature is
+/// Drops components that have no area at all, by their own size and not by that of others: they are debris, and no curvature is
 /// defined anywhere on them.
 pub(super) fn drop_flat_components(
     soup: &mut PolygonSoup,
@@ -152,13 +155,6 @@ pub(super) fn drop_flat_components(
     repairs: &mut Vec<Repair>,
 ) {
     let (start, list) = face_adjacency(soup, sides);
-    let (low, high) = soup
-        .positions
-        .iter()
-        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), &p| {
-            (l.min(p), h.max(p))
-        });
-    let negligible = 1e-14 * (high - low).length_squared();
     let area = |f: usize| {
         let x = |v: u32| soup.positions[v as usize];
         let face = soup.face(f);
@@ -175,10 +171,15 @@ pub(super) fn drop_flat_components(
         let mut component = vec![seed as u32];
         flat[seed] = Some(true);
         let (mut at, mut total) = (0, 0.0f64);
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         while at < component.len() {
             let f = component[at] as usize;
             at += 1;
             total += area(f);
+            for &v in soup.face(f) {
+                let p = soup.positions[v as usize];
+                (low, high) = (low.min(p), high.max(p));
+            }
             for &(g, _) in &list[start[f] as usize..start[f + 1] as usize] {
                 if flat[g as usize].is_none() {
                     flat[g as usize] = Some(true);
@@ -186,7 +187,7 @@ pub(super) fn drop_flat_components(
                 }
             }
         }
-        if total > negligible {
+        if total > NEGLIGIBLE * (high - low).length_squared() {
             for &f in &component {
                 flat[f as usize] = Some(false);
             }

@@ -8,7 +8,6 @@
 
 mod ears;
 
-use super::PolygonSoup;
 use ears::Ears;
 use glam::DVec3;
 
@@ -137,31 +136,10 @@ fn is_inside(triangle: &[u32; 3], up: DVec3, x: &[DVec3]) -> bool {
     2.0 * area(*triangle, x).dot(up) > FLAT * longest * up.length()
 }
 
-impl PolygonSoup {
-    /// The faces cut into triangles on their own corners, orientation and order kept; vertices
-    /// keep their numbers.
-    pub fn triangles(&self) -> Vec<[u32; 3]> {
-        let mut cutter = Cutter::default();
-        let mut all = Vec::with_capacity(self.corners.len().saturating_sub(2 * self.n_faces()));
-        for face in self.faces() {
-            all.extend_from_slice(cutter.cut(face, &self.positions));
-        }
-        all
-    }
-
-    /// The same surface with triangles only; faces of fewer than three corners are gone.
-    #[must_use]
-    pub fn triangulated(&self) -> Self {
-        Self {
-            colours: self.colours.clone(),
-            ..Self::from_faces(self.positions.clone(), &self.triangles())
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::soup::PolygonSoup;
 
     fn plane(points: &[[f64; 2]]) -> Vec<DVec3> {
         // Out of all coordinate planes.
@@ -307,10 +285,9 @@ mod tests {
     #[test]
     fn convex_polygons_are_cut_as_ever_and_nonsense_ends_nothing() {
         let x = plane(&[[0., 0.], [4., 0.], [5., 1.], [0., 1.], [-1., 0.5]]);
-        let soup = PolygonSoup::from_faces(x.clone(), &[vec![0, 1, 2, 3, 4], vec![0, 1, 2, 3]]);
-        let triangles = soup.triangles();
-        assert_eq!(triangles[..3], [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
-        assert_eq!(triangles[3..], [[0, 1, 3], [1, 2, 3]]);
+        let cut = |face: &[u32]| PolygonSoup::from_faces(x.clone(), &[face]).triangles();
+        assert_eq!(cut(&[0, 1, 2, 3, 4]), [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+        assert_eq!(cut(&[0, 1, 2, 3]), [[0, 1, 3], [1, 2, 3]]);
         // All in one point, in a line, an eight, and faces that are none.
         let odd = [
             vec![0; 7],

@@ -281,6 +281,15 @@ fn a_sparse_list_replaces_some_rows() {
         triangles(&plain(&sparse([1, 4]), "")),
         triangles(&octahedron())
     );
+    // Without other rows they stand among zeros.
+    let mut alone = sparse([1, 4]);
+    let view = b"\"bufferView\":0,\"componentType\":5126";
+    let at = alone.windows(view.len()).position(|w| w == view);
+    let at = at.expect("the first accessor");
+    alone[at..at + 15].fill(b' ');
+    let mut positions = plain(&alone, "").positions;
+    positions.retain(|p| *p != DVec3::ZERO);
+    assert_eq!(positions, [1, 4].map(|v| octahedron().positions[v]));
     let detail = refusal(&sparse([1, 6])).detail();
     assert_eq!(detail.first().map(|(name, _)| *name), Some("byte"));
 }
@@ -300,6 +309,14 @@ fn what_is_not_read_is_named() {
     let what = |what| ReadError::Unsupported { what };
     let data = &text[text.find("data:").unwrap()..text.rfind('"').unwrap()];
     assert_eq!(refused(data, "mesh.bin"), what("gltf-external"));
+    let required =
+        "\"extensionsRequired\":[\"KHR_materials_unlit\",\"EXT_mesh_gpu_instancing\"],\"asset\"";
+    assert_eq!(
+        refused("\"asset\"", required),
+        ReadError::RequiredExtension {
+            name: "EXT_mesh_gpu_instancing".into()
+        }
+    );
     let meshopt = "\"extensions\":{\"EXT_meshopt_compression\":{}},\"buffer\":0";
     assert_eq!(refused("\"buffer\":0", meshopt), what("gltf-meshopt"));
     let draco = text.replacen("\"bufferView\":0,", "", 1).replace(

@@ -82,3 +82,37 @@ fn formats_that_are_only_read_refuse_to_be_written() {
         assert_eq!(error, Err(io::WriteError::ReadOnly { format }));
     }
 }
+
+/// Two tetrahedra that were cut apart at a vertex: STL joins it again when it is read, which is told,
+/// and no other format does.
+#[test]
+fn vertices_that_stl_joins_are_told() {
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    let positions: Vec<DVec3> = corners.iter().copied().chain(corners.map(|p| -p)).collect();
+    let faces: [[u32; 3]; 8] = [
+        [0, 2, 1],
+        [0, 1, 3],
+        [1, 2, 3],
+        [2, 0, 3],
+        [4, 5, 6],
+        [4, 7, 5],
+        [5, 7, 6],
+        [6, 7, 4],
+    ];
+    let soup = PolygonSoup::from_faces(positions, &faces);
+    for format in Format::written() {
+        let bytes = io::write(&soup, format, "").unwrap();
+        let read = io::read(&bytes, "").unwrap();
+        let lost = soup.positions.len() - read.soup.positions.len();
+        let told = match io::losses(&soup, format)[..] {
+            [Loss::Joined { count, .. }] => count,
+            _ => 0,
+        };
+        assert_eq!(told, lost, "{format:?}");
+        assert_eq!(
+            told > 0,
+            matches!(format, Format::Stl | Format::StlAscii),
+            "{format:?}"
+        );
+    }
+}

@@ -374,3 +374,49 @@ proptest! {
         }
     }
 }
+
+/// A box of quadrilaterals with a roof of two that share two sides, and a pentagon beside a
+/// quadrilateral that do.
+#[test]
+fn polygons_that_share_two_sides_are_cut_apart() {
+    let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+    let mut points: Vec<DVec3> = (0..8)
+        .map(|i| {
+            at(
+                f64::from(i % 4 == 1 || i % 4 == 2),
+                f64::from(i % 4 > 1),
+                f64::from(i > 3),
+            )
+        })
+        .collect();
+    points.push(at(0.5, 0.5, 2.3));
+    let roofed = [
+        vec![0, 3, 2, 1],
+        vec![0, 1, 5, 4],
+        vec![1, 2, 6, 5],
+        vec![2, 3, 7, 6],
+        vec![3, 0, 4, 7],
+        vec![4, 5, 6, 8],
+        vec![4, 8, 6, 7],
+    ];
+    let open = [vec![1, 0, 2, 3, 4], vec![0, 1, 4, 5]];
+    let flat: Vec<DVec3> = [
+        (0.3, 0.5),
+        (0.0, 0.4),
+        (0.5, 0.0),
+        (1.0, 0.6),
+        (0.4, 1.0),
+        (0.2, 0.7),
+    ]
+    .map(|(x, y)| at(x, y, x * y))
+    .to_vec();
+    for (positions, faces) in [(points, roofed.as_slice()), (flat, open.as_slice())] {
+        let soup = PolygonSoup::from_faces(positions, faces);
+        build(&soup).expect("a surface of polygons");
+        let cut = soup.triangulated();
+        let corners: usize = faces.iter().map(|face| face.len() - 2).sum();
+        assert_eq!(cut.n_faces(), corners);
+        let built = build(&cut).expect("a surface of triangles");
+        assert!(built.repairs.is_empty(), "{:?}", built.repairs);
+    }
+}

@@ -738,3 +738,32 @@ fn energy_against_time_converges_under_refinement() {
         assert!((ratio - 4.0).abs() < 1.0, "ratio {ratio}");
     }
 }
+
+/// ∫|H|^p goes with R^(2−p): under p > 2 a sphere grows for ever, which is no rest however little
+/// is left to gain.
+#[test]
+fn a_sphere_grows_for_ever_under_large_exponents() {
+    for p in [3.0, 4.0] {
+        let s = sample("icosphere", &[("level", 2.0)]);
+        let options = FlowOptions {
+            flow: FlowName::PWillmore,
+            p,
+            ..FlowOptions::default()
+        };
+        let mut x = s.x.clone();
+        let mut flow = drive(&s.mesh, &mut x, options).expect("a flow");
+        let end = loop {
+            if let (_, Decision::Stop(status, why)) = flow.step(&mut x).expect("a step") {
+                break (status, why);
+            }
+        };
+        let (Status::Stalled, Reason::GrowsOn { times }) = end else {
+            panic!("{p}: {end:?}");
+        };
+        let grown = measure::area(&s.mesh, &x) / measure::area(&s.mesh, &s.x);
+        assert!(
+            times > 100.0 && (grown / times - 1.0).abs() < 1e-12,
+            "{times} {grown}"
+        );
+    }
+}

@@ -507,6 +507,22 @@ fn both_flows_by_mean_curvature_tell_of_the_same_pinch() {
     assert!((a / b - 1.0).abs() < 0.3, "{a} {b}");
 }
 
+/// A convex surface stays convex until it is a point (Huisken 1984): where the mesh of a flat ellipsoid
+/// is squashed on the way, that is no singularity of the flow.
+#[test]
+fn a_convex_surface_never_pinches() {
+    for [a, b, c] in [[2.5, 1.0, 0.4], [1.0, 1.0, 0.3]] {
+        let values = [("level", 3.0), ("a", a), ("b", b), ("c", c)];
+        let s = surface(&sample("ellipsoid", &values));
+        let end = watch(&s, limited(FlowName::MeanCurvature, 300), "flat ellipsoid");
+        match (end.status, &end.reason) {
+            (Status::Stalled, Some(Reason::SharpTip { .. } | Reason::Refused { .. })) => {}
+            (Status::Singular, Some(Reason::Vanishes { .. })) => {}
+            other => panic!("{a} {b} {c}: {other:?}"),
+        }
+    }
+}
+
 /// Of two balls the smaller vanishes, under one flow to the other's gain.
 #[test]
 fn of_two_balls_the_smaller_is_said_to_vanish() {

@@ -3,9 +3,9 @@
 
 use std::f64::consts::PI;
 use umbilic::app::{Edit, Origin, RemeshOptions, ScriptText, Session};
-use umbilic::flow::StepReport;
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowName, FlowOptions, Remeshing};
+use umbilic::flow::{Status, StepReport};
 use umbilic::io::Format;
 use umbilic::remesh::adaptive::Kind;
 
@@ -381,4 +381,28 @@ fn a_new_session_goes_on_from_a_remeshed_surface_and_back_to_the_mesh_itself() {
     let frame = s.frame().expect("a frame");
     assert_eq!((frame.triangles, frame.exact), (None, start.exact));
     assert!(s.provenance().is_ok());
+}
+
+/// The flow by p = 0 is remeshed on its way to a point, which it is said to be when there is a
+/// thousandth of the area that there was at the very first.
+#[test]
+fn a_surface_vanishes_by_the_area_that_it_had_before_all_remeshing() {
+    let mut s = opened("ellipsoid", &[("level", 3.0), ("a", 2.5), ("c", 0.4)]);
+    s.configure(FlowOptions {
+        flow: FlowName::PWillmore,
+        p: 0.0,
+        ..FlowOptions::default()
+    })
+    .expect("options");
+    let first = s.state().expect("a state").area;
+    let mut passes = 0;
+    while !s.state().expect("a state").status.is_final() {
+        let report = s.step().expect("a step");
+        passes += usize::from(report.is_some_and(|report| report.pass.is_some()));
+    }
+    let end = s.state().expect("a state");
+    assert_eq!(end.status, Status::Singular);
+    assert!(passes > 0, "no remeshing");
+    let left = end.area / first;
+    assert!((1e-5..1e-3).contains(&left), "{left} of the area is left");
 }

@@ -128,6 +128,8 @@ test("repair --weld welds within a length, or not at all", () => {
   assert.deepEqual(kinds(welded.changes), [["Welded", 576 - 96]]);
   assert.deepEqual([welded.before.components, welded.after.genus], [192, 1]);
   assert.deepEqual(json(["repair", near, "--weld", "off"]).changes, []);
+  // The default spelt out.
+  assert.deepEqual(json(["repair", near, "--weld", "auto"]).changes, welded.changes);
   assert.equal(json(["repair", apart]).after.closed, false);
   assert.equal(json(["repair", apart, "--weld", "0.01"]).after.closed, true);
   assert.deepEqual(kinds(json(["info", near]).repairs), [["Welded", 576 - 96]]);

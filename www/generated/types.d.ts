@@ -2000,7 +2000,7 @@ export type RemeshOptions = {
  */
 kind: Kind, 
 /**
- * Mean length of the edges; not together with `vertices`.
+ * Mean length of the edges between vertices that are not held; not together with `vertices`.
  */
 target: number | null, 
 /**

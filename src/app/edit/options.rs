@@ -4,7 +4,7 @@ use crate::flow::option::OptionError;
 use crate::remesh::adaptive::Kind;
 use crate::remesh::flips::reduction::Criterion;
 use crate::remesh::repair::Weld;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// Which loops are filled: a word, or their numbers, counted from 0; unless told otherwise the
 /// small ones.
@@ -67,7 +67,13 @@ pub struct FlipOptions {
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct RepairOptions {
     /// How near boundary vertices are welded.
+    #[serde(deserialize_with = "or_default")]
     pub weld: Weld,
+}
+
+/// The word of a default is read as null.
+fn or_default<'de, D: Deserializer<'de>>(given: D) -> Result<Weld, D::Error> {
+    Ok(Option::deserialize(given)?.unwrap_or_default())
 }
 
 /// How faces are divided into four.
@@ -98,7 +104,7 @@ pub struct SubdivideOptions {
 pub struct RemeshOptions {
     /// What decides how long edges are.
     pub kind: Kind,
-    /// Mean length of the edges; not together with `vertices`.
+    /// Mean length of the edges between vertices that are not held; not together with `vertices`.
     pub target: Option<f64>,
     /// Number of vertices; as many as there are if both are absent.
     pub vertices: Option<usize>,

@@ -77,7 +77,9 @@ impl Runner {
         let held: Vec<bool> = moves.iter().map(|moves| !moves).collect();
         options.check()?;
         let length = options.target;
-        let as_target = length.map(|length| adaptive::vertices_for(mesh, x, length));
+        let as_target = length
+            .map(|length| adaptive::vertices_for(mesh, x, &held, length))
+            .transpose()?;
         let as_asked = options.vertices.map(|vertices| vertices as f64);
         let wanted = as_asked.or(as_target).unwrap_or(x.len() as f64);
         if wanted > MAX_VERTICES as f64 || wanted.is_nan() {

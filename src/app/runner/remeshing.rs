@@ -102,11 +102,13 @@ impl Runner {
     /// Whether a pass may help where the flow has come to an end of its own.
     pub(super) fn can_pass_at(&self, decision: &Decision) -> Option<Kind> {
         let kind = self.passes()?;
-        let Decision::Stop(status, _) = decision else {
+        let Decision::Stop(status, why) = decision else {
             return None;
         };
         let helps = match status {
-            Status::Stalled | Status::Collapsed | Status::Singular => true,
+            // What has vanished is gone on any mesh.
+            Status::Singular => !why.is_of_vanishing(),
+            Status::Stalled | Status::Collapsed => true,
             // At rest on a worn mesh is no rest.
             Status::Converged => adaptive::is_due(self.triangles(), &self.x, kind, self.budget()),
             Status::Ready | Status::StepLimit | Status::Failed => false,

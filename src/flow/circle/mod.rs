@@ -233,6 +233,7 @@ impl Flow for CircleFlow {
             roundoff: ROUNDOFF_PER_VERTEX * counted,
             zero: FLOOR_PER_VERTEX * counted,
             can_vanish: false,
+            grows: false,
             ends_at_rest: self.options.goal == Goal::Relax,
             ends_when_idle: self.options.goal == Goal::Relax,
             long_dt: f64::INFINITY,

@@ -37,6 +37,12 @@ impl CurvatureFlow {
         self.forget();
     }
 
+    /// What is known of the positions.
+    pub(super) fn forget(&mut self) {
+        self.curvatures = None;
+        self.known = None;
+    }
+
     pub(super) fn own_learnt(&self) -> Learnt {
         Learnt {
             memory: self.own_memory(),

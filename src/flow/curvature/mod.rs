@@ -260,11 +260,6 @@ impl CurvatureFlow {
         let known = self.curvatures.take();
         known.unwrap_or_else(|| Curvatures::of(&self.mesh, x, &self.region))
     }
-
-    fn forget(&mut self) {
-        self.curvatures = None;
-        self.known = None;
-    }
 }
 
 impl Flow for CurvatureFlow {
@@ -316,6 +311,7 @@ impl Flow for CurvatureFlow {
                 }
             },
             can_vanish,
+            grows: false,
             ends_at_rest: true,
             ends_when_idle: self.descends(),
             long_dt: f64::INFINITY,

@@ -228,6 +228,13 @@ impl PWillmoreFlow {
     }
 }
 
+impl PWillmoreFlow {
+    /// ∫|H|^p goes with R^(2−p): for p > 2 there is always a larger surface with less of it.
+    fn grows(&self) -> bool {
+        self.options.p > 2.0 && !self.kept.any() && self.functional.helfrich().is_zero()
+    }
+}
+
 impl Flow for PWillmoreFlow {
     fn monitored(&self) -> Monitored {
         match self.options.p {
@@ -264,8 +271,9 @@ impl Flow for PWillmoreFlow {
                 f64::NEG_INFINITY
             },
             can_vanish,
+            grows: self.grows(),
             ends_at_rest: true,
-            ends_when_idle: true,
+            ends_when_idle: !self.grows(),
             long_dt: LONG_TAU * self.time_unit(),
         }
     }
@@ -348,6 +356,9 @@ impl Flow for PWillmoreFlow {
 
     /// The share of the energy that a step of τ = 0.1 would gain, over what it may.
     fn stationarity(&mut self, x: &[DVec3], cost: &mut Cost) -> Result<f64, FlowError> {
+        if self.grows() {
+            return Ok(f64::INFINITY);
+        }
         self.ensure_evaluated(x);
         let slope = match self.semi_implicit(x, REFERENCE_TAU * self.time_unit(), cost)? {
             Proposal::Move(step) => step.slope,

@@ -41,6 +41,9 @@ const ROUNDS: usize = 2;
 const MOST_ROUNDS: usize = 12;
 /// A mesh is done where a round splits and collapses fewer edges than this share of its vertices.
 const SETTLED: f64 = 0.01;
+/// A number of vertices that is missed by more than this share is aimed at anew, so many times.
+const MET: f64 = 0.03;
+const CORRECTIONS: usize = 4;
 
 /// The area of a mesh that is folded over is not that of its surface, and changes by more: it is not
 /// brought back.
@@ -163,14 +166,25 @@ pub fn remesh(
     let start = checked(mesh, x, held)?;
     let mut draft = start.clone();
     let mut counts = Counts::default();
-    for done in 1..=MOST_ROUNDS {
-        let before = counts.splits + counts.collapses;
-        round(&mut draft, kind, vertices, &mut counts);
-        interrupt::check().map_err(|_| RemeshError::Spoilt)?;
-        let changes = counts.splits + counts.collapses - before;
-        if done >= ROUNDS && is_settled(changes, draft.x.len()) {
+    let mut aim = vertices as f64;
+    let n_held = draft.held.iter().filter(|held| **held).count();
+    let free = |count: usize| count.saturating_sub(n_held).max(1) as f64;
+    for _ in 0..=CORRECTIONS {
+        for done in 1..=MOST_ROUNDS {
+            let before = counts.splits + counts.collapses;
+            round(&mut draft, kind, aim.round() as usize, &mut counts);
+            interrupt::check().map_err(|_| RemeshError::Spoilt)?;
+            let changes = counts.splits + counts.collapses - before;
+            if done >= ROUNDS && is_settled(changes, draft.x.len()) {
+                break;
+            }
+        }
+        // Edges that are neither split nor collapsed may all be short, or all long.
+        let excess = free(draft.x.len()) / free(vertices);
+        if (excess - 1.0).abs() < MET {
             break;
         }
+        aim = n_held as f64 + (aim - n_held as f64).max(1.0) / excess;
     }
     counts.flips += flip::to_delaunay(&mut draft);
     let area = measure::area(mesh, x);
@@ -190,9 +204,18 @@ pub fn remesh(
     finished(&start, draft, targets, counts)
 }
 
-/// The number of vertices of a mesh with edges of a mean length.
-pub fn vertices_for(mesh: &HalfedgeMesh, x: &[DVec3], length: f64) -> f64 {
-    size::even_count(measure::area(mesh, x), length)
+/// The number of vertices of a mesh with edges of a mean length, away from those that `held` marks and
+/// from boundaries, which all stay.
+///
+/// # Errors
+/// See [`RemeshError`].
+pub fn vertices_for(
+    mesh: &HalfedgeMesh,
+    x: &[DVec3],
+    held: &[bool],
+    length: f64,
+) -> Result<f64, RemeshError> {
+    Ok(size::count(&checked(mesh, x, held)?, length))
 }
 
 fn checked(mesh: &HalfedgeMesh, x: &[DVec3], held: &[bool]) -> Result<Draft, RemeshError> {

@@ -27,17 +27,28 @@ pub(super) fn even_length(area: f64, vertices: f64) -> f64 {
 }
 
 /// Number of vertices of equilateral triangles with edges of a length on an area.
-pub(super) fn even_count(area: f64, length: f64) -> f64 {
+fn even_count(area: f64, length: f64) -> f64 {
     area / (AREA_OF_VERTEX * length * length)
+}
+
+/// How many vertices are held, and the area of the others.
+fn held_and_free(draft: &Draft, areas: &[f64]) -> (usize, f64) {
+    let n_held = draft.held.iter().filter(|held| **held).count();
+    let free = areas.iter().zip(&draft.held).filter(|(_, held)| !**held);
+    (n_held, free.map(|(area, _)| area).sum())
+}
+
+/// Number of vertices with edges of a length between those that are not held.
+pub(super) fn count(draft: &Draft, length: f64) -> f64 {
+    let (n_held, free_area) = held_and_free(draft, &draft.areas());
+    n_held as f64 + even_count(free_area, length)
 }
 
 /// Wanted edge length at each vertex for `vertices` of them, the held ones included.
 pub(super) fn field(draft: &Draft, kind: Kind, vertices: usize) -> Vec<f64> {
     let areas = draft.areas();
-    let n_held = draft.held.iter().filter(|h| **h).count();
+    let (n_held, free_area) = held_and_free(draft, &areas);
     let budget = vertices.saturating_sub(n_held).max(1) as f64;
-    let free = areas.iter().zip(&draft.held).filter(|(_, held)| !**held);
-    let free_area: f64 = free.map(|(area, _)| area).sum();
     let even = even_length(free_area, budget);
     if kind == Kind::Isotropic {
         return vec![even; draft.x.len()];

@@ -62,6 +62,8 @@ read-empty = die Datei ist leer
     .hint = Prüfen Sie, ob der Export oder das Herunterladen zu Ende kam.
 read-unknown-format = `{ $name }` ist nicht als Netz zu erkennen
     .hint = Öffnen Sie eine Datei mit einer dieser Endungen: { $known }.
+read-required-extension = ohne seine Erweiterung { $name }, die hier unbekannt ist, kann das glTF nicht gelesen werden
+    .hint = Exportieren Sie die Fläche ohne sie oder als OBJ, PLY oder STL.
 read-unsupported = Dateien der Art { $what ->
     [vtk-data-set] VTK ohne polygonale Daten oder unstrukturiertes Gitter
     [vtk-compressor] VTK, anders als durch zlib komprimiert,
@@ -149,6 +151,7 @@ extra-data = Werte an Ecken und Zellen
 
 loss-moved = { $format } hat Koordinaten einfacher Genauigkeit: Das Netz wurde an den Ursprung verschoben, um ({ NUMBER($x, digits: 17) }, { NUMBER($y, digits: 17) }, { NUMBER($z, digits: 17) }). PLY, OBJ und OFF behalten seinen Ort.
 loss-polygons = { $format } kennt nur Dreiecke: Vielecke wurden zerlegt ({ $count }). PLY, OBJ und OFF behalten sie.
+loss-joined = { $format } kennt Ecken an ihrem Ort: Die am Ort einer anderen werden beim Lesen mit ihr vereint ({ $count }). PLY, OBJ, OFF und GLB halten sie auseinander.
 loss-colours = { $format } hat keinen Platz für Farben der Ecken: Sie wurden weggelassen. PLY, OBJ, OFF und GLB behalten sie.
 loss-colours-remeshed = Die Eckenfarben der Datei sind entfallen: Beim Neuvernetzen sind andere Ecken entstanden.
 

@@ -126,6 +126,7 @@ reason-flat-face = { $count ->
    *[other] { $count } Facetten, zuerst Facette { FACE($face) }, haben
 } keinen Flächeninhalt, und von dort führt kein Schritt weiter; eine Reparatur nimmt solche Facetten heraus
 reason-creeping = nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; { $advice }
+reason-grows-on = die Fläche ist auf das { $times }-fache ihres Inhalts gewachsen und wächst immer weiter: Ruhe gibt es nur, wenn Flächeninhalt oder Volumen beibehalten wird
 reason-worse-rest = der Fluss endet mit mehr Energie, als er unterwegs hatte; { $advice }
 reason-below-bound = jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft
 reason-unresolved = die Krümmungen dieser Dreiecke haben zusammen weniger Energie als jede glatte Fläche dieser Topologie, sodass sich kein Schritt an ihnen messen lässt; die Fläche ist, wie sie war, und ein Netz aus gleichmäßigen Dreiecken hilft oder der p-Willmore-Fluss
@@ -133,7 +134,7 @@ reason-vanishes = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) s
 reason-part-vanishes = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft ein Teil der Fläche zu einem Punkt nahe ({ $place })
 reason-vanishes-to-curve = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf eine Kurve; das Volumen beizubehalten verhindert das
 reason-pinched-neck = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schnürt sich bei Ecke { VERTEX($vertex) }, nahe ({ $place }), ein Hals ab; darüber hinaus hat der Fluss keine Lösung; { $advice }
-reason-sharp-tip = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) wird bei Ecke { VERTEX($vertex) }, nahe ({ $place }), eine Spitze zum Punkt; darüber hinaus hat der Fluss keine Lösung; { $advice }
+reason-sharp-tip = die Fläche ist bei Ecke { VERTEX($vertex) }, nahe ({ $place }), stärker gekrümmt, als ihre Dreiecke zeigen; { $advice }
 reason-no-flips = kein Flip senkt noch { $criterion ->
     [area] den Flächeninhalt
     [willmore] die Willmore-Energie

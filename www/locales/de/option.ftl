@@ -157,7 +157,7 @@ flips-guardFolds-help = { option-guardFolds-help }
 flips-max-help = höchstens so viele Flips
 
 remesh-kind-help = adaptive: kurze Kanten, wo sich die Fläche biegt; isotropic: lauter gleiche
-remesh-target-help = mittlere Länge der Kanten
+remesh-target-help = mittlere Länge der Kanten, abseits von Rändern, die bleiben
 remesh-vertices-help = Zahl der Ecken; so viele wie vorher, wenn keines von beiden gegeben ist
 
 bench-table-help = welche Tabelle

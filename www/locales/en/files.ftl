@@ -62,6 +62,8 @@ read-empty = the file is empty
     .hint = Check that the export or download finished.
 read-unknown-format = `{ $name }` is not recognised as a mesh
     .hint = Open a file that ends in one of these: { $known }.
+read-required-extension = the glTF file cannot be read without its extension { $name }, which is not known here
+    .hint = Export the surface without it, or as OBJ, PLY or STL.
 read-unsupported = { $what ->
     [vtk-data-set] VTK without polygonal data or an unstructured grid: such
     [vtk-compressor] VTK compressed by anything but zlib: such
@@ -149,6 +151,7 @@ extra-data = values at vertices and cells
 
 loss-moved = { $format } holds coordinates in single precision: the mesh was moved to the origin, by ({ NUMBER($x, digits: 17) }, { NUMBER($y, digits: 17) }, { NUMBER($z, digits: 17) }). PLY, OBJ and OFF keep its place.
 loss-polygons = { $format } holds triangles alone: polygons were cut ({ $count }). PLY, OBJ and OFF keep them.
+loss-joined = { $format } knows vertices by their places: those at the place of another are joined to it when the file is read ({ $count }). PLY, OBJ, OFF and GLB keep them apart.
 loss-colours = { $format } has no place for colours of vertices: they were left out. PLY, OBJ, OFF and GLB keep them.
 loss-colours-remeshed = The file’s vertex colours were dropped: remeshing has made other vertices.
 

@@ -129,6 +129,7 @@ reason-flat-face = { $count ->
    *[other] { $count } faces, the first of them face { FACE($face) }, have
 } no area, and no step leads on from there; a repair takes such faces out
 reason-creeping = only ever smaller steps lower the energy, which is not at rest; { $advice }
+reason-grows-on = the surface has grown to { $times } times its area, and grows for ever: there is no rest unless area or volume is kept
 reason-worse-rest = the flow ends with more energy than on the way; { $advice }
 reason-below-bound = any further step would have less energy than every smooth surface of this topology; the surface is the last good one; a finer or better mesh helps
 reason-unresolved = the curvatures of these triangles add up to less than every smooth surface of this topology has; the surface is as it was; even triangles help, or the p-Willmore flow
@@ -136,7 +137,7 @@ reason-vanishes = at about time { NUMBER($time, digits: 2) } ({ $clock }) the su
 reason-part-vanishes = at about time { NUMBER($time, digits: 2) } ({ $clock }) a part of the surface shrinks to a point near ({ $place })
 reason-vanishes-to-curve = at about time { NUMBER($time, digits: 2) } ({ $clock }) the surface shrinks to a curve; keeping the volume prevents that
 reason-pinched-neck = at about time { NUMBER($time, digits: 2) } ({ $clock }) a neck pinches off at vertex { VERTEX($vertex) }, near ({ $place }); the flow has no solution beyond it; { $advice }
-reason-sharp-tip = at about time { NUMBER($time, digits: 2) } ({ $clock }) a tip becomes a point at vertex { VERTEX($vertex) }, near ({ $place }); the flow has no solution beyond it; { $advice }
+reason-sharp-tip = the surface bends more at vertex { VERTEX($vertex) }, near ({ $place }), than its triangles show; { $advice }
 reason-no-flips = no flip lowers { $criterion ->
     [area] the area
     [willmore] the Willmore energy

@@ -157,7 +157,7 @@ flips-guardFolds-help = { option-guardFolds-help }
 flips-max-help = at most so many flips
 
 remesh-kind-help = adaptive edges are short where the surface bends, isotropic ones are equal
-remesh-target-help = mean length of the edges
+remesh-target-help = mean length of the edges, away from boundaries, which stay
 remesh-vertices-help = number of vertices; as many as there are if neither is given
 
 bench-table-help = which table
