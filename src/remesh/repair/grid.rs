@@ -41,16 +41,27 @@ impl Grid {
         self.cells.entry(self.cell(p)).or_default().push(name);
     }
 
-    /// Whatever is in the cubes that a box touches.
+    /// Whatever is in the cubes that a box touches, in no order: one by one, or if there are fewer, of
+    /// all cubes with something in them those that it touches.
     pub(super) fn near(&self, low: DVec3, high: DVec3) -> impl Iterator<Item = u32> + '_ {
         let (low, high) = (self.cell(low), self.cell(high));
         let range = move |axis: usize| low[axis]..=high[axis];
-        range(0)
-            .flat_map(move |i| range(1).map(move |j| (i, j)))
-            .flat_map(move |(i, j)| range(2).map(move |k| [i, j, k]))
-            .filter_map(|cell| self.cells.get(&cell))
-            .flatten()
-            .copied()
+        let count: f64 = (0..3)
+            .map(|axis| (high[axis] - low[axis] + 1) as f64)
+            .product();
+        let is_wide = count > self.cells.len() as f64;
+        let cubes = move || {
+            let pairs = range(0).flat_map(move |i| range(1).map(move |j| (i, j)));
+            pairs.flat_map(move |(i, j)| range(2).map(move |k| [i, j, k]))
+        };
+        let few = (!is_wide).then(cubes).into_iter().flatten();
+        let few = few.filter_map(|cell| self.cells.get(&cell));
+        let is_in = move |cell: &[i64; 3]| (0..3).all(|axis| range(axis).contains(&cell[axis]));
+        let all = is_wide.then(|| self.cells.iter()).into_iter().flatten();
+        let all = all
+            .filter(move |(cell, _)| is_in(cell))
+            .map(|(_, list)| list);
+        few.chain(all).flatten().copied()
     }
 
     /// The point nearest to a place, no farther than `near`.
@@ -61,5 +72,34 @@ impl Grid {
             .filter(|(distance, _)| *distance <= near)
             .min_by(|s, t| s.0.total_cmp(&t.0).then(s.1.cmp(&t.1)))
             .map(|(_, v)| v)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A box a million times as long as a cube would touch 10¹⁸ of them.
+    #[test]
+    fn a_box_finds_what_is_in_it_whatever_its_size() {
+        let x: Vec<DVec3> = (0..50)
+            .map(|i| DVec3::new(f64::from(i % 7), f64::from(i % 5), f64::from(i)))
+            .collect();
+        for size in [1e-6, 0.7, 3.0] {
+            let mut grid = Grid::new(size, &x);
+            for (v, p) in x.iter().enumerate() {
+                grid.insert(*p, v as u32);
+            }
+            let (low, high) = (DVec3::new(1.5, 0.5, 3.5), DVec3::new(5.5, 3.5, 40.5));
+            let is_in = |v: &u32| {
+                let p = x[*v as usize];
+                p.cmpge(low).all() && p.cmple(high).all()
+            };
+            let mut found: Vec<u32> = grid.near(low, high).filter(is_in).collect();
+            found.sort_unstable();
+            let all: Vec<u32> = (0..50).filter(is_in).collect();
+            assert!(all.len() > 5);
+            assert_eq!(found, all, "{size}");
+        }
     }
 }
