@@ -338,7 +338,12 @@ messages! {
             /// The first.
             first: Place,
         },
-        /// Bytes after the last triangle of an STL file.
+        /// Lines after what the header counts.
+        LinesLeft {
+            /// How many.
+            count: usize,
+        },
+        /// Bytes after the end of a binary mesh.
         BytesLeft {
             /// How many.
             count: u64,

@@ -122,6 +122,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     }
     let left = has_colours && !assembly.has_colours();
     let mut read = assembly.finish(Format::Off)?;
+    read.warnings.extend(lines.left());
     read.warnings.extend(Oddity::left_out(&[
         (Extra::Colours, left),
         (Extra::TextureCoordinates, has_texture),

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use glam::DVec3;
 
 use super::assembly::NO_PART;
-use super::{Expected, Format, Found, Place, ReadError};
+use super::{Expected, Format, Found, Oddity, Place, ReadError};
 use crate::interrupt;
 
 /// The text without its byte order mark, and whether it had to be brought from UTF-16.
@@ -95,6 +95,15 @@ impl<'a> Lines<'a> {
     /// Number of the last line read, from 1.
     pub(super) fn number(&self) -> usize {
         self.number
+    }
+
+    /// Lines that are left with something in them.
+    pub(super) fn left(&mut self) -> Option<Oddity> {
+        let mut count = 0;
+        while self.find(|words| words.clone().next().is_some()).is_some() {
+            count += 1;
+        }
+        (count > 0).then_some(Oddity::LinesLeft { count })
     }
 
     /// The next line that holds a word.

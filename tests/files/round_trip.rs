@@ -1,7 +1,7 @@
 //! What is written reads back as the same mesh, near and far, small and large.
 
 use glam::DVec3;
-use umbilic::io::{self, Format, Loss};
+use umbilic::io::{self, Format, Loss, Oddity};
 use umbilic::soup::PolygonSoup;
 
 /// A torus of quadrilaterals whose coordinates need all their digits.
@@ -114,5 +114,25 @@ fn vertices_that_stl_joins_are_told() {
             matches!(format, Format::Stl | Format::StlAscii),
             "{format:?}"
         );
+    }
+}
+
+/// What follows after what the header counts is told, and blank space is nothing.
+#[test]
+fn what_the_header_does_not_count_is_told() {
+    let soup = torus(0.0, 1.0);
+    for (format, more, oddity) in [
+        (
+            Format::PlyAscii,
+            "3 0 1 2\n\n3 0 1 3\n",
+            Oddity::LinesLeft { count: 2 },
+        ),
+        (Format::Off, "3 0 1 2\n", Oddity::LinesLeft { count: 1 }),
+        (Format::Ply, "abc", Oddity::BytesLeft { count: 3 }),
+    ] {
+        let bytes = io::write(&soup, format, "").unwrap();
+        let read = |more: &str| io::read(&[&bytes, more.as_bytes()].concat(), "").unwrap();
+        assert_eq!(read(more).warnings, [oddity], "{format:?}");
+        assert_eq!(read(" \n\n").warnings, [], "{format:?}");
     }
 }

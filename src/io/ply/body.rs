@@ -2,7 +2,7 @@
 
 use super::super::binary::{Cursor, Scalar};
 use super::super::text::{Lines, Words};
-use super::super::{Expected, Format, Place, ReadError};
+use super::super::{Expected, Format, Oddity, Place, ReadError};
 use super::header::{Element, Header};
 
 /// Values of an element's records, in the header's order.
@@ -28,6 +28,9 @@ pub(super) trait Body {
 
     /// Steps over so many values.
     fn skip(&mut self, scalar: Scalar, count: u64) -> Result<(), ReadError>;
+
+    /// What is left after the last record.
+    fn left(&mut self) -> Option<Oddity>;
 }
 
 /// A body in text: a record a line.
@@ -91,6 +94,10 @@ impl Body for Text<'_> {
         }
         Ok(())
     }
+
+    fn left(&mut self) -> Option<Oddity> {
+        self.lines.left()
+    }
 }
 
 /// A body in binary, big or little endian.
@@ -121,6 +128,12 @@ impl Body for Binary<'_> {
         // lists this is the least, and each list is checked on its own.
         self.0.check(element.count.saturating_mul(size as u64))?;
         checked(element, u64::MAX)
+    }
+
+    fn left(&mut self) -> Option<Oddity> {
+        let left = self.0.left().trim_ascii_start();
+        let count = left.len() as u64;
+        (count > 0).then_some(Oddity::BytesLeft { count })
     }
 
     fn begin(&mut self, _: Expected) -> Result<(), ReadError> {

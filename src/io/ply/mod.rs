@@ -62,6 +62,7 @@ fn read_body(header: &Header, mut body: impl Body) -> Result<Read, ReadError> {
         }
     }
     let mut read = assembly.finish(header.format)?;
+    read.warnings.extend(body.left());
     read.warnings.extend(Oddity::left_out(&[
         (Extra::Colours, header.has(Role::OtherColour)),
         (Extra::TextureCoordinates, header.has(Role::Texture)),

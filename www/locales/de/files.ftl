@@ -121,9 +121,13 @@ oddity-transcoded = Der Text ist UTF-16; so wurde er gelesen.
 oddity-other-ending = Der Name endet auf .{ $ending }, der Inhalt ist { $format }.
 oddity-short-faces = Facetten mit weniger als drei Ecken wurden weggelassen: { $count }, zuerst bei { $first }.
 oddity-other-lines = Zeilen, die nicht zu einem Polygonnetz gehören, wurden übergangen: { $count }, zuerst bei { $first }.
+oddity-lines-left = { $count ->
+    [one] { $count } Zeile nach dem, was der Kopf zählt, blieb
+   *[other] { $count } Zeilen nach dem, was der Kopf zählt, blieben
+} unbeachtet.
 oddity-bytes-left = { $count ->
-    [one] { $count } Byte nach dem letzten Dreieck blieb
-   *[other] { $count } Bytes nach dem letzten Dreieck blieben
+    [one] { $count } Byte nach dem Ende des Netzes blieb
+   *[other] { $count } Bytes nach dem Ende des Netzes blieben
 } unbeachtet.
 oddity-no-end = Der letzte Körper hat kein Ende; vielleicht bricht die Datei ab.
 oddity-uncounted = Der Kopf zählt { $announced ->

@@ -121,9 +121,13 @@ oddity-transcoded = The text is UTF-16; it was read as such.
 oddity-other-ending = The name ends in .{ $ending }, the contents are { $format }.
 oddity-short-faces = Faces of fewer than three corners were dropped: { $count }, the first at { $first }.
 oddity-other-lines = Lines that are no part of a polygon mesh were skipped: { $count }, the first at { $first }.
+oddity-lines-left = { $count ->
+    [one] { $count } line after what the header counts was
+   *[other] { $count } lines after what the header counts were
+} left aside.
 oddity-bytes-left = { $count ->
-    [one] { $count } byte after the last triangle was
-   *[other] { $count } bytes after the last triangle were
+    [one] { $count } byte after the end of the mesh was
+   *[other] { $count } bytes after the end of the mesh were
 } left aside.
 oddity-no-end = The last solid has no end; the file may be cut short.
 oddity-uncounted = The header counts { $announced ->
