@@ -112,11 +112,18 @@ impl Runner {
         let (folding, steps) = (folding.count(), reports.len());
         // The count of steps says more than the faces of any one of them.
         let of_steps = reports.iter().flat_map(|report| &report.warnings);
-        // Nor does it matter what a mesh was like that has been made another since.
+        // Nor does it matter what a mesh was like that has been made another since, or who took the steps.
         let is_passing = |warning: &&Warning| {
             matches!(
                 warning,
-                Warning::FoldedFaces { .. } | Warning::Untrusted { .. }
+                Warning::FoldedFaces { .. }
+                    | Warning::Untrusted { .. }
+                    | Warning::NearSphere
+                    | Warning::AwayFromSphere
+                    | Warning::LittleGain
+                    | Warning::NoGain
+                    | Warning::ExactHalt
+                    | Warning::AnotherRound
             )
         };
         let others = of_steps.filter(|warning| !is_passing(warning));

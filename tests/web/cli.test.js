@@ -323,7 +323,10 @@ test("flow: readings that cannot be believed are said to be so", async () => {
   assert.match(out, /^warning: Not to be trusted: .*curvature times edge 2, .*normals 0\.2, /m);
   assert.match(out, /^soundness\.isSound +false$/m);
   const { json } = await umbilic([...line, "--json"], told());
-  assert.deepEqual([json().soundness, json().warningIds], [soundness, ["warning-untrusted"]]);
+  assert.deepEqual(
+    [json().soundness, json().warningIds],
+    [soundness, ["warning-slivers", "warning-untrusted"]],
+  );
 });
 
 test("flow: a numerical failure ends with 4 and keeps the last good state", async () => {

@@ -119,11 +119,13 @@ export const flow = {
     const initial = readings();
     const { steps, outcome, exit } = runSteps(perform, io);
     const { monitored, curvatureJump, soundness } = outcome;
-    const warnings = outcome.warnings.filter(({ id }) => id === "warning-untrusted");
+    // Of what its steps warned of; how it ended is said already.
+    const warnings = outcome.warnings.filter(({ id }) => id.startsWith("warning-"));
     const result = {
       ...ended(outcome),
       ...{ monitored, steps: steps.map(inWords), initial, final: readings() },
-      ...(soundness && { soundness, ...inWords({ warnings }) }),
+      ...(soundness && { soundness }),
+      ...inWords({ warnings }),
       ...(byCurvature.includes(asked.flow) && { curvatureJump }),
     };
     const history = () => perform("history");
