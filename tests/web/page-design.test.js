@@ -158,7 +158,7 @@ for (const [width, height] of [
     assert.ok(free >= 0.8 * stage.height, `${free} of ${stage.width} px`);
     const picture = await canvas(page).boundingBox();
     assert.ok(picture && picture.x + picture.width / 2 > card.x + card.width);
-    await button(page, "Play").click();
+    await button(page, "Play: Watch it flow").click();
     await until(page, /^Converged/);
     assert.deepEqual(await hidden(page, ".play, .energy, .curve .plot"), []);
     await close();

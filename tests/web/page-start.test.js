@@ -45,8 +45,8 @@ test("the page has its words before those that are fetched later", async () => {
   const ids = messages();
   assert.ok(ids.size > 500, String(ids.size));
   for (const [locale, query, button] of [
-    ["en", "msaa=1", "Play"],
-    ["de", "msaa=1", "Abspielen"],
+    ["en", "msaa=1", "Play: Watch it flow"],
+    ["de", "msaa=1", "Abspielen: Fließen lassen"],
     ["en", "msaa=1&embed", "Full page"],
   ]) {
     const { page, faults, close } = await site.blank({ locale });

@@ -91,7 +91,7 @@ test("at 400 % a flow is played and a mesh is opened", async () => {
   const { page, faults, close } = await site.blank(zoomed);
   await page.goto(`${site.url}?msaa=1`);
   await until(page, "Ready");
-  await press(button(page, "Play"));
+  await press(button(page, "Play: Watch it flow"));
   await page.waitForFunction(() =>
     /step [1-9]/.test(document.querySelector("#surface")?.ariaLabel ?? ""),
   );

@@ -41,7 +41,7 @@ test("the site opens in any folder and asks no other host for anything", async (
       if (!ours) foreign.push(request.url());
     });
     await page.goto(server.url);
-    await page.getByRole("button", { name: "Play" }).waitFor();
+    await page.getByRole("button", { name: "Play: Watch it flow" }).waitFor();
     await page.waitForLoadState("networkidle");
     assert.deepEqual(foreign, []);
     assert.deepEqual(faults, []);

@@ -142,7 +142,7 @@ async function firstVisit(engine, url) {
 
 /** @param {Engine} engine */
 async function toTheEnd(engine) {
-  await press(engine, "Play");
+  await press(engine, "Play: Watch it flow");
   for (const speed of ["1×", "2×"]) await press(engine, `Speed ${speed}`);
   await untangled(engine);
   const places = await engine.evaluate(`(async () => {
