@@ -106,7 +106,7 @@ test("a file with a slit is repaired by its button, and Undo brings the slit bac
   const before = await reading(page, "Vertices");
   await openTab(page, "Surface");
   await button(page, "Repair").click();
-  await until(page, "Ready");
+  await page.getByRole("button", { name: /^Undo the repair/ }).waitFor();
   assert.equal(await reading(page, "Vertices"), "288");
   await openTab(page, "Surface");
   assert.equal(await button(page, "Repair").count(), 0, "nothing is left to repair");
