@@ -125,7 +125,8 @@ export const flow = {
       ...ended(outcome),
       ...{ monitored, steps: steps.map(inWords), initial, final: readings() },
       ...(soundness && { soundness }),
-      ...inWords({ warnings }),
+      // Those who read the result rely on its keys.
+      ...((soundness || warnings.length > 0) && inWords({ warnings })),
       ...(byCurvature.includes(asked.flow) && { curvatureJump }),
     };
     const history = () => perform("history");
