@@ -19,7 +19,7 @@ use glam::DVec3;
 /// at which it is about to, where no step is accepted any more.
 const VANISHED: f64 = 1e-3;
 const VANISHING: f64 = 0.1;
-/// And at which one that grows without end has shown that.
+/// Times the start's area at which a surface that grows without end has shown that.
 const GROWN: f64 = 100.0;
 /// What vanishes and is still as long as this share of what it was has become no point.
 const STILL_LONG: f64 = 0.3;
@@ -285,8 +285,8 @@ deferred! {
 }
 
 deferred! {
-    /// What has become singular of a surface the rest of which is there: one of several parts that has
-    /// shrunk to a point, or a neck or a tip thinner than the mesh can show.
+    /// What has become singular of a surface the rest of which is there, one of several parts that has
+    /// shrunk to a point or a neck thinner than the mesh can show; or a tip of which that cannot be told.
     fn singularity(driver: &Driver, x: &[DVec3]) -> Option<Decision> {
         let (time, clock) = (driver.run.time, driver.flow.clock());
         if let Some(place) = shrunken_part(&driver.mesh, &driver.start.x, x, VANISHED) {
@@ -305,7 +305,7 @@ deferred! {
             ..
         } = sharpest(&driver.mesh, x)?;
         let then = sharpest(&driver.mesh, &driver.start.x).map_or(0.0, |found| found.bend);
-        // A surface that can vanish becomes round, and bends so nowhere.
+        // What shrinks by its area is drawn straight: it is the mesh that bends so.
         let is_low = is_neck || driver.flow.rules().can_vanish;
         let least = if is_low { NARROW } else { UNDER_RESOLVED };
         if bend < least || bend < SHARPENED * then || !driver.flow.is_free(vertex as usize) {
@@ -314,10 +314,6 @@ deferred! {
         // All around, as the sharpest vertex itself may lie on any side of it.
         let middle = ring.iter().map(|v| x[*v as usize]).sum::<DVec3>() / ring.len() as f64;
         let place = middle.to_array();
-        let advice = match clock {
-            Clock::Own => driver.flow.advice(),
-            _ => Advice::KeepVolume,
-        };
         if !is_neck {
             // Of a tip a mesh does not tell whether the flow draws it to a point.
             let advice = driver.flow.advice();
@@ -328,6 +324,10 @@ deferred! {
             };
             return Some(Decision::Stop(Status::Stalled, why));
         }
+        let advice = match clock {
+            Clock::Own => driver.flow.advice(),
+            _ => Advice::KeepVolume,
+        };
         let why = Reason::PinchedNeck {
             time,
             clock,

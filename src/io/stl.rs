@@ -189,7 +189,7 @@ pub(super) fn moved_by(soup: &PolygonSoup) -> Option<DVec3> {
     (centre != DVec3::ZERO).then_some(-centre)
 }
 
-/// How many vertices are at the place of another, as a file has it, where it knows no other name of them.
+/// How many vertices a file puts at the place of another, which readers take for the same.
 pub(super) fn joined(soup: &PolygonSoup, format: Format) -> usize {
     let shift = moved_by(soup).unwrap_or(DVec3::ZERO);
     // Nothing added to -0 is 0.

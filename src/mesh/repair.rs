@@ -147,8 +147,8 @@ pub(super) fn split_vertices(
     origin
 }
 
-/// Drops components that have no area at all, by their own size and not by that of others: they are debris, and no curvature is
-/// defined anywhere on them.
+/// Drops components that have no area at all, by their own size and not by that of others: they are
+/// debris, and no curvature is defined anywhere on them.
 pub(super) fn drop_flat_components(
     soup: &mut PolygonSoup,
     sides: &[Side],

@@ -167,18 +167,10 @@ pub fn remesh(
     let mut draft = start.clone();
     let mut counts = Counts::default();
     let mut aim = vertices as f64;
-    let n_held = draft.held.iter().filter(|held| **held).count();
+    let n_held = size::held(&draft);
     let free = |count: usize| count.saturating_sub(n_held).max(1) as f64;
     for _ in 0..=CORRECTIONS {
-        for done in 1..=MOST_ROUNDS {
-            let before = counts.splits + counts.collapses;
-            round(&mut draft, kind, aim.round() as usize, &mut counts);
-            interrupt::check().map_err(|_| RemeshError::Spoilt)?;
-            let changes = counts.splits + counts.collapses - before;
-            if done >= ROUNDS && is_settled(changes, draft.x.len()) {
-                break;
-            }
-        }
+        settle(&mut draft, kind, aim.round() as usize, &mut counts)?;
         // Edges that are neither split nor collapsed may all be short, or all long.
         let excess = free(draft.x.len()) / free(vertices);
         if (excess - 1.0).abs() < MET {
@@ -231,6 +223,25 @@ fn checked(mesh: &HalfedgeMesh, x: &[DVec3], held: &[bool]) -> Result<Draft, Rem
     } else {
         Err(RemeshError::AllHeld)
     }
+}
+
+/// Rounds until there is little to change.
+fn settle(
+    draft: &mut Draft,
+    kind: Kind,
+    vertices: usize,
+    counts: &mut Counts,
+) -> Result<(), RemeshError> {
+    for done in 1..=MOST_ROUNDS {
+        let before = counts.splits + counts.collapses;
+        round(draft, kind, vertices, counts);
+        interrupt::check().map_err(|_| RemeshError::Spoilt)?;
+        let changes = counts.splits + counts.collapses - before;
+        if done >= ROUNDS && is_settled(changes, draft.x.len()) {
+            break;
+        }
+    }
+    Ok(())
 }
 
 fn round(draft: &mut Draft, kind: Kind, vertices: usize, counts: &mut Counts) {

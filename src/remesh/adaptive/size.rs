@@ -31,25 +31,27 @@ fn even_count(area: f64, length: f64) -> f64 {
     area / (AREA_OF_VERTEX * length * length)
 }
 
-/// How many vertices are held, and the area of the others.
-fn held_and_free(draft: &Draft, areas: &[f64]) -> (usize, f64) {
-    let n_held = draft.held.iter().filter(|held| **held).count();
+/// How many vertices are held.
+pub(super) fn held(draft: &Draft) -> usize {
+    draft.held.iter().filter(|held| **held).count()
+}
+
+/// The area of those that are not.
+fn free_area(draft: &Draft, areas: &[f64]) -> f64 {
     let free = areas.iter().zip(&draft.held).filter(|(_, held)| !**held);
-    (n_held, free.map(|(area, _)| area).sum())
+    free.map(|(area, _)| area).sum()
 }
 
 /// Number of vertices with edges of a length between those that are not held.
 pub(super) fn count(draft: &Draft, length: f64) -> f64 {
-    let (n_held, free_area) = held_and_free(draft, &draft.areas());
-    n_held as f64 + even_count(free_area, length)
+    held(draft) as f64 + even_count(free_area(draft, &draft.areas()), length)
 }
 
 /// Wanted edge length at each vertex for `vertices` of them, the held ones included.
 pub(super) fn field(draft: &Draft, kind: Kind, vertices: usize) -> Vec<f64> {
     let areas = draft.areas();
-    let (n_held, free_area) = held_and_free(draft, &areas);
-    let budget = vertices.saturating_sub(n_held).max(1) as f64;
-    let even = even_length(free_area, budget);
+    let budget = vertices.saturating_sub(held(draft)).max(1) as f64;
+    let even = even_length(free_area(draft, &areas), budget);
     if kind == Kind::Isotropic {
         return vec![even; draft.x.len()];
     }
