@@ -420,3 +420,23 @@ fn polygons_that_share_two_sides_are_cut_apart() {
         assert!(built.repairs.is_empty(), "{:?}", built.repairs);
     }
 }
+
+/// A part is flat by its own size: neither a vertex far away that no face uses nor a part ten million
+/// times as large makes it nothing.
+#[test]
+fn a_small_part_is_no_flat_one() {
+    let ball = sample("octahedron");
+    let mut soup = ball.clone();
+    soup.positions.push(DVec3::X * 1e10);
+    assert_eq!(build(&soup).expect("a ball").repairs.len(), 1);
+    let n = soup.positions.len() as u32;
+    let small = ball.positions.iter().map(|p| DVec3::splat(3.0) + 1e-7 * *p);
+    soup.positions.extend(small);
+    for face in ball.faces() {
+        let face: Vec<u32> = face.iter().map(|v| v + n).collect();
+        soup.push_face(&face);
+    }
+    let built = build(&soup).expect("two balls");
+    assert_eq!(built.mesh.n_faces(), 2 * ball.n_faces());
+    assert_eq!(built.repairs, [Repair::UnusedVertices { count: 1 }]);
+}

@@ -6,9 +6,9 @@ use std::rc::Rc;
 use umbilic::app::Session;
 use umbilic::energy::circle::Boundary;
 use umbilic::flow::options::{FlowName, FlowOptions, Goal, Integrator, Scheme};
-use umbilic::flow::{Reason, Status};
+use umbilic::flow::{Reason, Status, Warning};
 use umbilic::io::{self, Format};
-use umbilic::message::Value;
+use umbilic::message::{Say, Value};
 
 fn with(name: &str, values: &[(&str, f64)]) -> Session {
     let mut session = Session::new();
@@ -579,4 +579,26 @@ fn the_boundary_is_clamped_or_held_as_the_flow_has_it() {
     assert_eq!(free(FlowName::Mmcv, None), 81);
     assert_eq!(free(FlowName::Circle, Some(Boundary::Fixed)), 81);
     assert_eq!(free(FlowName::Mmcv, Some(Boundary::Clamped)), 49);
+}
+
+/// What is told at the end is of the surface, and not of who took the steps.
+#[test]
+fn a_run_ends_with_what_its_steps_warned_of() {
+    let values = [("around", 20.0), ("tube", 20.0)];
+    let options = FlowOptions {
+        max_steps: Some(30),
+        ..FlowOptions::default()
+    };
+    let mut session = crate::support::session::with("clifford-torus", &values, options);
+    while !session.state().expect("a state").status.is_final() {
+        session.step().expect("a step");
+    }
+    let mut steps = Vec::new();
+    for report in session.reports().expect("reports") {
+        steps.extend(report.warnings.iter().map(Warning::message));
+    }
+    assert!(steps.iter().any(|told| &*told.id == "warning-little-gain"));
+    let end = session.outcome().expect("an outcome").warnings;
+    let end: Vec<&str> = end.iter().map(|told| &*told.id).collect();
+    assert_eq!(end, ["warning-reading-rose"]);
 }
