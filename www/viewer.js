@@ -8,6 +8,7 @@ import { fault, say } from "./words.js";
 
 /**
  * @typedef {Pick<import("./generated/types.js").Loaded, "positions" | "triangles" | "wireEdges" | "boundaryEdges">} Drawable
+ * @typedef {import("./generated/types.js").Up} Up
  * @typedef {import("./store.js").Field} Field
  * @typedef {import("./words.js").Fault} Fault
  * @typedef {import("./pkg/viewer/viewer.js").Viewer} WasmViewer
@@ -16,8 +17,7 @@ import { fault, say } from "./words.js";
 /**
  * `cut` is a share; with `inside`, back and front are told apart of a closed surface too, as one
  * that passes through itself shows both; `lineWidth` is of an edge, in CSS pixels. `effects` are
- * darkened corners and a shadow: by itself what the device has time for, and nothing where it draws
- * in software.
+ * darkened corners and a shadow: by itself what the device has time for, at rest more than in motion.
  * @typedef {Partial<Pick<import("./store.js").View, "shading" | "wireframe" | "boundary" | "cut" | "contrast">
  *   & { inside: boolean, theme: "light" | "dark", lineWidth: number, effects: "auto" | "always" | "never" }>} Style
  */
@@ -41,6 +41,9 @@ import { fault, say } from "./words.js";
  * @property {boolean} isStraight    whether vertices move to it at constant velocity, instead
  *   of along smooth curves
  */
+
+/** Milliseconds without another picture after which one is taken to stay. */
+const STILL = 200;
 
 /** How near to an edge a click counts, in CSS pixels. */
 const CLICK_REACH = 12;
@@ -69,6 +72,12 @@ export class SurfaceView {
   #renderer = null;
   /** @type {number | null} the animation frame asked for */
   #frame = null;
+  /** @type {ReturnType<typeof setTimeout> | undefined} the wait for rest */
+  #rest;
+  /** Whether the next picture is one at rest. */
+  #isSettled = false;
+  /** @type {Up} */
+  #up = "y";
   #cameraMoved = false;
   #isResting = false;
   #attempts = 0;
@@ -119,19 +128,22 @@ export class SurfaceView {
   /**
    * Shows another mesh, without field and marks.
    * @param {Drawable} mesh
-   * @param {boolean} [isSame]  a mesh of the same surface is seen from where the camera stands,
-   *   another one from the standard direction
+   * @param {Up | null} up  the axis that points up, seen from the standard direction; null: a mesh of
+   *   the same surface, seen from where the camera stands
    */
-  setMesh({ positions, triangles, wireEdges, boundaryEdges }, isSame = false) {
-    const set = isSame ? "replaceMesh" : "setMesh";
-    this.change((viewer) => viewer[set](positions, triangles, wireEdges, boundaryEdges));
+  setMesh({ positions, triangles, wireEdges, boundaryEdges }, up) {
+    this.change((viewer) => {
+      viewer.setMesh(positions, triangles, wireEdges, boundaryEdges);
+      if (up) this.#up = up;
+      if (up) viewer.home(up === "z");
+    });
   }
 
   /** Shows the first sample, before there is a solver to make it. */
   setFirst() {
     const none = new Uint32Array();
     const first = this.#renderer?.module.firstSurface();
-    if (first) this.setMesh({ ...first, wireEdges: none, boundaryEdges: none });
+    if (first) this.setMesh({ ...first, wireEdges: none, boundaryEdges: none }, "y");
   }
 
   /**
@@ -231,6 +243,7 @@ export class SurfaceView {
 
   /** The picture as a PNG, as large as it is on screen. */
   async snapshot() {
+    this.#viewer?.settle();
     this.#redrawn();
     /** @type {Blob | null} */
     const blob = await new Promise((resolve) => this.#drawnOn.toBlob(resolve));
@@ -248,6 +261,12 @@ export class SurfaceView {
     context.drawImage(this.#drawnOn, x, y, width, height);
   }
 
+  /** The picture as it is at rest. */
+  #settle = () => {
+    this.#isSettled = this.#viewer?.settle() ?? false;
+    if (this.#isSettled) this.#redraw();
+  };
+
   /** A picture that can be read in this task: what is on the screen may be gone from the canvas. */
   #redrawn() {
     this.#viewer?.invalidate();
@@ -261,6 +280,7 @@ export class SurfaceView {
 
   /** Lets go of canvas, listeners and graphics memory. */
   destroy() {
+    clearTimeout(this.#rest);
     this.#listening.abort();
     this.#observer.disconnect();
     this.#release(this.#viewer);
@@ -366,6 +386,9 @@ export class SurfaceView {
     this.#frame ??= requestAnimationFrame((now) => {
       this.#frame = null;
       if (this.#draw()) {
+        clearTimeout(this.#rest);
+        if (!this.#isSettled) this.#rest = setTimeout(this.#settle, STILL);
+        this.#isSettled = false;
         // A device that cannot follow holds up the next frame of the display.
         requestAnimationFrame((next) => {
           if (this.#viewer?.recordFrame(next - now)) this.#redraw();
@@ -387,7 +410,8 @@ export class SurfaceView {
   #move = (name, ...values) => {
     if (name === "orbit" && this.#isResting) return;
     this.change((viewer) => {
-      /** @type {any} */ (viewer)[name](...values);
+      if (name === "home") viewer.home(this.#up === "z");
+      else /** @type {any} */ (viewer)[name](...values);
       this.#cameraMoved = true;
     });
   };

@@ -9,9 +9,10 @@ use super::repairs::{Memo, Mended, RepairItem, preview};
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
 use crate::geometry::quality::flat_triangles;
+use crate::geometry::upright::stands_along_z;
 use crate::interrupt;
 use crate::io::Read;
-use crate::mesh::shape::Sample;
+use crate::mesh::shape::{Sample, Up};
 use crate::mesh::{self, Built, HalfedgeMesh};
 use crate::message::{Message, Say};
 use crate::operator::Elements;
@@ -51,6 +52,8 @@ pub(super) struct Document {
     pub(super) fixed: Option<Vec<u32>>,
     /// See `fixed`.
     pub(super) free: Option<Vec<u32>>,
+    /// Which way up it is looked at.
+    pub(super) up: Up,
 }
 
 /// What a file has.
@@ -73,7 +76,7 @@ impl Opened {
         let warnings = read.warnings.into_iter().map(Message::from).collect();
         let colours = Colours::of(&read.soup, &built.soup_vertex);
         let numbers = Numbers::of(&read.soup, first, &built);
-        let document = Document::of_built(stem(file_name), built, warnings)?;
+        let document = Document::of_built(stem(file_name), built, warnings)?.upright();
         Ok(Self::Surface(Document {
             colours,
             numbers,
@@ -92,7 +95,7 @@ impl Document {
             repairs: Vec::new(),
             ..built
         };
-        let document = Self::of_built(stem(file_name), told, warnings)?;
+        let document = Self::of_built(stem(file_name), told, warnings)?.upright();
         Ok(Self {
             repaired: items,
             colours: Colours::of(&read.soup, &were),
@@ -102,6 +105,13 @@ impl Document {
             },
             ..document
         })
+    }
+
+    /// As a file's surface is looked at: files do not say which way is up.
+    fn upright(self) -> Self {
+        let stands = stands_along_z(&self.triangles, &self.start);
+        let up = if stands { Up::Z } else { Up::Y };
+        Self { up, ..self }
     }
 
     /// From a sample shape.
@@ -114,6 +124,7 @@ impl Document {
         Ok(Self {
             fixed: sample.fixed,
             free: sample.free,
+            up: sample.up,
             ..document
         })
     }
@@ -157,6 +168,7 @@ impl Document {
             mended: Memo::default(),
             fixed: None,
             free: None,
+            up: Up::default(),
         };
         Ok(document.with_shape_warnings())
     }

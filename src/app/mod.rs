@@ -142,6 +142,8 @@ pub struct Loaded {
     pub free: Option<TypedArray<u32>>,
     /// What a repair changed to make this of what was there before.
     pub repaired: Vec<RepairItem>,
+    /// Which way up it is looked at.
+    pub up: shape::Up,
 }
 
 impl Loaded {
@@ -160,6 +162,7 @@ impl Loaded {
             fixed: document.fixed.clone().map(TypedArray),
             free: document.free.clone().map(TypedArray),
             repaired: document.repaired.clone(),
+            up: document.up,
         }
     }
 }

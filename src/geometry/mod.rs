@@ -15,3 +15,4 @@ pub mod parts;
 pub mod quality;
 pub mod self_intersection;
 pub mod survey;
+pub mod upright;

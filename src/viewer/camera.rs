@@ -101,7 +101,7 @@ impl Default for Camera {
             cut: 0.0,
             follows: true,
         };
-        camera.home();
+        camera.home(false);
         camera
     }
 }
@@ -140,10 +140,17 @@ impl Camera {
         self.follows = true;
     }
 
-    /// Fits from the standard direction: a little from the right and from above, y up.
-    pub fn home(&mut self) {
-        self.up = Vec3::Y;
-        self.world_from_view = Quat::from_rotation_y(0.5) * Quat::from_rotation_x(-0.42);
+    /// Fits from the standard direction, a little from the left and from above: where z is up more
+    /// from above than where y is, as what lies flat is seen best so.
+    pub fn home(&mut self, is_z_up: bool) {
+        let (up, upright, elevation) = if is_z_up {
+            (Vec3::Z, Quat::from_rotation_x(FRAC_PI_2), 0.63)
+        } else {
+            (Vec3::Y, Quat::IDENTITY, 0.42)
+        };
+        self.up = up;
+        self.world_from_view =
+            upright * Quat::from_rotation_y(-0.55) * Quat::from_rotation_x(-elevation);
         self.fit();
     }
 
@@ -345,7 +352,7 @@ mod tests {
         let mut camera = Camera::default();
         camera.resize(width, height);
         camera.set_bounds(Sphere { center, radius });
-        camera.home();
+        camera.home(false);
         camera
     }
 
@@ -371,6 +378,21 @@ mod tests {
             let mut camera = before.clone();
             camera.face(none);
             assert_eq!(camera, before);
+        }
+    }
+
+    #[test]
+    fn a_surface_is_seen_upright_from_in_front_and_above_by_either_axis() {
+        let mut camera = looking_at(Vec3::ZERO, 1.0, SIZES[0]);
+        for (is_z_up, up, front) in [(false, Vec3::Y, Vec3::Z), (true, Vec3::Z, Vec3::NEG_Y)] {
+            camera.home(is_z_up);
+            let top = pixel(&camera, 0.5 * up);
+            let foot = pixel(&camera, -0.5 * up);
+            assert!(
+                (top.x - foot.x).abs() < 1e-3 && top.y < foot.y - 100.0,
+                "upright"
+            );
+            assert!(camera.eye().dot(up) > 0.3 && camera.eye().dot(front) > 0.3);
         }
     }
 

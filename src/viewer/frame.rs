@@ -228,7 +228,7 @@ mod tests {
         let mut camera = Camera::default();
         camera.resize(640, 400);
         camera.set_bounds(drawing.bounds());
-        camera.home();
+        camera.home(false);
         turn(&mut camera);
         let style = Style::default();
         let frame = Frame::new(&camera, drawing, &style, None, effects, (640, 400));

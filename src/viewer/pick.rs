@@ -116,7 +116,7 @@ mod tests {
         let mut camera = Camera::default();
         camera.resize(640, 360);
         camera.set_bounds(drawing.bounds());
-        camera.home();
+        camera.home(false);
         camera.orbit(40.0, -25.0);
         for (s, r) in [(0.2, 0.3), (0.7, 0.1), (0.1, 0.8)] {
             let [a, b, c] = [0, 3, 6].map(|i| Vec3::from_slice(&positions[i..]));

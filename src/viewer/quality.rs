@@ -1,13 +1,14 @@
 //! How much is drawn beyond surface and lines: what the device has time for.
 //!
 //! Darkened corners and a shadow help the eye, but a picture that stutters does not. Frames
-//! are timed; where they take too long, the dearer effect is given up first. Nothing comes
-//! back by itself: switching to and fro would be seen more than either.
+//! are timed; where they take too long, the dearer effect is given up first, for as long as
+//! anything moves: a picture at rest has the time. Nothing else comes back by itself, as switching
+//! to and fro would be seen more than either.
 
 /// What the page asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wish {
-    /// What the device has time for; nothing where it draws in software.
+    /// What the device has time for: in software corners only at rest.
     #[default]
     Auto,
     /// All of it, however long it takes.
@@ -30,6 +31,8 @@ pub enum Effects {
 /// Milliseconds from one frame of the display to the next beyond which pictures stutter: of
 /// sixty frames a second, every other is missed.
 const BUDGET: f32 = 25.0;
+/// The same of a device that draws in software, where the shadow is a tenth of the picture.
+const SOFTWARE_BUDGET: f32 = 250.0;
 /// Pictures that are looked at together.
 const PICTURES: usize = 12;
 
@@ -37,18 +40,21 @@ const PICTURES: usize = 12;
 #[derive(Clone, Debug)]
 pub struct Quality {
     affordable: Effects,
+    budget: f32,
     milliseconds: Vec<f32>,
 }
 
 impl Quality {
     /// Nothing measured yet.
     pub fn new(is_software: bool) -> Self {
+        let (affordable, budget) = if is_software {
+            (Effects::Shadow, SOFTWARE_BUDGET)
+        } else {
+            (Effects::Occlusion, BUDGET)
+        };
         Self {
-            affordable: if is_software {
-                Effects::None
-            } else {
-                Effects::Occlusion
-            },
+            affordable,
+            budget,
             milliseconds: Vec::with_capacity(PICTURES),
         }
     }
@@ -63,7 +69,7 @@ impl Quality {
             return;
         }
         self.milliseconds.sort_unstable_by(f32::total_cmp);
-        if self.milliseconds[PICTURES / 4] > BUDGET {
+        if self.milliseconds[PICTURES / 4] > self.budget {
             self.affordable = match self.affordable {
                 Effects::Occlusion => Effects::Shadow,
                 Effects::Shadow | Effects::None => Effects::None,
@@ -72,9 +78,10 @@ impl Quality {
         self.milliseconds.clear();
     }
 
-    /// What is drawn where the page has such a wish.
-    pub fn effects(&self, wish: Wish) -> Effects {
+    /// What is drawn where the page has such a wish, of a picture that moves or is still.
+    pub fn effects(&self, wish: Wish, is_still: bool) -> Effects {
         match wish {
+            Wish::Auto if is_still && self.affordable > Effects::None => Effects::Occlusion,
             Wish::Auto => self.affordable,
             Wish::Always => Effects::Occlusion,
             Wish::Never => Effects::None,
@@ -90,7 +97,7 @@ mod tests {
         for &ms in milliseconds {
             quality.record(ms);
         }
-        quality.effects(Wish::Auto)
+        quality.effects(Wish::Auto, false)
     }
 
     #[test]
@@ -117,10 +124,22 @@ mod tests {
     }
 
     #[test]
-    fn software_draws_effects_only_when_asked() {
-        let quality = Quality::new(true);
-        assert_eq!(quality.effects(Wish::Auto), Effects::None);
-        assert_eq!(quality.effects(Wish::Always), Effects::Occlusion);
-        assert_eq!(Quality::new(false).effects(Wish::Never), Effects::None);
+    fn a_picture_at_rest_has_the_time_unless_the_shadow_was_too_much() {
+        let mut quality = Quality::new(true);
+        assert_eq!(quality.effects(Wish::Auto, false), Effects::Shadow);
+        assert_eq!(quality.effects(Wish::Auto, true), Effects::Occlusion);
+        assert_eq!(after(&mut quality, &[240.0; PICTURES]), Effects::Shadow);
+        assert_eq!(after(&mut quality, &[260.0; PICTURES]), Effects::None);
+        assert_eq!(quality.effects(Wish::Auto, true), Effects::None);
+    }
+
+    #[test]
+    fn a_wish_is_met() {
+        for (is_software, is_still) in [(false, false), (false, true), (true, false), (true, true)]
+        {
+            let quality = Quality::new(is_software);
+            assert_eq!(quality.effects(Wish::Never, is_still), Effects::None);
+            assert_eq!(quality.effects(Wish::Always, is_still), Effects::Occlusion);
+        }
     }
 }

@@ -99,7 +99,7 @@ impl Viewer {
         ))
     }
 
-    /// Shows another mesh, from the standard direction, without field and marks.
+    /// Shows another mesh from where the camera stands, without field and marks.
     #[wasm_bindgen(js_name = setMesh)]
     pub fn set_mesh(
         &mut self,
@@ -111,20 +111,6 @@ impl Viewer {
         Ok(self
             .0
             .set_mesh(positions, triangles, wire_edges, boundary_edges)?)
-    }
-
-    /// Shows another mesh from where the camera stands, without field and marks.
-    #[wasm_bindgen(js_name = replaceMesh)]
-    pub fn replace_mesh(
-        &mut self,
-        positions: &[f32],
-        triangles: &[u32],
-        wire_edges: &[u32],
-        boundary_edges: &[u32],
-    ) -> Result<(), JsValue> {
-        Ok(self
-            .0
-            .replace_mesh(positions, triangles, wire_edges, boundary_edges)?)
     }
 
     /// Shows one step alone, at time 0; the camera stays.
@@ -315,9 +301,9 @@ impl Viewer {
         self.0.face(triangles);
     }
 
-    /// Fits from the standard direction.
-    pub fn home(&mut self) {
-        self.0.camera_mut().home();
+    /// Fits from the standard direction, with z or y up.
+    pub fn home(&mut self, is_z_up: bool) {
+        self.0.camera_mut().home(is_z_up);
     }
 
     /// The camera as numbers, independent of the size of the picture.
@@ -335,6 +321,12 @@ impl Viewer {
     /// once it is on the screen.
     pub fn invalidate(&mut self) {
         self.0.invalidate();
+    }
+
+    /// Takes the next picture for one that stays; says whether there is something to draw, as more
+    /// is drawn on it beyond surface and lines.
+    pub fn settle(&mut self) -> bool {
+        self.0.settle()
     }
 
     /// Draws if anything has changed; says whether it did.

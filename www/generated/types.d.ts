@@ -1241,7 +1241,11 @@ free: Uint32Array | null,
 /**
  * What a repair changed to make this of what was there before.
  */
-repaired: Array<RepairItem>, };
+repaired: Array<RepairItem>, 
+/**
+ * Which way up it is looked at.
+ */
+up: Up, };
 
 /**
  * What is kept level between panes.
@@ -2804,6 +2808,11 @@ isKnown: boolean,
  * where no smooth value is known of successive differences, over that of the widths.
  */
 orders: Array<number | null>, };
+
+/**
+ * The coordinate axis that points up where a surface is looked at.
+ */
+export type Up = "y" | "z";
 
 /**
  * How near boundary vertices are welded: a word, or a length.

@@ -86,7 +86,8 @@ export class PaneView {
       viewer.setStyle(style);
     }
     if (s.mesh !== has.mesh || shown.drawable !== has.drawable) {
-      viewer.setMesh(shown.drawable, s.mesh === has.mesh || Boolean(has.mesh && s.camera));
+      const isSame = s.mesh === has.mesh || (has.mesh && s.camera);
+      viewer.setMesh(shown.drawable, isSame ? null : (s.mesh?.up ?? "y"));
       this.#forget({ style: has.style, mesh: s.mesh, drawable: shown.drawable });
       return this.draw(s, shown, style);
     }

@@ -88,10 +88,8 @@ pub fn dodecahedron(level: usize) -> Result<Sample, SubdivisionError> {
     let fixed = (0..corners.len() as u32).collect();
     let soup = linear_levels(PolygonSoup::from_faces(corners, &faces), level)?;
     Ok(Sample {
-        soup,
         fixed: Some(fixed),
-        free: None,
-        keeps_sides: false,
+        ..soup.into()
     })
 }
 
@@ -123,10 +121,8 @@ pub fn four_bumps(vertices: usize) -> Sample {
     let free = (0..positions.len() as u32).filter(|&v| is_inside[v as usize]);
     let free = free.collect();
     Sample {
-        soup: PolygonSoup::from_faces(positions, &faces),
-        fixed: None,
         free: Some(free),
-        keeps_sides: false,
+        ..PolygonSoup::from_faces(positions, &faces).into()
     }
 }
 
@@ -149,9 +145,7 @@ fn with_membranes(mut soup: PolygonSoup, free: Vec<u32>) -> Sample {
         }
     }
     Sample {
-        soup,
-        fixed: None,
         free: Some(free),
-        keeps_sides: false,
+        ..soup.into()
     }
 }

@@ -2,7 +2,7 @@
 //! Möbius transformations make of minimal surfaces.
 
 use super::parameter::{count, real};
-use super::{Sample, Shape};
+use super::{Sample, Shape, lying};
 use super::{inverted, kusner, lawson, torus};
 
 /// Halfway in the eversion of the sphere.
@@ -50,7 +50,7 @@ pub(super) const INVERTED_CATENOID: Shape = Shape {
     name: "inverted-catenoid",
     label: "Inverted catenoid",
     parameters: &[count("vertices", "Vertices", 2000, 300, 20_000)],
-    build: |v| Ok(inverted::catenoid(v[0] as usize).into()),
+    build: |v| Ok(lying(inverted::catenoid(v[0] as usize))),
 };
 
 /// A branch point of order three.
@@ -58,7 +58,7 @@ pub(super) const INVERTED_ENNEPER: Shape = Shape {
     name: "inverted-enneper",
     label: "Inverted surface of Enneper",
     parameters: &[count("vertices", "Vertices", 4000, 300, 20_000)],
-    build: |v| Ok(inverted::enneper(v[0] as usize).into()),
+    build: |v| Ok(lying(inverted::enneper(v[0] as usize))),
 };
 
 /// Möbius images of the Clifford torus.
@@ -70,7 +70,7 @@ pub(super) const CYCLIDE: Shape = Shape {
         count("tube", "Steps of the tube", 64, 3, 1000),
         real("turn", "Turn in the 3-sphere", 0.4, 0.0, 0.7),
     ],
-    build: |v| Ok(torus::cyclide(v[0] as usize, v[1] as usize, v[2]).into()),
+    build: |v| Ok(lying(torus::cyclide(v[0] as usize, v[1] as usize, v[2]))),
 };
 
 /// Towards Lawson's minimal surfaces of the 3-sphere.

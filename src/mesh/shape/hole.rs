@@ -30,10 +30,8 @@ pub fn six_sided_hole(height: f64) -> Sample {
         .map(|v| v as u32)
         .collect();
     Sample {
-        soup: PolygonSoup::from_faces(positions, &faces),
         fixed: Some(fixed),
-        free: None,
-        keeps_sides: false,
+        ..PolygonSoup::from_faces(positions, &faces).into()
     }
 }
 

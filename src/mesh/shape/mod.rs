@@ -85,6 +85,20 @@ pub struct Sample {
     pub free: Option<Vec<u32>>,
     /// Whether its faces show the side they are to show, also where that is not outward.
     pub keeps_sides: bool,
+    /// Which way up it is looked at.
+    pub up: Up,
+}
+
+/// The coordinate axis that points up where a surface is looked at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "lowercase")]
+pub enum Up {
+    /// The second.
+    #[default]
+    Y,
+    /// The third.
+    Z,
 }
 
 impl From<PolygonSoup> for Sample {
@@ -94,7 +108,16 @@ impl From<PolygonSoup> for Sample {
             fixed: None,
             free: None,
             keeps_sides: false,
+            up: Up::Y,
         }
+    }
+}
+
+/// One that is looked at with z up: what is flat then lies on the floor.
+fn lying(made: impl Into<Sample>) -> Sample {
+    Sample {
+        up: Up::Z,
+        ..made.into()
     }
 }
 

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::parameter::{HEIGHT, LOOPS, RESOLUTION, RINGS, SEED, count, level, real};
-use super::{Conflict, Sample, Shape};
+use super::{Conflict, Sample, Shape, lying};
 use super::{
     blocks, gap, great, hole, holed, knot, one_sided, patch, platonic, revolved, rough, scan, scar,
     sphere, torus, tubes,
@@ -43,7 +43,7 @@ pub(super) static SHAPES: &[Shape] = &[
             count("rings", "Bands", 24, 3, 1000),
             count("segments", "Segments", 48, 3, 1000),
         ],
-        build: |v| Ok(sphere::uv_sphere(n(v[0]), n(v[1])).into()),
+        build: |v| Ok(lying(sphere::uv_sphere(n(v[0]), n(v[1])))),
     },
     Shape {
         name: "ellipsoid",
@@ -58,7 +58,7 @@ pub(super) static SHAPES: &[Shape] = &[
         ],
         build: |v| {
             let axes = DVec3::new(v[0], v[1], v[2]);
-            sample(sphere::ellipsoid(axes, n(v[3]), v[4], v[5] as u64))
+            Ok(lying(sphere::ellipsoid(axes, n(v[3]), v[4], v[5] as u64)?))
         },
     },
     Shape {
@@ -68,7 +68,7 @@ pub(super) static SHAPES: &[Shape] = &[
             real("ratio", "Height over width", 2.0, 0.05, 20.0),
             level(4, 8),
         ],
-        build: |v| sample(revolved::spheroid(v[0], n(v[1]))),
+        build: |v| Ok(lying(revolved::spheroid(v[0], n(v[1]))?)),
     },
     Shape {
         name: "stomatocyte",
@@ -77,7 +77,7 @@ pub(super) static SHAPES: &[Shape] = &[
             real("inner", "Radius of the dent", 0.55, 0.4, 0.75),
             level(4, 8),
         ],
-        build: |v| sample(revolved::stomatocyte(v[0], n(v[1]))),
+        build: |v| Ok(lying(revolved::stomatocyte(v[0], n(v[1]))?)),
     },
     Shape {
         name: "bumpy-sphere",
@@ -100,7 +100,7 @@ pub(super) static SHAPES: &[Shape] = &[
         name: "hemisphere",
         label: "Hemisphere",
         parameters: &[RINGS],
-        build: |v| Ok(sphere::hemisphere(n(v[0])).into()),
+        build: |v| Ok(lying(sphere::hemisphere(n(v[0])))),
     },
     Shape {
         name: "torus",
@@ -116,7 +116,7 @@ pub(super) static SHAPES: &[Shape] = &[
                 let [minor, major] = [v[1], v[0]];
                 return Err(Conflict::ThickTube { minor, major });
             }
-            Ok(torus::torus(v[0], v[1], n(v[2]), n(v[3])).into())
+            Ok(lying(torus::torus(v[0], v[1], n(v[2]), n(v[3]))))
         },
     },
     Shape {
@@ -128,7 +128,14 @@ pub(super) static SHAPES: &[Shape] = &[
             real("jitter", "Jitter in steps", 0.25, 0.0, 0.5),
             SEED,
         ],
-        build: |v| Ok(rough::sampled_torus(n(v[0]), n(v[1]), v[2], v[3] as u64)?.into()),
+        build: |v| {
+            Ok(lying(rough::sampled_torus(
+                n(v[0]),
+                n(v[1]),
+                v[2],
+                v[3] as u64,
+            )?))
+        },
     },
     Shape {
         name: "eared-head",
@@ -169,7 +176,7 @@ pub(super) static SHAPES: &[Shape] = &[
             count("around", "Steps around", 32, 3, 1000),
             count("tube", "Steps of the tube", 32, 3, 1000),
         ],
-        build: |v| Ok(torus::clifford_torus(n(v[0]), n(v[1])).into()),
+        build: |v| Ok(lying(torus::clifford_torus(n(v[0]), n(v[1])))),
     },
     Shape {
         name: "lattice-torus",
@@ -184,20 +191,20 @@ pub(super) static SHAPES: &[Shape] = &[
             if (turn - turn.round()).abs() > 1e-9 * v[1] {
                 return Err(Conflict::Shear { turn });
             }
-            Ok(torus::lattice_torus(n(v[0]), n(v[1]), v[2]).into())
+            Ok(lying(torus::lattice_torus(n(v[0]), n(v[1]), v[2])))
         },
     },
     Shape {
         name: "coarse-torus",
         label: "Coarse torus",
         parameters: &[level(2, 6)],
-        build: |v| sample(torus::coarse_torus(n(v[0]))),
+        build: |v| Ok(lying(torus::coarse_torus(n(v[0]))?)),
     },
     Shape {
         name: "double-torus",
         label: "Double torus",
         parameters: &[count("genus", "Holes", 2, 1, 8), level(3, 6)],
-        build: |v| sample(blocks::handles(n(v[0]), n(v[1]))),
+        build: |v| Ok(lying(blocks::handles(n(v[0]), n(v[1]))?)),
     },
     Shape {
         name: "letter-c",
@@ -213,7 +220,7 @@ pub(super) static SHAPES: &[Shape] = &[
             count("along", "Steps along", 120, 12, 4000),
             count("around", "Steps around", 12, 3, 200),
         ],
-        build: |v| Ok(knot::trefoil(v[0], n(v[1]), n(v[2])).into()),
+        build: |v| Ok(lying(knot::trefoil(v[0], n(v[1]), n(v[2])))),
     },
     Shape {
         name: "torus-knot",
@@ -225,7 +232,15 @@ pub(super) static SHAPES: &[Shape] = &[
             count("along", "Steps along", 240, 12, 4000),
             count("around", "Steps around", 16, 3, 200),
         ],
-        build: |v| Ok(knot::torus_knot(n(v[0]), n(v[1]), v[2], n(v[3]), n(v[4])).into()),
+        build: |v| {
+            Ok(lying(knot::torus_knot(
+                n(v[0]),
+                n(v[1]),
+                v[2],
+                n(v[3]),
+                n(v[4]),
+            )))
+        },
     },
     Shape {
         name: "klein-bottle",
@@ -249,7 +264,7 @@ pub(super) static SHAPES: &[Shape] = &[
             count("around", "Steps around", 96, 5, 2000),
             count("across", "Steps across", 12, 1, 400),
         ],
-        build: |v| Ok(one_sided::moebius(v[0], n(v[1]), n(v[2])).into()),
+        build: |v| Ok(lying(one_sided::moebius(v[0], n(v[1]), n(v[2])))),
     },
     Shape {
         name: "pipe",
@@ -261,7 +276,7 @@ pub(super) static SHAPES: &[Shape] = &[
         name: "six-sided-hole",
         label: "Six-sided hole",
         parameters: &[real("height", "Height of the rim", 0.366, 0.0, 2.0)],
-        build: |v| Ok(hole::six_sided_hole(v[0])),
+        build: |v| Ok(lying(hole::six_sided_hole(v[0]))),
     },
     Shape {
         name: "scar",
@@ -298,25 +313,25 @@ pub(super) static SHAPES: &[Shape] = &[
             count("around", "Steps around", 48, 3, 1000),
             count("along", "Steps along", 16, 1, 1000),
         ],
-        build: |v| Ok(patch::cylinder(v[0], n(v[1]), n(v[2])).into()),
+        build: |v| Ok(lying(patch::cylinder(v[0], n(v[1]), n(v[2])))),
     },
     Shape {
         name: "disk",
         label: "Disk",
         parameters: &[RINGS],
-        build: |v| Ok(patch::disk(n(v[0])).into()),
+        build: |v| Ok(lying(patch::disk(n(v[0])))),
     },
     Shape {
         name: "hyperbolic-paraboloid",
         label: "Hyperbolic paraboloid",
         parameters: &[count("cells", "Cells a side", 24, 1, 1000), HEIGHT],
-        build: |v| Ok(patch::hyperbolic_paraboloid(n(v[0]), v[1]).into()),
+        build: |v| Ok(lying(patch::hyperbolic_paraboloid(n(v[0]), v[1]))),
     },
     Shape {
         name: "monkey-saddle",
         label: "Monkey saddle",
         parameters: &[RINGS, HEIGHT],
-        build: |v| Ok(patch::monkey_saddle(n(v[0]), v[1]).into()),
+        build: |v| Ok(lying(patch::monkey_saddle(n(v[0]), v[1]))),
     },
     Shape {
         name: "tubes",
@@ -338,7 +353,7 @@ pub(super) static SHAPES: &[Shape] = &[
             count("along", "Steps along", 40, 12, 300),
             real("radius", "Radius of a gap", 0.69, 0.05, 0.72),
         ],
-        build: |v| gap::cylinder_with_gaps(n(v[0]), n(v[1]), v[2]),
+        build: |v| Ok(lying(gap::cylinder_with_gaps(n(v[0]), n(v[1]), v[2])?)),
     },
     Shape {
         name: "sphere-openings",
@@ -371,7 +386,7 @@ pub(super) static SHAPES: &[Shape] = &[
         name: "four-bumps",
         label: "Four bumps",
         parameters: &[count("vertices", "Vertices a side", 61, 31, 601)],
-        build: |v| Ok(gap::four_bumps(n(v[0]))),
+        build: |v| Ok(lying(gap::four_bumps(n(v[0])))),
     },
 ];
 

@@ -45,10 +45,8 @@ pub fn scar(level: usize, depth: f64, seed: u64) -> Result<Sample, SubdivisionEr
     }
     let free = (0..directions.len()).filter(|&v| directions[v].dot(middle) > PATCH);
     Ok(Sample {
-        soup,
-        fixed: None,
         free: Some(free.map(|v| v as u32).collect()),
-        keeps_sides: false,
+        ..soup.into()
     })
 }
 

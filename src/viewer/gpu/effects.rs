@@ -27,9 +27,9 @@ impl EffectPasses {
         }
     }
 
-    /// What is drawn where the page has such a wish.
-    pub(super) fn chosen(&self, wish: Wish) -> Effects {
-        self.quality.effects(wish)
+    /// What is drawn where the page has such a wish, of a picture that moves or is still.
+    pub(super) fn chosen(&self, wish: Wish, is_still: bool) -> Effects {
+        self.quality.effects(wish, is_still)
     }
 
     /// Makes the pictures that are needed; says whether they are others than before.

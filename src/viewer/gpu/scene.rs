@@ -54,6 +54,8 @@ pub struct Viewer {
     style: Style,
     field: Option<FieldRange>,
     stale: Stale,
+    /// Whether the next picture is one that stays.
+    is_still: bool,
 }
 
 impl Viewer {
@@ -93,30 +95,15 @@ impl Viewer {
                 picture: true,
                 ..Stale::default()
             },
+            is_still: false,
         })
-    }
-
-    /// Shows another mesh from the standard direction, without field and marks.
-    ///
-    /// # Errors
-    /// As [`replace_mesh`](Self::replace_mesh).
-    pub fn set_mesh(
-        &mut self,
-        positions: &[f32],
-        triangles: &[u32],
-        wire_edges: &[u32],
-        boundary_edges: &[u32],
-    ) -> Result<(), ViewerError> {
-        self.replace_mesh(positions, triangles, wire_edges, boundary_edges)?;
-        self.camera.home();
-        Ok(())
     }
 
     /// Shows another mesh from where the camera stands, without field and marks.
     ///
     /// # Errors
     /// `WrongLength`, `OutOfRange`, `TooLarge`; the mesh shown before then stays.
-    pub fn replace_mesh(
+    pub fn set_mesh(
         &mut self,
         positions: &[f32],
         triangles: &[u32],
@@ -355,6 +342,15 @@ impl Viewer {
         &mut self.camera
     }
 
+    /// Takes the next picture for one that stays; says whether more is drawn on it.
+    pub fn settle(&mut self) -> bool {
+        let before = self.effects();
+        self.is_still = true;
+        let is_more = self.effects() != before;
+        self.stale.picture |= is_more;
+        is_more
+    }
+
     /// Draws at the next call of [`draw`](Self::draw), even if nothing has changed.
     pub fn invalidate(&mut self) {
         self.stale.picture = true;
@@ -377,6 +373,7 @@ impl Viewer {
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.queue.present(texture);
         self.stale.picture = false;
+        self.is_still = false;
         true
     }
 
@@ -412,7 +409,7 @@ impl Viewer {
 
     /// What is drawn beyond surface and lines.
     pub fn effects(&self) -> Effects {
-        self.effects.chosen(self.style.effects)
+        self.effects.chosen(self.style.effects, self.is_still)
     }
 
     /// Sends what is stale. Vertex normals only when they are looked at: they are the

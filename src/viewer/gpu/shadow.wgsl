@@ -6,8 +6,8 @@
 // Heights above the floor, in radii of the surface, from which no shadow falls.
 const HIGHEST: f32 = 1.7;
 // Standard deviation of the blur and where it is cut off, in texels.
-const SPREAD: f32 = 9.0;
-const CUT: i32 = 20;
+const SPREAD: f32 = 4.5;
+const CUT: i32 = 10;
 
 struct Varying {
     @builtin(position) clip: vec4f,

@@ -7,7 +7,7 @@ use super::pipeline::{Plan, Target, bare_shader, pipeline, shader};
 use super::surface_pass::SurfacePass;
 
 /// Pixels of a side of the footprint.
-const SIDE: u32 = 256;
+const SIDE: u32 = 128;
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
 /// Pipelines and pictures of the shadow.

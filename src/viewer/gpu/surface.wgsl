@@ -104,11 +104,12 @@ fn studio(normal: vec3f, toward_eye: vec3f, open: f32) -> Light {
     let around = mix(vec3f(0.34, 0.27, 0.24), vec3f(0.55, 0.60, 0.68), 0.5 + 0.5 * normal.y);
     let lamps = 0.80 * key * vec3f(1.0, 0.97, 0.92) + 0.17 * fill * vec3f(0.80, 0.90, 1.0);
     let mirrored = dot(reflect(-toward_eye, normal), key_direction);
+    let box = max((mirrored - 0.80) / 0.20, 0.0);
     let grazing = 1.0 - max(dot(normal, toward_eye), 0.0);
     let outline = frame.outline * grazing * grazing * grazing * grazing;
     return Light(
         mix(0.5, 1.0, open) * lamps + frame.hemisphere * open * around + outline,
-        0.16 * open * smoothstep(0.80, 1.0, mirrored),
+        0.16 * open * box * box,
     );
 }
 
