@@ -63,7 +63,7 @@ test("repair writes a surface, and lists what it changed", () => {
   assert.match(words.out, /^Dropped 1 face of small sheets[\s\S]*^genus +1$/m);
   // Once is enough, and a whole file comes back as it was.
   const copy = path.join(folder, "again.obj");
-  assert.deepEqual(json(["repair", out, "--out", copy]).changes, []);
+  assert.deepEqual(json(["repair", out, "-o", copy]).changes, []);
   /** @param {string} file  less the line that has its name */
   const lines = (file) => readFileSync(file, "utf8").split("\n").slice(1);
   assert.deepEqual(lines(copy), lines(out));

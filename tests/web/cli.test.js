@@ -54,6 +54,7 @@ test("help and version", async () => {
     const help = await umbilic([command, "--help"]);
     assert.equal(help.exit, 0);
     assert.match(help.out, new RegExp(`^umbilic ${command} `));
+    assert.equal((await umbilic([command, "-h"])).out, help.out);
   }
   const version = await umbilic(["--version"]);
   assert.match(version.out, /^umbilic \d+\.\d+\.\d+\n$/);

@@ -50,7 +50,7 @@ export const out = {
  */
 export async function execute(name, spec, { parameters, io, open }) {
   const { summary, operands = ["MESH"], rows = [], words = name, load, run } = spec;
-  const isHelp = parameters.includes("--help");
+  const isHelp = ["--help", "-h"].some((flag) => parameters.includes(flag));
   const { options } = spec;
   const others = typeof options === "function" ? options(isHelp ? [] : parameters) : options;
   const syntax = { summary, operands, options: { ...flagsOf(rows, words), ...others } };

@@ -29,6 +29,11 @@ const common = {
   help: { help: "this" },
 };
 
+/** What is also known by a letter. @type {Record<string, string>} */
+const letters = { out: "o", help: "h" };
+
+const shortOf = (/** @type {string} */ name) => (letters[name] ? { short: letters[name] } : {});
+
 /** @param {string[]} parameters @param {Syntax} syntax */
 export function parse(parameters, syntax) {
   const { positionals, ...typed } = strictly(parameters, { ...syntax.options, ...common });
@@ -48,7 +53,7 @@ export function parse(parameters, syntax) {
 function strictly(args, options) {
   const kinds = Object.entries(options).map(([name, { value, many = false }]) => [
     name,
-    { type: value ? "string" : "boolean", multiple: many },
+    { type: value ? "string" : "boolean", multiple: many, ...shortOf(name) },
   ]);
   try {
     const known = Object.fromEntries(kinds);
@@ -130,7 +135,7 @@ export const readFlags = (command, words) =>
 /** Help of a command. @param {string} name @param {Syntax} syntax @returns {string} */
 export function help(name, { summary, operands, options }) {
   const lines = Object.entries({ ...options, ...common }).map(([option, { value, help }]) => [
-    `--${option}${value ? ` ${value}` : ""}`,
+    `${letters[option] ? `-${letters[option]}, ` : ""}--${option}${value ? ` ${value}` : ""}`,
     help,
   ]);
   const width = Math.min(34, Math.max(...lines.map(([left]) => left.length)));

@@ -87,13 +87,13 @@ export const canvas = (page) => page.locator("main").getByRole("img", { name: /^
 /**
  * Waits for a surface on the screen. The solver may be ready long before the graphics
  * are. A shaded surface has hundreds of greys, a cleared canvas one, text on it some.
- * @param {Page} page
+ * @param {Page} page @param {number} [least]  colours that there are to be more of
  */
-export async function untilDrawn(page) {
+export async function untilDrawn(page, least = 200) {
   const end = Date.now() + PATIENCE;
   for (;;) {
     const { colours } = await picture(canvas(page));
-    if (colours > 200) return;
+    if (colours > least) return;
     if (Date.now() > end) throw new Error(`no surface on the screen: ${colours} colours`);
   }
 }
@@ -119,11 +119,11 @@ export async function untilPictured(page, reference, wanted) {
 
 /**
  * A picture of the canvas that nothing drawn late changes any more.
- * @param {Page} page
+ * @param {Page} page @param {number} [least]  colours that there are to be more of
  * @returns {Promise<Buffer>}
  */
-export async function stillPicture(page) {
-  await untilDrawn(page);
+export async function stillPicture(page, least) {
+  await untilDrawn(page, least);
   let last = await canvas(page).screenshot();
   for (let same = 0; same < 3; ) {
     await page.waitForTimeout(250);
