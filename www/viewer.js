@@ -409,9 +409,9 @@ export class SurfaceView {
   /** Moves the camera, and tells of it. @param {string} name  of the viewer's move @param {...unknown} values */
   #move = (name, ...values) => {
     if (name === "orbit" && this.#isResting) return;
+    const given = name === "home" ? [this.#up === "z"] : values;
     this.change((viewer) => {
-      if (name === "home") viewer.home(this.#up === "z");
-      else /** @type {any} */ (viewer)[name](...values);
+      /** @type {any} */ (viewer)[name](...given);
       this.#cameraMoved = true;
     });
   };
