@@ -27,11 +27,11 @@ const byId = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const file = /** @type {HTMLInputElement} */ (byId("file"));
 const asked = new URLSearchParams(location.search);
-// Fewer samples a pixel draw faster where there is no graphics card; pictures to be kept are
-// worth their shadows there too.
+// Fewer samples a pixel, and no effects, draw faster where there is no graphics card; pictures to
+// be kept are worth all of them there too.
 const quality = {
   samples: /** @type {1 | 4} */ (asked.get("msaa") === "1" ? 1 : 4),
-  effects: /** @type {"always" | "auto"} */ (asked.get("effects") === "always" ? "always" : "auto"),
+  effects: /** @type {"always" | "auto" | "never"} */ (asked.get("effects") ?? "auto"),
 };
 
 Object.assign(page, {

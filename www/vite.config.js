@@ -80,6 +80,9 @@ export default defineConfig({
       output: {
         // Other pages name it: it keeps its name, and is all in one file.
         entryFileNames: ({ name }) => (name === "embed" ? "embed.js" : "assets/[name]-[hash].js"),
+        // A small picture of before harms nobody: a hash of each in the script is two kilobytes.
+        assetFileNames: ({ names: [name] }) =>
+          name.endsWith(".webp") ? "assets/[name][extname]" : "assets/[name]-[hash][extname]",
         // What the page begins with is one file, whatever else uses a part of it: it is smaller than
         // many, and there is nothing to wait for in between. But for what waits for other files, which
         // may use it.

@@ -20,6 +20,13 @@ messages! {
             /// And after it.
             after: f64,
         },
+        /// ∫H² rose over a run that was to smooth.
+        Roughened {
+            /// At the start.
+            before: f64,
+            /// Now.
+            after: f64,
+        },
         /// The mesh is too coarse for the curvature.
         Coarse {
             /// Where most.

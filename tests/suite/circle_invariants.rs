@@ -6,8 +6,9 @@ use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy, Evaluation};
-use umbilic::flow::options::FlowOptions;
-use umbilic::flow::{Decision, Status};
+use umbilic::energy::p_willmore::integrated_power;
+use umbilic::flow::options::{FlowOptions, Goal};
+use umbilic::flow::{Decision, Status, Warning};
 use umbilic::geometry::{curvature, measure};
 use umbilic::mesh::shape;
 use umbilic::soup::PolygonSoup;
@@ -402,5 +403,46 @@ fn a_run_ends_at_no_more_energy_than_it_has_passed() {
         flow.restore(checkpoint);
         while let (_, Decision::GoOn) = flow.step(&mut again).expect("a step") {}
         assert!(again == x, "{name}: gone on with, it ends elsewhere");
+    }
+}
+
+/// On a ball that was drawn out triangles are long and slant to the lines of curvature: W falls where
+/// they turn, and the surface becomes rougher. A rough ball, and an ellipsoid with better triangles,
+/// become smoother.
+#[test]
+fn smoothing_that_roughens_says_so() {
+    let long = [("a", 3.0), ("b", 1.0), ("c", 0.4), ("level", 4.0)];
+    let round = [("a", 1.2), ("b", 1.0), ("c", 0.9), ("level", 4.0)];
+    for (name, values, roughens) in [
+        ("ellipsoid", &long[..], true),
+        ("ellipsoid", &round[..], false),
+        ("bumpy-sphere", &[], false),
+    ] {
+        let start = sample(name, values);
+        let mut x = start.x.clone();
+        let options = FlowOptions {
+            goal: Goal::Smooth,
+            ..FlowOptions::default()
+        };
+        let mut flow = drive(&start.mesh, &mut x, options).expect("a flow");
+        let mut told = Vec::new();
+        let mut is_over = false;
+        while !is_over {
+            let (report, decision) = flow.step(&mut x).expect("a step");
+            told.extend(report.into_iter().flat_map(|report| report.warnings));
+            is_over = matches!(decision, Decision::Stop(..));
+        }
+        let [before, after] = [&start.x, &x].map(|x| integrated_power(&start.mesh, x, 2.0));
+        let warning = told.into_iter().find_map(|warning| match warning {
+            Warning::Roughened { before, after } => Some([before, after]),
+            _ => None,
+        });
+        assert_eq!(warning.is_some(), roughens, "{name}: {before} to {after}");
+        if let Some([told, now]) = warning {
+            assert_eq!(told, before);
+            assert!(now > 1.05 * before && after > 5.0 * before);
+        } else {
+            assert!(after < 1.001 * before, "{name}: {before} to {after}");
+        }
     }
 }

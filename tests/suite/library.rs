@@ -298,6 +298,7 @@ struct SampleRow {
     options: Value,
     #[serde(skip_serializing_if = "Option::is_none")]
     fill: Option<FillOptions>,
+    vertices: usize,
 }
 
 #[derive(Serialize)]
@@ -346,6 +347,11 @@ fn sample_row(sample: &Sample) -> SampleRow {
         parameters: Parameters(sample.shape.parameters),
         options: difference(&sample.whole_options(), &FlowOptions::default()),
         fill: sample.holes.options(),
+        vertices: sample
+            .load(&mut Session::new(), &[])
+            .expect(sample.id)
+            .info
+            .vertices,
     }
 }
 
@@ -386,6 +392,7 @@ fn module() -> String {
  * @property {Record<string, number>} parameters  … and its parameters
  * @property {FlowOptions} options  over the defaults
  * @property {Partial<FillOptions>} [fill]   holes filled at once
+ * @property {number} vertices     that it then has
  */
 
 /**

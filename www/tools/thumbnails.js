@@ -66,7 +66,7 @@ async function asWebp({ light, dark, backdrop }) {
       const context = small.getContext("2d");
       if (context) context.imageSmoothingQuality = "high";
       context?.drawImage(large, 0, 0, small.width, small.height);
-      const blob = await small.convertToBlob({ type: "image/webp", quality: 0.6 });
+      const blob = await small.convertToBlob({ type: "image/webp", quality: 0.5 });
       return [...new Uint8Array(await blob.arrayBuffer())];
     },
     /** @type {const} */ ([bytes, SCALE, TINT, LINE]),

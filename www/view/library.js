@@ -29,9 +29,11 @@ export function pictureOf(name) {
   return address ? html`<img src=${address} alt="" loading="lazy" />` : null;
 }
 
+const size = (/** @type {number} */ vertices) => say("library-size", { vertices });
+
 /** @param {Sample} sample */
-const asItem = ({ id, group }) => ({
-  ...{ id, shelf: firsts.includes(id) ? "first" : String(group), note: "" },
+const asItem = ({ id, group, vertices }) => ({
+  ...{ id, shelf: firsts.includes(id) ? "first" : String(group), note: size(vertices) },
   title: sampleName(id),
   text: say(`sample-${id}-shows`),
   open: () => page.open.sample(id),
@@ -42,7 +44,10 @@ const asFigure = (figure) => ({
   ...{ id: figure.id, shelf: "papers" },
   title: sayFigure(figure, "title"),
   text: sayFigure(figure, "reports"),
-  note: `${say(`paper-${figure.paper}.authors`)}, ${sayFigure(figure)}`,
+  note: [
+    size(samples.find(({ id }) => id === figure.sample)?.vertices ?? 0),
+    `${say(`paper-${figure.paper}.authors`)}, ${sayFigure(figure)}`,
+  ].join(" · "),
   open: () => page.open.figure(figure),
 });
 

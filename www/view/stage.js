@@ -86,7 +86,7 @@ function caption(element, n, { title, note }) {
   render(html`<i>${n < 0 ? "" : letter(n)}</i><b>${title}</b><small>${note}</small>`, element);
 }
 
-/** @param {HTMLElement} root @param {{ samples: 1 | 4, effects: "auto" | "always" }} quality  of the pictures */
+/** @param {HTMLElement} root @param {{ samples: 1 | 4, effects: "auto" | "always" | "never" }} quality  of the pictures */
 export function createStage(root, { samples, effects }) {
   const first = new PaneView(/** @type {HTMLElement} */ (root.querySelector("figure")));
   const { canvas } = first;

@@ -78,6 +78,8 @@ pub struct CircleFlow {
     /// Half the area at the start is held by this share of the faces.
     start_balance: f64,
     start_area: f64,
+    /// ∫H² there, where it is watched.
+    start_bend: f64,
     /// W of the best smooth surface with the same handles.
     smooth_minimum: f64,
     schedule: Schedule,
@@ -138,6 +140,10 @@ impl CircleFlow {
             problem: Problem::new(mesh, energy, &free, x, h)?,
             start_balance: warning::balance(mesh, x),
             start_area: measure::area(mesh, x),
+            start_bend: match options.goal {
+                Goal::Smooth => warning::bend(mesh, x),
+                Goal::Relax => 0.0,
+            },
             smooth_minimum: bounds.map_or(0.0, |bounds| bounds.circle),
             schedule,
             was_whole: false,

@@ -2,6 +2,8 @@
 //! is Möbius invariant, so that it does not mind balloons.
 
 use super::CircleFlow;
+use crate::energy::p_willmore::integrated_power;
+use crate::flow::options::Goal;
 use crate::flow::signs::BUBBLE;
 use crate::flow::warning::WarningsGiven;
 use crate::flow::{StepReport, Warning};
@@ -13,6 +15,8 @@ use glam::DVec3;
 const BALLOON: f64 = 0.5;
 /// W that rises by this share in a step is told of.
 const ROSE: f64 = 0.01;
+/// The same of ∫H² over a run that is to smooth.
+const ROUGHENED: f64 = 0.05;
 
 /// Areas of the faces.
 fn areas_of(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<f64> {
@@ -45,6 +49,11 @@ pub(super) fn balance(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
     (most.count() + 1) as f64 / areas.len() as f64
 }
 
+/// ∫H².
+pub(super) fn bend(mesh: &HalfedgeMesh, x: &[DVec3]) -> f64 {
+    integrated_power(mesh, x, 2.0)
+}
+
 impl CircleFlow {
     pub(super) fn warn_of(&self, x: &[DVec3], report: &mut StepReport, given: &mut WarningsGiven) {
         if self.is_paper() {
@@ -61,6 +70,14 @@ impl CircleFlow {
             given.give_once(Warning::Growth, warnings);
         }
         let is_closed = self.mesh.is_closed() && self.mesh.is_oriented();
+        // W tells of the mesh as well, and falls where edges turn towards the lines of curvature; of a
+        // closed surface that only becomes smoother, ∫H² falls too.
+        if is_closed && self.options.goal == Goal::Smooth {
+            let (before, after) = (self.start_bend, bend(&self.mesh, x));
+            if after > (1.0 + ROUGHENED) * before {
+                given.give_once(Warning::Roughened { before, after }, warnings);
+            }
+        }
         if is_closed && is_unbalanced(&self.mesh, x, BALLOON * self.start_balance) {
             given.give_once(Warning::Balloon, warnings);
         }

@@ -51,12 +51,12 @@ export function useSite(options) {
       return opened;
     },
     /**
-     * A page with a scene on it. One sample a pixel: software draws it faster.
+     * A page with a scene on it. One sample a pixel and no effects: software draws it faster.
      * @param {string} [scene]  the address from `#` on, without it
      * @param {import("playwright-core").BrowserContextOptions} [context]
      * @param {string} [query]  the address from `?` on, without it
      */
-    async open(scene = "sample=icosahedron", context = {}, query = "msaa=1") {
+    async open(scene = "sample=icosahedron", context = {}, query = "msaa=1&effects=never") {
       const opened = await this.blank(context);
       await opened.page.goto(`${server.url}?${query}#${scene}`);
       await until(opened.page, scene.includes("step=") ? /^Paused/ : "Ready");

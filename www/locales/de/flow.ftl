@@ -40,6 +40,7 @@ warning-near-bound = ∫H² liegt unter dem jeder glatten Fläche mit diesen Hen
 warning-growth = Der Flächeninhalt ist auf ein Mehrfaches gewachsen: Vielleicht bildet sich eine Blase, rund und deshalb billig. Glätten Sie einen rauen Anfang zuerst ein wenig.
 warning-balloon = Die Hälfte des Flächeninhalts liegt in wenigen großen Facetten: Ein Teil der Fläche bläht sich auf, was diese Energie nicht stört. Der p-Willmore-Fluss, der Flächeninhalt und Volumen beibehält, lässt das nicht zu.
 warning-reading-rose = W stieg in diesem Schritt von { NUMBER($before, digits: 5) } auf { NUMBER($after, digits: 5) }, obwohl die geglättete Energie fiel, die der Fluss senkt: Viele Winkel waren nahe null.
+warning-roughened = ∫H² stieg von { NUMBER($before, digits: 4) } auf { NUMBER($after, digits: 4) }, während W fiel: Die Fläche wurde rauer. Wo Kanten schräg zu den Krümmungslinien liegen, sagt W mehr über das Netz als über die Fläche. Vernetzen Sie sie zuerst neu, oder glätten Sie durch Oberflächendiffusion.
 warning-coarse = Bei Ecke { VERTEX($vertex) } sind die Kanten zu lang für die Krümmung: Nehmen Sie ein feineres Netz.
 warning-nearly-singular = Bei Ecke { VERTEX($vertex) } wird die Fläche gleich singulär, wie ein Hals, der sich abschnürt: Nehmen Sie ein feineres Netz.
 warning-large-face = Die größte Facette ist auf das { $times }-Fache des Mittels gewachsen: Ein Teil der Fläche bläht sich auf, und die gezeigte Energie ist zu klein. Ein feineres Netz hilft.

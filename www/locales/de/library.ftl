@@ -281,30 +281,6 @@ measured-singular = singulär
 measured-collapsed = kollabiert
 measured-failed = gescheitert
 
-## Tabellen von Messungen
-
-measured-refused = { $kind }: { $message }
-
-bench-circle = Ein Schritt des Kreiswinkelflusses auf einem Torus und ein Versuch eines Schrittes, in Millisekunden (Mediane)
-bench-p-willmore = p-Willmore-Fluss, p = 2, auf einem Torus: ein Schritt mit erhaltenem Flächeninhalt und Volumen und
-    nichtlinearer Regularisierung oder ein Durchgang der Regularisierung allein; Millisekunden (Mediane von Schritten)
-    und die aus Tabelle 1 der Arbeit, gemessen auf einem anderen Rechner
-bench-flips = Kantenflips bis zum Ende auf einem Torus verwackelter Punkte mit zufällig geteilten Zellen: Millisekunden,
-    tausend Flips je Sekunde und Nanosekunden durch E log₂ E
-bench-mmcv = Fluss kleinster Variation der mittleren Krümmung: Millisekunden des ersten und eines späteren Schrittes
-    (Mediane), Schritte bis zur Ruhe sowie Aufstellen und Lösen des Systems in Tabelle 5.1 der Arbeit,
-    gemessen auf einem anderen Rechner, mit dem Verhältnis ihres Schrittes zu unserem
-bench-refinement = Flächeninhalt, W/2 und ∫H² nach Kotangens und nach Anpassung unter Verfeinerung, mit beobachteten Ordnungen;
-    die Kreisenergie strebt nur längs der Krümmungslinien gegen ∫(H² − K) dA
-bench-repair = Lose Dreiecke einer STL-Datei werden eine Fläche: Millisekunden zum Öffnen mit der Suche nach dem,
-    was zu reparieren ist, und zum Reparieren
-bench-robustness = Wie Flüsse enden, sich selbst überlassen: auf Formen mit Rauschen (h die mittlere Kantenlänge) oder auf den
-    Netzen eines Ordners in 100 Schritten. Die Energie am Anfang und am Ende, der größte relative Anstieg
-    des überwachten Funktionals in einem Schritt, der kleinste Winkel, den es gab
-bench-vesicles = Vesikel in Ruhe, Flächeninhalt und Volumen fest: ∫H²/4π über dem reduzierten Volumen auf drei Zweigen,
-    und wo sie sich kreuzen; erwartet ist der Wert von Rotationsformen
-bench-figures = Die Abbildungen der vier Arbeiten: was erwartet wird und was hier gerade gemessen wurde
-
 ## Das Phasendiagramm der Vesikel
 
 phases = Vesikel: Phasendiagramm

@@ -136,32 +136,3 @@ option-maxSeconds-help = höchstens so viele Sekunden Rechenzeit, wo keine Zahl 
 option-nothing = Nichts
 option-no = Nein
 option-yes = Ja
-
-## Optionen anderer Befehle
-
-energy-p-help = weitere Exponenten von ∫|H|^p dA, neben 0 bis 4
-energy-boundary-help = bei offenen Netzen: welche Terme zählen und welche Ecken sich bewegen
-
-regularise-mode-help = nonlinear erhält das Volumen besser
-regularise-epsilon-help = 1e-3 ist getreu, 1e-1 kräftig
-regularise-iterations-help = höchstens so viele Durchgänge
-regularise-features-help = wie fest Merkmale bleiben; bei 0 gleiten auch Kanten
-
-repair-weld-help = verschweißt Randecken innerhalb dieser Länge; auto ist 1e-6 der Größe und höchstens ein Hundertstel einer Kante
-fill-loops-help = welche Randkurven, gezählt ab 0; small lässt äußere Ränder offen
-fill-connect-help = verbindet diese Randkurven, ohne Auswahl alle, durch einen Flicken, statt jede zu schließen
-fill-maxVertices-help = höchstens so viele neue Ecken; auto heißt 200000
-
-flips-criterion-help = { option-criterion-help }
-flips-guardFolds-help = { option-guardFolds-help }
-flips-max-help = höchstens so viele Flips
-
-remesh-kind-help = adaptive: kurze Kanten, wo sich die Fläche biegt; isotropic: lauter gleiche
-remesh-target-help = mittlere Länge der Kanten, abseits von Rändern, die bleiben
-remesh-vertices-help = Zahl der Ecken; so viele wie vorher, wenn keines von beiden gegeben ist
-
-bench-table-help = welche Tabelle
-bench-maxVertices-help = lässt größere Netze weg
-bench-steps-help = gemessene Schritte je Zeile, nach einem, der nicht zählt
-bench-figures-help = von der Tabelle figures nur diese
-bench-quick-help = von der Tabelle figures nur die, die wenige Sekunden dauern

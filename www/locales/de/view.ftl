@@ -362,6 +362,7 @@ search = Suchen
 search-hint = Suchen, zum Beispiel „Knoten“ oder „Abb 6“
 shelves = Regale
 open-now = Jetzt offen
+library-size = { $vertices } Ecken
 library-count = { $count ->
     [one] { $count } Fläche oder Abbildung
    *[other] { $count } Flächen und Abbildungen

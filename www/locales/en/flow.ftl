@@ -40,6 +40,7 @@ warning-near-bound = ∫H² is below that of every smooth surface with these han
 warning-growth = The area has grown several times over: a bubble, round and thus cheap, may be forming. From a rough start, smooth a little first.
 warning-balloon = Half of the area is held by few large faces: a part inflates, which this energy does not mind. The p-Willmore flow with area and volume kept prevents that.
 warning-reading-rose = W rose from { NUMBER($before, digits: 5) } to { NUMBER($after, digits: 5) } in this step, although the smoothed energy fell: many angles were near zero.
+warning-roughened = ∫H² rose from { NUMBER($before, digits: 4) } to { NUMBER($after, digits: 4) } while W fell: the surface became rougher. Where edges cross the lines of curvature at a slant, W tells more of the mesh than of the surface. Remesh it first, or smooth by surface diffusion.
 warning-coarse = At vertex { VERTEX($vertex) } edges are too long for the curvature: use a finer mesh.
 warning-nearly-singular = At vertex { VERTEX($vertex) } the surface is about to become singular, as a neck that pinches off: use a finer mesh.
 warning-large-face = The largest face has grown to { $times } times the mean: one part of the surface inflates, and the energy shown is too low. A finer mesh helps.

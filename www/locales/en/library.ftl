@@ -281,30 +281,6 @@ measured-singular = singular
 measured-collapsed = collapsed
 measured-failed = failed
 
-## Tables of measurements
-
-measured-refused = { $kind }: { $message }
-
-bench-circle = One step of the circle-angle flow on a torus, and one trial of a step, in milliseconds (medians)
-bench-p-willmore = p-Willmore flow, p = 2, on a torus: a step with area and volume kept and nonlinear
-    regularisation, or one pass of regularisation alone; milliseconds (medians of steps),
-    and those of table 1 of the paper, measured on another machine
-bench-flips = Edge flips to the end on a torus of jittered points, its cells cut at random: milliseconds,
-    thousands of flips a second, and nanoseconds over E log₂ E
-bench-mmcv = Minimal mean-curvature-variation flow: milliseconds of the first step and of a later one
-    (medians), steps to rest, and forming and solving the system in table 5.1 of the paper,
-    measured on another machine, with the ratio of its step to ours
-bench-refinement = Area, W/2 and ∫H² by cotangents and by fits under refinement, with observed orders; the
-    circle energy tends to ∫(H² − K) dA only along lines of curvature
-bench-repair = Loose triangles of an STL made a surface: milliseconds to open the file and find what is to be
-    repaired, and to repair it
-bench-robustness = How flows end, left to themselves: on shapes with noise (h the mean edge length), or on the
-    meshes of a folder in 100 steps. The energy at first and last, the largest relative rise of
-    the monitored functional in a step, the smallest angle there was
-bench-vesicles = Vesicles at rest, area and volume kept: ∫H²/4π over the reduced volume on three branches, and where
-    they cross; what is expected is of shapes of revolution
-bench-figures = The figures of the four papers: what is expected, and what was measured here just now
-
 ## The phase diagram of vesicles
 
 phases = Vesicles: phase diagram

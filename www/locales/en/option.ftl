@@ -136,32 +136,3 @@ option-maxSeconds-help = at most so many seconds of computing, where no number o
 option-nothing = Nothing
 option-no = No
 option-yes = Yes
-
-## Options of other commands
-
-energy-p-help = further exponents of ∫|H|^p dA, beside 0 to 4
-energy-boundary-help = of open meshes: which terms count and which vertices move
-
-regularise-mode-help = nonlinear keeps the volume better
-regularise-epsilon-help = 1e-3 is faithful, 1e-1 aggressive
-regularise-iterations-help = passes at most
-regularise-features-help = how strongly features stay; with 0 creases slide too
-
-repair-weld-help = welds boundary vertices within this length; auto is 1e-6 of the size and at most a hundredth of an edge
-fill-loops-help = which boundary loops, counted from 0; small leaves outer rims and mouths of tubes open
-fill-connect-help = connects these loops, by default all, by one patch instead of closing each
-fill-maxVertices-help = at most so many new vertices; auto is 200000
-
-flips-criterion-help = { option-criterion-help }
-flips-guardFolds-help = { option-guardFolds-help }
-flips-max-help = at most so many flips
-
-remesh-kind-help = adaptive edges are short where the surface bends, isotropic ones are equal
-remesh-target-help = mean length of the edges, away from boundaries, which stay
-remesh-vertices-help = number of vertices; as many as there are if neither is given
-
-bench-table-help = which table
-bench-maxVertices-help = leaves out larger meshes
-bench-steps-help = steps measured a row, after one that is not
-bench-figures-help = of the table figures only these
-bench-quick-help = of the table figures only those that take a few seconds

@@ -362,6 +362,7 @@ search = Search
 search-hint = Search, for example “knot” or “fig 6”
 shelves = Shelves
 open-now = Open now
+library-size = { $vertices } vertices
 library-count = { $count ->
     [one] { $count } surface or figure
    *[other] { $count } surfaces and figures
