@@ -3,7 +3,7 @@
 import { effect, signal } from "@preact/signals-core";
 import { html, render } from "lit-html";
 import { distances, letter, sayChange } from "../comparison.js";
-import { formatNumber } from "../number.js";
+import { formatBeside, formatNumber } from "../number.js";
 import { choiceLabel, flowLabel, rowOf } from "../options.js";
 import { overlayOf } from "../overlay.js";
 import { roundedUp } from "../range.js";
@@ -72,10 +72,10 @@ function paneNote({ reading }, { name, state }) {
   return say("pane-flips", { flips: run.flips, area, circle });
 }
 
-/** @param {Reading | null | undefined} state @param {Options} options */
-function noteOf(state, options) {
+/** @param {Track} track @param {Reading | null | undefined} state @param {Options} options */
+function noteOf({ clip }, state, options) {
   if (!state) return "";
-  const energy = formatNumber(state.energy, 4);
+  const energy = formatBeside(state.energy, clip.points[0]?.state.energy ?? 0);
   return say("pane-note", { step: state.step, symbol: symbol({ options }), energy });
 }
 
@@ -137,7 +137,7 @@ export function createStage(root, { samples, effects }) {
         highlight: marks?.edges ?? ownPane?.highlight ?? (isOfStart ? ringOf(s, set) : none),
         held: isOfStart ? set : null,
         title: isCompared ? flowLabel(options.flow) : title,
-        note: noteOf(page.shown(), options),
+        note: noteOf(lead, page.shown(), options),
       },
     ];
     for (const rival of comparison.rivals) {
@@ -150,7 +150,7 @@ export function createStage(root, { samples, effects }) {
         marked: other?.marked ?? none,
         held: other?.drawable ? null : held,
         title: sayChange(options, change),
-        note: phase === "lost" ? reason : noteOf(at, { ...options, ...change }),
+        note: phase === "lost" ? reason : noteOf(rival, at, { ...options, ...change }),
       });
     }
     if (comparison.withStart) {
