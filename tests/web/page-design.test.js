@@ -42,6 +42,20 @@ test("on a small desk Play, curve, energy, all flows and what they are for are i
   await close();
 });
 
+test("what holds at a boundary is asked about where there is one", async () => {
+  for (const [sample, count] of /** @type {const} */ ([
+    ["icosahedron", 0],
+    ["pipe", 1],
+  ])) {
+    const { page, close } = await site.open(`sample=${sample}`, desk);
+    await openTab(page, "Flow");
+    const panel = page.locator(".panel");
+    await panel.getByText("Goal", { exact: true }).waitFor();
+    assert.equal(await panel.getByText("Boundary", { exact: true }).count(), count, sample);
+    await close();
+  }
+});
+
 test("no drawer is higher than a window and a half, and pictures in it are whole", async () => {
   const { page, close } = await site.open("sample=bumpy-sphere&colour=mean-curvature", desk);
   for (const tab of ["Surface", "Flow", "Measure", "Compare", "Share"]) {
