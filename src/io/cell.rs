@@ -81,6 +81,35 @@ impl Cells {
         self.assembly.check_corners(self.solids.n_corners(), place)
     }
 
+    /// A polyhedron, from the number of its faces and, of each, the number of its corners and these,
+    /// counted from a first vertex. One that ends before is none.
+    ///
+    /// # Errors
+    /// [`ReadError::IndexOutOfRange`], [`ReadError::CountTooLarge`].
+    pub(super) fn polyhedron(
+        &mut self,
+        numbers: &[f64],
+        first: usize,
+        format: Format,
+        place: Place,
+    ) -> Result<(), ReadError> {
+        self.volumes.count(place);
+        if self.assembly.n_faces() > 0 {
+            self.solids.clear();
+            return Ok(());
+        }
+        let mut faces = Vec::new();
+        for face in faces_of(numbers).unwrap_or_default() {
+            let index = |&corner| {
+                let known = self.assembly.index(corner + first as f64, format, place)?;
+                Ok(known)
+            };
+            faces.push(face.iter().map(index).collect::<Result<Vec<u32>, _>>()?);
+        }
+        self.solids.push_polyhedron(&faces);
+        self.assembly.check_corners(self.solids.n_corners(), place)
+    }
+
     /// Cells that are known to be none of a surface.
     pub(super) fn skip(&mut self, place: Place) {
         self.skipped.count(place);
@@ -105,6 +134,21 @@ impl Cells {
     }
 }
 
+/// The faces of a polyhedron.
+fn faces_of(numbers: &[f64]) -> Option<Vec<&[f64]>> {
+    let (&count, mut rest) = numbers.split_first()?;
+    let mut faces = Vec::new();
+    while (faces.len() as f64) < count {
+        let (&n, corners) = rest.split_first()?;
+        let (face, others) = corners.split_at_checked(n as usize)?;
+        faces.push(face);
+        rest = others;
+    }
+    Some(faces)
+}
+
+/// VTK's type of a polyhedron.
+pub(super) const POLYHEDRON: u8 = 42;
 /// VTK's type of a polygon.
 pub(super) const POLYGON: u8 = 7;
 /// That of a strip of triangles.

@@ -5,7 +5,7 @@
 //! ones have offsets and connectivity apart. Values at points and cells are not read.
 
 use super::binary::Scalar;
-use super::cell::{Cells, POLYGON, STRIP};
+use super::cell::{Cells, POLYGON, POLYHEDRON, STRIP};
 use super::stream::Stream;
 use super::{Expected, Extra, Format, Oddity, Place, Read, ReadError};
 
@@ -17,16 +17,17 @@ pub(super) fn is_header(bytes: &[u8]) -> bool {
     start.is_some_and(|start| start.eq_ignore_ascii_case(MAGIC))
 }
 
-/// Lists of corners that follow each other, until their types are known.
+/// Lists of numbers that follow each other, until their types are known: of vertices, but of
+/// polyhedra.
 #[derive(Default)]
 struct Lists {
-    corners: Vec<u32>,
+    corners: Vec<f64>,
     /// Where each list ends, and where it stands in the file.
     ends: Vec<(usize, Place)>,
 }
 
 impl Lists {
-    fn iter(&self) -> impl Iterator<Item = (&[u32], Place)> {
+    fn iter(&self) -> impl Iterator<Item = (&[f64], Place)> {
         let starts = std::iter::once(0).chain(self.ends.iter().map(|(end, _)| *end));
         let spans = starts.zip(&self.ends);
         spans.map(|(start, (end, place))| (&self.corners[start..*end], *place))
@@ -68,22 +69,22 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
         match upper(word).as_slice() {
             b"POINTS" => read_points(&mut stream, is_binary, &mut cells)?,
             b"POLYGONS" => {
-                let lists = read_lists(&mut stream, is_binary, &cells)?;
+                let lists = read_lists(&mut stream, is_binary)?;
                 for (corners, place) in lists.iter() {
-                    cells.cell(POLYGON, corners, place)?;
+                    take(POLYGON, corners, place, &mut cells)?;
                 }
             }
             b"TRIANGLE_STRIPS" => {
-                let lists = read_lists(&mut stream, is_binary, &cells)?;
+                let lists = read_lists(&mut stream, is_binary)?;
                 for (corners, place) in lists.iter() {
-                    cells.cell(STRIP, corners, place)?;
+                    take(STRIP, corners, place, &mut cells)?;
                 }
             }
             b"VERTICES" | b"LINES" => {
-                let lists = read_lists(&mut stream, is_binary, &cells)?;
+                let lists = read_lists(&mut stream, is_binary)?;
                 lists.iter().for_each(|(_, place)| cells.skip(place));
             }
-            b"CELLS" => untyped = read_lists(&mut stream, is_binary, &cells)?,
+            b"CELLS" => untyped = read_lists(&mut stream, is_binary)?,
             b"CELL_TYPES" => {
                 let count = stream.count_word(Expected::CellCount)?;
                 stream.line();
@@ -91,7 +92,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
                     let count = stream.checked("elements", count, 1, 4)?;
                     for (corners, place) in untyped.iter().take(count) {
                         let kind = stream.count(Scalar::I32, Expected::CellType)?;
-                        cells.cell(u8::try_from(kind).unwrap_or(u8::MAX), corners, place)?;
+                        let kind = u8::try_from(kind).unwrap_or(u8::MAX);
+                        take(kind, corners, place, &mut cells)?;
                     }
                     let rest = count.saturating_sub(untyped.ends.len());
                     stream.skip(Scalar::I32, rest as u64)
@@ -174,14 +176,24 @@ fn read_points(
     })
 }
 
-/// Cells of any kind, each a list of vertices.
-fn read_lists(stream: &mut Stream<'_>, is_binary: bool, cells: &Cells) -> Result<Lists, ReadError> {
+/// Takes in a cell.
+fn take(kind: u8, numbers: &[f64], place: Place, cells: &mut Cells) -> Result<(), ReadError> {
+    if kind == POLYHEDRON {
+        return cells.polyhedron(numbers, 0, Format::Vtk, place);
+    }
+    let index = |&number: &f64| cells.assembly.index(number, Format::Vtk, place);
+    let corners: Vec<u32> = numbers.iter().map(index).collect::<Result<_, _>>()?;
+    cells.cell(kind, &corners, place)
+}
+
+/// Cells of any kind, each a list of vertices, or what their type makes of it.
+fn read_lists(stream: &mut Stream<'_>, is_binary: bool) -> Result<Lists, ReadError> {
     let count = stream.count_word(Expected::CellCount)?;
     let size = stream.count_word(Expected::CellCount)?;
     stream.line();
     let rest = stream.left().trim_ascii_start();
     if rest.starts_with(b"OFFSETS") {
-        return read_offsets(stream, is_binary, (count, size), cells);
+        return read_offsets(stream, is_binary, (count, size));
     }
     let mut lists = Lists::default();
     numbers(stream, is_binary, |stream| {
@@ -191,7 +203,9 @@ fn read_lists(stream: &mut Stream<'_>, is_binary: bool, cells: &Cells) -> Result
             let length = stream.count(Scalar::I32, Expected::CornerCount)?;
             let length = stream.checked("corners", length, 1, 4)?;
             for _ in 0..length {
-                lists.corners.push(index(stream, Scalar::I32, cells)?);
+                lists
+                    .corners
+                    .push(stream.value(Scalar::I32, Expected::VertexIndex)?);
             }
             lists.ends.push((lists.corners.len(), place));
         }
@@ -200,18 +214,11 @@ fn read_lists(stream: &mut Stream<'_>, is_binary: bool, cells: &Cells) -> Result
     Ok(lists)
 }
 
-fn index(stream: &mut Stream<'_>, scalar: Scalar, cells: &Cells) -> Result<u32, ReadError> {
-    let place = stream.place();
-    let index = stream.value(scalar, Expected::VertexIndex)?;
-    cells.assembly.index(index, Format::Vtk, place)
-}
-
 /// The same, of version 5: offsets, one more than there are cells, then connectivity.
 fn read_offsets(
     stream: &mut Stream<'_>,
     is_binary: bool,
     (offsets, size): (u64, u64),
-    cells: &Cells,
 ) -> Result<Lists, ReadError> {
     const CONNECTIVITY: Expected = Expected::Keyword {
         word: "CONNECTIVITY",
@@ -244,7 +251,7 @@ fn read_offsets(
         let count = stream.checked("corners", size, 1, kind.size())?;
         let mut corners = Vec::with_capacity(count);
         for _ in 0..count {
-            corners.push(index(stream, kind, cells)?);
+            corners.push(stream.value(kind, Expected::VertexIndex)?);
         }
         let ends = ends.into_iter().skip(1).collect();
         Ok(Lists { corners, ends })

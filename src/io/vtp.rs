@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use self::array::{Arrays, File};
 use super::budget::Budget;
-use super::cell::{Cells, POLYGON, STRIP};
+use super::cell::{Cells, POLYGON, POLYHEDRON, STRIP};
 use super::text::parse_integer;
 use super::xml::{Event, Tag, Xml};
 use super::{Expected, Extra, Format, Oddity, Place, Read, ReadError};
@@ -38,6 +38,9 @@ struct Piece {
     connectivity: Vec<f64>,
     offsets: Vec<f64>,
     types: Vec<f64>,
+    /// What polyhedra list, one after the other, and where each ends; −1 for another cell.
+    faces: Vec<f64>,
+    face_offsets: Vec<f64>,
 }
 
 /// Reads a VTK file in XML.
@@ -70,6 +73,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
                         b"connectivity" => &mut piece.connectivity,
                         b"offsets" => &mut piece.offsets,
                         b"types" => &mut piece.types,
+                        b"faces" => &mut piece.faces,
+                        b"faceoffsets" => &mut piece.face_offsets,
                         _ => continue,
                     };
                     *into = Arrays::read(&tag, &mut xml, &file)?.values(&mut budget)?;
@@ -154,6 +159,7 @@ fn take(
         corners.push(piece.first as u32 + index as u32);
     }
     let mut start = 0;
+    let mut first_face = 0;
     for (at, &end) in piece.offsets.iter().enumerate() {
         if !(end >= start as f64 && end <= corners.len() as f64) {
             return Err(array::wrong(place, end, Expected::CellCount));
@@ -163,13 +169,23 @@ fn take(
             (None, Some(kind)) => *kind as u8,
             (None, None) => return Err(array::wrong(place, at as f64, Expected::CellType)),
         };
-        cells.cell(kind, &corners[start..end as usize], place)?;
+        let listed = piece.face_offsets.get(at).map_or(-1.0, |&end| end);
+        if kind == POLYHEDRON && listed >= first_face as f64 {
+            let numbers = piece.faces.get(first_face..listed as usize);
+            let numbers = numbers.unwrap_or_default();
+            cells.polyhedron(numbers, piece.first, Format::Vtp, place)?;
+            first_face = listed as usize;
+        } else {
+            cells.cell(kind, &corners[start..end as usize], place)?;
+        }
         start = end as usize;
     }
     for values in [
         &mut piece.connectivity,
         &mut piece.offsets,
         &mut piece.types,
+        &mut piece.faces,
+        &mut piece.face_offsets,
     ] {
         values.clear();
     }

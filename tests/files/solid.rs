@@ -176,6 +176,134 @@ fn msh(types: u8, cells: &[Vec<usize>], before: &[&str]) -> String {
     out + "$EndElements\n"
 }
 
+/// Cells that list their faces, and hexahedra, which list their corners.
+struct Polyhedra {
+    nodes: Vec<[f64; 3]>,
+    cells: Vec<(u8, Vec<Vec<usize>>)>,
+}
+
+/// The block, of polyhedra alone or with hexahedra in between.
+fn listed_block(is_mixed: bool) -> Polyhedra {
+    const CUBE: [[usize; 4]; 6] = [
+        [0, 1, 2, 3],
+        [4, 5, 6, 7],
+        [0, 1, 5, 4],
+        [1, 2, 6, 5],
+        [2, 3, 7, 6],
+        [3, 0, 4, 7],
+    ];
+    let faces = |cell: &Vec<usize>| CUBE.map(|face| face.map(|c| cell[c]).to_vec()).to_vec();
+    let cells = cells(&KINDS[0]).into_iter().enumerate();
+    let cells = cells.map(|(at, cell)| match is_mixed && at % 2 == 1 {
+        true => (12, vec![cell]),
+        false => (42, faces(&cell)),
+    });
+    Polyhedra {
+        nodes: nodes(),
+        cells: cells.collect(),
+    }
+}
+
+/// Two prisms of six sides, one on the other.
+fn prisms() -> Polyhedra {
+    let angle = |k: usize| std::f64::consts::PI / 3.0 * k as f64;
+    let node = |layer: usize, k: usize| [angle(k).cos(), angle(k).sin(), layer as f64];
+    let ring = |layer: usize| (6 * layer..6 * layer + 6).collect::<Vec<_>>();
+    let side = |layer: usize, k: usize| {
+        let [a, b] = [k, (k + 1) % 6].map(|k| 6 * layer + k);
+        vec![a, b, b + 6, a + 6]
+    };
+    let prism = |layer| {
+        let ends = [ring(layer), ring(layer + 1)];
+        let faces = ends.into_iter().chain((0..6).map(|k| side(layer, k)));
+        (42, faces.collect())
+    };
+    Polyhedra {
+        nodes: (0..3)
+            .flat_map(|layer| (0..6).map(move |k| node(layer, k)))
+            .collect(),
+        cells: vec![prism(0), prism(1)],
+    }
+}
+
+impl Polyhedra {
+    /// The faces of a cell as VTK lists them; of a hexahedron its corners.
+    fn numbers((types, faces): &(u8, Vec<Vec<usize>>)) -> Vec<usize> {
+        match types {
+            42 => std::iter::once(faces.len())
+                .chain(faces.iter().flat_map(|f| [&[f.len()], &f[..]].concat()))
+                .collect(),
+            _ => faces[0].clone(),
+        }
+    }
+
+    fn types(&self) -> Vec<usize> {
+        self.cells.iter().map(|cell| usize::from(cell.0)).collect()
+    }
+
+    fn points(&self) -> String {
+        let words = self.nodes.iter().flatten().map(ToString::to_string);
+        words.collect::<Vec<_>>().join(" ")
+    }
+
+    fn legacy(&self) -> String {
+        let mut out =
+            "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n".to_owned();
+        let _ = writeln!(out, "POINTS {} double\n{}", self.nodes.len(), self.points());
+        let lists: Vec<_> = self.cells.iter().map(Self::numbers).collect();
+        let size: usize = lists.iter().map(|list| 1 + list.len()).sum();
+        let _ = writeln!(out, "CELLS {} {size}", lists.len());
+        for numbers in &lists {
+            let _ = writeln!(out, "{} {}", numbers.len(), list(numbers, 0));
+        }
+        let _ = writeln!(
+            out,
+            "CELL_TYPES {}\n{}",
+            lists.len(),
+            list(&self.types(), 0)
+        );
+        out
+    }
+
+    /// In two pieces that are the same, if wanted.
+    fn xml(&self, pieces: usize) -> String {
+        let (mut connectivity, mut offsets) = (Vec::new(), Vec::new());
+        let (mut faces, mut ends) = (Vec::new(), Vec::new());
+        for cell in &self.cells {
+            let mut corners: Vec<usize> = cell.1.concat();
+            if cell.0 == 42 {
+                corners.sort_unstable();
+                corners.dedup();
+                faces.extend(Self::numbers(cell));
+                ends.push(faces.len().to_string());
+            } else {
+                ends.push("-1".into());
+            }
+            connectivity.extend(corners);
+            offsets.push(connectivity.len());
+        }
+        let array = |name: &str, numbers: &str| {
+            format!("<DataArray type='Int64' Name='{name}' format='ascii'>{numbers}</DataArray>")
+        };
+        let points = format!(
+            "<Points><DataArray type='Float64' NumberOfComponents='3' format='ascii'>{}</DataArray></Points>",
+            self.points()
+        );
+        let cells = [
+            array("connectivity", &list(&connectivity, 0)),
+            array("offsets", &list(&offsets, 0)),
+            array("types", &list(&self.types(), 0)),
+            array("faces", &list(&faces, 0)),
+            array("faceoffsets", &ends.join(" ")),
+        ];
+        let cells = cells.concat();
+        let piece = format!("<Piece>{points}<Cells>{cells}</Cells></Piece>").repeat(pieces);
+        format!(
+            "<VTKFile type='UnstructuredGrid'><UnstructuredGrid>{piece}</UnstructuredGrid></VTKFile>"
+        )
+    }
+}
+
 /// Files of a format, one for each kind of cell.
 pub(crate) fn files(format: Format) -> Vec<Vec<u8>> {
     let of = |kind: &Kind| match (format, kind.vtk, kind.msh) {
@@ -183,7 +311,13 @@ pub(crate) fn files(format: Format) -> Vec<Vec<u8>> {
         (Format::Msh, _, [types, ..]) => Some(msh(*types, &cells(kind), &[]).into_bytes()),
         _ => None,
     };
-    KINDS.iter().filter_map(of).collect()
+    let listed = [listed_block(false), listed_block(true), prisms()];
+    let listed = listed.iter().filter_map(|some| match format {
+        Format::Vtk => Some(some.legacy().into_bytes()),
+        Format::Vtp => Some(some.xml(2).into_bytes()),
+        _ => None,
+    });
+    KINDS.iter().filter_map(of).chain(listed).collect()
 }
 
 fn list(cell: &[usize], first: usize) -> String {
@@ -257,4 +391,41 @@ fn a_file_that_has_faces_is_read_as_these() {
             [Oddity::OtherCells { count, first }],
         );
     }
+}
+
+#[test]
+fn of_polyhedra_their_faces_are_read_and_hexahedra_fit_beside_them() {
+    let prism = 1.5 * 3f64.sqrt();
+    for (some, faces, volume, area) in [
+        (listed_block(false), 32, 12.0, 32.0),
+        (listed_block(true), 32, 12.0, 32.0),
+        (prisms(), 14, 2.0 * prism, 2.0 * prism + 12.0),
+    ] {
+        for (text, pieces) in [(some.legacy(), 1), (some.xml(1), 1), (some.xml(2), 2)] {
+            let read = io::read(text.as_bytes(), "").unwrap();
+            assert_eq!(read.soup.n_faces(), pieces * faces);
+            let found = volume_and_area(&read.soup);
+            let n = pieces as f64;
+            assert!((found.0 - n * volume).abs() < 1e-12, "volume {}", found.0);
+            assert!((found.1 - n * area).abs() < 1e-12, "area {}", found.1);
+            let count = pieces * some.cells.len();
+            assert_eq!(read.warnings, [Oddity::SolidCells { count }]);
+        }
+    }
+}
+
+#[test]
+fn polyhedra_that_name_no_vertex_are_refused_and_those_that_end_early_are_none() {
+    let whole = prisms();
+    let mut wrong = prisms();
+    wrong.cells[1].1[0][2] = 18;
+    for text in [wrong.legacy(), wrong.xml(1)] {
+        let error = io::read(text.as_bytes(), "").unwrap_err();
+        assert!(error.to_string().contains("18"), "{error}");
+    }
+    // More faces than there are.
+    let text = whole.legacy().replace(" 8 6 6 7", " 9 6 6 7");
+    assert_ne!(text, whole.legacy());
+    let read = io::read(text.as_bytes(), "").unwrap();
+    assert_eq!(read.soup.n_faces(), 8);
 }
