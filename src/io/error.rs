@@ -145,7 +145,7 @@ messages! {
         },
         /// A known format that is not read.
         Unsupported {
-            /// `binary-off`, `nd-off` (of higher dimension), `vtk-data-set` (no surface),
+            /// `obj-free-form`, `binary-off`, `nd-off` (of higher dimension), `vtk-data-set` (no surface),
             /// `vtk-compressor`, `msh-version`, `gltf-external` (parts in other files),
             /// `gltf-draco`, `gltf-meshopt` or `gltf-version`.
             what: &'static str,

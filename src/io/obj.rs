@@ -26,7 +26,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     let mut assembly = Assembly::new();
     assembly.reserve(vertices, 0);
     let (mut skipped, mut fourth) = (Tally::default(), Tally::default());
-    let [mut has_others, mut has_texture, mut has_materials] = [false; 3];
+    let [
+        mut has_others,
+        mut has_texture,
+        mut has_materials,
+        mut is_free_form,
+    ] = [false; 4];
     let mut groups = 0;
     let mut corners = Vec::new();
     for mut words in lines() {
@@ -61,8 +66,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
                 b"vn" | b"vp" | b"s" | b"mg" | b"mtllib" | b"usemap" | b"maplib" | b"bevel"
                 | b"c_interp" | b"d_interp" | b"lod" | b"shadow_obj" | b"trace_obj",
             ) => {}
-            Some(_) => skipped.count(words.place()),
+            Some(word) => {
+                is_free_form |= word == b"surf";
+                skipped.count(words.place());
+            }
         }
+    }
+    if is_free_form && assembly.n_faces() == 0 {
+        return Err(ReadError::Unsupported {
+            what: "obj-free-form",
+        });
     }
     let mut read = assembly.finish(Format::Obj)?;
     let other = |(count, first)| Oddity::OtherLines { count, first };

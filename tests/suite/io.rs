@@ -197,6 +197,14 @@ fn damaged_files_get_an_exact_verdict() {
             },
         ),
         (
+            "nurbs.obj",
+            b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\ncstype bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nend\n"
+                .to_vec(),
+            ReadError::Unsupported {
+                what: "obj-free-form",
+            },
+        ),
+        (
             "no_mark.obj",
             utf_16,
             ReadError::NotText {

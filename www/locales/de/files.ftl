@@ -72,6 +72,7 @@ read-unsupported = Dateien der Art { $what ->
     [gltf-external] glTF mit Daten in anderen Dateien
     [gltf-draco] glTF, durch Draco komprimiert,
     [gltf-meshopt] glTF, durch meshopt komprimiert,
+    [obj-free-form] OBJ, allein mit Freiformflächen,
     [binary-off] binäres OFF
    *[nd-off] höherdimensionales OFF
 } lassen sich nicht lesen
@@ -80,6 +81,7 @@ read-unsupported = Dateien der Art { $what ->
         [gltf-draco] Exportieren Sie ohne Kompression.
         [gltf-meshopt] Exportieren Sie ohne Kompression.
         [msh-version] Sichern Sie sie als MSH 4.1 oder 2.2.
+        [obj-free-form] Exportieren Sie sie als Dreiecke: Die meisten Programme haben eine Einstellung, wie fein.
        *[other] Exportieren Sie die Fläche als OBJ, PLY oder STL.
     }
 read-not-text = { $format }: Byte { $offset } ist kein Text

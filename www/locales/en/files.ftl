@@ -72,6 +72,7 @@ read-unsupported = { $what ->
     [gltf-external] glTF with its data in other files: such
     [gltf-draco] Draco-compressed glTF
     [gltf-meshopt] meshopt-compressed glTF
+    [obj-free-form] OBJ with free-form surfaces alone: such
     [binary-off] binary OFF
    *[nd-off] higher-dimensional OFF
 } files cannot be read
@@ -80,6 +81,7 @@ read-unsupported = { $what ->
         [gltf-draco] Export without compression.
         [gltf-meshopt] Export without compression.
         [msh-version] Save it again as MSH 4.1 or 2.2.
+        [obj-free-form] Export it as triangles: most programs have a setting for how fine.
        *[other] Export the surface as OBJ, PLY or STL.
     }
 read-not-text = { $format }: byte { $offset } is not text
