@@ -243,8 +243,7 @@ export class SurfaceView {
 
   /** The picture as a PNG, as large as it is on screen. */
   async snapshot() {
-    this.#viewer?.settle();
-    this.#redrawn();
+    this.#redrawn(true);
     /** @type {Blob | null} */
     const blob = await new Promise((resolve) => this.#drawnOn.toBlob(resolve));
     if (!blob) throw gpuLost(say("viewer-no-picture"));
@@ -267,9 +266,13 @@ export class SurfaceView {
     if (this.#isSettled) this.#redraw();
   };
 
-  /** A picture that can be read in this task: what is on the screen may be gone from the canvas. */
-  #redrawn() {
+  /**
+   * A picture that can be read in this task: what is on the screen may be gone from the canvas.
+   * @param {boolean} [isStill]  and not one of many
+   */
+  #redrawn(isStill = false) {
     this.#viewer?.invalidate();
+    if (isStill) this.#viewer?.settle();
     this.#draw();
   }
 

@@ -317,8 +317,8 @@ impl Viewer {
         self.0.camera_mut().set_from_slice(numbers)
     }
 
-    /// Draws at the next call of `draw` even if nothing has changed: WebGL forgets a picture
-    /// once it is on the screen.
+    /// Draws at the next call of `draw` even if nothing has changed, as in motion: WebGL forgets a
+    /// picture once it is on the screen.
     pub fn invalidate(&mut self) {
         self.0.invalidate();
     }

@@ -151,7 +151,8 @@ test("a surface is given other triangles, as many as wanted, and gets its own ba
   assert.equal(/area (\S+)$/.exec(await surface(page))?.[1], area);
   await openTab(page, "Surface");
   await button(page, "Undo the remeshing").click();
-  await page.getByText(/^Ready$/).waitFor();
+  // “Ready” stood there before.
+  await page.getByText(new RegExp(`^${before} vertices`)).waitFor();
   assert.equal(await reading(page, "Vertices"), before);
   assert.deepEqual(faults, []);
   await close();

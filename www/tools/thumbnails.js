@@ -125,7 +125,7 @@ async function take(name, scene, viewport) {
 const isWanted = ({ id }) => wanted.length === 0 || wanted.includes(id);
 
 for (const { id, options } of samples.filter(isWanted)) {
-  const half = { width: 150, height: 150 };
+  const half = { width: 140, height: 140 };
   await take(id, { sample: id }, half);
   if (options.flow !== "flips") await take(`${id}-after`, { sample: id, step: MOST }, half);
 }

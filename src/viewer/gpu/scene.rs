@@ -351,9 +351,10 @@ impl Viewer {
         is_more
     }
 
-    /// Draws at the next call of [`draw`](Self::draw), even if nothing has changed.
+    /// Draws at the next call of [`draw`](Self::draw), even if nothing has changed, as in motion.
     pub fn invalidate(&mut self) {
         self.stale.picture = true;
+        self.is_still = false;
     }
 
     /// Draws, if anything has changed; says whether it did.
