@@ -72,9 +72,7 @@ impl Cells {
         corners: &[u32],
         place: Place,
     ) -> Result<(), ReadError> {
-        self.volumes.count(place);
-        if self.assembly.n_faces() > 0 {
-            self.solids.clear();
+        if !self.wants_solid(place) {
             return Ok(());
         }
         self.solids.push(solid, corners);
@@ -93,21 +91,30 @@ impl Cells {
         format: Format,
         place: Place,
     ) -> Result<(), ReadError> {
-        self.volumes.count(place);
-        if self.assembly.n_faces() > 0 {
-            self.solids.clear();
+        if !self.wants_solid(place) {
             return Ok(());
         }
-        let mut faces = Vec::new();
-        for face in faces_of(numbers).unwrap_or_default() {
-            let index = |&corner| {
-                let known = self.assembly.index(corner + first as f64, format, place)?;
-                Ok(known)
-            };
-            faces.push(face.iter().map(index).collect::<Result<Vec<u32>, _>>()?);
-        }
+        // A negative one is none, also where vertices go before the first.
+        let index = |&corner: &f64| {
+            let own = self.assembly.index(corner, format, place)?;
+            let number = f64::from(own) + first as f64;
+            self.assembly.index(number, format, place)
+        };
+        let faces = faces_of(numbers).unwrap_or_default().into_iter();
+        let faces = faces.map(|face| face.iter().map(index).collect());
+        let faces: Vec<Vec<u32>> = faces.collect::<Result<_, _>>()?;
         self.solids.push_polyhedron(&faces);
         self.assembly.check_corners(self.solids.n_corners(), place)
+    }
+
+    /// Counts a cell with a volume; says whether it may still be needed.
+    fn wants_solid(&mut self, place: Place) -> bool {
+        self.volumes.count(place);
+        let wants = self.assembly.n_faces() == 0;
+        if !wants {
+            self.solids.clear();
+        }
+        wants
     }
 
     /// Cells that are known to be none of a surface.

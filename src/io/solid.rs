@@ -205,7 +205,8 @@ impl Solids {
     }
 }
 
-/// What two cells say of the face that they share: its corners, of a larger one three and the last.
+/// What two cells say of the face that they share: its corners, of a larger one the three smallest
+/// and the largest.
 fn key(mut face: Vec<u32>) -> [u32; 4] {
     face.sort_unstable();
     let mut key = [u32::MAX; 4];

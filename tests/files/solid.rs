@@ -423,6 +423,16 @@ fn polyhedra_that_name_no_vertex_are_refused_and_those_that_end_early_are_none()
         let error = io::read(text.as_bytes(), "").unwrap_err();
         assert!(error.to_string().contains("18"), "{error}");
     }
+    // In the second piece −1 would be a vertex of the first.
+    let text = whole.xml(2);
+    let at = text.rfind("'faces' format='ascii'>8 6 0 ").expect("faces");
+    let text = format!(
+        "{}{}",
+        &text[..at],
+        text[at..].replacen(">8 6 0 ", ">8 6 -1 ", 1)
+    );
+    let error = io::read(text.as_bytes(), "").unwrap_err();
+    assert!(error.to_string().contains("-1"), "{error}");
     // More faces than there are.
     let text = whole.legacy().replace(" 8 6 6 7", " 9 6 6 7");
     assert_ne!(text, whole.legacy());
