@@ -226,6 +226,31 @@ fn prisms() -> Polyhedra {
     }
 }
 
+/// A prism of eight sides, each end cut in two faces which share their first vertex and their last.
+fn cut_prism() -> Polyhedra {
+    const AROUND: [usize; 8] = [0, 1, 2, 3, 7, 4, 5, 6];
+    let node = |layer: usize, v: usize| {
+        let at = AROUND
+            .iter()
+            .position(|&other| other == v)
+            .expect("one of eight");
+        let angle = std::f64::consts::PI / 4.0 * at as f64;
+        [angle.cos(), angle.sin(), layer as f64]
+    };
+    let halves = [vec![0, 1, 2, 3, 7], vec![7, 4, 5, 6, 0]];
+    let above = |face: &Vec<usize>| face.iter().map(|v| v + 8).collect();
+    let side = |k: usize| {
+        let [a, b] = [AROUND[k], AROUND[(k + 1) % 8]];
+        vec![a, b, b + 8, a + 8]
+    };
+    let tops: Vec<Vec<usize>> = halves.iter().map(above).collect();
+    let faces = halves.into_iter().chain(tops).chain((0..8).map(side));
+    Polyhedra {
+        nodes: (0..16).map(|v| node(v / 8, v % 8)).collect(),
+        cells: vec![(42, faces.collect())],
+    }
+}
+
 impl Polyhedra {
     /// The faces of a cell as VTK lists them; of a hexahedron its corners.
     fn numbers((types, faces): &(u8, Vec<Vec<usize>>)) -> Vec<usize> {
@@ -396,10 +421,13 @@ fn a_file_that_has_faces_is_read_as_these() {
 #[test]
 fn of_polyhedra_their_faces_are_read_and_hexahedra_fit_beside_them() {
     let prism = 1.5 * 3f64.sqrt();
+    let octagon = 8f64.sqrt();
+    let around = 16.0 * (std::f64::consts::PI / 8.0).sin();
     for (some, faces, volume, area) in [
         (listed_block(false), 32, 12.0, 32.0),
         (listed_block(true), 32, 12.0, 32.0),
         (prisms(), 14, 2.0 * prism, 2.0 * prism + 12.0),
+        (cut_prism(), 12, octagon, 2.0 * octagon + around),
     ] {
         for (text, pieces) in [(some.legacy(), 1), (some.xml(1), 1), (some.xml(2), 2)] {
             let read = io::read(text.as_bytes(), "").unwrap();
