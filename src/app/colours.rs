@@ -3,19 +3,20 @@
 
 use crate::arrays::TypedArray;
 use crate::mesh::HalfedgeMesh;
+use crate::remesh::adaptive::Origin;
 use crate::soup::{Colour, PolygonSoup};
 use std::collections::VecDeque;
 use std::rc::Rc;
 
 /// Colours of the vertices of a document.
-#[derive(Clone, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) enum Colours {
     /// There never were any.
     #[default]
     None,
     /// One a vertex.
     Kept(Rc<[Colour]>),
-    /// The vertices that had them are no more.
+    /// Those of vertices of which nothing but their places was left.
     Dropped,
 }
 
@@ -44,7 +45,7 @@ impl Colours {
         }
     }
 
-    /// Of vertices that have nothing to do with those there were.
+    /// Of vertices of which nothing is known but their places.
     pub(super) fn dropped(&self) -> Self {
         match self {
             Self::None => Self::None,
@@ -62,6 +63,15 @@ impl Colours {
     /// Of vertices that were these.
     pub(super) fn carried(&self, were: &[u32]) -> Self {
         self.map(|list| were.iter().map(|&v| list[v as usize]).collect())
+    }
+
+    /// Of vertices that lie between those there were.
+    pub(super) fn interpolated(&self, origins: &[Origin]) -> Self {
+        self.map(|list| {
+            let part = |origin: &Origin, k: usize| origin.mean(|v| f64::from(list[v as usize][k]));
+            let colour = |origin| std::array::from_fn(|k| part(origin, k) as f32);
+            origins.iter().map(colour).collect()
+        })
     }
 
     /// With those of vertices between two each.

@@ -2,6 +2,7 @@
 
 use super::colours::Colours;
 use super::fault::Fault;
+use super::lineage::Lineage;
 use super::message::Notice;
 use super::numbers::{Numbers, first_of};
 use super::readings::Info;
@@ -38,6 +39,8 @@ pub(super) struct Document {
     pub(super) start: Vec<DVec3>,
     /// What the file gives its vertices.
     pub(super) colours: Colours,
+    /// Which meshes it came of.
+    pub(super) lineage: Rc<Lineage>,
     /// How its vertices and faces are numbered.
     pub(super) numbers: Numbers,
     /// What was repaired, and is to be known of it.
@@ -162,6 +165,7 @@ impl Document {
             frame,
             start,
             colours: Colours::default(),
+            lineage: Rc::default(),
             warnings,
             opened,
             repaired: Vec::new(),

@@ -4,6 +4,7 @@
 use super::fault::Fault;
 use super::field::{Field, FieldName};
 use super::history::Timeline;
+use super::lineage::Lineage;
 use super::look::{Look, LookOptions};
 use super::pane::{Curves, Pane, pictures};
 use super::plot_point::PlotPoint;
@@ -69,18 +70,36 @@ pub struct Frame {
 pub(super) struct View {
     pub(super) field: Option<FieldName>,
     pub(super) look: Option<LookOptions>,
+    /// Of the mesh on which a vertex was picked.
+    pub(super) picked_on: Rc<Lineage>,
     /// The flow whose options were told.
     pub(super) flow: Option<Rc<Segment>>,
     reports: Vec<PlotPoint>,
 }
 
 deferred! {
-    fn looked(runner: &Runner, options: LookOptions) -> Look {
-        runner.look(options, &runner.x)
+    fn looked(runner: &Runner, view: &mut View) -> Look {
+        view.carry_pick(runner);
+        runner.look(view.look.unwrap_or_default(), &runner.x)
     }
 }
 
 impl View {
+    /// What is looked at from now on, on the mesh that there is.
+    pub(super) fn look_at(&mut self, options: LookOptions, runner: &Runner) {
+        self.look = (options != LookOptions::default()).then_some(options);
+        self.picked_on = Rc::clone(runner.lineage());
+    }
+
+    /// What is picked on another mesh is picked where it lies on the present one.
+    fn carry_pick(&mut self, runner: &Runner) {
+        let now = runner.lineage();
+        if let Some(LookOptions { probe, .. }) = &mut self.look {
+            *probe = probe.and_then(|vertex| Lineage::carried(&self.picked_on, now, vertex));
+        }
+        self.picked_on = Rc::clone(now);
+    }
+
     /// A step was taken that frames have not told of.
     pub(super) fn add(&mut self, report: &StepReport) {
         self.reports.push(PlotPoint::of(report, &report.warnings));
@@ -153,7 +172,7 @@ impl Session {
             panes,
             curves: is_flips.then(|| runner.curves()),
             jump: runner.curvature_jump().filter(|_| !is_flips),
-            look: view.look.map(|options| looked(runner, options)),
+            look: view.look.is_some().then(|| looked(runner, view)),
             timeline: runner.history.timeline(runner.state.step),
             flow,
         })

@@ -101,8 +101,8 @@ impl Runner {
         measure: impl Fn(&HalfedgeMesh, &[DVec3]) -> T + 'a,
     ) -> impl Iterator<Item = T> + 'a {
         let before = self.history.path().filter_map(|snapshot| {
-            let mesh = snapshot.segment.mesh.as_ref();
-            let mesh = mesh.unwrap_or(&self.document.triangles);
+            let remade = snapshot.segment.remade.as_ref();
+            let mesh = remade.map_or(&self.document.triangles, |remade| &remade.mesh);
             Some((&**mesh, snapshot.x.as_deref()?))
         });
         let present = std::iter::once((self.triangles(), &*self.x));

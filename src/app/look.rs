@@ -111,6 +111,17 @@ impl Session {
         let runner = self.runner()?;
         Ok(runner.look(options, &runner.x))
     }
+
+    /// The same, and what [`frame`](Self::frame) looks at from now on: a vertex at the same place of
+    /// the surface where that is remeshed.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`].
+    pub fn look_at(&mut self, options: LookOptions) -> Result<Look, Fault> {
+        let runner = self.runner.as_ref().ok_or_else(Fault::no_mesh)?;
+        self.view.look_at(options, runner);
+        self.look(options)
+    }
 }
 
 impl Runner {

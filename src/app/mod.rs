@@ -22,6 +22,7 @@ mod halves;
 mod history;
 mod json;
 pub mod library;
+mod lineage;
 mod link;
 mod look;
 mod message;
@@ -501,7 +502,7 @@ impl Session {
         let runner = self.runner()?;
         let mut losses = crate::io::losses(&runner.soup(), format);
         if matches!(runner.colours(), Colours::Dropped) {
-            losses.push(Loss::ColoursRemeshed);
+            losses.push(Loss::ColoursLost);
         }
         Ok(losses.into_iter().map(Message::from).collect())
     }

@@ -20,7 +20,7 @@ use super::history::{Event, History, Snapshot, SnapshotId, Transition};
 use super::message::AppError;
 use super::provenance::EditRecord;
 use super::readings::{Info, State};
-use super::segment::Segment;
+use super::segment::{Remade, Segment};
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::{CurvatureJump, curvature_jump};
 use crate::flow::flips::EdgeFlips;
@@ -143,8 +143,8 @@ impl Runner {
 
     /// Triangles and faces that the present segment moves.
     pub(super) fn meshes(&self) -> [&Rc<HalfedgeMesh>; 2] {
-        match &self.segment.mesh {
-            Some(mesh) => [mesh, mesh],
+        match &self.segment.remade {
+            Some(Remade { mesh, .. }) => [mesh, mesh],
             None => [&self.document.triangles, &self.document.polygons],
         }
     }
@@ -200,7 +200,7 @@ impl Runner {
         let Some(flow) = &self.engine else {
             return Err(AppError::NotConfigured.into());
         };
-        let start = match &self.segment.mesh {
+        let start = match &self.segment.remade {
             // Vertices that a pass made have no place at the start.
             Some(_) => self.segment.start.as_ref(),
             None => None,

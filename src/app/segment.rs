@@ -1,9 +1,26 @@
 //! The part of a run that one flow led on one mesh: its options and the surface it began from.
 
+use super::colours::Colours;
+use super::lineage::Lineage;
 use crate::flow::options::FlowOptions;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
 use std::rc::Rc;
+
+/// Another mesh than that of the document.
+#[derive(Clone, Debug)]
+pub(super) struct Remade {
+    pub(super) mesh: Rc<HalfedgeMesh>,
+    /// What the file gave its vertices.
+    pub(super) colours: Colours,
+    pub(super) lineage: Rc<Lineage>,
+}
+
+impl Remade {
+    fn bytes(&self) -> usize {
+        self.mesh.bytes() + size_of_val(self.colours.list()) + self.lineage.bytes()
+    }
+}
 
 /// A flow as it was started; the snapshots it led through share it.
 #[derive(Debug, Default)]
@@ -15,8 +32,8 @@ pub(super) struct Segment {
     pub(super) from: usize,
     /// What it started from, a quantity of which it may keep; `None` is the mesh itself.
     pub(super) start: Option<Vec<DVec3>>,
-    /// The mesh that a pass of remeshing made; `None` is that of the document.
-    pub(super) mesh: Option<Rc<HalfedgeMesh>>,
+    /// What a pass of remeshing made; `None` is the mesh of the document.
+    pub(super) remade: Option<Remade>,
     /// Whether that pass began it.
     pub(super) is_pass: bool,
 }
@@ -25,7 +42,6 @@ impl Segment {
     /// What it takes to keep it, without its options.
     pub(super) fn bytes(&self) -> usize {
         let start = self.start.as_deref().unwrap_or_default();
-        let mesh = self.mesh.as_ref().map_or(0, |mesh| mesh.bytes());
-        size_of_val(start) + mesh
+        size_of_val(start) + self.remade.as_ref().map_or(0, Remade::bytes)
     }
 }

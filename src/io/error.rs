@@ -449,8 +449,8 @@ messages! {
             /// How many faces had more corners.
             count: usize,
         },
-        /// A remeshing has made other vertices than those that had colours.
-        ColoursRemeshed,
+        /// Colours of vertices that a remeshing made, of which a restart has left the places alone.
+        ColoursLost,
     }
 }
 

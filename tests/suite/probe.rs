@@ -3,13 +3,16 @@
 use crate::support::surface;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
-use umbilic::app::{LookOptions, MAX_CIRCLES, Probe, SegmentKind, Session, edge_angle};
+use umbilic::app::{
+    LookOptions, MAX_CIRCLES, Probe, RemeshOptions, SegmentKind, Session, edge_angle,
+};
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
-use umbilic::flow::options::FlowOptions;
+use umbilic::flow::options::{FlowName, FlowOptions};
 use umbilic::geometry::measure;
 use umbilic::mesh::shape;
 use umbilic::operator::fitted::principal::{Principal, aligned_edges, principal_directions};
+use umbilic::remesh::adaptive::Kind;
 
 fn session(name: &str, values: &[(&str, f64)], boundary: Boundary) -> Session {
     let values: Vec<(String, f64)> = values.iter().map(|(n, v)| ((*n).to_owned(), *v)).collect();
@@ -386,4 +389,68 @@ fn double_curves_are_drawn_where_they_are_asked_for() {
     assert_eq!(seen.ends.len(), 6 * seen.kinds.len());
     let drawn = SegmentKind::Crossing as u8;
     assert!(seen.kinds.len() > 50 && seen.kinds.iter().all(|kind| *kind == drawn));
+}
+
+/// Where what is picked lies, its number and how large edges are.
+fn picked(session: &mut Session) -> (DVec3, u32, f64) {
+    let look = session.frame().expect("a frame").look.expect("a look");
+    let probe = look.probe.expect("a vertex");
+    let longest = probe.edges.iter().map(|edge| edge.length);
+    (
+        DVec3::from_array(probe.position),
+        probe.vertex,
+        longest.fold(0.0, f64::max),
+    )
+}
+
+#[test]
+fn what_is_picked_stays_where_it_is_on_a_surface_that_is_remeshed() {
+    let shape = [("around", 28.0), ("tube", 14.0), ("jitter", 0.25)];
+    let mut session = session("sampled-torus", &shape, Boundary::Clamped);
+    let still = FlowOptions {
+        flow: FlowName::PWillmore,
+        // So short a step that the surface stays where it is.
+        tau: Some(1e-7),
+        ..FlowOptions::default()
+    };
+    session.configure(still).expect("options");
+    let mut others = 0;
+    for vertex in [0, 31, 200, 390] {
+        session.reset().expect("the start");
+        let options = LookOptions {
+            probe: Some(vertex),
+            ..LookOptions::default()
+        };
+        session.look_at(options).expect("a mesh");
+        let (start, ..) = picked(&mut session);
+        let mut passes = 0;
+        for _ in 0..24 {
+            let report = session.step().expect("a step").expect("none is at rest");
+            passes += usize::from(report.pass.is_some());
+            let (place, number, edge) = picked(&mut session);
+            assert!(place.distance(start) < edge, "{vertex}: {place} {start}");
+            others += usize::from(number != vertex);
+        }
+        assert!(passes > 0);
+        // By hand too, and both ways back.
+        let remeshed = RemeshOptions {
+            kind: Kind::Isotropic,
+            vertices: Some(700),
+            target: None,
+        };
+        session.remesh(&remeshed).expect("a mesh");
+        let (place, number, edge) = picked(&mut session);
+        assert!(place.distance(start) < edge, "{vertex}: {place} {start}");
+        others += usize::from(number != vertex);
+        session.undo_edit().expect("undone");
+        session.seek(0).expect("the start");
+        let (place, _, edge) = picked(&mut session);
+        assert!(place.distance(start) < edge, "{vertex}: {place} {start}");
+    }
+    assert!(others > 30, "its number is another: {others}");
+    // Not on another surface.
+    session.sample("icosahedron", &[]).expect("a sample");
+    session.configure(FlowOptions::default()).expect("options");
+    let look = session.frame().expect("a frame").look;
+    assert!(look.is_none_or(|look| look.probe.is_none()));
 }

@@ -112,13 +112,16 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
       const isFollowed = !stored && !isHeld && isStill();
       take(lead, frame, isFollowed);
       if (isFollowed) player.place(lead.u);
-      const { range, options, extras } = get();
+      const { range, options, extras, lookOptions } = get();
+      const isShown = isFollowed || !extras;
+      // A remeshing gives what was picked another number.
+      const probe = look?.probe?.vertex ?? lookOptions.probe;
       const first = lead.clip.points[0]?.field;
       patch({
         timeline,
         ...(!stored && { reading: state, preview: null }),
         ...(performance.now() - lastProgress > LASTS && { progress: null }),
-        ...((isFollowed || !extras) && { extras: { curves, jump, look } }),
+        ...(isShown && { extras: { curves, jump, look }, lookOptions: { ...lookOptions, probe } }),
         ...(range === null && first && { range: rangeOf(first) }),
         ...(flow && { options: { ...options, ...flow.options }, configured: flow.configured }),
       });

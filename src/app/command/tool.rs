@@ -350,11 +350,7 @@ impl Session {
             C::Adopt {} => A::Adopt(self.adopt()?),
             C::Undo {} => A::Undo(self.undo_edit()?),
             C::Loops {} => A::Loops(self.boundary_loops()?),
-            C::Look { options } => {
-                let look = self.look(options)?;
-                self.view.look = (options != LookOptions::default()).then_some(options);
-                A::Look(look)
-            }
+            C::Look { options } => A::Look(self.look_at(options)?),
             C::PreviewInversion { centre } => {
                 let (field, look) = (self.view.field, self.view.look.unwrap_or_default());
                 A::PreviewInversion(self.preview_inversion(centre, field, look)?)

@@ -51,10 +51,12 @@ impl Runner {
             let mesh = Rc::new(HalfedgeMesh::clone(self.triangles()));
             document.polygons = Rc::clone(&mesh);
             document.triangles = mesh;
-        } else if let Some(mesh) = &self.segment.mesh {
+        } else if let Some(remade) = &self.segment.remade {
+            let mesh = &remade.mesh;
             document.polygons = Rc::clone(mesh);
             document.triangles = Rc::clone(mesh);
-            document.colours = self.colours();
+            document.colours = remade.colours.clone();
+            document.lineage = Rc::clone(&remade.lineage);
             document.numbers = document.numbers.plain(mesh);
         }
         document

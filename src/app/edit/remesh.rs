@@ -4,6 +4,7 @@ use super::options::RemeshOptions;
 use crate::app::Session;
 use crate::app::document::Document;
 use crate::app::fault::Fault;
+use crate::app::lineage::Lineage;
 use crate::app::message::AppError;
 use crate::app::provenance::Edit;
 use crate::app::runner::Runner;
@@ -92,7 +93,7 @@ impl Runner {
             positions,
             held,
             counts,
-            ..
+            origins,
         } = adaptive::remesh(mesh, x, options.kind, wanted, &held)?;
         let outcome = RemeshOutcome {
             counts,
@@ -114,7 +115,8 @@ impl Runner {
             polygons: Rc::clone(&made),
             triangles: made,
             start: positions,
-            colours: present.colours.dropped(),
+            colours: present.colours.interpolated(&origins),
+            lineage: Lineage::after(&present.lineage, &origins, mesh),
             free,
             fixed,
             ..present

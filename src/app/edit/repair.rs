@@ -48,6 +48,7 @@ impl Runner {
             polygons,
             start: built.positions,
             colours: document.colours.carried(&were),
+            lineage: Rc::default(),
             free: chosen(&self.options().free),
             fixed: chosen(&self.options().fixed),
             warnings,

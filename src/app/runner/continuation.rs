@@ -160,7 +160,7 @@ impl Runner {
             number: self.next_number(),
             from: self.state.step,
             start: Some(x.clone()),
-            mesh: self.segment.mesh.clone(),
+            remade: self.segment.remade.clone(),
             is_pass: false,
         };
         let [triangles, polygons] = self.meshes();

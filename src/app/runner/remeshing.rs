@@ -13,17 +13,17 @@ use crate::app::colours::Colours;
 use crate::app::engine::Checkpoint;
 use crate::app::fault::Fault;
 use crate::app::history::{Event, Snapshot};
+use crate::app::lineage::Lineage;
 use crate::app::readings::State;
-use crate::app::segment::Segment;
+use crate::app::segment::{Remade, Segment};
 use crate::energy::p_willmore::integrated_power;
 use crate::flow::constraint::Kept;
 use crate::flow::options::{FlowOptions, Remeshing};
 use crate::flow::{Decision, FlowError, Pass, Status, StepReport};
 use crate::geometry::measure;
 use crate::interrupt;
-use crate::mesh::HalfedgeMesh;
 use crate::remesh::Mode;
-use crate::remesh::adaptive::{self, Kind, RemeshError, Remeshed, Soundness, Targets};
+use crate::remesh::adaptive::{self, Counts, Kind, RemeshError, Soundness, Targets};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 use std::rc::Rc;
@@ -36,15 +36,29 @@ const GAIN: f64 = 3.0;
 /// Steps after a pass before there can be another.
 const REST: usize = 3;
 
+/// What a pass makes.
+struct Made {
+    remade: Remade,
+    positions: Vec<DVec3>,
+    counts: Counts,
+    is_settled: bool,
+}
+
 deferred! {
-    fn remeshed(
-        mesh: &HalfedgeMesh,
-        x: &[DVec3],
-        kind: Kind,
-        budget: usize,
-        targets: Targets,
-    ) -> Result<Remeshed, RemeshError> {
-        adaptive::pass(mesh, x, kind, budget, targets)
+    fn made(runner: &Runner, kind: Kind, targets: Targets) -> Result<Made, RemeshError> {
+        let mesh = runner.triangles();
+        let made = adaptive::pass(mesh, &runner.x, kind, runner.budget(), targets)?;
+        let origins = &made.origins;
+        Ok(Made {
+            is_settled: made.is_settled(),
+            counts: made.counts,
+            remade: Remade {
+                colours: runner.colours().interpolated(origins),
+                lineage: Lineage::after(runner.lineage(), origins, mesh),
+                mesh: Rc::new(made.mesh),
+            },
+            positions: made.positions,
+        })
     }
 }
 
@@ -132,16 +146,15 @@ impl Runner {
             area: self.state.area,
             volume: self.state.volume.filter(|_| keeps_volume),
         };
-        let mesh = self.triangles();
-        let before = measure::min_angle_degrees(mesh, &self.x);
-        let made = remeshed(mesh, &self.x, kind, self.budget(), targets);
+        let before = measure::min_angle_degrees(self.triangles(), &self.x);
+        let made = made(self, kind, targets);
         interrupt::check().map_err(FlowError::from)?;
         let Ok(made) = made else {
             return Ok(None);
         };
         // A mesh that is as good as it gets would be flipped to and fro, and the flow never rest.
-        let after = measure::min_angle_degrees(&made.mesh, &made.positions);
-        if made.is_settled() && after < before + GAIN {
+        let after = measure::min_angle_degrees(&made.remade.mesh, &made.positions);
+        if made.is_settled && after < before + GAIN {
             return Ok(None);
         }
         let Some(Checkpoint::Flow(checkpoint)) = self.checkpoint() else {
@@ -152,7 +165,7 @@ impl Runner {
             number: self.next_number(),
             from: self.state.step,
             start: Some(made.positions.clone()),
-            mesh: Some(Rc::new(made.mesh)),
+            remade: Some(made.remade),
             is_pass: true,
         };
         let old = std::mem::replace(&mut self.segment, Rc::new(segment));
@@ -232,10 +245,14 @@ impl Runner {
     }
 
     /// What the file gave the vertices that there are now.
-    pub(in crate::app) fn colours(&self) -> Colours {
-        match &self.segment.mesh {
-            Some(_) => self.document.colours.dropped(),
-            None => self.document.colours.clone(),
-        }
+    pub(in crate::app) fn colours(&self) -> &Colours {
+        let remade = self.segment.remade.as_ref();
+        remade.map_or(&self.document.colours, |remade| &remade.colours)
+    }
+
+    /// Which meshes the one that there is now came of.
+    pub(in crate::app) fn lineage(&self) -> &Rc<Lineage> {
+        let remade = self.segment.remade.as_ref();
+        remade.map_or(&self.document.lineage, |remade| &remade.lineage)
     }
 }

@@ -5,7 +5,7 @@ use crate::app::Session;
 use crate::app::fault::Fault;
 use crate::app::message::AppError;
 use crate::app::readings::State;
-use crate::app::segment::Segment;
+use crate::app::segment::{Remade, Segment};
 use crate::mesh::{self, HalfedgeMesh};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
@@ -37,7 +37,7 @@ impl Runner {
     /// Triangles of its own that the surface has, where they are not those that were loaded.
     pub(in crate::app) fn own_triangles(&self) -> Option<&HalfedgeMesh> {
         let flips = self.engine.as_ref().and_then(|flow| flow.flips());
-        let is_own = flips.is_some() || self.segment.mesh.is_some();
+        let is_own = flips.is_some() || self.segment.remade.is_some();
         is_own.then(|| self.triangles())
     }
 
@@ -64,7 +64,7 @@ impl Runner {
         }
         let x: Vec<DVec3> = exact.chunks_exact(3).map(DVec3::from_slice).collect();
         let mesh = own.map(|own| connected(&x, own)).transpose()?;
-        if mesh.is_some() || self.segment.mesh.is_some() {
+        if mesh.is_some() || self.segment.remade.is_some() {
             self.stand_on(mesh, &x, step)?;
         }
         self.x = x;
@@ -99,7 +99,11 @@ impl Runner {
             from: step,
             start: Some(x.to_vec()),
             is_pass: mesh.is_some(),
-            mesh: mesh.map(Rc::new),
+            remade: mesh.map(|mesh| Remade {
+                mesh: Rc::new(mesh),
+                colours: self.document.colours.dropped(),
+                lineage: Rc::default(),
+            }),
         };
         let old = std::mem::replace(&mut self.segment, Rc::new(segment));
         match self.started() {

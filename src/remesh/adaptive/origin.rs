@@ -30,10 +30,10 @@ impl Origin {
         self.corners[(0..3).max_by(heavier).unwrap_or_default()]
     }
 
-    /// A value at the vertices of the old mesh, here.
-    pub fn interpolate(&self, values: &[f64]) -> f64 {
+    /// A value that the vertices of the old mesh have, here.
+    pub fn mean(&self, value: impl Fn(u32) -> f64) -> f64 {
         let terms = self.corners.iter().zip(self.weights);
-        terms.map(|(&v, w)| w * values[v as usize]).sum()
+        terms.map(|(&v, w)| w * value(v)).sum()
     }
 }
 

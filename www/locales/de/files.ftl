@@ -159,7 +159,7 @@ loss-moved = { $format } hat Koordinaten einfacher Genauigkeit: Das Netz wurde a
 loss-polygons = { $format } kennt nur Dreiecke: Vielecke wurden zerlegt ({ $count }). PLY, OBJ und OFF behalten sie.
 loss-joined = { $format } kennt Ecken an ihrem Ort: Die am Ort einer anderen werden beim Lesen mit ihr vereint ({ $count }). PLY, OBJ, OFF und GLB halten sie auseinander.
 loss-colours = { $format } hat keinen Platz für Farben der Ecken: Sie wurden weggelassen. PLY, OBJ, OFF und GLB behalten sie.
-loss-colours-remeshed = Die Eckenfarben der Datei sind entfallen: Beim Neuvernetzen sind andere Ecken entstanden.
+loss-colours-lost = Die Eckenfarben der Datei sind verloren: Der Löser wurde auf Ecken neu gestartet, die beim Neuvernetzen entstanden waren. Vom Anfang an abgespielt, sind sie wieder da.
 
 ## Netze, die sich nicht schreiben lassen
 

@@ -159,7 +159,7 @@ loss-moved = { $format } holds coordinates in single precision: the mesh was mov
 loss-polygons = { $format } holds triangles alone: polygons were cut ({ $count }). PLY, OBJ and OFF keep them.
 loss-joined = { $format } knows vertices by their places: those at the place of another are joined to it when the file is read ({ $count }). PLY, OBJ, OFF and GLB keep them apart.
 loss-colours = { $format } has no place for colours of vertices: they were left out. PLY, OBJ, OFF and GLB keep them.
-loss-colours-remeshed = The file’s vertex colours were dropped: remeshing has made other vertices.
+loss-colours-lost = The file’s vertex colours are lost: the solver was restarted on vertices that a remeshing had made. Play from the start to have them again.
 
 ## Meshes that cannot be written
 
