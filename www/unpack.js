@@ -21,24 +21,36 @@ async function partsOf(file) {
   const bytes = isPacked ? await gunzip(file.bytes) : file.bytes;
   const name = isPacked ? withoutGzip(file.name) : file.name;
   if (!isZip(bytes)) return [{ name, size: bytes.length, read: async () => bytes }];
-  const entries = entriesOf(bytes).filter((entry) => !isHidden(entry.name));
-  const models = entries.filter((entry) => /^3D\/.*\.model$/i.test(entry.name));
-  return models.length > 0 ? [packageOf(name, models)] : entries;
+  const all = entriesOf(bytes);
+  const relations = all.find((entry) => entry.name === "_rels/.rels");
+  const entries = all.filter((entry) => !isHidden(entry.name));
+  const isModel = relations ? /\.model$/i : /^3D\/.*\.model$/i;
+  const models = entries.filter((entry) => isModel.test(entry.name));
+  return models.length > 0 ? [packageOf(name, models, relations)] : entries;
+}
+
+/** Where a package says that its model is, in small letters. @param {Part} [relations] */
+async function firstModel(relations) {
+  const text = relations ? new TextDecoder().decode(await relations.read()) : "";
+  const tags = text.match(/<[^<>]*\/3dmodel["'][^<>]*>/g) ?? [];
+  const target = /\bTarget\s*=\s*["']\/?([^"']+)/.exec(tags[0] ?? "");
+  return (target?.[1] ?? "3D/3dmodel.model").toLowerCase();
 }
 
 /**
  * The model files of a 3MF package as one, the first of them in front; each after an instruction
  * that says its path, by which they name each other.
- * @param {string} name @param {Part[]} models @returns {Part}
+ * @param {string} name @param {Part[]} models @param {Part} [relations] @returns {Part}
  */
-function packageOf(name, models) {
-  const isFirst = (/** @type {Part} */ part) => part.name.toLowerCase() === "3d/3dmodel.model";
-  const sorted = [...models].sort((a, b) => Number(isFirst(b)) - Number(isFirst(a)));
+function packageOf(name, models, relations) {
   return {
     name: /\.3mf$/i.test(name) ? name : name.replace(/\.[^.]*$|$/, ".3mf"),
-    size: sorted.reduce((sum, { size }) => sum + size, 0),
+    size: models.reduce((sum, { size }) => sum + size, 0),
     async read() {
-      if (sorted.length === 1) return sorted[0].read();
+      if (models.length === 1) return models[0].read();
+      const first = await firstModel(relations);
+      const isFirst = (/** @type {Part} */ part) => part.name.toLowerCase() === first;
+      const sorted = [...models].sort((a, b) => Number(isFirst(b)) - Number(isFirst(a)));
       /** @type {BlobPart[]} */
       const whole = [];
       for (const part of sorted) whole.push(`<?model /${part.name}?>\n`, await part.read(), "\n");

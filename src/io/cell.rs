@@ -23,8 +23,8 @@ impl Cells {
         }
     }
 
-    /// A cell of VTK's type `kind`. Of one of higher order the corners make the face; its other
-    /// vertices stay without one.
+    /// A cell of VTK's type `kind`. One of second order is cut at its nodes; of one of a higher
+    /// order, or of Bézier's kind, the corners make the face, and other nodes stay without one.
     pub(super) fn cell(
         &mut self,
         kind: u8,
@@ -32,6 +32,14 @@ impl Cells {
         place: Place,
     ) -> Result<(), ReadError> {
         let first = |count: usize| &corners[..count.min(corners.len())];
+        match (kind, corners.len()) {
+            (22, 6..) | (69, 6) => return self.pieces(SECOND_ORDER_TRIANGLE, corners, place),
+            (34 | 69, 7) => return self.pieces(TRIANGLE_WITH_CENTRE, corners, place),
+            (23, 8..) | (70, 8) => return self.pieces(SERENDIPITY, corners, place),
+            (28, 9..) | (70, 9) => return self.pieces(SECOND_ORDER_SQUARE, corners, place),
+            (30, 6..) => return self.pieces(LINEAR_BY_SECOND_ORDER, corners, place),
+            _ => {}
+        }
         match (kind, corners) {
             (POLYGON | 5 | 9, _) => self.assembly.face(corners, place),
             (STRIP, _) => (1..=corners.len()).try_for_each(|end| {
@@ -40,11 +48,15 @@ impl Cells {
             }),
             // A pixel: in the order of its axes.
             (8, &[a, b, c, d, ..]) => self.assembly.face(&[a, b, d, c], place),
-            // Triangles and quadrilaterals of second order, of Lagrange's and of Bézier's kind.
+            // Triangles and quadrilaterals of Lagrange's and of Bézier's kind, and such as lack nodes.
             (22 | 34 | 69 | 76, _) => self.assembly.face(first(3), place),
             (23 | 28 | 30 | 70 | 77, _) => self.assembly.face(first(4), place),
             // A polygon of second order: corners, then middles of sides.
-            (36, _) => self.assembly.face(first(corners.len() / 2), place),
+            (36, _) => {
+                let (ends, middles) = corners.split_at(corners.len() / 2);
+                let around = ends.iter().zip(middles).flat_map(|(&a, &b)| [a, b]);
+                self.assembly.face(&around.collect::<Vec<_>>(), place)
+            }
             (10 | 24 | 71 | 78, _) => self.solid(Solid::Tetrahedron, corners, place),
             (12 | 25 | 29 | 33 | 72 | 79, _) => self.solid(Solid::Hexahedron, corners, place),
             (13 | 26 | 31 | 32 | 73 | 80, _) => self.solid(Solid::Wedge, corners, place),
@@ -60,6 +72,23 @@ impl Cells {
                 Ok(())
             }
         }
+    }
+
+    /// The faces that an element is cut into, each by its corners among the element's nodes.
+    pub(super) fn pieces(
+        &mut self,
+        pieces: Pieces,
+        nodes: &[u32],
+        place: Place,
+    ) -> Result<(), ReadError> {
+        let mut corners = [0; 4];
+        for piece in pieces {
+            for (corner, &node) in corners.iter_mut().zip(*piece) {
+                *corner = nodes[node];
+            }
+            self.assembly.face(&corners[..piece.len()], place)?;
+        }
+        Ok(())
     }
 
     /// A cell with a volume. Once there is a face, none gives its own.
@@ -153,6 +182,33 @@ fn faces_of(numbers: &[f64]) -> Option<Vec<&[f64]>> {
     }
     Some(faces)
 }
+
+/// Faces as corners among the nodes of an element.
+pub(super) type Pieces = &'static [&'static [usize]];
+
+/// Nodes of second order are corners, then middles of sides, then what is within; VTK and Gmsh
+/// number them alike.
+pub(super) const SECOND_ORDER_TRIANGLE: Pieces = &[&[0, 3, 5], &[3, 1, 4], &[5, 4, 2], &[3, 4, 5]];
+const TRIANGLE_WITH_CENTRE: Pieces = &[
+    &[0, 3, 6],
+    &[3, 1, 6],
+    &[1, 4, 6],
+    &[4, 2, 6],
+    &[2, 5, 6],
+    &[5, 0, 6],
+];
+/// Without a node in the middle.
+pub(super) const SERENDIPITY: Pieces = &[
+    &[0, 4, 7],
+    &[4, 1, 5],
+    &[5, 2, 6],
+    &[6, 3, 7],
+    &[4, 5, 6, 7],
+];
+pub(super) const SECOND_ORDER_SQUARE: Pieces =
+    &[&[0, 4, 8, 7], &[4, 1, 5, 8], &[8, 5, 2, 6], &[7, 8, 6, 3]];
+/// With middles of the first side and of the one across.
+const LINEAR_BY_SECOND_ORDER: Pieces = &[&[0, 4, 5, 3], &[4, 1, 2, 5]];
 
 /// VTK's type of a polyhedron.
 pub(super) const POLYHEDRON: u8 = 42;

@@ -1,11 +1,11 @@
 //! MSH, the format of Gmsh, in text and in binary: the surface elements of versions 2 and 4.1.
 //!
 //! Source: the Gmsh reference manual, "File formats". Nodes have numbers of their own, in any
-//! order; elements of higher order are read as their corners; points and lines are counted as
+//! order; elements of second order are cut at their nodes, of higher order read as their corners; points and lines are counted as
 //! skipped, and so are volumes unless there are no others.
 
 use super::binary::Scalar;
-use super::cell::Cells;
+use super::cell::{Cells, Pieces, SECOND_ORDER_SQUARE, SECOND_ORDER_TRIANGLE, SERENDIPITY};
 use super::solid::Solid;
 use super::stream::Stream;
 use super::{Expected, Extra, Format, Oddity, Place, Read, ReadError};
@@ -20,15 +20,15 @@ pub(super) fn is_header(bytes: &[u8]) -> bool {
 /// What an element is.
 #[derive(Clone, Copy)]
 enum Shape {
-    /// A face with so many corners.
-    Face(usize),
+    /// Faces of so many of its nodes, the first.
+    Faces(usize, Pieces),
     Solid(Solid),
     /// A point, a line, or of several parts.
     Other,
 }
 
-const TRIANGLE: Shape = Shape::Face(3);
-const QUADRILATERAL: Shape = Shape::Face(4);
+const TRIANGLE: Shape = Shape::Faces(3, &[&[0, 1, 2]]);
+const QUADRILATERAL: Shape = Shape::Faces(4, &[&[0, 1, 2, 3]]);
 const TETRAHEDRON: Shape = Shape::Solid(Solid::Tetrahedron);
 const HEXAHEDRON: Shape = Shape::Solid(Solid::Hexahedron);
 const WEDGE: Shape = Shape::Solid(Solid::Wedge);
@@ -45,14 +45,14 @@ const ELEMENTS: [(usize, Shape); 38] = [
     (6, WEDGE),
     (5, PYRAMID),
     (3, Shape::Other),
-    (6, TRIANGLE),
-    (9, QUADRILATERAL),
+    (6, Shape::Faces(6, SECOND_ORDER_TRIANGLE)),
+    (9, Shape::Faces(9, SECOND_ORDER_SQUARE)),
     (10, TETRAHEDRON),
     (27, HEXAHEDRON),
     (18, WEDGE),
     (14, PYRAMID),
     (1, Shape::Other),
-    (8, QUADRILATERAL),
+    (8, Shape::Faces(8, SERENDIPITY)),
     (20, HEXAHEDRON),
     (15, WEDGE),
     (13, PYRAMID),
@@ -238,18 +238,18 @@ impl<'a> Reader<'a> {
         place: Place,
     ) -> Result<(), ReadError> {
         let n = match shape {
-            Shape::Face(corners) => corners,
+            Shape::Faces(corners, _) => corners,
             Shape::Solid(solid) => solid.n_corners(),
             Shape::Other => 0,
         };
-        let mut corners = [0; 8];
+        let mut corners = [0; 9];
         for corner in &mut corners[..n] {
             let number = self.stream.value(scalar, Expected::VertexIndex)?;
             *corner = self.corner(number, place)?;
         }
         self.stream.skip(scalar, (nodes - n) as u64)?;
         match shape {
-            Shape::Face(_) => self.cells.assembly.face(&corners[..n], place)?,
+            Shape::Faces(_, pieces) => self.cells.pieces(pieces, &corners, place)?,
             Shape::Solid(solid) => self.cells.solid(solid, &corners[..n], place)?,
             Shape::Other => self.cells.skip(place),
         }

@@ -10,6 +10,7 @@ mod mesh;
 mod msh;
 mod plain;
 mod round_trip;
+mod second_order;
 mod solid;
 mod three_mf;
 mod vtk;

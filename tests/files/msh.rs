@@ -220,7 +220,10 @@ fn elements_of_no_surface_are_counted_and_higher_order_is_cut() {
                 2 1 2 0 0 6 5\n3 9 2 0 0 6 5 4 3 2 1\n4 4 2 0 0 6 5 4 3\n$EndElements\n\
                 $NodeData\n1\n\"x\"\n$EndNodeData\n";
     let read = umbilic::io::read(text.as_bytes(), "").unwrap();
-    assert_eq!(read.soup.faces().collect::<Vec<_>>(), [[0, 1, 2]]);
+    assert_eq!(
+        read.soup.faces().collect::<Vec<_>>(),
+        [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]]
+    );
     assert_eq!(
         oddities(text.as_bytes()),
         [

@@ -180,7 +180,10 @@ fn cells_that_are_no_faces_are_counted_and_others_are_cut() {
             &[0, 2, 4],
             &[4, 2, 1],
             &[4, 1, 3],
-            &[0, 2, 1],
+            &[0, 3, 5],
+            &[3, 2, 4],
+            &[5, 4, 1],
+            &[3, 4, 5],
         ]
     );
     let Oddity::OtherCells { count: 3, .. } = read.warnings[0] else {

@@ -74,6 +74,14 @@ test("the models of a 3MF package are put after each other, the first in front",
   });
   const expected = "<?model /3D/3dmodel.model?>\n<m/>\n<?model /3D/Objects/o_1.model?>\n<o/>\n";
   assert.equal(text(two), expected);
+  // Wherever the package says that its model is.
+  const relations = `<Relationships><Relationship Target="/a.png" Type="x/thumbnail"/>
+    <Relationship Id='r' Type='http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel'
+    Target='/Models/Main.model'/></Relationships>`;
+  const parts = { "parts/o.model": "<o/>", "models/main.model": "<m/>", "_rels/.rels": relations };
+  const elsewhere = await among({ "b.zip": zip(parts) });
+  const both = "<?model /models/main.model?>\n<m/>\n<?model /parts/o.model?>\n<o/>\n";
+  assert.deepEqual([elsewhere.name, text(elsewhere)], ["b.3mf", both]);
 });
 
 test("a glTF file gets the buffers beside it", async () => {
