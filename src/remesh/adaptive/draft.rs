@@ -41,6 +41,14 @@ pub(super) struct Hinge {
     pub(super) apexes: [u32; 2],
 }
 
+impl Hinge {
+    /// The edges around the two faces, the smaller end first.
+    pub(super) fn sides(&self) -> [[u32; 2]; 4] {
+        let ([a, b], [c, d]) = (self.ends, self.apexes);
+        [[a, c], [c, b], [b, d], [d, a]].map(|[v, w]| [v.min(w), v.max(w)])
+    }
+}
+
 impl Draft {
     /// Of an oriented triangle mesh. Boundary vertices are held, with those that `held` marks.
     pub(super) fn of(mesh: &HalfedgeMesh, x: &[DVec3], held: &[bool]) -> Self {
@@ -152,12 +160,17 @@ impl Draft {
             for i in 0..3 {
                 let (a, b) = (corners[i], corners[(i + 1) % 3]);
                 // Two faces run along an edge in opposite directions.
-                if a < b && !(self.held[a as usize] && self.held[b as usize]) {
+                if a < b && !self.is_held([a, b]) {
                     edges.push([a, b]);
                 }
             }
         }
         edges
+    }
+
+    /// Whether an edge lies between held vertices.
+    pub(super) fn is_held(&self, [a, b]: [u32; 2]) -> bool {
+        self.held[a as usize] && self.held[b as usize]
     }
 
     /// The two faces at an edge, that which runs from `a` to `b` first; `None` if there is no

@@ -6,6 +6,7 @@
 
 use super::draft::{Draft, Hinge};
 use crate::interrupt::paced;
+use crate::order;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -32,47 +33,68 @@ pub(super) fn for_valence(draft: &mut Draft) -> usize {
         let apexes = hinge.apexes.map(|v| excess(v, 1) - excess(v, 0));
         ends.iter().chain(&apexes).sum::<i64>() < 0 && opposite_angles(draft, hinge) > OPPOSITE
     };
-    sweep(draft, is_wanted, |draft, hinge, new| {
+    let flipped = sweep(draft, draft.edges(), is_wanted, |draft, hinge, new| {
         let old = hinge.faces.map(|f| draft.faces[f as usize]);
         let least =
             |faces: [[u32; 3]; 2]| least_angle(draft, faces[0]).min(least_angle(draft, faces[1]));
         least(new) >= ANGLE_KEPT * least(old)
-    })
+    });
+    flipped.len()
 }
 
 /// Flips edges until all are Delaunay; their number.
 pub(super) fn to_delaunay(draft: &mut Draft) -> usize {
+    let is_wanted = |draft: &Draft, hinge: Hinge| {
+        is_reflex(draft, hinge) && opposite_angles(draft, hinge) > PI + SLACK
+    };
     let mut count = 0;
+    let mut edges = draft.edges();
     for _ in 0..SWEEPS {
-        let is_wanted = |draft: &Draft, hinge: Hinge| opposite_angles(draft, hinge) > PI + SLACK;
-        let flipped = sweep(draft, is_wanted, |_, _, _| true);
-        count += flipped;
-        if flipped == 0 {
+        let flipped = sweep(draft, edges, is_wanted, |_, _, _| true);
+        count += flipped.len();
+        if flipped.is_empty() {
             break;
         }
+        // What else may have become another.
+        edges = flipped.iter().flat_map(Hinge::sides).collect();
+        edges.retain(|edge| !draft.is_held(*edge));
+        order::sort(&mut edges);
+        edges.dedup();
     }
     count
 }
 
-/// Flips every edge that is wanted the other way, can be and is better so, in the order they have
-/// now. What an edge can be takes longest to tell, and most are not wanted.
+/// Flips those of the edges that are wanted the other way, can be and are better so, one after the
+/// other; what they were. What an edge can be takes longest to tell, and most are not wanted.
 fn sweep(
     draft: &mut Draft,
+    edges: Vec<[u32; 2]>,
     is_wanted: impl Fn(&Draft, Hinge) -> bool,
     is_better: impl Fn(&Draft, Hinge, [[u32; 3]; 2]) -> bool,
-) -> usize {
-    let mut count = 0;
-    for edge in paced(draft.edges()) {
+) -> Vec<Hinge> {
+    let mut done = Vec::new();
+    for edge in paced(edges) {
         if let Some(hinge) = draft.hinge(edge)
             && is_wanted(draft, hinge)
             && let Some(new) = flipped(draft, hinge)
             && is_better(draft, hinge, new)
         {
             flip(draft, hinge, new);
-            count += 1;
+            done.push(hinge);
         }
     }
-    count
+    done
+}
+
+/// Whether the two angles opposite to an edge come to more than π, by the sign of the sine of their
+/// sum.
+fn is_reflex(draft: &Draft, hinge: Hinge) -> bool {
+    let [a, b] = hinge.ends.map(|v| draft.at(v));
+    let [[sin, cos], [other_sin, other_cos]] = hinge.apexes.map(|v| {
+        let (p, q) = (a - draft.at(v), b - draft.at(v));
+        [p.cross(q).length(), p.dot(q)]
+    });
+    sin * other_cos + cos * other_sin < 0.0
 }
 
 fn angle(draft: &Draft, at: u32, [a, b]: [u32; 2]) -> f64 {

@@ -119,9 +119,10 @@ fn fit(x: &[DVec3], normals: &[DVec3], i: usize, ring: &[u32], around: &[u32]) -
         let (p, q) = (r.dot(quadric.u), r.dot(quadric.v));
         let row = [0.5 * p * p, p * q, 0.5 * q * q, p, q, r.dot(quadric.n)];
         let weight = 1.0 / (0.3 + r.length_squared());
-        for (to, factor) in system.iter_mut().zip(row) {
-            for (entry, value) in to.iter_mut().zip(row) {
-                *entry += weight * factor * value;
+        for (k, to) in system.iter_mut().enumerate() {
+            let factor = weight * row[k];
+            for (entry, value) in to[k..].iter_mut().zip(&row[k..]) {
+                *entry += factor * value;
             }
         }
     }
@@ -132,23 +133,25 @@ fn fit(x: &[DVec3], normals: &[DVec3], i: usize, ring: &[u32], around: &[u32]) -
     quadric
 }
 
-/// Gauss–Jordan elimination with row pivots; `None` where the rows depend on each other.
+/// Elimination in the upper half of a symmetric matrix, the right side beside it; `None` where it
+/// is not positive definite.
 fn solved(mut m: [[f64; N + 1]; N]) -> Option<[f64; N]> {
     for i in 0..N {
-        let pivot = (i..N).max_by(|&r, &s| m[r][i].abs().total_cmp(&m[s][i].abs()))?;
-        if m[pivot][i].abs() < 1e-12 {
+        if m[i][i].is_nan() || m[i][i] < 1e-12 {
             return None;
         }
-        m.swap(i, pivot);
         let row = m[i];
-        for (r, other) in m.iter_mut().enumerate() {
-            if r != i {
-                let factor = other[i] / row[i];
-                for (entry, value) in other.iter_mut().zip(row) {
-                    *entry -= factor * value;
-                }
+        for r in i + 1..N {
+            let factor = row[r] / row[i];
+            for (entry, value) in m[r][r..].iter_mut().zip(&row[r..]) {
+                *entry -= factor * value;
             }
         }
     }
-    Some(std::array::from_fn(|i| m[i][N] / m[i][i]))
+    let mut solution = [0.0; N];
+    for i in (0..N).rev() {
+        let known: f64 = (i + 1..N).map(|k| m[i][k] * solution[k]).sum();
+        solution[i] = (m[i][N] - known) / m[i][i];
+    }
+    Some(solution)
 }
