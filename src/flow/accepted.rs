@@ -95,12 +95,14 @@ impl Driver {
         interrupt::pulse();
         self.warn(x, &mut report);
         interrupt::pulse();
+        let rules = self.flow.rules();
         let gain = Gain {
             before: before.value,
             after: value,
             scale: after.scale,
             dt,
-            long_dt: self.flow.rules().long_dt,
+            long_dt: rules.long_dt,
+            idle: rules.idle,
             refused: found.rejected,
             is_guarded: found.is_guarded,
             met_bound: found.met_bound,

@@ -132,7 +132,6 @@ impl Driver {
             // A window that spans the lead would see a fall that is none.
             self.run.window = Default::default();
         } else if self.run.window.is_idle(ending.gain)
-            && rules.ends_when_idle
             && let Some(decision) = self.idle(x, report, cost)?
         {
             return Ok(decision);

@@ -54,12 +54,16 @@ pub struct Rules {
     pub grows: bool,
     /// Whether a run ends at rest; if not, after a set number of steps.
     pub ends_at_rest: bool,
-    /// Whether a functional that has stopped falling is a sign of rest.
-    pub ends_when_idle: bool,
+    /// Share of the functional by which it must fall in ten steps: less is a sign of rest. `None`
+    /// where nothing is.
+    pub idle: Option<f64>,
     /// A gain in a longer step than this counts by so much of it only: at rest the steps become
     /// as long as one likes, and a mesh still creeps.
     pub long_dt: f64,
 }
+
+/// What falls by less than this share of itself in ten steps has stopped falling.
+pub const NEGLIGIBLE: f64 = 1e-5;
 
 impl Rules {
     /// Of a scheme that is taken as it is printed.
@@ -77,7 +81,7 @@ impl Rules {
             can_vanish: false,
             grows: false,
             ends_at_rest: true,
-            ends_when_idle: false,
+            idle: None,
             long_dt: f64::INFINITY,
         }
     }

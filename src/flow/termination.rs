@@ -1,7 +1,7 @@
 //! When a run is over, and why.
 //!
-//! *Idle* is a functional that has fallen by less than `NEGLIGIBLE` of itself over the last
-//! `WINDOW` steps. An idle run has converged if the surface is at rest by its flow's own
+//! *Idle* is a functional that has fallen by less than a share of itself over the last `WINDOW`
+//! steps; which share, [`Rules::idle`](super::Rules) says. An idle run has converged if the surface is at rest by its flow's own
 //! test, which does not depend on the step size ([`Flow::stationarity`](super::Flow)); a step
 //! too small to move anything proves nothing. If it is not at rest it has stalled, unless the
 //! step size was asked for, or steps are taken without trouble and may yet grow.
@@ -12,8 +12,6 @@ use glam::DVec3;
 
 /// Steps looked back at.
 const WINDOW: usize = 10;
-/// Share of the functional by which it must have fallen over them.
-const NEGLIGIBLE: f64 = 1e-5;
 /// With so many trials refused in those steps, or a step size that has shrunk to this share of
 /// the largest, a run that gains nothing is stuck.
 const MANY_REFUSED: usize = 8;
@@ -210,6 +208,8 @@ pub(super) struct Gain {
     pub(super) dt: f64,
     /// See [`Rules::long_dt`](super::Rules).
     pub(super) long_dt: f64,
+    /// See [`Rules::idle`](super::Rules).
+    pub(super) idle: Option<f64>,
     pub(super) refused: usize,
     pub(super) is_guarded: bool,
     pub(super) met_bound: bool,
@@ -238,7 +238,8 @@ impl Window {
         self.largest_dt = self.largest_dt.max(gain.dt);
         self.met_bound |= gain.met_bound;
         let fall: f64 = self.gains.iter().sum();
-        self.count >= WINDOW && fall < NEGLIGIBLE * gain.scale.abs()
+        let is_less = |share| fall < share * gain.scale.abs();
+        self.count >= WINDOW && gain.idle.is_some_and(is_less)
     }
 
     /// Whether a run that is idle with steps of `dt`, and not at rest, can be given up.
@@ -289,6 +290,7 @@ pub(super) fn is_geometric(refusal: Option<Refusal>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::flow::rules::NEGLIGIBLE;
 
     fn gain(before: f64, after: f64, refused: usize) -> Gain {
         Gain {
@@ -297,6 +299,7 @@ mod tests {
             scale: after,
             dt: 1.0,
             long_dt: f64::INFINITY,
+            idle: Some(NEGLIGIBLE),
             refused,
             is_guarded: false,
             met_bound: false,
@@ -335,6 +338,20 @@ mod tests {
             !window.is_idle(step)
         };
         assert!(falls(5.5e-5, 1.0) && !falls(4.5e-5, 1.0));
+        // A flow may ask for more, or for none.
+        let asked = |idle| {
+            let mut window = Window::default();
+            let step = Gain {
+                idle,
+                ..gain(5.0, 5.0 - 0.1 * 5.5e-4, 0)
+            };
+            (0..10).map(|_| window.is_idle(step)).last()
+        };
+        assert_eq!(
+            [1e-4, 1.2e-4].map(|share| asked(Some(share))),
+            [Some(false), Some(true)]
+        );
+        assert_eq!(asked(None), Some(false));
         // In steps of 1000 gains count by a hundredth.
         assert!(falls(5.5e-3, 1000.0) && !falls(4.5e-3, 1000.0));
         // A long step counts as it is up to there, a short one for what it is.

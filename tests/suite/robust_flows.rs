@@ -67,6 +67,18 @@ fn an_ellipsoid_under_every_flow() {
     assert!(fitted.last().volume.expect("closed") >= 0.0);
 }
 
+/// L-BFGS learns across its matrices: without that it takes 7,700 steps; and a round
+/// is over before every triangle is worn for what is left to gain.
+#[test]
+fn circle_angles_come_to_rest_on_a_coarse_torus() {
+    let s = surface(&sample("coarse-torus", &[]));
+    let end = watch(&s, limited(FlowName::Circle, 1000), "coarse torus");
+    assert_eq!(end.status, Status::Converged, "{:?}", end.reason);
+    let last = end.last();
+    assert!(last.energy < 41.0, "{}", last.energy);
+    assert!(last.min_angle_degrees > 7.0, "{}", last.min_angle_degrees);
+}
+
 /// Where surface diffusion leads to a worse end, or to a sharp tip, the best surface on the way is
 /// put back.
 #[test]

@@ -117,7 +117,8 @@ impl CircleFlow {
         ))))
     }
 
-    /// Makes M/dt + K₊ at the current positions the model's matrix and forgets the pairs.
+    /// Makes M/dt + K₊ at the current positions the model's matrix. Pairs are of the Hessian and not
+    /// of the matrix: they are forgotten where the energy is another, or has led nowhere.
     fn refresh(&mut self, smoothing: Smoothing, cost: &mut Cost) {
         self.assemble(true, cost);
         let shift = 1.0 / (TAU * self.problem.h * self.problem.h);
@@ -125,11 +126,14 @@ impl CircleFlow {
         for &slot in self.problem.matrix.pattern().diagonal_slots() {
             values[slot as usize] += shift;
         }
-        self.quasi_newton.model = Model {
-            matrix: Some(Rc::new(values)),
-            smoothing: Some(smoothing),
-            ..Model::default()
-        };
+        let model = &mut self.quasi_newton.model;
+        if model.is_tried || model.smoothing != Some(smoothing) {
+            model.pairs.clear();
+        }
+        model.matrix = Some(Rc::new(values));
+        model.smoothing = Some(smoothing);
+        model.age = 0;
+        model.is_tried = false;
     }
 
     /// Factors the model's matrix, unless that was done.

@@ -241,7 +241,7 @@ impl Flow for CircleFlow {
             can_vanish: false,
             grows: false,
             ends_at_rest: self.options.goal == Goal::Relax,
-            ends_when_idle: self.options.goal == Goal::Relax,
+            idle: (self.options.goal == Goal::Relax).then(|| self.schedule.idle()),
             long_dt: f64::INFINITY,
         }
     }

@@ -11,6 +11,7 @@ use crate::energy::circle::CircleEnergy;
 use crate::energy::circle::angle::Smoothing;
 use crate::flow::Warning;
 use crate::flow::options::{FlowOptions, Goal, Integrator, Scheme};
+use crate::flow::rules::NEGLIGIBLE;
 use glam::DVec3;
 
 /// The steps in which ε falls when the objective hardly falls any more.
@@ -49,7 +50,10 @@ const FINISHING: f64 = 0.01;
 /// A decrease per step below this is slow for L-BFGS.
 const SLOW_FINISHING: f64 = 1e-4;
 /// A round of L-BFGS that lowers W by less than this share of it was the last.
-const REFUTED: f64 = 1e-3;
+const REFUTED: f64 = 5e-3;
+/// Of the exact energy, on whose cones every step of L-BFGS gains a little for as long as the mesh
+/// lasts, a round is over where ten steps gain less than this share.
+const CREEPING: f64 = 1e-4;
 /// At the start the smoothing of angles below ε may lift the energy by this share of it at
 /// most: with more, steps would lower hardly anything but the smoothing; with less, rough tori
 /// come to rest at a higher W.
@@ -191,6 +195,12 @@ impl Schedule {
         } else {
             self.integrator
         }
+    }
+
+    /// The share of the functional that ten steps must gain for a round to go on.
+    pub(super) fn idle(&self) -> f64 {
+        let is_last = self.is_finishing && self.exact && self.sharpens && !self.always_exact;
+        if is_last { CREEPING } else { NEGLIGIBLE }
     }
 
     /// Switches to the exact energy close to a sphere and back away from it; there the

@@ -44,7 +44,7 @@ pub use memory::{Learnt, Memory};
 
 use super::bounds::lower_bounds;
 use super::options::{FlowOptions, Scheme};
-use super::rules::{Ceiling, Folds};
+use super::rules::{Ceiling, Folds, NEGLIGIBLE};
 use super::step_size::StepSize;
 use super::warning::WarningsGiven;
 use super::{
@@ -313,7 +313,7 @@ impl Flow for CurvatureFlow {
             can_vanish,
             grows: false,
             ends_at_rest: true,
-            ends_when_idle: self.descends(),
+            idle: self.descends().then_some(NEGLIGIBLE),
             long_dt: f64::INFINITY,
         }
     }

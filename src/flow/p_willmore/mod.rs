@@ -42,7 +42,7 @@ mod warning;
 use super::bounds::lower_bounds;
 use super::option::Allowed;
 use super::options::{FlowOptions, Scheme};
-use super::rules::{Ceiling, Folds};
+use super::rules::{Ceiling, Folds, NEGLIGIBLE};
 use super::step_size::StepSize;
 use super::warning::WarningsGiven;
 use super::{
@@ -251,7 +251,7 @@ impl Flow for PWillmoreFlow {
             return Rules {
                 can_vanish,
                 zero: f64::NEG_INFINITY,
-                ends_when_idle: true,
+                idle: Some(NEGLIGIBLE),
                 ..Rules::unseen()
             };
         }
@@ -273,7 +273,7 @@ impl Flow for PWillmoreFlow {
             can_vanish,
             grows: self.grows(),
             ends_at_rest: true,
-            ends_when_idle: !self.grows(),
+            idle: (!self.grows()).then_some(NEGLIGIBLE),
             long_dt: LONG_TAU * self.time_unit(),
         }
     }

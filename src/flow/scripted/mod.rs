@@ -3,7 +3,7 @@
 
 use super::circle::CircleFlow;
 use super::options::FlowOptions;
-use super::rules::{Ceiling, Rules};
+use super::rules::{Ceiling, NEGLIGIBLE, Rules};
 use super::step_size::StepSize;
 use super::{
     Clock, Cost, Decision, Driver, Flow, FlowError, Functional, Memory, Monitored, Move, Occasion,
@@ -63,7 +63,7 @@ impl Script {
             rules: Rules {
                 ceiling: Ceiling::Descent,
                 zero: f64::NEG_INFINITY,
-                ends_when_idle: true,
+                idle: Some(NEGLIGIBLE),
                 ..Rules::unseen()
             },
             dt: 1.0,
