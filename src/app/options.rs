@@ -9,7 +9,7 @@ use crate::energy::circle::Boundary;
 use crate::flow::option::kind::ids;
 use crate::flow::option::{Field, Kind, Named, Options, Range, ReadBy, Row, Value, row};
 use crate::remesh::Mode;
-use crate::remesh::adaptive::Kind as RemeshKind;
+use crate::remesh::adaptive::{Creases, Kind as RemeshKind};
 use crate::remesh::flips::reduction::Criterion;
 use crate::remesh::repair::Weld;
 use std::sync::OnceLock;
@@ -126,6 +126,8 @@ impl Options for FlipOptions {
 
 impl Named for RemeshKind {}
 
+impl Named for Creases {}
+
 impl Options for RemeshOptions {
     #[rustfmt::skip]
     const ROWS: &'static [Row<Self>] = &[
@@ -134,6 +136,8 @@ impl Options for RemeshOptions {
             Kind::Number(Range::positive(1e300)), "length", Budget, ReadBy::COMMAND).or("auto"),
         row!(vertices, "vertices", "vertices",
             Kind::Number(Range::count(4.0)), "vertices", Budget, ReadBy::COMMAND).or("auto"),
+        row!(creases, "creases", "creases",
+            Kind::choice::<Creases>(), "", Method, ReadBy::COMMAND),
     ];
 }
 

@@ -4,7 +4,7 @@ use super::driver::{Driver, Found};
 use super::rules::Ceiling;
 use super::search::Taken;
 use super::termination::{Ending, Gain};
-use super::{Cost, Decision, FlowError, Functional, Move, Search, StepReport};
+use super::{Cost, Decision, FlowError, Functional, Move, Search, Status, StepReport};
 use crate::geometry::survey::survey;
 use crate::geometry::{measure, quality};
 use crate::interrupt;
@@ -115,6 +115,11 @@ impl Driver {
             is_leading: step.ceiling == Some(Ceiling::None),
         };
         let decision = self.decision(x, &ending, &mut report, cost)?;
+        if let Decision::Stop(Status::Converged, _) = decision
+            && let Some(warning) = self.flow.rested(x)
+        {
+            self.run.given.give_once(warning, &mut report.warnings);
+        }
         cost.enter(&mut report);
         Ok((report, decision))
     }

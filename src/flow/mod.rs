@@ -200,6 +200,11 @@ pub trait Flow {
     /// What the numbers cannot tell; each is said once a run.
     fn warn(&self, _x: &[DVec3], _report: &mut StepReport, _given: &mut WarningsGiven) {}
 
+    /// What there is to say of a surface at rest.
+    fn rested(&self, _x: &[DVec3]) -> Option<Warning> {
+        None
+    }
+
     /// What its time is counted by.
     fn clock(&self) -> Clock {
         Clock::Own

@@ -129,7 +129,7 @@ fn new_vertices_are_coloured_as_what_is_around_them() {
     let options = RemeshOptions {
         kind: Kind::Isotropic,
         vertices: Some(200),
-        target: None,
+        ..RemeshOptions::default()
     };
     session.remesh(&options).expect("remeshed");
     let other = saved(&session);

@@ -436,7 +436,7 @@ fn what_is_picked_stays_where_it_is_on_a_surface_that_is_remeshed() {
         let remeshed = RemeshOptions {
             kind: Kind::Isotropic,
             vertices: Some(700),
-            target: None,
+            ..RemeshOptions::default()
         };
         session.remesh(&remeshed).expect("a mesh");
         let (place, number, edge) = picked(&mut session);

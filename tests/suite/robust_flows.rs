@@ -463,7 +463,7 @@ fn a_rod_of_needles_is_left_as_it_is_until_it_is_remeshed() {
         let options = umbilic::app::RemeshOptions {
             kind: umbilic::remesh::adaptive::Kind::Isotropic,
             vertices: Some(2000),
-            target: None,
+            ..umbilic::app::RemeshOptions::default()
         };
         let is_other = session.remesh(&options).is_ok();
         let remeshed = session.info().expect("a mesh").volume.expect("closed");

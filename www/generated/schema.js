@@ -172,6 +172,7 @@ export const remesh = [
   {"absent":null,"default":"adaptive","flag":"kind","flows":[],"goal":null,"group":"method","ids":["adaptive","isotropic"],"kind":"choice","name":"kind","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
   {"absent":"auto","default":null,"flag":"target","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"target","ofOneFlow":false,"range":{"also":null,"high":1e+300,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"length"},
   {"absent":"auto","default":null,"flag":"vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"vertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":4,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"vertices"},
+  {"absent":null,"default":"keep","flag":"creases","flows":[],"goal":null,"group":"method","ids":["keep","smooth"],"kind":"choice","name":"creases","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
 ];
 
 /** @type {readonly Row[]} */
@@ -268,6 +269,7 @@ export const flags = {
   "remesh-kind": {"notes":"default adaptive","of":"","value":"adaptive|isotropic"},
   "remesh-target": {"notes":"default auto; above 0","of":"","value":"auto|LENGTH"},
   "remesh-vertices": {"notes":"default auto; from 4","of":"","value":"auto|N"},
+  "remesh-creases": {"notes":"default keep","of":"","value":"keep|smooth"},
   "flips-criterion": {"notes":"default localised","of":"","value":"area|willmore|localised"},
   "flips-guardFolds": {"notes":"","of":"","value":null},
   "flips-max": {"notes":"default all; from 0","of":"","value":"all|N"},

@@ -318,6 +318,11 @@ collapses: number,
 flips: number, };
 
 /**
+ * What becomes of edges of the shape, where faces meet at more than 60°.
+ */
+export type Creases = "keep" | "smooth";
+
+/**
  * What is to become small.
  */
 export type Criterion = "area" | "willmore" | "localised";
@@ -2010,7 +2015,11 @@ target: number | null,
 /**
  * Number of vertices; as many as there are if both are absent.
  */
-vertices: number | null, };
+vertices: number | null, 
+/**
+ * What becomes of edges of the shape.
+ */
+creases: Creases, };
 
 /**
  * What a remeshing did.

@@ -1,7 +1,7 @@
 //! What the edits of a mesh can be asked for. Unknown names are refused.
 
 use crate::flow::option::OptionError;
-use crate::remesh::adaptive::Kind;
+use crate::remesh::adaptive::{Creases, Kind};
 use crate::remesh::flips::reduction::Criterion;
 use crate::remesh::repair::Weld;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -108,6 +108,8 @@ pub struct RemeshOptions {
     pub target: Option<f64>,
     /// Number of vertices; as many as there are if both are absent.
     pub vertices: Option<usize>,
+    /// What becomes of edges of the shape.
+    pub creases: Creases,
 }
 
 impl RemeshOptions {

@@ -94,7 +94,7 @@ impl Runner {
             held,
             counts,
             origins,
-        } = adaptive::remesh(mesh, x, options.kind, wanted, &held)?;
+        } = adaptive::remesh(mesh, x, options.kind, wanted, &held, options.creases)?;
         let outcome = RemeshOutcome {
             counts,
             before: Self::mesh_readings(mesh, x),

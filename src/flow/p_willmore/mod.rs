@@ -32,6 +32,7 @@
 mod centred;
 mod decay;
 mod gauge;
+mod growth;
 mod kept;
 mod paper;
 mod regularise;
@@ -44,7 +45,7 @@ use super::option::Allowed;
 use super::options::{FlowOptions, Scheme};
 use super::rules::{Ceiling, Folds, NEGLIGIBLE};
 use super::step_size::StepSize;
-use super::warning::WarningsGiven;
+use super::warning::{Warning, WarningsGiven};
 use super::{
     Advice, Clock, Cost, Flow, FlowError, Functional, Monitored, Move, Multipliers, Occasion,
     Phase, Proposal, Reading, Refusal, Rules, StepReport, vesicle,
@@ -228,13 +229,6 @@ impl PWillmoreFlow {
     }
 }
 
-impl PWillmoreFlow {
-    /// ∫|H|^p goes with R^(2−p): for p > 2 there is always a larger surface with less of it.
-    fn grows(&self) -> bool {
-        self.options.p > 2.0 && !self.kept.any() && self.functional.helfrich().is_zero()
-    }
-}
-
 impl Flow for PWillmoreFlow {
     fn monitored(&self) -> Monitored {
         match self.options.p {
@@ -271,7 +265,7 @@ impl Flow for PWillmoreFlow {
                 f64::NEG_INFINITY
             },
             can_vanish,
-            grows: self.grows(),
+            grows: self.grows() || self.is_unbounded(),
             ends_at_rest: true,
             idle: (!self.grows()).then_some(NEGLIGIBLE),
             long_dt: LONG_TAU * self.time_unit(),
@@ -393,6 +387,11 @@ impl Flow for PWillmoreFlow {
             true => Clock::AreaGradient,
             false => Clock::Own,
         }
+    }
+
+    fn rested(&self, x: &[DVec3]) -> Option<Warning> {
+        let is_led = Kept::leads(&self.options) && self.kept.has_arrived();
+        is_led.then(|| vesicle::branch(&self.mesh, x))
     }
 
     fn advice(&self) -> Advice {

@@ -1,11 +1,10 @@
 //! What the p-Willmore functional cannot tell.
 
 use super::PWillmoreFlow;
-use super::kept::Kept;
 use crate::energy::p_willmore::integrated_power;
 use crate::flow::signs::UNDER_RESOLVED;
 use crate::flow::warning::WarningsGiven;
-use crate::flow::{StepReport, Warning, vesicle};
+use crate::flow::{StepReport, Warning};
 use crate::remesh::adaptive::Soundness;
 use glam::DVec3;
 
@@ -59,9 +58,6 @@ impl PWillmoreFlow {
             given.give_once(Warning::NearlySingular { vertex }, warnings);
         } else if sharpest > UNDER_RESOLVED {
             given.give_once(Warning::Coarse { vertex }, warnings);
-        }
-        if Kept::leads(&self.options) && self.kept.has_arrived() {
-            given.give_once(vesicle::branch(&self.mesh, x), warnings);
         }
     }
 }

@@ -5,6 +5,7 @@
 //! than nine, where a face would turn by more than 45° or become a sliver, and where an edge
 //! would become too long.
 
+use super::crease;
 use super::draft::{Draft, Hinge};
 use crate::interrupt::paced;
 use glam::DVec3;
@@ -41,6 +42,8 @@ pub(super) fn run(draft: &mut Draft) -> usize {
 fn place(draft: &Draft, hinge: Hinge) -> Option<DVec3> {
     let [a, b] = hinge.ends;
     let place = match hinge.ends.map(|v| draft.held[v as usize]) {
+        [true, true] if crease::ends_in(draft, hinge, b) => draft.at(b),
+        [true, true] if crease::ends_in(draft, hinge, a) => draft.at(a),
         [true, true] => return None,
         [true, false] => draft.at(a),
         [false, true] => draft.at(b),
@@ -92,13 +95,9 @@ fn stays_good(draft: &Draft, corners: [u32; 3], ends: [u32; 2], place: DVec3) ->
 }
 
 fn collapse(draft: &mut Draft, hinge: Hinge, place: DVec3) {
-    // The held end stays, if there is one.
+    // The end that stays in place, if there is one.
     let [a, b] = hinge.ends;
-    let (kept, lost) = if draft.held[b as usize] {
-        (b, a)
-    } else {
-        (a, b)
-    };
+    let (kept, lost) = if draft.at(b) == place { (b, a) } else { (a, b) };
     let (i, j) = (kept as usize, lost as usize);
     draft.x[i] = place;
     draft.normal[i] = (draft.normal[i] + draft.normal[j]).normalize_or_zero();

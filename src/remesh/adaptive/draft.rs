@@ -23,6 +23,9 @@ pub(super) struct Draft {
     pub(super) normal: Vec<DVec3>,
     /// Vertices that are not moved and not removed.
     pub(super) held: Vec<bool>,
+    /// Those that are held as they lie on an edge of the shape: they are split off and taken away
+    /// along it.
+    pub(super) creased: Vec<bool>,
     /// Faces at a vertex of a regular mesh: six, or three on the boundary.
     pub(super) regular: Vec<u8>,
     /// A vertex of the mesh at the start that is near.
@@ -61,6 +64,7 @@ impl Draft {
             held: (mesh.vertices().zip(held))
                 .map(|(v, h)| *h || rim(v))
                 .collect(),
+            creased: vec![false; n],
             regular: mesh
                 .vertices()
                 .map(|v| if rim(v) { 3 } else { 6 })
@@ -168,9 +172,15 @@ impl Draft {
         edges
     }
 
-    /// Whether an edge lies between held vertices.
-    pub(super) fn is_held(&self, [a, b]: [u32; 2]) -> bool {
-        self.held[a as usize] && self.held[b as usize]
+    /// Whether a vertex stays whatever there is around it.
+    pub(super) fn is_fixed(&self, v: usize) -> bool {
+        self.held[v] && !self.creased[v]
+    }
+
+    /// Whether an edge stays: between held vertices, unless both are on edges of the shape.
+    pub(super) fn is_held(&self, edge: [u32; 2]) -> bool {
+        let ends = edge.map(|v| v as usize);
+        ends.iter().all(|&v| self.held[v]) && ends.iter().any(|&v| !self.creased[v])
     }
 
     /// The two faces at an edge, that which runs from `a` to `b` first; `None` if there is no
@@ -214,10 +224,14 @@ impl Draft {
     }
 
     /// The middle of an edge on the surface: that of the cubic which touches the tangent planes
-    /// at both ends. It leaves the chord by a quarter of its length at most.
+    /// at both ends. It leaves the chord by a quarter of its length at most. On an edge of the shape
+    /// there is no tangent plane.
     pub(super) fn middle(&self, [a, b]: [u32; 2]) -> DVec3 {
         let edge = self.at(b) - self.at(a);
-        let tangent = |v: u32| edge - edge.dot(self.normal[v as usize]) * self.normal[v as usize];
+        let tangent = |v: u32| match self.creased[v as usize] {
+            true => edge,
+            false => edge - edge.dot(self.normal[v as usize]) * self.normal[v as usize],
+        };
         let bulge = (tangent(a) - tangent(b)) / 8.0;
         let across = bulge - bulge.dot(edge) / edge.length_squared().max(f64::MIN_POSITIVE) * edge;
         0.5 * (self.at(a) + self.at(b)) + across.clamp_length_max(0.25 * edge.length())
@@ -233,6 +247,7 @@ impl Draft {
                 self.x[kept] = self.x[v];
                 self.size[kept] = self.size[v];
                 self.held[kept] = self.held[v];
+                self.creased[kept] = self.creased[v];
                 self.regular[kept] = self.regular[v];
                 self.seed[kept] = self.seed[v];
                 kept += 1;
@@ -241,6 +256,7 @@ impl Draft {
         self.x.truncate(kept);
         self.size.truncate(kept);
         self.held.truncate(kept);
+        self.creased.truncate(kept);
         self.regular.truncate(kept);
         self.seed.truncate(kept);
         self.faces.retain(|corners| corners[0] != GONE);

@@ -12,6 +12,7 @@
 //! order depends on anything but the input: a pass gives the same mesh again, to the last bit.
 
 mod collapse;
+mod crease;
 mod draft;
 mod flip;
 mod need;
@@ -68,6 +69,18 @@ pub enum Kind {
     Adaptive,
     /// One length everywhere.
     Isotropic,
+}
+
+/// What becomes of edges of the shape, where faces meet at more than 60°.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "lowercase")]
+pub enum Creases {
+    /// They stay where they are.
+    #[default]
+    Keep,
+    /// The surface is smooth, and these are noise.
+    Smooth,
 }
 
 /// A new mesh.
@@ -139,7 +152,7 @@ pub fn pass(
     vertices: usize,
     targets: Targets,
 ) -> Result<Remeshed, RemeshError> {
-    let start = checked(mesh, x, &vec![false; x.len()])?;
+    let start = checked(mesh, x, &vec![false; x.len()], Creases::Smooth)?;
     let mut draft = start.clone();
     let mut counts = Counts::default();
     for _ in 0..ROUNDS {
@@ -151,7 +164,7 @@ pub fn pass(
 }
 
 /// Rounds from any mesh until it is settled, towards so many vertices; those that `held` marks
-/// stay. The area of a closed surface is brought back where nothing is held, unless the mesh has
+/// stay, and so do edges of the shape unless they are to become smooth. The area of a closed surface is brought back where nothing is held, unless the mesh has
 /// lost as much of it as only folds have.
 ///
 /// # Errors
@@ -162,8 +175,9 @@ pub fn remesh(
     kind: Kind,
     vertices: usize,
     held: &[bool],
+    creases: Creases,
 ) -> Result<Remeshed, RemeshError> {
-    let start = checked(mesh, x, held)?;
+    let start = checked(mesh, x, held, creases)?;
     let mut draft = start.clone();
     let mut counts = Counts::default();
     let mut aim = vertices as f64;
@@ -207,22 +221,33 @@ pub fn vertices_for(
     held: &[bool],
     length: f64,
 ) -> Result<f64, RemeshError> {
-    Ok(size::count(&checked(mesh, x, held)?, length))
+    Ok(size::count(
+        &checked(mesh, x, held, Creases::Smooth)?,
+        length,
+    ))
 }
 
-fn checked(mesh: &HalfedgeMesh, x: &[DVec3], held: &[bool]) -> Result<Draft, RemeshError> {
+fn checked(
+    mesh: &HalfedgeMesh,
+    x: &[DVec3],
+    held: &[bool],
+    creases: Creases,
+) -> Result<Draft, RemeshError> {
     if !mesh.is_triangular() {
         return Err(RemeshError::NotTriangular);
     }
     if !mesh.is_oriented() {
         return Err(RemeshError::NotOriented);
     }
-    let draft = Draft::of(mesh, x, held);
-    if draft.held.contains(&false) {
-        Ok(draft)
-    } else {
-        Err(RemeshError::AllHeld)
+    let mut draft = Draft::of(mesh, x, held);
+    if !draft.held.contains(&false) {
+        return Err(RemeshError::AllHeld);
     }
+    // What is folded over is noise.
+    if creases == Creases::Keep && alignment(mesh, x) > 0.0 {
+        crease::mark(&mut draft);
+    }
+    Ok(draft)
 }
 
 /// Rounds until there is little to change.
@@ -272,8 +297,8 @@ fn finished(
     Ok(Remeshed {
         mesh,
         origins: origin::origins(start, &draft),
+        held: (0..draft.x.len()).map(|v| draft.is_fixed(v)).collect(),
         positions: draft.x,
-        held: draft.held,
         counts,
     })
 }

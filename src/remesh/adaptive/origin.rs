@@ -43,7 +43,7 @@ impl Origin {
 pub(super) fn origins(old: &Draft, new: &Draft) -> Vec<Origin> {
     let n = new.x.len();
     (0..n)
-        .map(|i| origin(old, new.x[i], new.seed[i], new.held[i]))
+        .map(|i| origin(old, new.x[i], new.seed[i], new.is_fixed(i)))
         .collect()
 }
 

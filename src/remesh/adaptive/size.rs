@@ -31,15 +31,15 @@ fn even_count(area: f64, length: f64) -> f64 {
     area / (AREA_OF_VERTEX * length * length)
 }
 
-/// How many vertices are held.
+/// How many vertices stay whatever there is around them.
 pub(super) fn held(draft: &Draft) -> usize {
-    draft.held.iter().filter(|held| **held).count()
+    (0..draft.x.len()).filter(|&v| draft.is_fixed(v)).count()
 }
 
 /// The area of those that are not.
 fn free_area(draft: &Draft, areas: &[f64]) -> f64 {
-    let free = areas.iter().zip(&draft.held).filter(|(_, held)| !**held);
-    free.map(|(area, _)| area).sum()
+    let free = (0..areas.len()).filter(|&v| !draft.is_fixed(v));
+    free.map(|v| areas[v]).sum()
 }
 
 /// Number of vertices with edges of a length between those that are not held.
@@ -64,11 +64,8 @@ pub(super) fn field(draft: &Draft, kind: Kind, vertices: usize) -> Vec<f64> {
             *h = scale * radius;
         }
         grade(&mut field, draft, &rings);
-        let at = field.iter().zip(&areas).zip(&draft.held);
-        let count: f64 = at
-            .filter(|(_, held)| !**held)
-            .map(|((h, area), _)| even_count(*area, *h))
-            .sum();
+        let free = (0..areas.len()).filter(|&v| !draft.is_fixed(v));
+        let count: f64 = free.map(|v| even_count(areas[v], field[v])).sum();
         let factor = (count / budget).sqrt();
         if !factor.is_finite() || (factor - 1.0).abs() < MET {
             break;
@@ -83,7 +80,10 @@ fn radii(draft: &Draft, rings: &[Vec<u32>], area: f64) -> Vec<f64> {
     let quadrics = quadric::fits(&draft.x, rings, &draft.normal);
     let logs: Vec<f64> = quadrics
         .iter()
-        .map(|q| -0.5 * (q.bend().powi(2) + flat).ln())
+        .zip(&draft.creased)
+        // On an edge of the shape there is no curvature.
+        .map(|(q, creased)| if *creased { 0.0 } else { q.bend() })
+        .map(|bend| -0.5 * (bend.powi(2) + flat).ln())
         .collect();
     let mean = |(ring, log): (&Vec<u32>, &f64)| {
         let sum: f64 = ring.iter().map(|&j| logs[j as usize]).sum();

@@ -1,5 +1,6 @@
 //! Splits: a vertex in the middle of each edge that is too long.
 
+use super::crease;
 use super::draft::{Draft, Hinge};
 use crate::interrupt::paced;
 
@@ -26,11 +27,20 @@ fn split(draft: &mut Draft, hinge: Hinge) {
     let (i, j) = (a as usize, b as usize);
     let middle = draft.x.len() as u32;
     draft.x.push(draft.middle(hinge.ends));
+    // Normals on an edge of the shape say nothing of the faces beside it.
+    let across = match draft.creased[i] || draft.creased[j] {
+        true => hinge
+            .faces
+            .map(|f| draft.normal_of(draft.faces[f as usize])),
+        false => [draft.normal[i], draft.normal[j]],
+    };
     draft
         .normal
-        .push((draft.normal[i] + draft.normal[j]).normalize_or_zero());
+        .push((across[0] + across[1]).normalize_or_zero());
     draft.size.push(0.5 * (draft.size[i] + draft.size[j]));
-    draft.held.push(false);
+    let is_creased = crease::is_sharp(draft, hinge);
+    draft.held.push(is_creased);
+    draft.creased.push(is_creased);
     draft.regular.push(6);
     draft.seed.push(draft.seed[i]);
     draft.star.push(Vec::with_capacity(7));

@@ -4,7 +4,7 @@ use super::*;
 use crate::geometry::curvature::area_gradient;
 use crate::geometry::measure::{area, edge_length, min_angle_degrees, vertex_areas, volume};
 use crate::mesh::noise::SplitMix64;
-use crate::mesh::shape::make;
+use crate::mesh::shape::{blocks, make};
 use crate::mesh::{Built, Vertex, build};
 use glam::DQuat;
 use std::collections::BTreeSet;
@@ -193,7 +193,15 @@ fn what_is_held_and_the_boundary_stay_bit_for_bit() {
         let s = shaken(sample(name, &[]), 0.01);
         let held: Vec<bool> = s.positions.iter().map(|p| p.x > 0.4).collect();
         let n = 2 * s.positions.len();
-        let r = remesh(&s.mesh, &s.positions, Kind::Adaptive, n, &held).expect("a mesh");
+        let r = remesh(
+            &s.mesh,
+            &s.positions,
+            Kind::Adaptive,
+            n,
+            &held,
+            Creases::Keep,
+        )
+        .expect("a mesh");
         r.mesh.validate().expect("valid");
         assert_eq!(r.mesh.euler_characteristic(), s.mesh.euler_characteristic());
         let rim = s.mesh.vertices().map(|v| s.mesh.is_boundary_vertex(v));
@@ -222,6 +230,7 @@ fn origins_carry_what_was_known() {
         Kind::Adaptive,
         4000,
         &vec![false; 48 * 48],
+        Creases::Keep,
     );
     let r = r.expect("a mesh");
     let height = |v: u32| s.positions[v as usize].z;
@@ -245,7 +254,8 @@ fn edges_follow_the_curvature_within_the_budget() {
     let free = vec![false; s.positions.len()];
     for vertices in [800, 6000] {
         let made = |kind| {
-            let r = remesh(&s.mesh, &s.positions, kind, vertices, &free).expect("a mesh");
+            let r = remesh(&s.mesh, &s.positions, kind, vertices, &free, Creases::Keep)
+                .expect("a mesh");
             let ratio = r.positions.len() as f64 / vertices as f64;
             assert!((ratio - 1.0).abs() < 0.1, "{kind:?}: {ratio} of {vertices}");
             assert!(min_angle_degrees(&r.mesh, &r.positions) > 25.0);
@@ -269,7 +279,15 @@ fn what_cannot_be_remeshed_is_named() {
     let s = sample("icosphere", &[("level", 2.0)]);
     let refused = |s: &Built, held: bool| {
         let held = vec![held; s.positions.len()];
-        remesh(&s.mesh, &s.positions, Kind::Adaptive, 100, &held).err()
+        remesh(
+            &s.mesh,
+            &s.positions,
+            Kind::Adaptive,
+            100,
+            &held,
+            Creases::Keep,
+        )
+        .err()
     };
     assert_eq!(refused(&s, false), None);
     assert_eq!(refused(&s, true), Some(RemeshError::AllHeld));
@@ -293,7 +311,15 @@ fn folds_are_smoothed_away() {
     assert!(folded > 1.15 * expected);
     let free = vec![false; s.positions.len()];
     for kind in [Kind::Adaptive, Kind::Isotropic] {
-        let r = remesh(&s.mesh, &s.positions, kind, free.len(), &free).expect("a mesh");
+        let r = remesh(
+            &s.mesh,
+            &s.positions,
+            kind,
+            free.len(),
+            &free,
+            Creases::Keep,
+        )
+        .expect("a mesh");
         let found = area(&r.mesh, &r.positions) / expected - 1.0;
         assert!(found.abs() < 5e-3, "{kind:?}: area {found:e}");
         let angle = min_angle_degrees(&r.mesh, &r.positions);
@@ -312,7 +338,14 @@ fn edges_have_the_length_that_is_asked_for() {
             let held = vec![false; s.positions.len()];
             let wanted = vertices_for(&s.mesh, &s.positions, &held, length).expect("a number");
             let kind = Kind::Isotropic;
-            let made = remesh(&s.mesh, &s.positions, kind, wanted.round() as usize, &held);
+            let made = remesh(
+                &s.mesh,
+                &s.positions,
+                kind,
+                wanted.round() as usize,
+                &held,
+                Creases::Keep,
+            );
             let made = made.expect("a mesh");
             let inside = |e: &crate::mesh::Edge| {
                 let ends = made.mesh.ends(*e);
@@ -329,5 +362,62 @@ fn edges_have_the_length_that_is_asked_for() {
                 mean / length
             );
         }
+    }
+}
+
+/// Blocks of unit cubes, a bar and a letter C, with right angles outwards and inwards.
+#[test]
+fn edges_of_the_shape_stay_where_they_are() {
+    for (soup, cubes) in [(blocks::handles(0, 0), 3.0), (blocks::letter_c(0), 11.0)] {
+        let built = build(&soup.expect("triangles")).expect("a surface");
+        let x = &built.positions;
+        let free = vec![false; x.len()];
+        let whole = [
+            area(&built.mesh, x),
+            volume(&built.mesh, x).expect("closed"),
+        ];
+        assert!((whole[1] - cubes).abs() < 1e-12);
+        let bounds = |x: &[DVec3]| {
+            let low = x.iter().fold(DVec3::INFINITY, |low, p| low.min(*p));
+            (
+                low,
+                x.iter().fold(DVec3::NEG_INFINITY, |high, p| high.max(*p)),
+            )
+        };
+        for kind in [Kind::Adaptive, Kind::Isotropic] {
+            let mut before = (built.mesh.clone(), x.clone());
+            // Finer and coarser again: along edges too there are fewer.
+            for wanted in [1500, 300] {
+                let held = vec![false; before.1.len()];
+                let made = remesh(&before.0, &before.1, kind, wanted, &held, Creases::Keep);
+                let made = made.expect("a mesh");
+                let y = &made.positions;
+                let count = y.len() as f64 / wanted as f64;
+                assert!((count - 1.0).abs() < 0.05, "{kind:?}: {}", y.len());
+                let now = [area(&made.mesh, y), volume(&made.mesh, y).expect("closed")];
+                for (now, whole) in now.iter().zip(whole) {
+                    assert!((now / whole - 1.0).abs() < 1e-12, "{kind:?}: {now} {whole}");
+                }
+                let ((low, high), (first, last)) = (bounds(y), bounds(x));
+                assert!((low - first).abs().max_element() < 1e-12, "{low} {high}");
+                assert!((high - last).abs().max_element() < 1e-12, "{low} {high}");
+                assert!(!made.held.contains(&true));
+                if wanted == 1500 {
+                    assert!(min_angle_degrees(&made.mesh, y) > 24.0);
+                }
+                before = (made.mesh, made.positions);
+            }
+        }
+        // Taken for noise they are rounded.
+        let rounded = remesh(
+            &built.mesh,
+            x,
+            Kind::Isotropic,
+            1500,
+            &free,
+            Creases::Smooth,
+        );
+        let corner = |r: Remeshed| r.positions.contains(&bounds(x).0);
+        assert!(!rounded.is_ok_and(corner));
     }
 }

@@ -224,4 +224,4 @@ remesh-not-oriented = eine einseitige Fläche wird nicht neu vernetzt
 remesh-all-held = nichts darf sich ändern: alle Ecken sind fest oder liegen auf dem Rand
     .hint = Einige Ecken freigeben oder das Netz erst unterteilen.
 remesh-spoilt = die Fläche wäre eine andere geworden: Sie ist zu grob, zu dünn oder zu zerknittert, um neu vernetzt zu werden
-    .hint = Unterteilen oder glätten Sie sie zuerst: Scharfe Kanten, und was dünner ist, als seine Dreiecke lang sind, bleiben nicht erhalten.
+    .hint = Verlangen Sie mehr Ecken, oder unterteilen oder glätten Sie sie zuerst: Was dünner ist, als seine Dreiecke lang sind, bleibt nicht erhalten.

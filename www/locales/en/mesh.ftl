@@ -230,4 +230,4 @@ remesh-not-oriented = a one-sided surface is not remeshed
 remesh-all-held = nothing may be changed: all vertices are held or lie on the boundary
     .hint = Free some vertices, or subdivide the mesh first.
 remesh-spoilt = the surface would have become another: it is too coarse, too thin or too crumpled to be remeshed
-    .hint = Subdivide or smooth it first: sharp edges, and what is thinner than its triangles are long, are not kept.
+    .hint = Ask for more vertices, or subdivide or smooth it first: what is thinner than its triangles are long is not kept.
