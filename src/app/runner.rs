@@ -337,8 +337,9 @@ impl Runner {
         if let Decision::Stop(status, why) = decision {
             let is_read = match spec::of(self.options().flow).family {
                 Family::PWillmore => self.polygons().is_triangular(),
-                // A rest is one of the fits, which on a coarse mesh say nothing of the surface.
-                Family::Curvature => status == Status::Converged,
+                // What fits say on a coarse mesh says nothing of the surface. What has become a point
+                // or a neck is told as that.
+                Family::Curvature => status != Status::Singular,
                 Family::Circle | Family::Flips => false,
             };
             if is_read {

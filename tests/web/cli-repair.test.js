@@ -131,10 +131,14 @@ test("repair --weld welds within a length, or not at all", () => {
   // The default spelt out.
   assert.deepEqual(json(["repair", near, "--weld", "auto"]).changes, welded.changes);
   assert.equal(json(["repair", apart]).after.closed, false);
+  // What may help is told, and helps.
+  const [, length] = /: try --weld (\S+)\n/.exec(umbilic(["repair", apart]).out) ?? [];
+  const tried = json(["repair", apart, "--weld", length]);
+  assert.ok(tried.after.components < tried.before.components / 2);
   assert.equal(json(["repair", apart, "--weld", "0.01"]).after.closed, true);
   assert.deepEqual(kinds(json(["info", near]).repairs), [["Welded", 576 - 96]]);
-  for (const length of ["0", "wide"]) {
-    assert.equal(json(["repair", near, "--weld", length], 2).kind, "BadOption");
+  for (const wrong of ["0", "wide"]) {
+    assert.equal(json(["repair", near, "--weld", wrong], 2).kind, "BadOption");
   }
 });
 

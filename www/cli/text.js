@@ -62,6 +62,7 @@ export function print({ message, warnings = [], changes, repairs = [], ...rest }
     list.map((line) => `${kind}${line}\n`).join("");
   const wanting = pending(repairs);
   const said = (/** @type {{ message: string }} */ one) => one.message;
+  const gap = after ? after.gap : rest.gap;
   const parts = [
     message ? `${message}\n` : "",
     changes ? lines(changes.map(said)) || "Nothing was to be repaired.\n" : "",
@@ -69,6 +70,7 @@ export function print({ message, warnings = [], changes, repairs = [], ...rest }
     sides ? compared(sides) : "",
     lines(warnings, "warning: "),
     wanting.length > 0 ? lines([...wanting, repairWay]) : "",
+    gap === undefined ? "" : `Boundaries run close beside each other: try --weld ${gap}\n`,
   ];
   return parts.filter((part) => part !== "").join("\n");
 }

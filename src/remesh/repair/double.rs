@@ -1,6 +1,6 @@
-//! Sheets that lie on another one, face by face.
+//! Sheets and bodies that lie on another one, face by face.
 
-use super::faces::{Faces, sides};
+use super::faces::Faces;
 use super::hash::{Mixed, Table};
 use super::sheet::sheets;
 use crate::order;
@@ -15,9 +15,9 @@ fn places(face: &[u32], soup: &PolygonSoup) -> Vec<[u64; 3]> {
     all
 }
 
-/// Drops open sheets all of whose faces lie exactly where those of an earlier one do, as of a
-/// surface that was exported twice, or with a back side of its own: welded, the two would become
-/// a bag without an inside. Closed bodies stay. Gives how many faces, and their corners.
+/// Drops sheets all of whose faces lie exactly where those of an earlier one do, as of a surface that
+/// was exported twice, or with a back side of its own: open ones would be welded to a bag without an
+/// inside, closed ones counted twice. Gives how many faces, and their corners.
 pub(super) fn drop_doubles(soup: &mut PolygonSoup) -> (usize, Vec<u32>) {
     let mut seen = Table::with_capacity_and_hasher(soup.positions.len(), Default::default());
     let mut used = vec![false; soup.positions.len()];
@@ -28,10 +28,6 @@ pub(super) fn drop_doubles(soup: &mut PolygonSoup) -> (usize, Vec<u32>) {
         return (0, Vec::new());
     }
     let mut faces = Faces::of(soup);
-    let is_open = |sheet: &&Vec<usize>| {
-        let mut edges = sheet.iter().flat_map(|&f| sides(faces.face(f)));
-        edges.any(|(a, b)| faces.at(a, b).len() == 1)
-    };
     let all = sheets(&faces);
     let mut known: Table<(usize, u64), Vec<&Vec<usize>>> = Table::default();
     let mut doubled: Vec<usize> = Vec::new();
@@ -42,7 +38,7 @@ pub(super) fn drop_doubles(soup: &mut PolygonSoup) -> (usize, Vec<u32>) {
         order::sort(&mut faces);
         faces
     };
-    for sheet in all.iter().filter(is_open) {
+    for sheet in &all {
         let hash = |f: &usize| {
             let mut hasher = Mixed::default();
             places(faces.face(*f), soup).hash(&mut hasher);

@@ -87,7 +87,12 @@ fn closed_bodies_that_touch_stay_two() {
     let one = sphere(1.0);
     let mut both = one.clone();
     let n = one.positions.len() as u32;
-    both.positions.extend(&one.positions);
+    // The lowest vertex of the one at the highest of the other.
+    let by_height = |a: &&DVec3, b: &&DVec3| a.z.total_cmp(&b.z);
+    let low = one.positions.iter().min_by(by_height).expect("vertices");
+    let high = one.positions.iter().max_by(by_height).expect("vertices");
+    let moved = one.positions.iter().map(|p| *p - *low + *high);
+    both.positions.extend(moved);
     for face in one.faces() {
         both.push_face(&face.iter().map(|v| v + n).collect::<Vec<_>>());
     }
@@ -192,10 +197,11 @@ fn a_fin_is_dropped_and_the_smaller_of_two_bodies_is_not() {
 }
 
 #[test]
-fn a_sheet_that_was_exported_twice_is_one() {
-    let one = shape::make("disk", &[]).expect("a disk").soup;
-    let n = one.positions.len() as u32;
-    for turned in [false, true] {
+fn a_surface_that_was_exported_twice_is_one() {
+    let soups = ["disk", "octahedron"].map(|name| shape::make(name, &[]).expect("a shape").soup);
+    let each = soups.iter().flat_map(|one| [(one, false), (one, true)]);
+    for (one, turned) in each {
+        let n = one.positions.len() as u32;
         let mut both = one.clone();
         both.positions.extend(&one.positions);
         for face in one.faces() {
@@ -207,7 +213,17 @@ fn a_sheet_that_was_exported_twice_is_one() {
         }
         let repaired = repair(&both, Weld::Auto);
         assert_eq!(kinds(&repaired), [("DoubledFaces", one.n_faces())]);
-        assert_eq!(repaired.soup, one);
+        assert_eq!(repaired.soup, *one);
+        let is_suspect = |soup: &PolygonSoup| {
+            let built = build(soup).expect("a surface");
+            is_suspect(&built.mesh, &built.positions, Weld::Auto)
+        };
+        assert!(is_suspect(&both) && !is_suspect(one));
+        // Beside it, it is another.
+        for p in &mut both.positions[n as usize..] {
+            p.x += 5.0;
+        }
+        assert_eq!(repair(&both, Weld::Auto).changes, []);
     }
 }
 
