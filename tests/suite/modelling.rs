@@ -350,7 +350,7 @@ fn holes_of_a_smooth_head_are_filled_with_continuous_curvature() {
 fn a_run_that_is_lost_begins_anew_with_surface_diffusion() {
     let face = sample("scan-clean", &[("resolution", 160.0), ("loops", 1.0)]);
     let whole = surface(&face);
-    let radius = 0.06 * measure::bounding_diagonal(&whole.x);
+    let radius = 0.065 * measure::bounding_diagonal(&whole.x);
     let centres = smooth_places(&whole, radius, 3);
     let (s, holes) = punch(&whole, &centres, radius);
     let begin = start(&s, Some(holes), false);

@@ -4,7 +4,7 @@
 use crate::p_willmore_energy::{quad_torus, roughened};
 use crate::support::watched::{limited, watch};
 use crate::support::*;
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 use std::rc::Rc;
 use umbilic::energy::circle::Boundary;
@@ -341,6 +341,31 @@ fn a_rough_vesicle_moves() {
     let energy = found.last().energy;
     assert!((energy / 15.81 - 1.0).abs() < 5e-3, "{energy}");
     assert_ne!(found.status, Status::Stalled, "{:?}", found.reason);
+}
+
+/// Which way a noisy surface lies changes nothing: fits choose their neighbours by what does not depend
+/// on axes.
+#[test]
+fn a_turned_surface_flows_alike_by_fits() {
+    let shape = [("a", 1.4), ("b", 1.0), ("c", 0.6), ("level", 3.0)];
+    for flow in [FlowName::Willmore, FlowName::Mmcv] {
+        let ends = [0.0, 0.9, 2.1].map(|angle| {
+            let turn = DQuat::from_axis_angle(DVec3::new(0.3, 0.5, 0.8).normalize(), angle);
+            let mut s = roughened(surface(&sample("ellipsoid", &shape)), 0.07, 1);
+            s.x.iter_mut().for_each(|p| *p = turn * *p);
+            let end = watch(&s, limited(flow, 12), "turned");
+            let last = end.last();
+            [last.objective, last.area, last.volume.expect("closed")]
+        });
+        for end in &ends[1..] {
+            for (turned, first) in end.iter().zip(&ends[0]) {
+                assert!(
+                    (turned / first - 1.0).abs() < 1e-6,
+                    "{flow:?}: {turned} {first}"
+                );
+            }
+        }
+    }
 }
 
 /// A surface of any topology with noise, as large or as far away as comes.

@@ -2,9 +2,12 @@
 
 use glam::{DVec2, DVec3};
 use std::cmp::Ordering;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Derivatives fitted: f_u, f_v, f_uu, f_uv, f_vv.
 const N: usize = 5;
+/// Column of uv.
+const UV: usize = 3;
 
 /// A column with less than this share of all columns outside the span of those before it
 /// lies in that span: the neighbours are in special position.
@@ -90,8 +93,16 @@ impl Fit {
         self.condition_bound() <= limit || self.is_ratio_within(limit)
     }
 
+    /// R of the columns u, v, ½u², uv/√2, ½v². Turned axes turn them among themselves, so that their
+    /// singular values are the same for all axes.
+    fn even_triangle(&self) -> [[f64; N]; N] {
+        let mut r = self.triangle;
+        r.iter_mut().for_each(|row| row[UV] *= FRAC_1_SQRT_2);
+        r
+    }
+
     fn condition_bound(&self) -> f64 {
-        let r = &self.triangle;
+        let r = &self.even_triangle();
         let mut inverse = [[0.0; N]; N];
         for j in 0..N {
             inverse[j][j] = 1.0 / r[j][j];
@@ -130,7 +141,7 @@ impl Fit {
 
     /// RᵀR.
     fn gram(&self) -> [[f64; N]; N] {
-        let r = &self.triangle;
+        let r = self.even_triangle();
         std::array::from_fn(|i| {
             std::array::from_fn(|j| (0..=i.min(j)).map(|k| r[k][i] * r[k][j]).sum())
         })
@@ -230,14 +241,14 @@ mod tests {
     fn the_condition_is_that_of_the_singular_values() {
         let mut fit = Fit::default();
         // A regular hexagon's columns are orthogonal but for u²/2 and v²/2, whose Gram matrix
-        // is 3/16·[[3, 1], [1, 3]]: singular values √3, √3, √(3/4), √(3/4), √(3/8).
+        // is 3/16·[[3, 1], [1, 3]]: singular values √3, √3, √(3/4), √(3/8), √(3/8).
         let hexagon: Vec<DVec2> = (0..6)
             .map(|k| 3.0 * DVec2::from_angle(std::f64::consts::FRAC_PI_3 * f64::from(k)))
             .collect();
         fit.compute(&hexagon, 1).expect("a fit");
         assert!(fit.is_ratio_within(8f64.sqrt() * (1.0 + 1e-12)));
         assert!(!fit.is_ratio_within(8f64.sqrt() * (1.0 - 1e-12)));
-        let bound = (63.0 / 8.0 * 6.0f64).sqrt();
+        let bound = (7.5 * 22.0 / 3.0f64).sqrt();
         assert!((fit.condition_bound() - bound).abs() < 1e-12);
         for m in [6, 7, 9] {
             fit.compute(&scattered(m), 1).expect("a fit");
@@ -248,6 +259,25 @@ mod tests {
             assert!(bound > condition && bound < 5.0 * condition);
             assert!(fit.is_conditioned((1.0 + 1e-9) * condition));
             assert!(!fit.is_conditioned((1.0 - 1e-9) * condition));
+        }
+    }
+
+    /// Which neighbours a vertex is fitted to must not depend on the axes there.
+    #[test]
+    fn the_condition_does_not_depend_on_the_axes() {
+        let mut fit = Fit::default();
+        for m in [5, 6, 7, 9] {
+            let mut bounds = (0..12).map(|k| {
+                let turn = DVec2::from_angle(0.3 * f64::from(k));
+                let turned: Vec<DVec2> = scattered(m).iter().map(|p| turn.rotate(*p)).collect();
+                fit.compute(&turned, 1).expect("a fit");
+                fit.condition_bound()
+            });
+            let first = bounds.next().expect("a bound");
+            assert!(
+                bounds.all(|bound| (bound / first - 1.0).abs() < 1e-9),
+                "{m}"
+            );
         }
     }
 
