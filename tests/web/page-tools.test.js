@@ -6,6 +6,7 @@ import { test } from "node:test";
 import {
   button,
   canvas,
+  openMesh,
   openTab,
   plotted,
   reading,
@@ -154,6 +155,32 @@ test("a surface is given other triangles, as many as wanted, and gets its own ba
   // “Ready” stood there before.
   await page.getByText(new RegExp(`^${before} vertices`)).waitFor();
   assert.equal(await reading(page, "Vertices"), before);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("edges of the shape stay when it is remeshed, unless they are to be rounded", async () => {
+  const { page, faults, close } = await site.open("sample=icosahedron");
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => `v ${k & 1} ${(k >> 1) & 1} ${k >> 2}`);
+  const squares = ["1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"];
+  const triangles = squares.map((square) => {
+    const [a, b, c, d] = square.split(" ");
+    return `f ${a} ${b} ${c}\nf ${a} ${c} ${d}`;
+  });
+  await openMesh(page, "cube.obj", [...corners, ...triangles].join("\n"));
+  const remesh = async (/** @type {boolean} */ rounds) => {
+    await openTab(page, "Surface");
+    await button(page, "Remesh").click();
+    if (rounds) await button(page, "Keep edges").click();
+    await page.getByLabel("Vertices", { exact: true }).fill("600");
+    await page.getByLabel("Vertices", { exact: true }).press("Tab");
+    await button(page, "All alike").click();
+    await page.getByText(/smallest angle .* before and .* now; Undo takes it back/).waitFor();
+  };
+  await remesh(false);
+  assert.equal(Number(await reading(page, "Volume")), 1);
+  await remesh(true);
+  assert.notEqual(Number(await reading(page, "Volume")), 1);
   assert.deepEqual(faults, []);
   await close();
 });

@@ -217,6 +217,8 @@ function inversionHandle() {
 
 /** Vertices that remeshing aims at; null: as many as there are. */
 const budget = signal(/** @type {number | null} */ (null));
+/** Whether edges of the shape stay. */
+const keepsEdges = signal(true);
 
 /** @type {Record<Mode, () => unknown>} */
 const bars = {
@@ -250,9 +252,14 @@ const bars = {
   },
   remesh() {
     const to = (/** @type {"adaptive" | "isotropic"} */ kind) => () =>
-      page.edit.remesh({ kind, vertices: budget.value });
+      page.edit.remesh({
+        kind,
+        vertices: budget.value,
+        creases: keepsEdges.value ? "keep" : "smooth",
+      });
     const placeholder = page.state.value.mesh?.info.vertices;
     return html`${shortNumber(say("remesh-number"), budget.value, into(budget), { min: 4, step: 1, placeholder })}
+      ${button(say("remesh-edges"), () => into(keepsEdges)(!keepsEdges.value), "small", { pressed: keepsEdges.value, title: say("remesh-edges.about") })}
       ${button(say("remesh-adaptive"), to("adaptive"), "small primary")}
       ${button(say("remesh-isotropic"), to("isotropic"), "small")}`;
   },

@@ -17,32 +17,29 @@ pub fn is_suspect(mesh: &HalfedgeMesh, x: &[DVec3], weld: Weld) -> bool {
         corners.extend(mesh.face_vertices(f).map(|v| v.0));
         flat::is_flat(&corners, x)
     };
-    if mesh.faces().any(&mut has_flat) || has_twins(mesh, x) {
+    if mesh.faces().any(&mut has_flat) || mesh.components().1 > 1 && has_twins(mesh, x) {
         return true;
     }
     let rims = rims(mesh, x, weld);
     rims.is_some_and(|rims| rims.is_suspect())
 }
 
-/// Whether two parts may lie on each other: their vertices have the same places.
-fn has_twins(mesh: &HalfedgeMesh, x: &[DVec3]) -> bool {
-    let (component, count) = mesh.components();
-    if count < 2 {
-        return false;
+deferred! {
+    /// Whether two parts may lie on each other: their vertices have the same places.
+    fn has_twins(mesh: &HalfedgeMesh, x: &[DVec3]) -> bool {
+        let (component, count) = mesh.components();
+        // Of each part how many vertices, and a sum of their places that no order changes.
+        let mut parts = vec![(0usize, 0u64); count];
+        for (p, &part) in x.iter().zip(&component) {
+            let mut hasher = Mixed::default();
+            (*p + 0.0).to_array().map(f64::to_bits).hash(&mut hasher);
+            let (vertices, sum) = &mut parts[part as usize];
+            *vertices += 1;
+            *sum = sum.wrapping_add(hasher.finish());
+        }
+        let mut seen = Table::default();
+        parts.into_iter().any(|part| seen.insert(part, ()).is_some())
     }
-    // Of each part how many vertices, and a sum of their places that no order changes.
-    let mut parts = vec![(0usize, 0u64); count];
-    for (p, &part) in x.iter().zip(&component) {
-        let mut hasher = Mixed::default();
-        (*p + 0.0).to_array().map(f64::to_bits).hash(&mut hasher);
-        let (vertices, sum) = &mut parts[part as usize];
-        *vertices += 1;
-        *sum = sum.wrapping_add(hasher.finish());
-    }
-    let mut seen = Table::default();
-    parts
-        .into_iter()
-        .any(|part| seen.insert(part, ()).is_some())
 }
 
 /// A length within which a weld closes gaps that are wider than what [`Weld::Auto`] takes for none,
