@@ -1,10 +1,11 @@
 //! When a run is over, and why.
 //!
 //! *Idle* is a functional that has fallen by less than a share of itself over the last `WINDOW`
-//! steps; which share, [`Rules::idle`](super::Rules) says. An idle run has converged if the surface is at rest by its flow's own
-//! test, which does not depend on the step size ([`Flow::stationarity`](super::Flow)); a step
-//! too small to move anything proves nothing. If it is not at rest it has stalled, unless the
-//! step size was asked for, or steps are taken without trouble and may yet grow.
+//! steps; which share, [`Rules::idle`](super::Rules) says. An idle run has converged if the surface
+//! is at rest by its flow's own test, which does not depend on the step size
+//! ([`Flow::stationarity`](super::Flow)); a step too small to move anything proves nothing. If it is
+//! not at rest it has stalled, unless the step size was asked for, or steps are taken without trouble
+//! and may yet grow.
 
 use super::{Advice, Cause, Functional, Refusal, Status};
 use crate::message::messages;

@@ -16,57 +16,26 @@ struct Element {
     faces: usize,
 }
 
+const fn element(vtk: u8, gmsh: Option<u8>, has_centre: bool, faces: usize) -> Element {
+    Element {
+        vtk,
+        gmsh,
+        has_centre,
+        faces,
+    }
+}
+
 const TRIANGLES: [Element; 4] = [
-    Element {
-        vtk: 22,
-        gmsh: Some(9),
-        has_centre: false,
-        faces: 4,
-    },
-    Element {
-        vtk: 34,
-        gmsh: None,
-        has_centre: true,
-        faces: 6,
-    },
-    Element {
-        vtk: 69,
-        gmsh: None,
-        has_centre: false,
-        faces: 4,
-    },
-    Element {
-        vtk: 36,
-        gmsh: None,
-        has_centre: false,
-        faces: 1,
-    },
+    element(22, Some(9), false, 4),
+    element(34, None, true, 6),
+    element(69, None, false, 4),
+    element(36, None, false, 1),
 ];
 const SQUARES: [Element; 4] = [
-    Element {
-        vtk: 23,
-        gmsh: Some(16),
-        has_centre: false,
-        faces: 5,
-    },
-    Element {
-        vtk: 28,
-        gmsh: Some(10),
-        has_centre: true,
-        faces: 4,
-    },
-    Element {
-        vtk: 70,
-        gmsh: None,
-        has_centre: true,
-        faces: 4,
-    },
-    Element {
-        vtk: 36,
-        gmsh: None,
-        has_centre: false,
-        faces: 1,
-    },
+    element(23, Some(16), false, 5),
+    element(28, Some(10), true, 4),
+    element(70, None, true, 4),
+    element(36, None, false, 1),
 ];
 
 /// Nodes on the unit sphere, and those of each element: corners, middles of sides, centre.

@@ -1,9 +1,10 @@
 //! Repairs that change a file's faces, on request: what people bring as a surface becomes one.
 //!
-//! In turn: open sheets that lie on another are dropped; boundary vertices at the same place are welded where that stitches two edges, so that
-//! boundary chains that coincide close; faces without area go; a vertex in the middle of a
-//! neighbour's edge is inserted there; sheets that hang on an edge of two other faces are dropped
-//! where they are small, else cut loose. Every change is listed with its count and its vertices.
+//! In turn: sheets and bodies that lie on another are dropped; boundary vertices at the same place
+//! are welded where that stitches two edges, so that boundary chains that coincide close; faces
+//! without area go; a vertex in the middle of a neighbour's edge is inserted there; sheets that hang
+//! on an edge of two other faces are dropped where they are small, else cut loose. Every change is
+//! listed with its count and its vertices.
 //! Nothing is welded where the surface is whole already: two closed bodies that touch stay two,
 //! and so do two holes that share a corner.
 
