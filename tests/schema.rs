@@ -10,8 +10,8 @@ use umbilic::app::{
 use umbilic::energy::circle::Boundary;
 use umbilic::flow::equation::{MONITORED, STEPS, SYMBOLS, functional};
 use umbilic::flow::option::{Kind, Options, Range, Row, Value};
-use umbilic::flow::options::{FlowName, FlowOptions};
-use umbilic::flow::spec::{FLOWS, Family, FlowRow};
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::{FLOWS, Family, FlowName, FlowRow};
 use umbilic::io::Format;
 
 #[test]

@@ -53,7 +53,8 @@ export function clause(s, shown, isPlaying, last) {
 /** How what is monitored is called: a symbol, and a name beside it. @param {Pick<S, "options">} s @returns {string} */
 export function symbol({ options }) {
   const { flow, p, spontaneousCurvature, tension, pressure } = settled(options);
-  if (flowOf(flow).family !== "p-willmore") return say(`symbol-${flow}`);
+  const { family, monitored } = flowOf(flow);
+  if (family !== "p-willmore") return say(`symbol-${monitored[0]}`);
   if (spontaneousCurvature || tension || pressure) return say("symbol-helfrich");
   return p === 0 ? say("symbol-area") : p === 2 ? "∫H²" : `∫|H|^${p}`;
 }

@@ -126,7 +126,7 @@ mod tests {
     use super::*;
     use crate::energy::circle::Boundary;
     use crate::flow::option::Value;
-    use crate::flow::options::FlowName;
+    use crate::flow::spec::FlowName;
     use crate::message::Say;
 
     #[test]

@@ -1,7 +1,8 @@
 //! What takes the steps: a flow, which moves vertices, or edge flips, which do not.
 
 use crate::flow::flips::EdgeFlips;
-use crate::flow::options::{FlowName, FlowOptions};
+use crate::flow::options::FlowOptions;
+use crate::flow::spec::FlowName;
 use crate::flow::{self, Decision, Driver, FlowError, Reading, Refusal, StepReport};
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;

@@ -10,26 +10,17 @@ use super::readings::EnergyOptions;
 use crate::flow::option::{
     self, Kind, Named, OptionError, Options, Range, ReadBy, Row, Value, Values, row,
 };
-use crate::flow::options::{FlowName, FlowOptions};
-use crate::flow::spec::FLIPS;
+use crate::flow::options::FlowOptions;
+use crate::flow::spec::{COMPARED, FLIPS};
 
 impl Named for Compare {}
-
-/// The flows that something can stand beside.
-const WITH_OTHERS: &[FlowName] = &[
-    FlowName::MeanCurvature,
-    FlowName::SurfaceDiffusion,
-    FlowName::Willmore,
-    FlowName::Mmcv,
-    FlowName::Flips,
-];
 
 impl Options for Arrangement {
     // A table reads best by lines.
     #[rustfmt::skip]
     const ROWS: &'static [Row<Self>] = &{
         let flips = ReadBy::flows(FLIPS);
-        let several = ReadBy::flows(WITH_OTHERS);
+        let several = ReadBy::flows(COMPARED);
         let levels = Kind::Number(Range::count(0.0).up_to(3.0));
         let count = Kind::Number(Range::count(1.0));
         [

@@ -13,7 +13,7 @@ use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::flips::EdgeFlips;
 use crate::flow::option;
 use crate::flow::option::kind::id_of;
-use crate::flow::options::FlowName;
+use crate::flow::spec::FlowName;
 use crate::mesh::{self, HalfedgeMesh, Vertex, subdivide};
 use crate::order;
 use crate::remesh::flips::FlipOptimiser;

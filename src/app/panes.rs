@@ -6,8 +6,8 @@ use super::arrangement::Compare;
 use super::fault::Fault;
 use super::runner::Runner;
 use super::segment::Segment;
-use crate::flow::options::{FlowName, FlowOptions};
-use crate::flow::spec::{self, Family};
+use crate::flow::options::FlowOptions;
+use crate::flow::spec::{self, Family, FlowName};
 use std::rc::Rc;
 
 /// Steps that the others still take after the first has come to rest.

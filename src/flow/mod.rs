@@ -33,6 +33,7 @@ mod run;
 #[cfg(test)]
 mod scripted;
 mod search;
+mod settled;
 pub mod signs;
 pub mod spec;
 pub mod step_size;

@@ -14,7 +14,8 @@ pub use kind::{Kind, Range};
 pub(crate) use rows::row;
 pub use value::Value;
 
-use super::options::{FlowName, FlowOptions, Goal, Remeshing, Scheme};
+use super::options::{FlowOptions, Goal, Remeshing, Scheme};
+use super::spec::FlowName;
 use crate::message::{Message, Say};
 use kind::{id_of, ids, named};
 use serde::Serialize;

@@ -1,34 +1,11 @@
 //! What a user may choose about a flow; every field has a default.
 
 use super::constraint::Kept;
+use super::spec::FlowName;
 use crate::energy::circle::Boundary;
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
 use serde::{Deserialize, Serialize};
-
-/// Which flow runs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(rename_all = "kebab-case")]
-pub enum FlowName {
-    /// Bobenko & Schröder's circle-angle Willmore flow [BS05](crate::bibliography#bs05).
-    #[default]
-    Circle,
-    /// Gruber & Aulisa's p-Willmore flow [GA20](crate::bibliography#ga20).
-    PWillmore,
-    /// Flow by mean curvature.
-    MeanCurvature,
-    /// Huisken's flow by mean curvature that keeps the volume.
-    VolumePreserving,
-    /// Surface diffusion.
-    SurfaceDiffusion,
-    /// Willmore flow by fitted operators.
-    Willmore,
-    /// Xu & Zhang's minimal mean-curvature-variation flow [XZ06](crate::bibliography#xz06).
-    Mmcv,
-    /// Brink & Alboul's edge flips [BA](crate::bibliography#ba).
-    Flips,
-}
 
 /// Recommended treatment or the paper's own.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]

@@ -3,11 +3,33 @@
 //! Which options a flow reads is said by the rows of the options ([`super::option`]).
 
 use super::Monitored;
-use super::constraint::Kept;
-use super::option::Options;
-use super::options::{FlowName, FlowOptions};
+use super::option::value::Value;
 use crate::energy::circle::Boundary;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
+
+/// Which flow runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum FlowName {
+    /// Bobenko & Schröder's circle-angle Willmore flow [BS05](crate::bibliography#bs05).
+    #[default]
+    Circle,
+    /// Gruber & Aulisa's p-Willmore flow [GA20](crate::bibliography#ga20).
+    PWillmore,
+    /// Flow by mean curvature.
+    MeanCurvature,
+    /// Huisken's flow by mean curvature that keeps the volume.
+    VolumePreserving,
+    /// Surface diffusion.
+    SurfaceDiffusion,
+    /// Willmore flow by fitted operators.
+    Willmore,
+    /// Xu & Zhang's minimal mean-curvature-variation flow [XZ06](crate::bibliography#xz06).
+    Mmcv,
+    /// Brink & Alboul's edge flips [BA](crate::bibliography#ba).
+    Flips,
+}
 
 /// The system that runs a flow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -62,22 +84,16 @@ pub struct FlowRow {
     pub meshes: Meshes,
     /// What happens at the boundary unless told otherwise; `None` where there is no choice.
     pub boundary: Option<Boundary>,
-    /// Options of its family that make it this flow; it reads none of them.
-    #[serde(serialize_with = "changed")]
-    pub sets: fn(FlowOptions) -> FlowOptions,
+    /// Options of its family that make it this flow, by name; it reads none of them.
+    #[serde(serialize_with = "as_record")]
+    pub sets: fn() -> Vec<(&'static str, Value)>,
 }
 
-/// In JSON, those options that differ from the default.
-fn changed<S: Serializer>(
-    sets: &fn(FlowOptions) -> FlowOptions,
+fn as_record<S: Serializer>(
+    sets: &fn() -> Vec<(&'static str, Value)>,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    let usual = FlowOptions::default();
-    let set = sets(usual.clone());
-    let rows = FlowOptions::ROWS.iter();
-    let values = rows.map(|row| (row.name, (row.get)(&set), (row.get)(&usual)));
-    let differs = values.filter(|(_, value, usual)| value != usual);
-    serializer.collect_map(differs.map(|(name, value, _)| (name, value)))
+    serializer.collect_map(sets())
 }
 
 use FlowName::{
@@ -115,6 +131,8 @@ pub const P_WILLMORE: &[FlowName] = &[PWillmore];
 pub const CLOSED: &[FlowName] = &[PWillmore, VolumePreserving];
 /// Minimal mean-curvature variation.
 pub const MMCV: &[FlowName] = &[Mmcv];
+/// Those that another can stand beside.
+pub const COMPARED: &[FlowName] = &[MeanCurvature, SurfaceDiffusion, Willmore, Mmcv, Flips];
 /// Edge flips.
 pub const FLIPS: &[FlowName] = &[Flips];
 
@@ -143,7 +161,7 @@ const fn fitted(
             one_sided: false,
         },
         boundary: Some(Boundary::Fixed),
-        sets: |o| o,
+        sets: Vec::new,
     }
 }
 
@@ -166,7 +184,7 @@ pub static FLOWS: &[FlowRow] = &[
             one_sided: true,
         },
         boundary: Some(Boundary::Clamped),
-        sets: |o| o,
+        sets: Vec::new,
     },
     FlowRow {
         id: PWillmore,
@@ -189,7 +207,7 @@ pub static FLOWS: &[FlowRow] = &[
             one_sided: false,
         },
         boundary: None,
-        sets: |o| o,
+        sets: Vec::new,
     },
     fitted(
         MeanCurvature,
@@ -216,10 +234,9 @@ pub static FLOWS: &[FlowRow] = &[
             one_sided: false,
         },
         boundary: None,
-        sets: |o| FlowOptions {
-            p: 0.0,
-            keep: vec![Kept::Volume],
-            ..o
+        sets: || {
+            let keep = Value::List(vec![Value::Text("volume".into())]);
+            vec![("p", Value::Number(0.0)), ("keep", keep)]
         },
     },
     fitted(
@@ -259,7 +276,7 @@ pub static FLOWS: &[FlowRow] = &[
             one_sided: true,
         },
         boundary: None,
-        sets: |o| o,
+        sets: Vec::new,
     },
 ];
 
@@ -268,42 +285,6 @@ pub fn of(flow: FlowName) -> &'static FlowRow {
     let found = FLOWS.iter().find(|row| row.id == flow);
     // A test sees to it that each has one.
     found.unwrap_or(&FLOWS[0])
-}
-
-impl FlowOptions {
-    /// What happens at the boundary: as chosen, or as usual of the flow.
-    pub fn boundary(&self) -> Boundary {
-        let usual = || of(self.flow).boundary.unwrap_or_default();
-        self.boundary.unwrap_or_else(usual)
-    }
-
-    /// The options that the flow's system runs with: what the flow does not read is as usual, or
-    /// as its row sets it.
-    #[must_use]
-    pub fn settled(&self) -> Self {
-        let usual = Self::default();
-        let mut options = self.clone();
-        let rows = Self::ROWS.iter();
-        for row in rows.filter(|row| !row.read_by.flows.contains(&self.flow)) {
-            (row.set)(&mut options, &(row.get)(&usual));
-        }
-        (of(self.flow).sets)(options)
-    }
-
-    /// The same under another flow: what means nothing to it goes back to its default.
-    #[must_use]
-    pub fn with_flow(&self, flow: FlowName) -> Self {
-        let usual = Self::default();
-        let mut options = Self {
-            flow,
-            ..self.clone()
-        };
-        let rows = Self::ROWS.iter();
-        for row in rows.filter(|row| row.is_of_one_flow) {
-            (row.set)(&mut options, &(row.get)(&usual));
-        }
-        options
-    }
 }
 
 #[cfg(test)]
@@ -323,60 +304,5 @@ mod tests {
         assert!(open.map(|row| &row.id).eq(OPEN));
         let closed = FLOWS.iter().filter(|row| row.family == Family::PWillmore);
         assert!(closed.map(|row| &row.id).eq(CLOSED));
-    }
-
-    #[test]
-    fn a_flow_runs_with_what_it_reads_and_what_its_row_sets() {
-        let asked = FlowOptions {
-            flow: VolumePreserving,
-            p: 4.0,
-            keep: vec![Kept::Area],
-            tension: 3.0,
-            reduced_volume: Some(0.6),
-            regularise: crate::remesh::Mode::Off,
-            tau: Some(0.5),
-            ..FlowOptions::default()
-        };
-        let expected = FlowOptions {
-            p: 0.0,
-            keep: vec![Kept::Volume],
-            tension: 0.0,
-            reduced_volume: None,
-            ..asked.clone()
-        };
-        assert_eq!(asked.settled(), expected);
-        for row in FLOWS {
-            let set = (row.sets)(FlowOptions::default());
-            let usual = FlowOptions::default();
-            let rows = FlowOptions::ROWS.iter();
-            for option in rows.filter(|option| (option.get)(&set) != (option.get)(&usual)) {
-                let is_read = option.read_by.flows.contains(&row.id);
-                assert!(
-                    !is_read,
-                    "{:?} sets {}, which it reads",
-                    row.id, option.name
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn another_flow_takes_back_what_means_nothing_to_it() {
-        let before = FlowOptions {
-            tau: Some(0.5),
-            dt: Some(2.0),
-            boundary: Some(Boundary::Free),
-            goal: crate::flow::options::Goal::Smooth,
-            epsilon: 0.3,
-            free: Some(vec![1]),
-            ..FlowOptions::default()
-        };
-        let expected = FlowOptions {
-            flow: Mmcv,
-            epsilon: 0.3,
-            free: Some(vec![1]),
-            ..FlowOptions::default()
-        };
-        assert_eq!(before.with_flow(Mmcv), expected);
     }
 }

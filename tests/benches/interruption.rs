@@ -18,7 +18,8 @@ use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::rc::Rc;
 use umbilic::app::Session;
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::FlowName;
 
 const FLOWS: [FlowName; 7] = [
     FlowName::Circle,

@@ -4,7 +4,8 @@
 use crate::support::session::flowing;
 use crate::support::{sample, shared_folder};
 use umbilic::app::{FillOptions, RemeshOptions, RepairOptions, Session, SubdivideOptions};
-use umbilic::flow::options::{FlowName, FlowOptions, Remeshing};
+use umbilic::flow::options::{FlowOptions, Remeshing};
+use umbilic::flow::spec::FlowName;
 use umbilic::io::{self, Format};
 use umbilic::remesh::adaptive::Kind;
 use umbilic::soup::PolygonSoup;

@@ -2,7 +2,8 @@
 
 use umbilic::app::{Arrangement, Compare, Pane, Session};
 use umbilic::flow::Status;
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::FlowName;
 
 const NAMES: [&str; 4] = ["mean-curvature", "surface-diffusion", "willmore", "mmcv"];
 

@@ -4,7 +4,8 @@ use crate::support::session::{Dice, flowing, shown, with};
 use umbilic::app::{Action, Arrangement, Compare, Configured, RegulariseOptions, Session};
 use umbilic::flow::Status;
 use umbilic::flow::constraint::Kept;
-use umbilic::flow::options::{FlowName, FlowOptions, Scheme};
+use umbilic::flow::options::{FlowOptions, Scheme};
+use umbilic::flow::spec::FlowName;
 use umbilic::io::Format;
 
 /// Options that have nothing to do with each other, for a closed and for an open surface.

@@ -3,7 +3,8 @@
 
 use umbilic::app::{Arrangement, Compare, Curve, FlipOptions, Session};
 use umbilic::energy::circle::Boundary;
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::FlowName;
 use umbilic::flow::{Reason, Status};
 use umbilic::io::Format;
 use umbilic::remesh::flips::reduction::Criterion;

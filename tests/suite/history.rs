@@ -6,7 +6,8 @@ use umbilic::app::{
     Action, Arrangement, Compare, Edit, FillOptions, FlipOptions, Loops, RegulariseOptions, Session,
 };
 use umbilic::flow::Status;
-use umbilic::flow::options::{FlowName, FlowOptions, Integrator};
+use umbilic::flow::options::{FlowOptions, Integrator};
+use umbilic::flow::spec::FlowName;
 use umbilic::io::Format;
 use umbilic::remesh::Mode;
 

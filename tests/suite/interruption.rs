@@ -8,7 +8,8 @@ use std::rc::Rc;
 use umbilic::app::{
     Arrangement, Compare, Origin, Progress, RunCommand, ScriptText, Session, ToolCommand,
 };
-use umbilic::flow::options::{FlowName, FlowOptions, Goal, Integrator, Remeshing, Scheme};
+use umbilic::flow::options::{FlowOptions, Goal, Integrator, Remeshing, Scheme};
+use umbilic::flow::spec::FlowName;
 use umbilic::flow::{Decision, Driver, StepReport};
 use umbilic::interrupt;
 use umbilic::mesh::{build, shape};

@@ -8,7 +8,8 @@ use umbilic::app::{
 };
 use umbilic::energy::circle::angle::Smoothing;
 use umbilic::energy::circle::{Boundary, CircleEnergy};
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::FlowName;
 use umbilic::geometry::measure;
 use umbilic::mesh::shape;
 use umbilic::operator::fitted::principal::{Principal, aligned_edges, principal_directions};

@@ -9,8 +9,9 @@ use umbilic::app::{
     ScriptText, Session, SubdivideOptions, WrittenLink,
 };
 use umbilic::flow::option::{Value, Values};
-use umbilic::flow::options::{FlowName, FlowOptions, Integrator, Scheme};
+use umbilic::flow::options::{FlowOptions, Integrator, Scheme};
 use umbilic::flow::spec::FLOWS;
+use umbilic::flow::spec::FlowName;
 use umbilic::io::Format;
 use umbilic::remesh::Mode;
 use umbilic::remesh::flips::reduction::Criterion;

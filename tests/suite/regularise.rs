@@ -8,7 +8,7 @@ use glam::{DQuat, DVec3};
 use std::rc::Rc;
 use umbilic::app::Session;
 use umbilic::energy::conformal::{conformal_distortion, reference_angles};
-use umbilic::flow::options::FlowName;
+use umbilic::flow::spec::FlowName;
 use umbilic::geometry::measure;
 use umbilic::io::Format;
 use umbilic::mesh::shape;

@@ -8,7 +8,8 @@ use umbilic::app::{
     Edit, Info, Loaded, Origin, RepairItem, RepairOptions, RunCommand, ScriptText, Session,
 };
 use umbilic::flow::option::Values;
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::FlowName;
 use umbilic::io::Format;
 use umbilic::message::Value;
 use umbilic::remesh::repair::Weld;

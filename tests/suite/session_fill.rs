@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 use umbilic::app::{Fault, FillOptions, FillOutcome, FlipOptions, Loops, Session};
 use umbilic::flow::Status;
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::FlowName;
 use umbilic::io::Format;
 use umbilic::remesh::fill::FillProgress;
 

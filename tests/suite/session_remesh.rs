@@ -4,7 +4,8 @@
 use std::f64::consts::PI;
 use umbilic::app::{Edit, Origin, RemeshOptions, ScriptText, Session};
 use umbilic::flow::constraint::Kept;
-use umbilic::flow::options::{FlowName, FlowOptions, Remeshing};
+use umbilic::flow::options::{FlowOptions, Remeshing};
+use umbilic::flow::spec::FlowName;
 use umbilic::flow::{Status, StepReport};
 use umbilic::io::Format;
 use umbilic::remesh::adaptive::{Creases, Kind};

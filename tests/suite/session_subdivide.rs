@@ -1,7 +1,8 @@
 //! Subdivision as an edit: what it does to the surface, to selections, and its undoing.
 
 use umbilic::app::{Session, SubdivideOptions, SubdivisionScheme};
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::FlowName;
 
 fn subdivide(session: &mut Session, scheme: SubdivisionScheme) {
     let options = SubdivideOptions { scheme };

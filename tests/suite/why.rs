@@ -8,7 +8,8 @@ use umbilic::app::{
 };
 use umbilic::flow::Status;
 use umbilic::flow::constraint::Kept;
-use umbilic::flow::options::{FlowName, FlowOptions, Integrator, Remeshing, Scheme};
+use umbilic::flow::options::{FlowOptions, Integrator, Remeshing, Scheme};
+use umbilic::flow::spec::FlowName;
 use umbilic::remesh::Mode;
 
 struct Case {

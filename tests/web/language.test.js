@@ -24,7 +24,9 @@ test("every label that is made of data has words in every language", async () =>
   const ids = [
     ...commands.map(({ id }) => `command-${id}`),
     ...flows.flatMap(({ id }) => [`flow-${id}`, `flow-${id}.plain`]),
-    ...flows.filter(({ family }) => family !== "p-willmore").map(({ id }) => `symbol-${id}`),
+    ...flows
+      .filter(({ family }) => family !== "p-willmore")
+      .map(({ monitored }) => `symbol-${monitored[0]}`),
     ...[...options, ...arrangement].map(({ name }) => `option-${name}`),
     ...options.filter(({ kind }) => kind !== "vertices").map(({ name }) => `option-${name}-help`),
     ...samples.flatMap(({ id, group }) => [`sample-${id}`, `sample-${id}-shows`, `group-${group}`]),

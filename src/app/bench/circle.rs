@@ -1,7 +1,8 @@
 //! One step of the circle-angle flow on a torus, and one trial of a step.
 
 use super::{BenchOptions, Measurement, Table, median, rejected, shaped, step, steps, times};
-use crate::flow::options::{FlowName, FlowOptions};
+use crate::flow::options::FlowOptions;
+use crate::flow::spec::FlowName;
 
 pub(super) const TABLE: Table = Table {
     columns: &[

@@ -5,7 +5,8 @@
 use super::{BenchOptions, Measurement, Row, Table, median, megabytes, named, step, times};
 use crate::app::library::{Holes, Shape};
 use crate::app::{Fault, Session};
-use crate::flow::options::{FlowName, FlowOptions};
+use crate::flow::options::FlowOptions;
+use crate::flow::spec::FlowName;
 use std::ops::ControlFlow;
 
 pub(super) const TABLE: Table = Table {

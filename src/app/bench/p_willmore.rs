@@ -7,7 +7,8 @@ use super::{
 };
 use crate::app::RegulariseOptions;
 use crate::flow::constraint::Kept;
-use crate::flow::options::{FlowName, FlowOptions, Remeshing};
+use crate::flow::options::{FlowOptions, Remeshing};
+use crate::flow::spec::FlowName;
 use crate::message::Value;
 use crate::remesh::Mode;
 use web_time::Instant;

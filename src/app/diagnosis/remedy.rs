@@ -2,7 +2,8 @@
 
 use crate::energy::circle::Boundary;
 use crate::flow::constraint::Kept;
-use crate::flow::options::{FlowName, FlowOptions, Scheme};
+use crate::flow::options::{FlowOptions, Scheme};
+use crate::flow::spec::FlowName;
 use crate::message::{Message, messages};
 use crate::remesh::Mode;
 use serde::Serialize;

@@ -5,7 +5,7 @@ use super::remedy::Remedy;
 use super::{Diagnosis, Symptom};
 use crate::app::engine::Engine;
 use crate::app::runner::Runner;
-use crate::flow::options::FlowName;
+use crate::flow::spec::FlowName;
 use crate::flow::{FlowError, Status};
 use crate::message::Say;
 

@@ -1,6 +1,6 @@
 //! Figures of Bobenko & Schröder, Discrete Willmore Flow [BS05](crate::bibliography#bs05).
 
-use super::figure::{Figure, Finding, Paper, Steps};
+use super::figure::{Figure, Finding, Steps};
 use super::measure::{TorusFit, near, off_plane, off_sphere};
 use super::measured::Run;
 use super::sample::Shape;
@@ -10,7 +10,7 @@ use crate::flow::options::{FlowOptions, Scheme};
 use std::f64::consts::PI;
 
 const PLAIN: Figure = Figure {
-    paper: Paper::Circle,
+    paper: "circle",
     ..Figure::PLAIN
 };
 

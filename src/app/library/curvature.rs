@@ -1,15 +1,15 @@
 //! Figures of Xu & Zhang [XZ06](crate::bibliography#xz06), minimal mean-curvature-variation flow.
 
-use super::figure::{Figure, Finding, Paper, Steps};
+use super::figure::{Figure, Finding, Steps};
 use super::measure::{off_tube, off_unit_sphere};
 use super::measured::Run;
 use crate::app::{Arrangement, Compare, FieldName};
 use crate::flow::Status;
-use crate::flow::options::FlowName;
+use crate::flow::spec::FlowName;
 use glam::DVec3;
 
 const PLAIN: Figure = Figure {
-    paper: Paper::Curvature,
+    paper: "curvature",
     colour: Some(FieldName::MeanCurvature),
     ..Figure::PLAIN
 };

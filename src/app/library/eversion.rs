@@ -8,7 +8,7 @@
 //! after Kusner is critical and has exactly that much. It is a saddle: pushed to either side it
 //! flows down to the round sphere, and the two ways make the eversion.
 
-use super::figure::{Figure, Finding, Paper, Steps};
+use super::figure::{Figure, Finding, Steps};
 use super::measured::Run;
 use crate::app::State;
 use std::f64::consts::PI;
@@ -57,7 +57,7 @@ fn everted(run: &Run<'_>) -> Finding {
 }
 
 const HALVES: Figure = Figure {
-    paper: Paper::Eversion,
+    paper: "eversion",
     number: "1997",
     steps: Steps::Count(600),
     // As little as the sample is pushed to the other side: between the two no seam is seen.

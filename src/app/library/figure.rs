@@ -16,8 +16,8 @@ pub type Parameters = &'static [(&'static str, f64)];
 pub struct Figure {
     /// Its name in links, thumbnails and locale files.
     pub id: &'static str,
-    /// Whose figure it is.
-    pub paper: Paper,
+    /// Its paper, of [the references](crate#references): called `paper-<paper>` in the locale files.
+    pub paper: &'static str,
     /// As the paper numbers it.
     pub number: &'static str,
     /// Id of the sample it begins with.
@@ -45,28 +45,6 @@ pub struct Figure {
     pub falls_short: bool,
     /// Whether a run comes out as expected, and what was measured.
     pub(in crate::app) judge: fn(&Run<'_>) -> Finding,
-}
-
-/// The papers, see [the references](crate#references).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Paper {
-    /// Bobenko & Schröder.
-    Circle,
-    /// Gruber & Aulisa.
-    PWillmore,
-    /// Brink & Alboul.
-    Flips,
-    /// Xu & Zhang.
-    Curvature,
-    /// Huisken.
-    VolumePreserving,
-    /// Francis, Sullivan, Kusner, Brakke, Hartman & Chappell.
-    Eversion,
-    /// Lawson.
-    Lawson,
-    /// Pinkall.
-    Knots,
 }
 
 /// How far a figure runs.
@@ -124,7 +102,7 @@ impl Figure {
     /// A figure with nothing special about it, for the tables to begin with.
     pub(in crate::app) const PLAIN: Self = Self {
         id: "",
-        paper: Paper::Circle,
+        paper: "",
         number: "",
         sample: "",
         options: |o| o,

@@ -1,7 +1,7 @@
 //! Figures of Brink & Alboul [BA](crate::bibliography#ba), edge flips by area, Willmore and
 //! localised Willmore energy.
 
-use super::figure::{Figure, Finding, Paper};
+use super::figure::{Figure, Finding};
 use super::measured::Run;
 use crate::app::{Arrangement, Compare, FieldName};
 use crate::flow::flips::FlipReading;
@@ -9,7 +9,7 @@ use crate::flow::options::FlowOptions;
 use crate::remesh::flips::reduction::Criterion;
 
 const PLAIN: Figure = Figure {
-    paper: Paper::Flips,
+    paper: "flips",
     arrangement: Arrangement {
         compare: Compare::Criteria,
         flips_per_step: None,

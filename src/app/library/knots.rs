@@ -4,7 +4,7 @@
 //! that bends least, Clifford's, with ∫H² = 2π² by Marques and Neves
 //! [MN14](crate::bibliography#mn14); two tubes as two of these.
 
-use super::figure::{Figure, Finding, Paper, Steps};
+use super::figure::{Figure, Finding, Steps};
 use super::measure::{area_drift, near};
 use super::measured::Run;
 use std::f64::consts::PI;
@@ -36,7 +36,7 @@ fn undone(run: &Run<'_>, tubes: usize) -> Finding {
 }
 
 const PLAIN: Figure = Figure {
-    paper: Paper::Knots,
+    paper: "knots",
     number: "1985",
     steps: Steps::Rest,
     quick: false,

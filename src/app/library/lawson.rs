@@ -7,7 +7,7 @@
 //! [HHT23](crate::bibliography#hht23) expand in 1/(2g + 2):
 //! 8π(1 − ln 2/(2g + 2) − (9/4)ζ(3)/(2g + 2)³ + …).
 
-use super::figure::{Figure, Finding, Paper, Steps};
+use super::figure::{Figure, Finding, Steps};
 use super::measure::{area_drift, near};
 use super::measured::Run;
 
@@ -37,7 +37,7 @@ fn lawson(run: &Run<'_>, genus: usize, least: f64) -> Finding {
 }
 
 const PLAIN: Figure = Figure {
-    paper: Paper::Lawson,
+    paper: "lawson",
     number: "1970",
     steps: Steps::Rest,
     ..Figure::PLAIN

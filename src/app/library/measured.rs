@@ -7,7 +7,7 @@ use crate::app::pane::pictures;
 use crate::app::runner::Runner;
 use crate::app::{Fault, FieldName, Info, Session, State};
 use crate::flow::flips::FlipReading;
-use crate::flow::options::FlowName;
+use crate::flow::spec::FlowName;
 use crate::remesh::flips::reduction::Criterion;
 use crate::remesh::static_pass::Regularised;
 use glam::DVec3;

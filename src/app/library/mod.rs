@@ -18,7 +18,7 @@ mod run;
 mod sample;
 mod volume_preserving;
 
-pub use figure::{Figure, Finding, Paper, Parameters, Steps};
+pub use figure::{Figure, Finding, Parameters, Steps};
 pub use run::FigureRun;
 pub use sample::{Group, Holes, SAMPLES, Sample, Shape};
 

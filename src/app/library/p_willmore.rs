@@ -1,7 +1,7 @@
 //! Figures of Gruber & Aulisa, Computational p-Willmore Flow with Conformal Penalty
 //! [GA20](crate::bibliography#ga20).
 
-use super::figure::{Figure, Finding, Paper, Steps};
+use super::figure::{Figure, Finding, Steps};
 use super::measure::{area_drift, near, off_sphere, volume_drift};
 use super::measured::Run;
 use crate::app::{FieldName, RegulariseOptions};
@@ -11,7 +11,7 @@ use crate::remesh::Mode;
 use std::f64::consts::PI;
 
 const PLAIN: Figure = Figure {
-    paper: Paper::PWillmore,
+    paper: "p-willmore",
     options: papers,
     ..Figure::PLAIN
 };

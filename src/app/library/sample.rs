@@ -3,7 +3,8 @@
 use crate::app::{Fault, FillOptions, Loaded, Loops, Session};
 use crate::energy::circle::Boundary;
 use crate::flow::constraint::Kept::{Area, Volume};
-use crate::flow::options::{FlowName, FlowOptions, Goal, Remeshing};
+use crate::flow::options::{FlowOptions, Goal, Remeshing};
+use crate::flow::spec::FlowName;
 use crate::mesh::shape::sphere;
 use serde::Serialize;
 use std::ops::ControlFlow;

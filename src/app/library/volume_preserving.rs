@@ -1,7 +1,7 @@
 //! What Huisken [H87](crate::bibliography#h87) proves of volume-preserving mean-curvature flow:
 //! it makes convex surfaces round.
 
-use super::figure::{Figure, Finding, Paper};
+use super::figure::{Figure, Finding};
 use super::measure::{off_sphere, volume_drift};
 use super::measured::Run;
 use crate::flow::Status;
@@ -32,7 +32,7 @@ fn round(run: &Run<'_>) -> Finding {
 
 pub(super) static FIGURES: &[Figure] = &[Figure {
     id: "volume-preserving-round",
-    paper: Paper::VolumePreserving,
+    paper: "volume-preserving",
     number: "1987",
     sample: "spheroid",
     judge: round,

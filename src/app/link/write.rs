@@ -321,7 +321,7 @@ fn compared(
     first: Option<&FlowOptions>,
     step: usize,
 ) -> Result<Option<Comparison>, LinkError> {
-    use crate::flow::options::FlowName::Flips;
+    use crate::flow::spec::FlowName::Flips;
     let base = first.unwrap_or(current);
     let Some(comparison) = comparison.filter(|one| !one.panes.is_empty() && base.flow != Flips)
     else {

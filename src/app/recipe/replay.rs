@@ -10,7 +10,8 @@ use crate::app::fault::Fault;
 use crate::app::link::Link;
 use crate::app::provenance::{Action, Edit, EditRecord};
 use crate::app::{Session, library};
-use crate::flow::options::{FlowName, FlowOptions};
+use crate::flow::options::FlowOptions;
+use crate::flow::spec::FlowName;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 

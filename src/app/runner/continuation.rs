@@ -9,7 +9,8 @@ use crate::app::history::Event;
 use crate::app::message::AppError;
 use crate::app::readings::State;
 use crate::app::segment::Segment;
-use crate::flow::options::{FlowName, FlowOptions};
+use crate::flow::options::FlowOptions;
+use crate::flow::spec::FlowName;
 use crate::flow::{FlowError, StepReport};
 use std::rc::Rc;
 

@@ -5,7 +5,7 @@ use super::velocity::Velocity;
 use super::{curvature_variation, mean_curvature, surface_diffusion, willmore};
 use crate::flow::FlowError;
 use crate::flow::option::Allowed;
-use crate::flow::options::FlowName;
+use crate::flow::spec::FlowName;
 
 /// Which velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,10 +3,8 @@
 use super::{Kind, Named, Options, Range, ReadBy, Row};
 use crate::energy::circle::Boundary;
 use crate::flow::constraint::Kept;
-use crate::flow::options::{
-    FlowName, FlowOptions, Goal, Integrator, MassChoice, Remeshing, Scheme,
-};
-use crate::flow::spec::{ALL, CIRCLE, CLOSED, FLIPS, MMCV, MOVING, OPEN, P_WILLMORE};
+use crate::flow::options::{FlowOptions, Goal, Integrator, MassChoice, Remeshing, Scheme};
+use crate::flow::spec::{ALL, CIRCLE, CLOSED, FLIPS, FlowName, MMCV, MOVING, OPEN, P_WILLMORE};
 use crate::remesh::Mode;
 use crate::remesh::flips::reduction::Criterion;
 

@@ -1,7 +1,8 @@
 //! Sessions on samples, and all that one shows.
 
 use umbilic::app::{Session, State};
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::FlowName;
 use umbilic::io::Format;
 
 pub fn with(sample: &str, values: &[(&str, f64)], options: FlowOptions) -> Session {

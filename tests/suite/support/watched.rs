@@ -3,7 +3,8 @@
 use super::{Surface, surface};
 use glam::DVec3;
 use std::rc::Rc;
-use umbilic::flow::options::{FlowName, FlowOptions};
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::FlowName;
 use umbilic::flow::{Decision, Driver, Reason, Status, StepReport};
 
 pub struct Run {

@@ -1,6 +1,84 @@
-# Samples, the figures of the papers, and what was measured on them.
+# Was zur Wahl steht: Flüsse, Beispiele, die Bilder der Arbeiten und was an ihnen gemessen wurde.
 
-## Papers
+## Flüsse: ihre Namen, und die schlichte Zeile darunter
+
+flow-circle = Willmore durch Kreiswinkel
+    .plain = So rund wie möglich. Geschlossene und berandete Netze.
+flow-p-willmore = p-Willmore
+    .plain = Inhalt oder Volumen bleiben, Exponent p nach Wahl. Geschlossene Netze.
+flow-mean-curvature = Mittlere Krümmung
+    .plain = Verkleinert den Flächeninhalt so schnell wie möglich.
+flow-volume-preserving = Mittlere Krümmung bei festem Volumen
+    .plain = Verkleinert den Flächeninhalt bei festem Volumen: Am besten ist eine Kugel. Geschlossene Netze.
+flow-surface-diffusion = Oberflächendiffusion
+    .plain = Verkleinert den Flächeninhalt, das Volumen bleibt.
+flow-willmore = Willmore durch angepasste Operatoren
+    .plain = Biegt sich so wenig wie möglich zwischen dem Festen.
+flow-mmcv = Minimale Krümmungsvariation, sechster Ordnung
+    .plain = Das glatteste Stück: die Krümmung ändert sich am wenigsten.
+flow-flips = Kantenflips
+    .plain = Bewegt keine Ecke, tauscht nur Kanten.
+
+## Beispiele
+
+sample-icosahedron = Unterteiltes Ikosaeder
+sample-bumpy-sphere = Beulige Sphäre
+sample-coarse-torus = Unterteilter grober Torus
+sample-clifford-torus = Clifford-Torus
+sample-pipe = Rohr mit eingespannten Enden
+sample-six-sided-hole = Sechsseitiges Loch
+sample-scar = Narbe auf einem Stein
+sample-noisy-scan = Verrauschter Scan
+sample-trefoil = Kleeblattknoten
+sample-vesicle = Vesikel mit weniger Volumen
+sample-blob = Klumpen mit weniger Volumen
+sample-spheroid = Rotationsellipsoid mit Achsen 2, 1, 1
+sample-letter-c = Buchstabe C
+sample-thin-torus = Dünner Torus
+sample-torus-knot = Torusknoten
+sample-bad-mesh = Ellipsoid, schlecht vernetzt
+sample-trefoil-kept = Kleeblattknoten, Inhalt und Volumen fest
+sample-trefoil-tube = Kleeblattknoten, Fläche fest
+sample-linked-tubes = Zwei verschlungene Schläuche, Fläche fest
+sample-bumps-kept = Beulige Sphäre, Inhalt fest
+sample-ellipsoid-p = Ellipsoid, Volumen fest, p = 4
+sample-cylinder-gaps = Zylinder mit vier Lücken
+sample-sphere-openings = Sphäre mit acht Öffnungen
+sample-two-tubes = Zwei Rohre verbunden
+sample-three-tubes = Drei Rohre verbunden
+sample-six-tubes = Sechs Rohre verbunden
+sample-holed-scan = Scan mit gefüllten Löchern
+sample-holed-sphere = Sphäre mit gefüllten Löchern
+sample-dodecahedron = Dodekaeder, Ecken fest
+sample-four-bumps = Vier Hügel, Flüsse im Vergleich
+sample-sampled-torus = Abgetasteter Torus
+sample-uneven-torus = Abgetasteter Torus, ungleichmäßig
+sample-creased-face = Gesicht mit Falten
+sample-eared-head = Kopf mit Ohren
+sample-counterexample = Gegenbeispiel
+sample-moebius = Möbiusband
+sample-klein-bottle = Kleinsche Flasche
+sample-saddle = Sattel, Rand frei
+sample-genus-4 = Fläche mit vier Henkeln
+sample-morin = Morins Fläche, angestoßen
+sample-morin-fine = Morins Fläche, angestoßen, 5000 Ecken
+sample-boy = Boys Fläche
+sample-cyclide = Zyklide von Dupin
+sample-inverted-catenoid = Invertiertes Katenoid
+sample-lawson-two-handles = Auf dem Weg zu Lawsons Fläche, zwei Henkel
+sample-lawson-three-handles = Auf dem Weg zu Lawsons Fläche, drei Henkel
+sample-rough-mesh = Ellipsoid, verzerrte Dreiecke
+sample-range-scan = Verrauschter Scan, 38 000 Ecken
+
+## Regale der Beispiele
+
+group-closed = Geschlossene Flächen
+group-tubes = Rohre und Knoten
+group-boundary = Mit Rand
+group-repair = Reparatur
+group-flips = Kantenflips
+
+## Arbeiten
 
 paper-circle = { paper-circle.authors }: diskreter Willmore-Fluss
     .authors = Bobenko und Schröder

@@ -1,21 +1,4 @@
-# Flüsse und ihre Optionen, wie Formulare, Menüs und `umbilic flow --help` sie nennen.
-
-flow-circle = Willmore durch Kreiswinkel
-    .plain = So rund wie möglich. Geschlossene und berandete Netze.
-flow-p-willmore = p-Willmore
-    .plain = Inhalt oder Volumen bleiben, Exponent p nach Wahl. Geschlossene Netze.
-flow-mean-curvature = Mittlere Krümmung
-    .plain = Verkleinert den Flächeninhalt so schnell wie möglich.
-flow-volume-preserving = Mittlere Krümmung bei festem Volumen
-    .plain = Verkleinert den Flächeninhalt bei festem Volumen: Am besten ist eine Kugel. Geschlossene Netze.
-flow-surface-diffusion = Oberflächendiffusion
-    .plain = Verkleinert den Flächeninhalt, das Volumen bleibt.
-flow-willmore = Willmore durch angepasste Operatoren
-    .plain = Biegt sich so wenig wie möglich zwischen dem Festen.
-flow-mmcv = Minimale Krümmungsvariation, sechster Ordnung
-    .plain = Das glatteste Stück: die Krümmung ändert sich am wenigsten.
-flow-flips = Kantenflips
-    .plain = Bewegt keine Ecke, tauscht nur Kanten.
+# Optionen eines Flusses, wie Formulare, Menüs und `umbilic flow --help` sie nennen.
 
 option-flow = Fluss
 option-flow-help = welcher Fluss

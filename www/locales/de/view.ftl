@@ -65,12 +65,9 @@ branch = Ab Schritt { $from }: { $count ->
     [one] { $count } Schritt
    *[other] { $count } Schritte
 }, Energie { $energy }
-symbol-circle = Willmore-Energie W
-symbol-mean-curvature = Flächeninhalt
-symbol-surface-diffusion = Flächeninhalt
+symbol-smoothedCircle = Willmore-Energie W
 symbol-willmore = ∫H²
-symbol-mmcv = ∫|∇H|²
-symbol-flips = Willmore-Energie W
+symbol-curvatureVariation = ∫|∇H|²
 symbol-area = Flächeninhalt
 symbol-helfrich = Energie
 

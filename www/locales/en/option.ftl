@@ -1,21 +1,4 @@
-# Flows and their options, as forms, menus and `umbilic flow --help` call them.
-
-flow-circle = Willmore by circle angles
-    .plain = As round as it can be. Any closed or open mesh.
-flow-p-willmore = p-Willmore
-    .plain = Area or volume kept, any exponent p. Closed meshes.
-flow-mean-curvature = Mean curvature
-    .plain = Shrinks the area as fast as possible.
-flow-volume-preserving = Volume-preserving mean curvature
-    .plain = Shrinks the area while the volume stays: a ball is best. Closed meshes.
-flow-surface-diffusion = Surface diffusion
-    .plain = Shrinks the area, the volume stays.
-flow-willmore = Willmore by fitted operators
-    .plain = Bends as little as it can between what is held.
-flow-mmcv = Minimal curvature variation, sixth order
-    .plain = The smoothest patch: curvature varies least.
-flow-flips = Edge flips
-    .plain = Moves no vertex, only swaps edges.
+# Options of a flow, as forms, menus and `umbilic flow --help` call them.
 
 option-flow = Flow
 option-flow-help = which flow

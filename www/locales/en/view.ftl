@@ -65,12 +65,9 @@ branch = From step { $from }: { $count ->
     [one] { $count } step
    *[other] { $count } steps
 }, energy { $energy }
-symbol-circle = Willmore energy W
-symbol-mean-curvature = Area
-symbol-surface-diffusion = Area
+symbol-smoothedCircle = Willmore energy W
 symbol-willmore = ∫H²
-symbol-mmcv = ∫|∇H|²
-symbol-flips = Willmore energy W
+symbol-curvatureVariation = ∫|∇H|²
 symbol-area = Area
 symbol-helfrich = Energy
 
