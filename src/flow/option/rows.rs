@@ -316,7 +316,7 @@ mod tests {
         let goal = refused(&[("detail", "3")]);
         assert_eq!(goal, Some((vec!["circle"], "any", "smooth")));
         let scheme = refused(&[("flow", "p-willmore"), ("tauMax", "3")]);
-        let closed = vec!["p-willmore", "volume-preserving"];
+        let closed: Vec<_> = CLOSED.iter().map(|flow| flow.id()).collect();
         assert_eq!(scheme, Some((closed, "paper", "any")));
         let set = refused(&[("flow", "volume-preserving"), ("p", "2")]);
         assert_eq!(set, Some((vec!["p-willmore"], "any", "any")));
