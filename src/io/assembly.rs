@@ -17,6 +17,8 @@ pub(super) struct Assembly {
     /// Vertices and corners are counted in 32 bits.
     limit: usize,
     dropped: Tally,
+    /// Vertices whose position is not finite, which no face may use, and where they stand.
+    unplaced: Vec<(u32, Place)>,
 }
 
 impl Assembly {
@@ -25,6 +27,7 @@ impl Assembly {
             soup: PolygonSoup::default(),
             limit: u32::MAX as usize,
             dropped: Tally::default(),
+            unplaced: Vec::new(),
         }
     }
 
@@ -46,17 +49,17 @@ impl Assembly {
         &self.soup.positions
     }
 
-    /// Appends a vertex.
+    /// Appends a vertex. Of one without a finite position it is seen at the end whether a face
+    /// uses it.
     ///
     /// # Errors
-    /// [`ReadError::NonFiniteVertex`], and [`ReadError::CountTooLarge`] past 2³² vertices.
+    /// [`ReadError::CountTooLarge`] past 2³² vertices.
     pub(super) fn vertex(&mut self, position: DVec3, place: Place) -> Result<(), ReadError> {
         let vertex = self.n_vertices();
-        if !position.is_finite() {
-            let number = vertex + 1;
-            return Err(ReadError::NonFiniteVertex { number, place });
-        }
         self.check_limit("vertices", vertex + 1, place)?;
+        if !position.is_finite() {
+            self.unplaced.push((vertex as u32, place));
+        }
         self.soup.positions.push(position);
         Ok(())
     }
@@ -131,16 +134,41 @@ impl Assembly {
         })
     }
 
+    /// Puts vertices without a finite position that no face uses where the first vertex is that
+    /// has one: a grid that a scanner fills in part marks its gaps so.
+    fn settle_unplaced(&mut self) -> Result<Option<Oddity>, ReadError> {
+        let Some(&(_, first)) = self.unplaced.first() else {
+            return Ok(None);
+        };
+        let mut is_used = vec![false; self.n_vertices()];
+        for &corner in &self.soup.corners {
+            is_used[corner as usize] = true;
+        }
+        if let Some(&(v, place)) = self.unplaced.iter().find(|(v, _)| is_used[*v as usize]) {
+            let number = v as usize + 1;
+            return Err(ReadError::NonFiniteVertex { number, place });
+        }
+        let positions = &mut self.soup.positions;
+        let somewhere = positions.iter().find(|position| position.is_finite());
+        let somewhere = somewhere.copied().unwrap_or_default();
+        for &(vertex, _) in &self.unplaced {
+            positions[vertex as usize] = somewhere;
+        }
+        let count = self.unplaced.len();
+        Ok(Some(Oddity::UnplacedVertices { count, first }))
+    }
+
     /// The finished soup.
     ///
     /// # Errors
-    /// [`ReadError::NoFaces`].
+    /// [`ReadError::NoFaces`] and [`ReadError::NonFiniteVertex`] of one that a face uses.
     pub(super) fn finish(mut self, format: Format) -> Result<Read, ReadError> {
         if self.soup.n_faces() == 0 {
             return Err(ReadError::NoFaces {
                 vertices: self.soup.positions.len(),
             });
         }
+        let unplaced = self.settle_unplaced()?;
         if self.has_colours() {
             let vertices = self.n_vertices();
             settle(&mut self.soup.colours, vertices);
@@ -149,7 +177,13 @@ impl Assembly {
         Ok(Read {
             soup: self.soup,
             format,
-            warnings: self.dropped.met().map(short).into_iter().collect(),
+            warnings: self
+                .dropped
+                .met()
+                .map(short)
+                .into_iter()
+                .chain(unplaced)
+                .collect(),
         })
     }
 }

@@ -145,7 +145,7 @@ messages! {
         },
         /// A known format that is not read.
         Unsupported {
-            /// `obj-free-form`, `binary-off`, `nd-off` (of higher dimension), `vtk-data-set` (no surface),
+            /// `obj-free-form`, `nd-off` (of higher dimension), `vtk-data-set` (no surface),
             /// `vtk-compressor`, `msh-version`, `gltf-external` (parts in other files),
             /// `gltf-draco`, `gltf-meshopt` or `gltf-version`.
             what: &'static str,
@@ -331,6 +331,16 @@ messages! {
             /// The first.
             first: Place,
         },
+        /// Vertices without a finite position that no face uses: they were put where the first
+        /// vertex is.
+        UnplacedVertices {
+            /// How many.
+            count: usize,
+            /// The first.
+            first: Place,
+        },
+        /// The model says of no object that it is to be built: all were read.
+        NothingToBuild,
         /// Lines of an OBJ file that are no part of a polygon mesh were skipped.
         OtherLines {
             /// How many.

@@ -3,13 +3,13 @@
 //! | format | read | written as |
 //! | --- | --- | --- |
 //! | OBJ | `v`, colours, `f` of any degree, negative indices, groups | text, polygons, colours |
-//! | OFF | plain and the C, N, ST variants, ASCII | text, polygons, colours |
+//! | OFF | plain and the C, N, ST variants, ASCII and binary | text, polygons, colours |
 //! | PLY | ASCII and binary of both byte orders, colours | `double` positions, polygons, colours |
 //! | STL | ASCII and binary, corners welded | triangles; binary in single precision |
 //! | glTF | GLB, and JSON that holds its buffers; triangles where nodes put them, colours | GLB: triangles in single precision, colours, optional normals |
 //! | 3MF | its model, with objects where components put them | no |
 //! | VTK | legacy, ASCII and binary, and XML; surface cells, or the surface of solid ones | no |
-//! | MSH | Gmsh 2 and 4.1, ASCII and binary; the same of its elements | no |
+//! | MSH | Gmsh 1, 2 and 4, ASCII and binary; the same of its elements | no |
 //!
 //! Readers keep the file's vertex order, unused vertices and repeated faces, so that
 //! a download matches the upload; what such a soup means as a surface is decided by

@@ -1,8 +1,9 @@
-//! MSH, the format of Gmsh, in text and in binary: the surface elements of versions 2 and 4.1.
+//! MSH, the format of Gmsh: the surface elements of version 1, which is text, and of versions 2, 4.0
+//! and 4.1, in text and in binary.
 //!
 //! Source: the Gmsh reference manual, "File formats". Nodes have numbers of their own, in any
-//! order; elements of second order are cut at their nodes, of higher order read as their corners; points and lines are counted as
-//! skipped, and so are volumes unless there are no others.
+//! order; elements of second order are cut at their nodes, of higher order read as their corners;
+//! points and lines are counted as skipped, and so are volumes unless there are no others.
 
 use super::binary::Scalar;
 use super::cell::{Cells, Pieces, SECOND_ORDER_SQUARE, SECOND_ORDER_TRIANGLE, SERENDIPITY};
@@ -88,6 +89,19 @@ fn element(kind: u64) -> Option<(usize, Shape)> {
     (row.0 > 0).then_some(row)
 }
 
+/// Which of the layouts a file has.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Version {
+    /// 1, without a header.
+    One,
+    /// 2 to 2.2.
+    Two,
+    /// 4.0, of blocks of nodes and of elements with their numbers.
+    Four,
+    /// 4.1, where the numbers of a block of nodes come before their places.
+    FourOne,
+}
+
 /// The reader: the file, and the mesh so far.
 struct Reader<'a> {
     stream: Stream<'a>,
@@ -116,13 +130,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     while let Some(word) = reader.stream.try_word() {
         match (word, version) {
             (b"$MeshFormat", None) => version = Some(reader.format()?),
-            (b"$NOD", _) => {
-                let what = "msh-version";
-                return Err(ReadError::Unsupported { what });
+            (b"$NOD", None) => {
+                version = Some(Version::One);
+                reader.nodes_2()?;
             }
-            (b"$Nodes", Some(4)) => reader.numbers(Reader::nodes_4)?,
+            (b"$ELM", Some(Version::One)) => reader.elements_1()?,
+            (b"$Nodes", Some(Version::FourOne)) => reader.numbers(Reader::nodes_4_1)?,
+            (b"$Nodes", Some(Version::Four)) => reader.numbers(Reader::nodes_4)?,
             (b"$Nodes", Some(_)) => reader.nodes_2()?,
-            (b"$Elements", Some(4)) => reader.numbers(Reader::elements_4)?,
+            (b"$Elements", Some(Version::FourOne)) => reader.numbers(Reader::elements_4_1)?,
+            (b"$Elements", Some(Version::Four)) => reader.numbers(Reader::elements_4)?,
             (b"$Elements", Some(_)) => reader.elements_2()?,
             _ if word.starts_with(b"$") => {
                 has_groups |= word == b"$PhysicalNames";
@@ -130,8 +147,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
             }
             _ => return Err(reader.stream.error(Some(word), SECTION)),
         }
-        if !word.starts_with(b"$End") {
-            let end = [b"$End", &word[1..]].concat();
+        let start = if version == Some(Version::One) {
+            b"$END"
+        } else {
+            b"$End"
+        };
+        if !word.starts_with(start) {
+            let end = [start, &word[1..]].concat();
             reader.stream.skip_past(&end);
         }
     }
@@ -145,12 +167,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
 }
 
 impl<'a> Reader<'a> {
-    /// The version, 2 or 4, once the header is read.
-    fn format(&mut self) -> Result<u8, ReadError> {
+    /// The version, once the header is read.
+    fn format(&mut self) -> Result<Version, ReadError> {
         const NUMBER: Expected = Expected::Number;
         let version = match self.stream.word(NUMBER)? {
-            b"2" | b"2.0" | b"2.1" | b"2.2" => 2,
-            b"4.1" => 4,
+            b"2" | b"2.0" | b"2.1" | b"2.2" => Version::Two,
+            b"4" | b"4.0" => Version::Four,
+            b"4.1" => Version::FourOne,
             _ => {
                 let what = "msh-version";
                 return Err(ReadError::Unsupported { what });
@@ -278,7 +301,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Nodes of version 4.1, in blocks: numbers, then positions, perhaps with parameters.
-    fn nodes_4(&mut self) -> Result<(), ReadError> {
+    fn nodes_4_1(&mut self) -> Result<(), ReadError> {
         let blocks = self.count(self.size)?;
         let count = self.count(self.size)?;
         // The smallest and the largest number.
@@ -303,6 +326,43 @@ impl<'a> Reader<'a> {
             }
         }
         self.sort()
+    }
+
+    /// Nodes of version 4.0, in blocks: number, x, y, z, perhaps with parameters. Whatever the
+    /// header says, numbers of nodes and elements have 32 bits.
+    fn nodes_4(&mut self) -> Result<(), ReadError> {
+        let blocks = self.count(self.size)?;
+        let count = self.count(self.size)?;
+        self.stream.checked("vertices", count, 4, 28)?;
+        for _ in 0..blocks {
+            self.stream.skip(Scalar::I32, 1)?;
+            let dimension = self.count(Scalar::I32)?;
+            let is_parametric = self.count(Scalar::I32)? == 1;
+            let count = self.count(self.size)?;
+            let parameters = if is_parametric { dimension.min(3) } else { 0 };
+            for _ in 0..self.stream.checked("vertices", count, 4, 28)? {
+                let place = self.stream.place();
+                let number = self.stream.value(Scalar::I32, Expected::VertexNumber)?;
+                self.node(number, Scalar::F64, place)?;
+                self.stream.skip(Scalar::F64, parameters)?;
+            }
+        }
+        self.sort()
+    }
+
+    /// Elements of version 1, a line each: number, type, two tags, how many nodes, nodes.
+    fn elements_1(&mut self) -> Result<(), ReadError> {
+        const INT: Scalar = Scalar::I32;
+        let count = self.stream.count_word(Expected::FaceCount)?;
+        for _ in 0..self.stream.checked("elements", count, 6, 24)? {
+            self.stream.skip(INT, 1)?;
+            let place = self.stream.place();
+            let kind = self.stream.count(INT, Expected::CellType)?;
+            let row = element(kind).ok_or_else(|| self.unknown(kind))?;
+            self.stream.skip(INT, 3)?;
+            self.element(row, INT, place)?;
+        }
+        Ok(())
     }
 
     /// Elements of version 2. In text a line each: number, type, how many tags, tags, nodes. In
@@ -338,21 +398,34 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Elements of version 4.1, in blocks of one type: number, nodes.
+    /// Elements of version 4.0: as of 4.1, but for what is counted before and the size of numbers.
     fn elements_4(&mut self) -> Result<(), ReadError> {
+        let blocks = self.count(self.size)?;
+        // How many in all.
+        self.stream.skip(self.size, 1)?;
+        self.blocks(blocks, Scalar::I32)
+    }
+
+    /// Elements of version 4.1.
+    fn elements_4_1(&mut self) -> Result<(), ReadError> {
         let blocks = self.count(self.size)?;
         // How many in all, the smallest and the largest number.
         self.stream.skip(self.size, 3)?;
+        self.blocks(blocks, self.size)
+    }
+
+    /// Blocks of elements of one type: number, nodes.
+    fn blocks(&mut self, blocks: u64, scalar: Scalar) -> Result<(), ReadError> {
         for _ in 0..blocks {
             self.stream.skip(Scalar::I32, 2)?;
             let kind = self.stream.count(Scalar::I32, Expected::CellType)?;
             let row = element(kind).ok_or_else(|| self.unknown(kind))?;
             let count = self.count(self.size)?;
-            let size = self.size.size() * (1 + row.0);
+            let size = scalar.size() * (1 + row.0);
             for _ in 0..self.stream.checked("elements", count, 1 + row.0, size)? {
                 let place = self.stream.place();
-                self.stream.skip(self.size, 1)?;
-                self.element(row, self.size, place)?;
+                self.stream.skip(scalar, 1)?;
+                self.element(row, scalar, place)?;
             }
         }
         Ok(())

@@ -1,8 +1,10 @@
-//! OFF, the text format of Geomview.
+//! OFF, the format of Geomview, in text and in binary.
 //!
 //! The header word may carry `ST`, `C` and `N` or be missing: a normal, a colour and texture
 //! coordinates follow the position on a vertex line, in this order. A face line is the number of
 //! corners, the corners, and perhaps a colour, which is left aside. Colours are of 1 or of 255.
+
+mod binary;
 
 use std::fmt::Write as _;
 
@@ -41,13 +43,30 @@ fn header_prefix(word: &[u8]) -> Option<&[u8]> {
     Some(prefix)
 }
 
+/// Refuses what has another dimension than three.
+fn plain(word: &[u8]) -> Result<(), ReadError> {
+    match header_prefix(word) {
+        Some(b"") => Ok(()),
+        _ => Err(ReadError::Unsupported { what: "nd-off" }),
+    }
+}
+
+/// Whether vertices have colours, texture coordinates and normals.
+fn letters_of(word: &[u8]) -> [bool; 3] {
+    // `OFF` itself has none of these letters.
+    [b'C', b'T', b'N'].map(|letter| word.contains(&letter))
+}
+
 /// Reads an OFF file.
 pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     // Binary OFF begins with a line of text like any other.
     let mut header = Lines::new(Format::Off, bytes).next_filled(HEADER)?;
-    let has_header = header.next().is_some_and(is_header);
+    let word = header.next().unwrap_or_default();
+    let has_header = is_header(word);
     if has_header && header.next() == Some(b"BINARY") {
-        return Err(ReadError::Unsupported { what: "binary-off" });
+        plain(word)?;
+        let line = bytes.iter().position(|&byte| byte == b'\n');
+        return binary::read(word, bytes, line.map_or(bytes.len(), |end| end + 1));
     }
 
     let mut lines = Lines::of_text(Format::Off, bytes)?;
@@ -58,8 +77,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
         letters = word;
         if let Some(count) = glued(word) {
             words.give_back(count);
-        } else if header_prefix(word) != Some(b"") {
-            return Err(ReadError::Unsupported { what: "nd-off" });
+        } else {
+            plain(word)?;
         }
         if words.clone().next().is_none() {
             words = lines.next_filled(Expected::VertexCount)?;
@@ -79,8 +98,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
 
     let mut assembly = Assembly::new();
     assembly.reserve(vertices, faces);
-    let [has_colours, has_texture, has_normals] = [b'C', b'T', b'N'].map(|b| letters.contains(&b));
-    // `OFF` itself has none of these letters.
+    let [has_colours, has_texture, has_normals] = letters_of(letters);
     let (before, after) = (3 * usize::from(has_normals), 2 * usize::from(has_texture));
     for vertex in 0..vertices {
         let mut words = lines.next_filled(Expected::Vertex)?;
@@ -207,7 +225,7 @@ mod tests {
     #[test]
     fn what_is_not_plain_three_dimensional_text_is_refused() {
         for (text, what) in [
-            ("OFF BINARY\n\0\0\0\x04", "binary-off"),
+            ("4OFF BINARY\n\0\0\0\x04", "nd-off"),
             ("4OFF\n1 1 0\n", "nd-off"),
             ("CnOFF\n4\n1 1 0\n", "nd-off"),
         ] {

@@ -284,13 +284,16 @@ fn is_blank(byte: u8) -> bool {
 }
 
 /// A decimal number, correctly rounded; not finite for `nan`, `inf`, overflow, and the
-/// spellings of C libraries such as `-nan(ind)` and `1.#QNAN`.
+/// spellings of C libraries such as `-nan(ind)` and `1.#QNAN`. Fortran writes `1.0D+00`.
 pub(super) fn parse_float(word: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(word).ok()?;
     text.parse().ok().or_else(|| {
         let digits = text.trim_start_matches(['+', '-']).to_ascii_lowercase();
-        let special = digits.starts_with("nan(") || digits.starts_with("1.#");
-        special.then_some(f64::NAN)
+        if digits.starts_with("nan(") || digits.starts_with("1.#") {
+            return Some(f64::NAN);
+        }
+        let is_double = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        is_double.then(|| text.replacen(['d', 'D'], "e", 1).parse().ok())?
     })
 }
 
@@ -395,13 +398,17 @@ mod tests {
     fn numbers() {
         assert_eq!(parse_float(b"+1.5e-3"), Some(1.5e-3));
         assert_eq!(parse_float(b"1e400"), Some(f64::INFINITY));
+        assert_eq!(parse_float(b"-1.5D-3"), Some(-1.5e-3));
+        assert_eq!(parse_float(b".5d+2"), Some(50.0));
         for word in ["nan", "-NaN", "nan(", "-nan(ind)", "1.#QNAN", "-1.#IND"] {
             assert!(
                 parse_float(word.as_bytes()).is_some_and(f64::is_nan),
                 "{word}"
             );
         }
-        for word in ["", "1,5", "0x10", "1.5f", "--1", "nano", "\u{661}"] {
+        for word in [
+            "", "1,5", "0x10", "1.5f", "--1", "nano", "\u{661}", "d", "1d", "1d2d3",
+        ] {
             assert_eq!(parse_float(word.as_bytes()), None, "{word}");
         }
         assert_eq!(parse_integer(b"-12"), Some(-12));

@@ -30,8 +30,8 @@ struct Component<'a> {
     place: Place,
 }
 
-#[derive(Default)]
 struct Object<'a> {
+    place: Place,
     positions: Range<usize>,
     triangles: Range<usize>,
     components: Vec<Component<'a>>,
@@ -55,6 +55,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
     let mut colours = false;
     let mut texture = false;
     let mut first_file = None;
+    let mut has_list = false;
     while let Some(event) = xml.next()? {
         let tag = match event {
             Event::Instruction(text) => {
@@ -67,6 +68,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
                 open = None;
                 continue;
             }
+            Event::End(b"build") => {
+                has_list = true;
+                continue;
+            }
             Event::Start(tag) => tag,
             _ => continue,
         };
@@ -77,6 +82,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
                 open = Some(key);
                 let (p, t) = (model.positions.len(), model.triangles.len());
                 let object = Object {
+                    place: tag.place,
                     positions: p..p,
                     triangles: t..t,
                     components: Vec::new(),
@@ -110,6 +116,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
             _ => {}
         }
     }
+    let is_built = !model.build.is_empty();
+    if !is_built {
+        if !has_list {
+            return Err(xml.error(None, "build"));
+        }
+        model.build = model.alone();
+    }
     let mut assembly = Assembly::new();
     let mut budget = Budget::new(bytes, COPIES);
     for item in &model.build {
@@ -127,6 +140,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
         (Extra::TextureCoordinates, texture),
     ];
     read.warnings.extend(Oddity::left_out(&extra));
+    if !is_built {
+        read.warnings.push(Oddity::NothingToBuild);
+    }
     Ok(read)
 }
 
@@ -180,7 +196,24 @@ fn wrong(place: Place, found: &[u8], expected: Expected) -> ReadError {
     ReadError::syntax(Format::ThreeMf, place, Found::Word { word }, expected)
 }
 
-impl Model<'_> {
+impl<'a> Model<'a> {
+    /// Every object that is no part of another, where it is.
+    fn alone(&self) -> Vec<Component<'a>> {
+        let parts: Vec<_> = self
+            .objects
+            .values()
+            .flat_map(|object| &object.components)
+            .map(|part| part.key)
+            .collect();
+        let alone = self.objects.iter().filter(|(key, _)| !parts.contains(key));
+        let placed = alone.map(|(&key, object)| Component {
+            key,
+            transform: DAffine3::IDENTITY,
+            place: object.place,
+        });
+        placed.collect()
+    }
+
     fn place(
         &self,
         component: &Component<'_>,

@@ -33,15 +33,11 @@ impl Weld {
         let next = self.assembly.n_vertices() as u32;
         let vertex = *self.vertex_at.entry(bits).or_insert(next);
         if vertex == next {
-            self.assembly
-                .vertex(position, place)
-                .map_err(|error| match error {
-                    ReadError::NonFiniteVertex { place, .. } => ReadError::NonFiniteVertex {
-                        number: self.met + 1,
-                        place,
-                    },
-                    other => other,
-                })?;
+            if !position.is_finite() {
+                let number = self.met + 1;
+                return Err(ReadError::NonFiniteVertex { number, place });
+            }
+            self.assembly.vertex(position, place)?;
         }
         self.met += 1;
         Ok(vertex)

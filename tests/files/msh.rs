@@ -9,13 +9,13 @@ use umbilic::soup::PolygonSoup;
 pub(crate) struct Style {
     pub(crate) binary: bool,
     pub(crate) big: bool,
-    /// Version 4.1, not 2.2.
-    pub(crate) four: bool,
-    /// How many bytes sizes have in version 4.1.
+    /// 1, 2.2, 4.0 or 4.1; the first knows no binary.
+    pub(crate) version: &'static str,
+    /// How many bytes sizes have in version 4.
     pub(crate) size: usize,
     /// Numbers of nodes: the first, and the step to the next.
     pub(crate) numbers: (u64, u64),
-    /// Nodes with parameters, in version 4.1.
+    /// Nodes with parameters, in version 4.
     pub(crate) parametric: bool,
     pub(crate) line_end: &'static str,
 }
@@ -23,7 +23,7 @@ pub(crate) struct Style {
 pub(crate) const PLAIN: Style = Style {
     binary: false,
     big: false,
-    four: true,
+    version: "4.1",
     size: 8,
     numbers: (1, 1),
     parametric: false,
@@ -74,43 +74,59 @@ pub(crate) fn file(soup: &PolygonSoup, style: Style) -> Vec<u8> {
     };
     let (first, step) = style.numbers;
     let number = |vertex: u32| first + step * u64::from(vertex);
-    let version = if style.four { "4.1" } else { "2.2" };
-    w.line("$MeshFormat");
-    w.line(&format!(
-        "{version} {} {}",
-        u8::from(style.binary),
-        style.size
-    ));
-    if style.binary {
-        w.integer(1, 4);
-        w.line("");
-    }
-    w.line("$EndMeshFormat");
-    w.line("$Entities");
-    w.line("$Nodes is no section here");
-    w.line("$EndEntities");
-    w.line("$Nodes");
-    let count = soup.positions.len() as u64;
-    if style.four {
-        for n in [2, count, first, number(count as u32 - 1)] {
-            w.integer(n, style.size);
+    let is_four = style.version.starts_with('4');
+    let places_apart = style.version == "4.1";
+    // What a node or an element is called by has the size of a size in version 4.1 alone.
+    let name = if places_apart { style.size } else { 4 };
+    if style.version != "1" {
+        w.line("$MeshFormat");
+        let binary = u8::from(style.binary);
+        w.line(&format!("{} {binary} {}", style.version, style.size));
+        if style.binary {
+            w.integer(1, 4);
+            w.line("");
         }
+        w.line("$EndMeshFormat");
+    }
+    let sections = match style.version {
+        "1" => ["$NOD", "$ENDNOD", "$ELM", "$ENDELM"],
+        _ => ["$Nodes", "$EndNodes", "$Elements", "$EndElements"],
+    };
+    if style.version != "1" {
+        w.line("$Entities");
+        w.line("$Nodes is no section here");
+        w.line("$EndEntities");
+    }
+    w.line(sections[0]);
+    let count = soup.positions.len() as u64;
+    if is_four {
+        let range = [first, number(count as u32 - 1)];
+        let head = [2, count]
+            .into_iter()
+            .chain(places_apart.then_some(range).into_iter().flatten());
+        head.for_each(|n| w.integer(n, style.size));
         w.end();
         let half = count as usize / 2;
         for (block, from) in [
             (&soup.positions[..half], 0),
             (&soup.positions[half..], half),
         ] {
-            for n in [2, 1, u64::from(style.parametric)] {
+            // Dimension and entity, in 4.0 the other way round.
+            let [a, b] = if places_apart { [2, 1] } else { [1, 2] };
+            for n in [a, b, u64::from(style.parametric)] {
                 w.integer(n, 4);
             }
             w.integer(block.len() as u64, style.size);
             w.end();
-            for k in 0..block.len() {
-                w.integer(number((from + k) as u32), style.size);
+            let names = (from..from + block.len()).map(|k| number(k as u32));
+            for n in names.clone().filter(|_| places_apart) {
+                w.integer(n, name);
                 w.end();
             }
-            for p in block {
+            for (n, p) in names.zip(block) {
+                if !places_apart {
+                    w.integer(n, name);
+                }
                 p.to_array().into_iter().for_each(|x| w.float(x));
                 if style.parametric {
                     w.float(0.25);
@@ -122,7 +138,7 @@ pub(crate) fn file(soup: &PolygonSoup, style: Style) -> Vec<u8> {
     } else {
         w.line(&count.to_string());
         for (k, p) in (0..).zip(&soup.positions) {
-            w.integer(number(k), 4);
+            w.integer(number(k), name);
             p.to_array().into_iter().for_each(|x| w.float(x));
             w.end();
         }
@@ -130,14 +146,17 @@ pub(crate) fn file(soup: &PolygonSoup, style: Style) -> Vec<u8> {
     if style.binary {
         w.line("");
     }
-    w.line("$EndNodes");
-    w.line("$Elements");
+    w.line(sections[1]);
+    w.line(sections[2]);
     let faces = soup.n_faces() as u64;
     let kind = |face: &[u32]| face.len() as u64 - 1;
-    if style.four {
-        for n in [faces, faces, 1, faces] {
-            w.integer(n, style.size);
-        }
+    if is_four {
+        let head: &[u64] = if places_apart {
+            &[faces, faces, 1, faces]
+        } else {
+            &[faces, faces]
+        };
+        head.iter().for_each(|n| w.integer(*n, style.size));
         w.end();
         for (k, face) in (1..).zip(soup.faces()) {
             for n in [2, 1, kind(face)] {
@@ -145,40 +164,44 @@ pub(crate) fn file(soup: &PolygonSoup, style: Style) -> Vec<u8> {
             }
             w.integer(1, style.size);
             w.end();
-            w.integer(k, style.size);
-            face.iter().for_each(|v| w.integer(number(*v), style.size));
+            w.integer(k, name);
+            face.iter().for_each(|v| w.integer(number(*v), name));
             w.end();
         }
     } else {
         w.line(&faces.to_string());
         for (k, face) in (1..).zip(soup.faces()) {
-            let head = if style.binary {
-                vec![kind(face), 1, 2, k]
-            } else {
-                vec![k, kind(face), 2]
+            let corners = face.len() as u64;
+            let head = match (style.version, style.binary) {
+                ("1", _) => vec![k, kind(face), 7, 9, corners],
+                (_, true) => vec![kind(face), 1, 2, k, 7, 9],
+                (_, false) => vec![k, kind(face), 2, 7, 9],
             };
-            head.into_iter().for_each(|n| w.integer(n, 4));
-            w.integer(7, 4);
-            w.integer(9, 4);
-            face.iter().for_each(|v| w.integer(number(*v), 4));
+            head.into_iter().for_each(|n| w.integer(n, name));
+            face.iter().for_each(|v| w.integer(number(*v), name));
             w.end();
         }
     }
     if style.binary {
         w.line("");
     }
-    w.line("$EndElements");
+    w.line(sections[3]);
     w.out
 }
 
 pub(crate) fn variants() -> Vec<Style> {
     let mut all = Vec::new();
-    for four in [false, true] {
-        for binary in [false, true] {
+    for version in ["1", "2.2", "4.0", "4.1"] {
+        let is_four = version.starts_with('4');
+        for binary in [false, true]
+            .into_iter()
+            .filter(|binary| version != "1" || !binary)
+        {
             for (big, size) in [(false, 8), (true, 8), (false, 4), (true, 4)] {
-                for (numbers, parametric) in [((1, 1), false), ((40, 3), four), ((0, 1), false)] {
+                for (numbers, parametric) in [((1, 1), false), ((40, 3), is_four), ((0, 1), false)]
+                {
                     all.push(Style {
-                        four,
+                        version,
                         binary,
                         big,
                         size,
@@ -189,15 +212,13 @@ pub(crate) fn variants() -> Vec<Style> {
                 }
             }
         }
-    }
-    for line_end in ["\r\n", "\r", " \n \n"] {
-        all.push(Style { line_end, ..PLAIN });
-        let four = false;
-        all.push(Style {
-            line_end,
-            four,
-            ..PLAIN
-        });
+        for line_end in ["\r\n", "\r", " \n \n"] {
+            all.push(Style {
+                line_end,
+                version,
+                ..PLAIN
+            });
+        }
     }
     all
 }
@@ -241,8 +262,8 @@ fn elements_of_no_surface_are_counted_and_higher_order_is_cut() {
 #[test]
 fn damage_is_named_where_it_is() {
     let soup = cube(0.0, 1.0);
-    let four = false;
-    let text = String::from_utf8(file(&soup, Style { four, ..PLAIN })).unwrap();
+    let version = "2.2";
+    let text = String::from_utf8(file(&soup, Style { version, ..PLAIN })).unwrap();
     for (from, to, line) in [
         ("1 3 2 7 9 1 3 4 2", "1 3 2 7 9 1 3 4 9", 20),
         ("1 3 2 7 9 1 3 4 2", "1 3 2 7 9 1 3 4 x", 20),
@@ -256,7 +277,7 @@ fn damage_is_named_where_it_is() {
         assert_eq!(detail.first(), Some(&("line", f64::from(line))), "{to}");
     }
     let what = "msh-version";
-    for version in ["4 0 8", "1 0 8", "3 0 8"] {
+    for version in ["5 0 8", "1 0 8", "3 0 8"] {
         let other = text.replace("2.2 0 8", version);
         assert_eq!(refusal(other.as_bytes()), ReadError::Unsupported { what });
     }

@@ -1,9 +1,9 @@
 //! The same tetrahedron in OBJ, PLY, OFF and STL as other programs write it, each in a way of its
 //! own.
 
-use crate::mesh::ordered;
+use crate::mesh::{is_refused_wherever_it_ends, ordered};
 use glam::DVec3;
-use umbilic::io::{self, Format};
+use umbilic::io::{self, Format, Oddity, Place, ReadError};
 use umbilic::mesh;
 
 const CORNERS: [[f32; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]];
@@ -30,7 +30,7 @@ fn obj() -> Vec<Vec<u8>> {
          g a b\r\nusemtl red\r\ns 1\r\nf 1/1 3/1 2/1\r\nf 1/1/1 2/1/1 4/1/1\r\ng c\r\nf 2//1 3//1 4//1\r\n\
          f 1 4 3\r\nl 1 2 3\r\np 1\r\n",
         // Colours, numbers with exponents, a comment at the end of a line, no last line end.
-        "\tv 0 0 0 .1 .2 .3\nv 1e0 0 0 0 1 0\nv 0 +1.0E+00 0 1 0 0\nv 0 0 1. 0 0 1\n\nf 1 3 2 # base\n\
+        "\tv 0 0 0 .1 .2 .3\nv 1e0 0 0 0 1 0\nv 0 +1.0D+00 0 1 0 0\nv 0 0 1. 0 0 1\n\nf 1 3 2 # base\n\
          f 1 2 4\nf 2 3 4\nf 1 4 3",
         // Polygons: one with corners on its sides, one with a bridge to a hole in it.
         "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 2 0 0\nv 4 2 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nv 2 2 5\n\
@@ -112,8 +112,38 @@ fn off() -> Vec<Vec<u8>> {
         ("NOFF\n4 4 0\n", " 0 0 1", " .1 .2 .3 1"),
         ("STCNOFF\n4 4 0\n", " 0 0 1 10 20 30 255 .5 .5", ""),
     ];
-    let all = heads.map(|(head, vertex, face)| format!("{head}{}", body(vertex, face)));
-    all.map(String::into_bytes).into()
+    let texts = heads.map(|(head, vertex, face)| format!("{head}{}", body(vertex, face)));
+    let mut all: Vec<_> = texts.map(String::into_bytes).into();
+    all.push(
+        all[1]
+            .iter()
+            .map(|byte| if *byte == b'\n' { b'\r' } else { *byte })
+            .collect(),
+    );
+    all.extend([
+        binary_off("OFF BINARY", 0, 0),
+        binary_off("NOFF BINARY", 3, 4),
+        binary_off("STCNOFF BINARY # by hand", 9, 1),
+    ]);
+    all
+}
+
+/// So many numbers more at a vertex, and parts of a colour at a face.
+fn binary_off(head: &str, more: usize, parts: u32) -> Vec<u8> {
+    let mut bytes = format!("{head}\n").into_bytes();
+    let mut push = |word: u32| bytes.extend(word.to_be_bytes());
+    [4, 4, 6].into_iter().for_each(&mut push);
+    for corner in CORNERS {
+        let rest = vec![0.5_f32; more];
+        corner.iter().chain(&rest).for_each(|x| push(x.to_bits()));
+    }
+    for face in FACES {
+        push(3);
+        face.into_iter().for_each(&mut push);
+        push(parts);
+        (0..parts).for_each(|_| push(0.25_f32.to_bits()));
+    }
+    bytes
 }
 
 fn stl() -> Vec<Vec<u8>> {
@@ -196,5 +226,51 @@ fn all_ways_to_write_a_tetrahedron_read_as_one() {
                 "{of}"
             );
         }
+    }
+}
+
+#[test]
+fn binary_off_is_refused_wherever_it_ends_and_holds_its_colours() {
+    let bytes = binary_off("CNOFF BINARY", 7, 3);
+    is_refused_wherever_it_ends(&bytes, 0, bytes.len() - 1);
+    let read = io::read(&bytes, "").expect("a mesh");
+    assert_eq!(read.soup.colours, [[0.5; 4]; 4]);
+    // A count that the file cannot hold, and a corner that it has not.
+    for (at, word) in [(13, u32::MAX), (13 + 12 + 4 * 40 + 8, 4)] {
+        let mut broken = bytes.clone();
+        broken[at..at + 4].copy_from_slice(&word.to_be_bytes());
+        let error = io::read(&broken, "").expect_err("no such number");
+        let is_named = matches!(
+            error,
+            ReadError::CountTooLarge { .. } | ReadError::IndexOutOfRange { .. }
+        );
+        assert!(is_named, "{error}");
+    }
+}
+
+#[test]
+fn a_vertex_without_a_position_counts_only_where_a_face_uses_it() {
+    let obj = "v nan nan nan\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 inf\nf 2 3 4\n";
+    let off = "OFF\n5 1 0\nnan nan nan\n0 0 0\n1 0 0\n0 1 0\n0 0 inf\n3 1 2 3\n";
+    let ply = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n\
+        property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n\
+        nan nan nan\n0 0 0\n1 0 0\n0 1 0\n0 0 inf\n3 1 2 3\n";
+    let files = [
+        (obj, 1, "f 2 3 4", "f 2 3 1"),
+        (off, 3, "3 1 2 3", "3 1 2 4"),
+        (ply, 10, "3 1 2 3", "3 1 4 3"),
+    ];
+    for (text, line, face, bad) in files {
+        let read = io::read(text.as_bytes(), "").expect("a mesh");
+        let (count, first) = (2, Place::Line { line });
+        assert_eq!(read.warnings, [Oddity::UnplacedVertices { count, first }]);
+        assert_eq!(read.soup.positions.len(), 5);
+        let built = mesh::build(&read.soup).expect("a triangle");
+        assert_eq!(built.mesh.n_vertices(), 3);
+        let error = io::read(text.replace(face, bad).as_bytes(), "").expect_err("it is used");
+        assert!(
+            matches!(error, ReadError::NonFiniteVertex { .. }),
+            "{error}"
+        );
     }
 }

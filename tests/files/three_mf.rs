@@ -132,11 +132,10 @@ fn damage_is_named_where_it_is() {
         let detail = refusal(text.replacen(from, to, 1).as_bytes()).detail();
         assert_eq!(detail.first().map(|(name, _)| *name), Some("line"), "{to}");
     }
-    let nothing = text.replace("<item", "<other");
-    assert_eq!(
-        refusal(nothing.as_bytes()),
-        ReadError::NoFaces { vertices: 0 }
-    );
+    // Its end is missing, not a model.
+    let (cut, _) = text.split_once("<build>").expect("a list");
+    let detail = refusal(cut.as_bytes()).detail();
+    assert_eq!(detail.first().map(|(name, _)| *name), Some("line"));
     let bytes = file(&cube(0.0, 1.0), "", "\n", ITEM);
     is_refused_wherever_it_ends(&bytes, 1, bytes.len() - "</build></model>".len());
 }
@@ -161,4 +160,18 @@ fn a_small_file_cannot_ask_for_much_memory() {
         matches!(error, ReadError::CountTooLarge { what: "bytes", .. }),
         "{error}"
     );
+}
+
+#[test]
+fn what_no_list_builds_is_read_where_it_is() {
+    let soup = cube(0.0, 1.0);
+    let read = umbilic::io::read(&file(&soup, "", "\n", ""), "").expect("a mesh");
+    assert_eq!(read.soup, plain(&file(&soup, "", "\n", ITEM), ""));
+    assert_eq!(read.warnings, [Oddity::NothingToBuild]);
+    // What is a part of another is not read twice.
+    let whole = "<object id=\"5\"><components><component objectid=\"4\"/></components></object>";
+    let text = String::from_utf8(file(&soup, "", "\n", "")).expect("text");
+    let text = text.replace("</resources>", &format!("{whole}</resources>"));
+    let again = umbilic::io::read(text.as_bytes(), "").expect("a mesh");
+    assert_eq!(again, read);
 }

@@ -229,7 +229,7 @@ fn damaged_files_get_an_exact_verdict() {
         ),
         (
             "overflow.off",
-            b"OFF\n1 0 0\n0 1e400 0\n".to_vec(),
+            b"OFF\n3 1 0\n0 1e400 0\n1 0 0\n0 1 0\n3 0 1 2\n".to_vec(),
             ReadError::NonFiniteVertex {
                 number: 1,
                 place: Place::Line { line: 3 },

@@ -67,13 +67,12 @@ read-required-extension = ohne seine Erweiterung { $name }, die hier unbekannt i
 read-unsupported = Dateien der Art { $what ->
     [vtk-data-set] VTK ohne polygonale Daten oder unstrukturiertes Gitter
     [vtk-compressor] VTK, anders als durch zlib komprimiert,
-    [msh-version] MSH einer anderen Version als 2 oder 4.1
+    [msh-version] MSH einer anderen Version als 1, 2 oder 4
     [gltf-version] glTF einer anderen Version als 2
     [gltf-external] glTF mit Daten in anderen Dateien
     [gltf-draco] glTF, durch Draco komprimiert,
     [gltf-meshopt] glTF, durch meshopt komprimiert,
     [obj-free-form] OBJ, allein mit Freiformflächen,
-    [binary-off] binäres OFF
    *[nd-off] höherdimensionales OFF
 } lassen sich nicht lesen
     .hint = { $what ->
@@ -122,6 +121,11 @@ read-no-faces = die Datei hat { $vertices ->
 oddity-transcoded = Der Text ist UTF-16; so wurde er gelesen.
 oddity-other-ending = Der Name endet auf .{ $ending }, der Inhalt ist { $format }.
 oddity-short-faces = Facetten mit weniger als drei Ecken wurden weggelassen: { $count }, zuerst bei { $first }.
+oddity-unplaced-vertices = { $count ->
+    [one] { $count } Ecke ohne Ort, die keine Fläche benutzt, liegt
+   *[other] { $count } Ecken ohne Ort, die keine Fläche benutzt, liegen
+} nun bei der ersten Ecke (die erste: { $first }).
+oddity-nothing-to-build = Das Modell sagt nicht, was zu bauen ist; alle seine Objekte wurden gelesen.
 oddity-other-lines = Zeilen, die nicht zu einem Polygonnetz gehören, wurden übergangen: { $count }, zuerst bei { $first }.
 oddity-lines-left = { $count ->
     [one] { $count } Zeile nach dem, was der Kopf zählt, blieb

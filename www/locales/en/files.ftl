@@ -67,13 +67,12 @@ read-required-extension = the glTF file cannot be read without its extension { $
 read-unsupported = { $what ->
     [vtk-data-set] VTK without polygonal data or an unstructured grid: such
     [vtk-compressor] VTK compressed by anything but zlib: such
-    [msh-version] MSH of another version than 2 or 4.1: such
+    [msh-version] MSH of another version than 1, 2 or 4: such
     [gltf-version] glTF of another version than 2: such
     [gltf-external] glTF with its data in other files: such
     [gltf-draco] Draco-compressed glTF
     [gltf-meshopt] meshopt-compressed glTF
     [obj-free-form] OBJ with free-form surfaces alone: such
-    [binary-off] binary OFF
    *[nd-off] higher-dimensional OFF
 } files cannot be read
     .hint = { $what ->
@@ -122,6 +121,11 @@ read-no-faces = the file has { $vertices ->
 oddity-transcoded = The text is UTF-16; it was read as such.
 oddity-other-ending = The name ends in .{ $ending }, the contents are { $format }.
 oddity-short-faces = Faces of fewer than three corners were dropped: { $count }, the first at { $first }.
+oddity-unplaced-vertices = { $count ->
+    [one] { $count } vertex without a position, which no face uses, was
+   *[other] { $count } vertices without a position, which no face uses, were
+} put where the first vertex is (the first at { $first }).
+oddity-nothing-to-build = The model lists nothing to be built; all of its objects were read.
 oddity-other-lines = Lines that are no part of a polygon mesh were skipped: { $count }, the first at { $first }.
 oddity-lines-left = { $count ->
     [one] { $count } line after what the header counts was
