@@ -21,12 +21,17 @@ function faster(page, by) {
   page.player.speed.value = speeds[Math.min(Math.max(at, 0), speeds.length - 1)];
 }
 
-/** @param {Page} page */
+/** While presenting, the legend is shown and taken away. @param {Page} page */
 function nextColour(page) {
+  const { presenting, legend, colour } = page.get();
+  if (presenting) page.patch({ legend: !legend });
+  if (presenting && colour !== "none") return;
   const at = colours.indexOf(page.get().colour);
   return page.run.colour(colours[(at + 1) % colours.length]);
 }
 
+const toStart = (/** @type {Page} */ page) =>
+  page.run.seek(page.lead.clip.points[0]?.state.step ?? 0);
 const toEnd = (/** @type {Page} */ page) => page.run.seek(page.lead.clip.last?.state.step ?? 0);
 
 /** @param {keyof import("./store.js").View} name @returns {(page: Page) => unknown} */
@@ -40,7 +45,8 @@ export const commands = [
   { id: "play", keys: ["space"], act: (page) => page.run.toggle() },
   { id: "step", keys: ["."], act: (page) => page.run.step(), repeats: true },
   { id: "back", keys: [","], act: (page) => page.run.back(), repeats: true },
-  { id: "reset", keys: ["r", "home"], act: (page) => page.run.reset() },
+  { id: "reset", keys: ["r"], act: (page) => page.run.reset() },
+  { id: "start", keys: ["home"], act: toStart },
   { id: "end", keys: ["end"], act: toEnd },
   { id: "slower", keys: ["["], act: (page) => faster(page, -1) },
   { id: "faster", keys: ["]"], act: (page) => faster(page, 1) },

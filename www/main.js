@@ -44,7 +44,12 @@ Object.assign(page, {
     page.edit.mode(mode);
   },
   present: (/** @type {boolean | undefined} */ on) =>
-    page.patch({ presenting: on ?? !page.get().presenting, dialog: null, welcome: false }),
+    page.patch({
+      presenting: on ?? !page.get().presenting,
+      dialog: null,
+      welcome: false,
+      legend: false,
+    }),
 });
 page.stage = createStage(byId("panes"), quality);
 

@@ -15,6 +15,9 @@ export const tabs = /** @type {const} */ (["surface", "flow", "measure", "compar
 export const tools = /** @type {const} */ (["paint", "fill", "subdivide", "remesh", "invert"]);
 /** @typedef {typeof tools[number] | "pick"} Mode */
 
+/** Whether a tool is at work on the surface, which stays as it is meanwhile. @param {{ mode: Mode | null }} s */
+export const isEditing = ({ mode }) => mode !== null && mode !== "pick";
+
 /** What a surface is coloured by. @typedef {import("./generated/types.js").FieldName | "none"} FieldName */
 /** @typedef {import("./generated/types.js").Field} Field */
 /** Triangles that are seen to be. @typedef {Uint32Array} Marked */

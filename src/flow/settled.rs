@@ -1,6 +1,6 @@
 //! The options that a flow runs with, of those that were given.
 
-use super::option::{Options, find};
+use super::option::Options;
 use super::options::FlowOptions;
 use super::spec::{self, FlowName};
 use crate::energy::circle::Boundary;
@@ -18,15 +18,12 @@ impl FlowOptions {
     pub fn settled(&self) -> Self {
         let usual = Self::default();
         let mut options = self.clone();
+        let set = (spec::of(self.flow).sets)();
         let rows = Self::ROWS.iter();
         for row in rows.filter(|row| !row.read_by.flows.contains(&self.flow)) {
-            (row.set)(&mut options, &(row.get)(&usual));
-        }
-        for (name, value) in (spec::of(self.flow).sets)() {
-            // A test sees to it that there is such an option and that it takes the value.
-            if let Ok(row) = find::<Self>(name) {
-                (row.set)(&mut options, &value);
-            }
+            let own = set.iter().find(|(name, _)| *name == row.name);
+            let value = own.map_or_else(|| (row.get)(&usual), |(_, value)| value.clone());
+            (row.set)(&mut options, &value);
         }
         options
     }
@@ -51,6 +48,7 @@ impl FlowOptions {
 mod tests {
     use super::*;
     use crate::flow::constraint::Kept;
+    use crate::flow::option::find;
     use FlowName::{Mmcv, VolumePreserving};
 
     #[test]

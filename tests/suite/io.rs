@@ -274,7 +274,7 @@ fn errors_carry_their_numbers() {
         error.detail(),
         [("line", 2.0), ("index", 5.0), ("vertices", 1.0)]
     );
-    let error = io::read(b"v 0 0 0\nv 0 nan 0\n", "").unwrap_err();
+    let error = io::read(b"v 0 0 0\nv 0 nan 0\nf 1 2 2\n", "").unwrap_err();
     assert_eq!(error.detail(), [("line", 2.0), ("vertex", 1.0)]);
     // People count the vertices of a file from 1.
     assert_eq!(error.message().number("number"), Some(2.0));

@@ -2,6 +2,7 @@
 
 import { flowOf, toFlow } from "../options.js";
 import { withSelection } from "../solver.js";
+import { sceneTitle } from "../status.js";
 import { earlierOf } from "../store.js";
 import { say } from "../words.js";
 import { stepsOf } from "./run.js";
@@ -26,11 +27,12 @@ export function createEdit(core) {
    * @param {Loaded} loaded @param {string} what  undoing takes back @param {Options} options
    */
   async function edited(loaded, what, options) {
-    const { mesh, earlier: all } = get();
+    const { mesh, earlier: all, source } = get();
     if (!mesh) return;
+    const name = sceneTitle(source) || mesh.name;
     const earlier = [...all, ...earlierOf(get(), what)].slice(-MOST_EDITS);
     // No sample any more, nor what a figure shows, and no file either: a link to it can only name it.
-    patch({ source: { kind: "file", name: mesh.name }, mesh: loaded, earlier, mode: null });
+    patch({ source: { kind: "file", name }, mesh: loaded, earlier, mode: null });
     patch({ figure: null });
     patch({ preview: null, reading: null, configured: null, isNew: false });
     anew();

@@ -2,6 +2,7 @@
 
 import { optionsOf } from "../comparison.js";
 import { defaults } from "../options.js";
+import { isEditing } from "../store.js";
 import { say } from "../words.js";
 
 /** @import { Arrangement } from "../generated/types.js" */
@@ -107,7 +108,8 @@ export function createRun(core, adopt) {
       else if (get().running) core.show(core.shown()?.step ?? 0);
       return enqueue(settle);
     },
-    toggle: () => (isMoving() ? run.pause() : run.play()),
+    /** A tool is ended by its own buttons. */
+    toggle: () => (isMoving() ? run.pause() : isEditing(get()) ? undefined : run.play()),
     ...atRest(moves, isUsable),
 
     /** While the scrubber is held. @param {number} u */

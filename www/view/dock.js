@@ -8,6 +8,10 @@ import { button, iconButton, lazy } from "./parts.js";
 
 /** @import { Note } from "../store.js" */
 
+/** What a command line says after its name, as a sentence. @param {string} text */
+const sentence = (text) =>
+  text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?…:]$/.test(text) ? "" : ".");
+
 /** @param {Note} note */
 const dismissal = ({ id }) => iconButton("close", say("dismiss"), () => page.notes.dismiss(id));
 
@@ -17,14 +21,19 @@ function line() {
   const error = s.notes.findLast(({ kind }) => kind === "error");
   const said = error ?? (s.isNoteFresh && s.notes.find(({ id }) => id === s.noteShown));
   const isPlaying = page.player.motion.value === "playing";
+  const shown = page.shown();
+  const rests = shown && shown.step > 0 && !s.running && !isPlaying && s.mode === null;
+  const why = html`<button type="button" class="link" @click=${page.why.ask}>${say("why")}</button>`;
   if (s.isSilent || (s.phase === "failed" && s.mesh)) {
     const what = s.isSilent ? say("solver-silent") : `${error?.text ?? ""} ${say("solver-gone")}`;
     return html`<span class="text warn" role="alert"><span class="what">${what}</span></span>${button(say("restart-solver"), page.run.halt, "small")}`;
   }
   if (said) {
+    const { hint, offers } = said;
+    const text = sentence(said.text);
     return html`<span class="text ${error ? "danger" : ""}" role=${error ? "alert" : "note"}
-        title="${said.text} ${said.hint}"><span class="what">${said.text}</span> <span class="hint">${said.hint}</span></span>
-      ${said.offers.map(({ label, act }) => button(label, act, "small"))}${error ? dismissal(error) : nothing}`;
+        title="${text} ${hint}"><span class="what">${text}</span> <span class="hint">${hint}</span></span>
+      ${offers.map(({ label, act }) => button(label, act, "small"))}${error ? dismissal(error) : rests ? why : nothing}`;
   }
   if (s.progress) {
     const stop = async () =>
@@ -33,13 +42,10 @@ function line() {
       <progress max="1" .value=${s.progress.fraction} aria-label=${say("progress")}></progress>
       ${button(say("stop-now"), stop, "small")}`;
   }
-  const shown = page.shown();
   if (s.isNew && s.mode === null && shown?.step === 0 && !s.running) return purpose();
   if (page.player.isWaiting.value) return html`<span class="text">${say("computing")}</span>`;
   const last = page.lead.clip.last?.state.step ?? 0;
-  const rests = shown && shown.step > 0 && !s.running && !isPlaying && s.mode === null;
   const text = s.mode ? say(`mode-${s.mode}`) : clause(s, shown, isPlaying, last);
-  const why = html`<button type="button" class="link" @click=${page.why.ask}>${say("why")}</button>`;
   return html`<span class="text">${text}</span>${rests ? why : nothing}`;
 }
 
@@ -61,7 +67,9 @@ function status() {
   const count = s.notes.length;
   const isOpen = s.section === "notes";
   const turn = () => page.patch({ section: isOpen ? null : "notes" });
-  const notes = s.notes.map((note) => html`<li>${note.text} ${note.hint} ${dismissal(note)}</li>`);
+  const notes = s.notes.map(
+    (note) => html`<li>${sentence(note.text)} ${note.hint} ${dismissal(note)}</li>`,
+  );
   return html`<div class="status ${s.running || isPlaying ? "run" : ended}"><i class="dot"></i>
     <strong role="status">${statusText(s, shown, isPlaying)}</strong>${line()}<span class="space"></span>
     ${count > 0 ? html`<button type="button" class="link quiet" aria-expanded=${String(isOpen)} @click=${turn}>${say("notes", { count })}</button>` : nothing}

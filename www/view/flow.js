@@ -109,6 +109,13 @@ export function field(row, options, change) {
   return labelled(label, control, hint);
 }
 
+/** Whether the surface has what an option is about: a boundary, or anything that is held. @param {string} name @param {Options} options */
+function isPossible(name, { free, fixed }) {
+  const isOpen = (page.state.value.mesh?.info.boundaryLoops ?? 0) > 0;
+  if (name === "prefill") return isOpen || free !== null || fixed !== null;
+  return name !== "boundary" || isOpen;
+}
+
 /** The fields that what runs reads. @param {Options} options @param {boolean} basic */
 export const fieldsOf = (options, basic) =>
   schema.options.filter(
@@ -117,7 +124,7 @@ export const fieldsOf = (options, basic) =>
       kind !== "vertices" &&
       isBasic(name) === basic &&
       isRead(name, options) &&
-      (name !== "boundary" || (page.state.value.mesh?.info.boundaryLoops ?? 0) > 0),
+      isPossible(name, options),
   );
 
 /** How edge flips, and what else is arranged, are shown. */

@@ -1,5 +1,6 @@
 // The legend: what colours mean, and behind it how the surface is drawn.
 
+import "../style/legend.css";
 import { html, nothing } from "lit-html";
 import { currentLanguage, languages, remember, speak } from "../language.js";
 import { formatShort, formatSigned } from "../number.js";
@@ -79,7 +80,8 @@ function optionsOf() {
 }
 
 export function legend() {
-  const { colour, comparison, legend: isOpen, range } = page.state.value;
+  const { colour, comparison, legend: isAsked, presenting, range } = page.state.value;
+  const isOpen = isAsked && !presenting;
   const isField = comparison.difference === null;
   const what = say(isField ? `colour-${colour}` : "colour-distance");
   const isPlain = colour === "none" && isField;

@@ -92,5 +92,5 @@ export function library() {
       ${close(() => page.patch({ dialog: null }))}</header>
     <div class="filters" role="group" aria-label=${say("shelves")}>${["all", ...shelves].map(chip)}<span class="space"></span>
       <span class="hint" role="note">${say("library-count", { count: found.length })}</span></div>
-    <div class="shelves">${shelves.map(entries)}</div>`;
+    <div class="shelves">${found.length > 0 ? shelves.map(entries) : html`<p class="hint">${say("library-none")}</p>`}</div>`;
 }

@@ -111,7 +111,7 @@ export function plot() {
   const shown = page.shown();
   const names = Object.keys(quantities).map((id) => ({
     id,
-    label: id === "energy" ? `${say("reading-energy")} ${symbol(s)}` : say(`quantity-${id}`),
+    label: id === "energy" ? symbol(s) : say(`quantity-${id}`),
   }));
   return html`<div class="row plot-options">
       ${select(say("quantity"), names, quantity.value, into(quantity))}

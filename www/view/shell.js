@@ -47,9 +47,9 @@ const over = {
 
 /** What lies over the surface. */
 export function overStage() {
-  const { mode, mesh, welcome, why, presenting } = page.state.value;
+  const { mode, mesh, welcome, why, presenting, legend } = page.state.value;
   return html`${mode ? over.tools() : nothing}${cards()}${why && !presenting ? over.why() : nothing}
-    ${mesh && !welcome ? over.legend() : nothing}${presenting ? over.present() : nothing}`;
+    ${mesh && !welcome && (legend || !presenting) ? over.legend() : nothing}${presenting ? over.present() : nothing}`;
 }
 
 const panels = {
@@ -64,10 +64,13 @@ const panels = {
 const isTall = signal(false);
 /** So far, in CSS pixels, a finger may slip on a tap. */
 const SLIP = 6;
+/** Whether the click that is about to come ends a drag. */
+let wasDragged = false;
 
 /** Opens a tab, or shuts it. @param {Tab} tab */
 export function turn(tab) {
   const isOpen = page.get().tab === tab;
+  document.querySelector(".panel > .body")?.scrollTo(0, 0);
   page.patch({ tab: isOpen ? null : tab, section: null, welcome: false });
   if (page.get().mode && (isOpen || tab !== "surface")) page.edit.mode(null);
 }
@@ -92,9 +95,8 @@ export function drawer() {
   const { tab } = page.state.value;
   if (!tab) return nothing;
   const shut = () => turn(tab);
-  const press = (/** @type {MouseEvent} */ event) => {
-    // By a pointer it was dragged or tapped before.
-    if (event.detail === 0) isTall.value = !isTall.value;
+  const press = () => {
+    if (!wasDragged) isTall.value = !isTall.value;
   };
   return html`<div class="panel ${isTall.value ? "tall" : ""}" role="tabpanel" aria-labelledby="tab-${tab}">
     <header><h2>${say(`tab-${tab}`)}</h2>
@@ -112,6 +114,7 @@ function drag(down, shut) {
   const start = panel.getBoundingClientRect().height;
   const most = start + (document.getElementById("stage")?.clientHeight ?? 0);
   let by = 0;
+  wasDragged = false;
   grip.setPointerCapture(down.pointerId);
   grip.onpointermove = (event) => {
     by = down.clientY - event.clientY;
@@ -127,8 +130,10 @@ function drag(down, shut) {
   grip.onpointercancel = end;
   grip.onpointerup = () => {
     end();
-    if (Math.abs(by) <= SLIP) isTall.value = !isTall.value;
-    else if (by > 0) isTall.value = true;
+    wasDragged = Math.abs(by) > SLIP;
+    // A tap is a click: were the sheet higher before that comes, what lies below would take it.
+    if (!wasDragged) return;
+    if (by > 0) isTall.value = true;
     else if (isTall.value && start + by > start / 3) isTall.value = false;
     else shut();
   };

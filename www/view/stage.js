@@ -218,6 +218,8 @@ export function createStage(root, { samples, effects }) {
     return pane;
   }
 
+  /** Whether what was drawn has colours of high contrast. */
+  const hasContrast = signal(false);
   /** The animation frame asked for; 0: none. */
   let frame = 0;
   /** Draws once before the next picture. */
@@ -258,6 +260,7 @@ export function createStage(root, { samples, effects }) {
       pane.draw(s, one, style);
       if (pane.lacks) draw();
     });
+    hasContrast.value = style.contrast;
     const { near = null } = s.marks ?? {};
     if (near && near !== faced) first.viewer?.face(near);
     faced = near;
@@ -302,6 +305,7 @@ export function createStage(root, { samples, effects }) {
     },
     /** So many colours of data from low to high, as the viewer has them. @param {boolean} signed @param {number} count */
     colours(signed, count) {
+      hasContrast.value;
       const rgb = first.viewer?.colourBar(signed, count) ?? [];
       const bytes = (/** @type {number} */ n) => [...rgb.slice(3 * n, 3 * n + 3)];
       return Array.from({ length: rgb.length / 3 }, (_, n) => `rgb(${bytes(n).join(" ")})`);

@@ -1,6 +1,7 @@
 // Tools are modes: while one is chosen, clicks and drags on the surface are its own, and a bar
 // says what is done. The surface changes only when that is asked for.
 
+import "../style/tools.css";
 import { computed, signal } from "@preact/signals-core";
 import { html, nothing } from "lit-html";
 import { formatNumber } from "../number.js";

@@ -6,6 +6,7 @@ import { letter } from "../comparison.js";
 import { formatBeside } from "../number.js";
 import { speeds } from "../player.js";
 import { symbol } from "../status.js";
+import { isEditing } from "../store.js";
 import { say } from "../words.js";
 import { comparedCurve, curve } from "./curve.js";
 import { page } from "./page.js";
@@ -15,7 +16,7 @@ function buttons() {
   const s = page.state.value;
   const isMoving = s.running || page.player.motion.value === "playing";
   const { clip, u } = page.lead;
-  const usable = s.reading !== null && s.phase === "ready";
+  const usable = s.reading !== null && s.phase === "ready" && !isEditing(s);
   const isAtStart = u <= 0 && !s.reading?.canStepBack;
   const isAtEnd = page.isOver() && u >= clip.total && clip.last?.state.status !== "stepLimit";
   const name = isMoving ? "pause" : isAtEnd && clip.points.length > 1 ? "again" : "play";
@@ -37,7 +38,7 @@ function energy() {
   const first = page.lead.clip.points[0]?.state.energy ?? 0;
   if (s.comparison.rivals.length > 0) {
     const numbers = page.tracks().map(({ clip, u }, n) => {
-      const [now, start] = [clip.points[clip.nearest(u)], clip.points[0]];
+      const [now, start] = [clip.points[clip.at(u).index], clip.points[0]];
       const text = formatBeside(now?.state.energy, start?.state.energy ?? 0);
       return html`<span class="pane-${n}"><b>${text}</b> ${letter(n)}</span>`;
     });

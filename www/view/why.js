@@ -10,10 +10,11 @@ import { button, close } from "./parts.js";
 
 /** What comes next where nothing is wrong. */
 function onwards() {
-  const { figure } = page.state.value;
+  const { figure, source } = page.state.value;
+  const sample = source?.kind === "sample" && source.id === "vesicle" ? "coarse-torus" : "vesicle";
   const next = figure && figures[figures.indexOf(figure) + 1];
-  const label = next ? say("next-figure") : say("next-sample", { name: say("starter-vesicle") });
-  const open = () => (next ? page.open.figure(next) : page.open.sample("vesicle"));
+  const label = next ? say("next-figure") : say("next-sample", { name: say(`starter-${sample}`) });
+  const open = () => (next ? page.open.figure(next) : page.open.sample(sample));
   const explain = () => page.patch({ tab: "measure", section: "equation", why: null });
   return html`${button(label, open, "small primary")}${button(say("what-measures"), explain, "small")}`;
 }

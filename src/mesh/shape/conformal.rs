@@ -76,41 +76,43 @@ pub(super) fn place(map: Map<'_>, p: DVec3) -> Place {
     }
 }
 
-/// Points of the sphere for a mesh of the image with so many vertices; with `antipodal` each
-/// point of the first half has its opposite at the same place of the second.
-pub(super) fn points(map: Map<'_>, count: usize, antipodal: bool) -> Vec<DVec3> {
-    let mut random = SplitMix64::new(1);
-    let mut on_sphere =
-        || DVec3::from_array(std::array::from_fn(|_| random.gaussian())).normalize_or(DVec3::Z);
-    let candidates: Vec<DVec3> = (0..CANDIDATES * count).map(|_| on_sphere()).collect();
-    let found: Vec<_> = candidates.iter().map(|p| place(map, *p)).collect();
-    let area = 4.0 * PI * found.iter().map(|f| f.stretch).sum::<f64>() / found.len() as f64;
-    let flat = 4.0 * PI / area;
-    let density = |p: DVec3| {
-        let found = place(map, p);
-        found.stretch * (found.bend + flat)
-    };
-    let distinct = if antipodal { count / 2 } else { count };
-    let mut points = drawn(&candidates, &found, flat, distinct);
-    for round in 0..ROUNDS {
-        if antipodal {
-            points.truncate(distinct);
-            points.extend_from_within(..);
-            points[distinct..].iter_mut().for_each(|p| *p = -*p);
-        }
-        let factor = if round + PLAIN_ROUNDS < ROUNDS {
-            OVERRELAXATION
-        } else {
-            1.0
+deferred! {
+    /// Points of the sphere for a mesh of the image with so many vertices; with `antipodal` each
+    /// point of the first half has its opposite at the same place of the second.
+    pub(super) fn points(map: Map<'_>, count: usize, antipodal: bool) -> Vec<DVec3> {
+        let mut random = SplitMix64::new(1);
+        let mut on_sphere =
+            || DVec3::from_array(std::array::from_fn(|_| random.gaussian())).normalize_or(DVec3::Z);
+        let candidates: Vec<DVec3> = (0..CANDIDATES * count).map(|_| on_sphere()).collect();
+        let found: Vec<_> = candidates.iter().map(|p| place(map, *p)).collect();
+        let area = 4.0 * PI * found.iter().map(|f| f.stretch).sum::<f64>() / found.len() as f64;
+        let flat = 4.0 * PI / area;
+        let density = |p: DVec3| {
+            let found = place(map, p);
+            found.stretch * (found.bend + flat)
         };
-        points = relaxed(&points, &density, factor);
-    }
-    if antipodal {
-        for i in 0..distinct {
-            points[distinct + i] = -points[i];
+        let distinct = if antipodal { count / 2 } else { count };
+        let mut points = drawn(&candidates, &found, flat, distinct);
+        for round in 0..ROUNDS {
+            if antipodal {
+                points.truncate(distinct);
+                points.extend_from_within(..);
+                points[distinct..].iter_mut().for_each(|p| *p = -*p);
+            }
+            let factor = if round + PLAIN_ROUNDS < ROUNDS {
+                OVERRELAXATION
+            } else {
+                1.0
+            };
+            points = relaxed(&points, &density, factor);
         }
+        if antipodal {
+            for i in 0..distinct {
+                points[distinct + i] = -points[i];
+            }
+        }
+        points
     }
-    points
 }
 
 /// Candidates at equal distances of the sum of their densities, in an order without a pattern.

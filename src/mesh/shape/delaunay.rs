@@ -14,21 +14,23 @@ struct Face {
     across: [u32; 3],
 }
 
-/// The Delaunay triangles of at least four points of the unit sphere that do not all lie within
-/// a hemisphere, turned outward.
-pub(super) fn triangles(points: &[DVec3]) -> Vec<[u32; 3]> {
-    let mut faces = first_faces(points);
-    let first: Vec<u32> = faces[0]
-        .corners
-        .into_iter()
-        .chain([faces[1].corners[2]])
-        .collect();
-    let mut at = 0;
-    for p in (0..points.len() as u32).filter(|p| !first.contains(p)) {
-        at = located(&faces, points, at, p);
-        insert(&mut faces, points, at, p);
+deferred! {
+    /// The Delaunay triangles of at least four points of the unit sphere that do not all lie within
+    /// a hemisphere, turned outward.
+    pub(super) fn triangles(points: &[DVec3]) -> Vec<[u32; 3]> {
+        let mut faces = first_faces(points);
+        let first: Vec<u32> = faces[0]
+            .corners
+            .into_iter()
+            .chain([faces[1].corners[2]])
+            .collect();
+        let mut at = 0;
+        for p in (0..points.len() as u32).filter(|p| !first.contains(p)) {
+            at = located(&faces, points, at, p);
+            insert(&mut faces, points, at, p);
+        }
+        faces.into_iter().map(|face| face.corners).collect()
     }
-    faces.into_iter().map(|face| face.corners).collect()
 }
 
 fn det(points: &[DVec3], [a, b, c]: [u32; 3]) -> f64 {

@@ -61,51 +61,55 @@ fn cut_at_random(mut faces: Vec<[u32; 3]>, random: &mut SplitMix64) -> Vec<[u32;
     faces
 }
 
-/// A face as a camera with vertical scan lines sees it: `rows` points along each line, twice as
-/// many lines as that would need, each off in depth by an error of standard deviation `crease`
-/// steps of a line. Long vertical edges and creases come of it.
-pub fn creased_face(rows: usize, crease: f64, seed: u64) -> PolygonSoup {
-    const HALF: DVec2 = DVec2::new(0.5, 0.78);
-    let columns = (2.0 * rows as f64 * HALF.x / HALF.y).round() as usize;
-    let step = HALF * 2.0 / DVec2::new(columns as f64, rows as f64);
-    let mut random = SplitMix64::new(seed);
-    let mut positions = Vec::with_capacity((columns + 1) * (rows + 1));
-    for i in 0..=columns {
-        let depth = crease * step.x * random.gaussian();
-        for j in 0..=rows {
-            let p = DVec2::new(i as f64, j as f64) * step - HALF;
-            let noise = 0.2 * crease * step.x * random.gaussian();
-            // The middle of the face lies well within the head.
-            let z = height(p.x, p.y).unwrap_or_default();
-            positions.push(DVec3::new(p.x, p.y, z + depth + noise));
+deferred! {
+    /// A face as a camera with vertical scan lines sees it: `rows` points along each line, twice as
+    /// many lines as that would need, each off in depth by an error of standard deviation `crease`
+    /// steps of a line. Long vertical edges and creases come of it.
+    pub fn creased_face(rows: usize, crease: f64, seed: u64) -> PolygonSoup {
+        const HALF: DVec2 = DVec2::new(0.5, 0.78);
+        let columns = (2.0 * rows as f64 * HALF.x / HALF.y).round() as usize;
+        let step = HALF * 2.0 / DVec2::new(columns as f64, rows as f64);
+        let mut random = SplitMix64::new(seed);
+        let mut positions = Vec::with_capacity((columns + 1) * (rows + 1));
+        for i in 0..=columns {
+            let depth = crease * step.x * random.gaussian();
+            for j in 0..=rows {
+                let p = DVec2::new(i as f64, j as f64) * step - HALF;
+                let noise = 0.2 * crease * step.x * random.gaussian();
+                // The middle of the face lies well within the head.
+                let z = height(p.x, p.y).unwrap_or_default();
+                positions.push(DVec3::new(p.x, p.y, z + depth + noise));
+            }
         }
+        let vertex = |i: usize, j: usize| i * (rows + 1) + j;
+        PolygonSoup::from_faces(positions, &grid::triangles(columns, rows, vertex))
     }
-    let vertex = |i: usize, j: usize| i * (rows + 1) + j;
-    PolygonSoup::from_faces(positions, &grid::triangles(columns, rows, vertex))
 }
 
-/// A round head with two long ears, its points off by up to `jitter` edge lengths along the
-/// surface: thin parts that lose volume when the area falls.
-///
-/// # Errors
-/// None with levels up to 8.
-pub fn eared_head(level: usize, jitter: f64, seed: u64) -> Result<PolygonSoup, SubdivisionError> {
-    const EARS: [DVec3; 2] = [DVec3::new(0.3, 1.0, 0.05), DVec3::new(-0.3, 1.0, 0.05)];
-    /// Cosine of the angle within which a direction belongs to an ear, and the ear's length.
-    const WIDTH: f64 = 0.955;
-    const LENGTH: f64 = 1.1;
-    let mut soup = sphere::icosphere(level)?;
-    let mut random = SplitMix64::new(seed);
-    let step = 1.1 / (1 << level) as f64;
-    for p in &mut soup.positions {
-        let off = DVec3::from_array(std::array::from_fn(|_| random.gaussian()));
-        let d = (*p + jitter * step * (off - off.dot(*p) * *p)).normalize();
-        let ear = EARS.iter().map(|ear| {
-            let inside = (d.dot(ear.normalize()) - WIDTH) / (1.0 - WIDTH);
-            inside.clamp(0.0, 1.0).powf(0.6)
-        });
-        let length = LENGTH * ear.fold(0.0, f64::max);
-        *p = d + length * DVec3::new(0.18 * d.x.signum(), 1.0, 0.0);
+deferred! {
+    /// A round head with two long ears, its points off by up to `jitter` edge lengths along the
+    /// surface: thin parts that lose volume when the area falls.
+    ///
+    /// # Errors
+    /// None with levels up to 8.
+    pub fn eared_head(level: usize, jitter: f64, seed: u64) -> Result<PolygonSoup, SubdivisionError> {
+        const EARS: [DVec3; 2] = [DVec3::new(0.3, 1.0, 0.05), DVec3::new(-0.3, 1.0, 0.05)];
+        /// Cosine of the angle within which a direction belongs to an ear, and the ear's length.
+        const WIDTH: f64 = 0.955;
+        const LENGTH: f64 = 1.1;
+        let mut soup = sphere::icosphere(level)?;
+        let mut random = SplitMix64::new(seed);
+        let step = 1.1 / (1 << level) as f64;
+        for p in &mut soup.positions {
+            let off = DVec3::from_array(std::array::from_fn(|_| random.gaussian()));
+            let d = (*p + jitter * step * (off - off.dot(*p) * *p)).normalize();
+            let ear = EARS.iter().map(|ear| {
+                let inside = (d.dot(ear.normalize()) - WIDTH) / (1.0 - WIDTH);
+                inside.clamp(0.0, 1.0).powf(0.6)
+            });
+            let length = LENGTH * ear.fold(0.0, f64::max);
+            *p = d + length * DVec3::new(0.18 * d.x.signum(), 1.0, 0.0);
+        }
+        Ok(soup)
     }
-    Ok(soup)
 }

@@ -8,32 +8,34 @@ use super::{Conflict, grid};
 use crate::mesh::noise::SplitMix64;
 use crate::soup::PolygonSoup;
 
-/// A picture of `resolution` rows of cells, each cell seen whole cut into two triangles.
-///
-/// As in real scans the triangles are stretched where the depth jumps, `loops - 1`
-/// small holes were not seen (mostly on steep ground; the remaining loop is the
-/// outline), and each depth is off by a normal error of standard deviation
-/// `noise` times the mean edge length. Depth is along z, towards the scanner.
-///
-/// The default resolution gives 38 000 vertices.
-///
-/// # Errors
-/// If the resolution is too low for that many holes.
-pub fn scan(
-    resolution: usize,
-    noise: f64,
-    loops: usize,
-    seed: u64,
-) -> Result<PolygonSoup, Conflict> {
-    let mut random = SplitMix64::new(seed);
-    let mut picture = Picture::new(resolution);
-    picture.punch(loops - 1, &mut random)?;
-    let mut soup = picture.surface();
-    let deviation = noise * mean_edge_length(&soup);
-    for p in &mut soup.positions {
-        p.z += deviation * random.gaussian();
+deferred! {
+    /// A picture of `resolution` rows of cells, each cell seen whole cut into two triangles.
+    ///
+    /// As in real scans the triangles are stretched where the depth jumps, `loops - 1`
+    /// small holes were not seen (mostly on steep ground; the remaining loop is the
+    /// outline), and each depth is off by a normal error of standard deviation
+    /// `noise` times the mean edge length. Depth is along z, towards the scanner.
+    ///
+    /// The default resolution gives 38 000 vertices.
+    ///
+    /// # Errors
+    /// If the resolution is too low for that many holes.
+    pub fn scan(
+        resolution: usize,
+        noise: f64,
+        loops: usize,
+        seed: u64,
+    ) -> Result<PolygonSoup, Conflict> {
+        let mut random = SplitMix64::new(seed);
+        let mut picture = Picture::new(resolution);
+        picture.punch(loops - 1, &mut random)?;
+        let mut soup = picture.surface();
+        let deviation = noise * mean_edge_length(&soup);
+        for p in &mut soup.positions {
+            p.z += deviation * random.gaussian();
+        }
+        Ok(soup)
     }
-    Ok(soup)
 }
 
 /// Depths at the corners of a grid of square cells, and the cells that were seen.

@@ -1,11 +1,10 @@
 //! Sheets and bodies that lie on another one, face by face.
 
-use super::faces::Faces;
-use super::hash::{Mixed, Table};
+use super::faces::{Faces, sides};
+use super::hash::Table;
 use super::sheet::sheets;
 use crate::order;
 use crate::soup::PolygonSoup;
-use std::hash::{Hash, Hasher};
 
 /// The places of a face's corners, whatever their order.
 fn places(face: &[u32], soup: &PolygonSoup) -> Vec<[u64; 3]> {
@@ -15,9 +14,10 @@ fn places(face: &[u32], soup: &PolygonSoup) -> Vec<[u64; 3]> {
     all
 }
 
-/// Drops sheets all of whose faces lie exactly where those of an earlier one do, as of a surface that
-/// was exported twice, or with a back side of its own: open ones would be welded to a bag without an
-/// inside, closed ones counted twice. Gives how many faces, and their corners.
+/// Drops sheets all of whose faces lie exactly where others do, as of a surface that was exported
+/// twice, or with a back side of its own: open ones would be welded to a bag without an inside, closed
+/// ones counted twice. A closed one must be another as a whole: bodies that touch share faces. Of two
+/// that are the same the earlier is kept. Gives how many faces, and their corners.
 pub(super) fn drop_doubles(soup: &mut PolygonSoup) -> (usize, Vec<u32>) {
     let mut seen = Table::with_capacity_and_hasher(soup.positions.len(), Default::default());
     let mut used = vec![false; soup.positions.len()];
@@ -29,29 +29,47 @@ pub(super) fn drop_doubles(soup: &mut PolygonSoup) -> (usize, Vec<u32>) {
     }
     let mut faces = Faces::of(soup);
     let all = sheets(&faces);
-    let mut known: Table<(usize, u64), Vec<&Vec<usize>>> = Table::default();
-    let mut doubled: Vec<usize> = Vec::new();
-    let of = |sheet: &[usize]| {
-        let mut faces: Vec<_> = (sheet.iter())
-            .map(|&f| places(faces.face(f), soup))
-            .collect();
-        order::sort(&mut faces);
-        faces
-    };
-    for sheet in &all {
-        let hash = |f: &usize| {
-            let mut hasher = Mixed::default();
-            places(faces.face(*f), soup).hash(&mut hasher);
-            hasher.finish()
-        };
-        let sum = sheet.iter().map(hash).fold(0, u64::wrapping_add);
-        let same = known.entry((sheet.len(), sum)).or_default();
-        if same.iter().any(|other| of(other) == of(sheet)) {
-            doubled.extend(sheet);
-        } else {
-            same.push(sheet);
+    // The sheets that have a face with these places.
+    let mut owners: Table<Vec<[u64; 3]>, Vec<usize>> = Table::default();
+    for (name, sheet) in all.iter().enumerate() {
+        for &f in sheet {
+            let owners = owners.entry(places(faces.face(f), soup)).or_default();
+            if owners.last() != Some(&name) {
+                owners.push(name);
+            }
         }
     }
+    let mut is_kept = vec![true; all.len()];
+    let mut order: Vec<usize> = (0..all.len()).rev().collect();
+    order.sort_by_key(|&name| all[name].len());
+    for name in order {
+        let sheet = &all[name];
+        let owners = |f: &usize| {
+            let all = owners.get(&places(faces.face(*f), soup));
+            all.into_iter()
+                .flatten()
+                .copied()
+                .filter(|other| *other != name && is_kept[*other])
+        };
+        let is_open = || {
+            let sides = sheet.iter().flat_map(|&f| sides(faces.face(f)));
+            sides.into_iter().any(|(a, b)| faces.at(a, b).len() == 1)
+        };
+        let is_same = |other: &usize| {
+            all[*other].len() == sheet.len() && sheet.iter().all(|f| owners(f).any(|o| o == *other))
+        };
+        let covered = sheet.iter().all(|f| owners(f).next().is_some());
+        if covered
+            && (is_open()
+                || sheet
+                    .first()
+                    .is_some_and(|f| owners(f).any(|o| is_same(&o))))
+        {
+            is_kept[name] = false;
+        }
+    }
+    let doubled = all.iter().zip(&is_kept).filter(|(_, is_kept)| !**is_kept);
+    let doubled: Vec<usize> = doubled.flat_map(|(sheet, _)| sheet).copied().collect();
     let mut vertices = Vec::new();
     for &f in &doubled {
         vertices.extend(faces.remove(f));

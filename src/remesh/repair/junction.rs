@@ -60,8 +60,8 @@ impl<'a> Rims<'a> {
         (0..self.x.len() as u32).filter(|&v| !self.around(v).is_empty())
     }
 
-    /// Vertices on an edge, farther than `near` from its ends, in order from its first end. Only
-    /// those from which a boundary edge goes on along it: others touch it in a point.
+    /// Vertices on an edge, farther than `near` from its ends, in order from its first end, one at a
+    /// place. Only those from which a boundary edge goes on along it: others touch it in a point.
     fn on_edge(&self, (a, b): (u32, u32)) -> Vec<u32> {
         let at = |v: u32| self.x[v as usize];
         let (p, q) = (at(a), at(b));
@@ -93,7 +93,10 @@ impl<'a> Rims<'a> {
                 is_end || all.contains(&w)
             })
         };
-        all.iter().copied().filter(goes_on).collect()
+        let mut on: Vec<u32> = all.iter().copied().filter(goes_on).collect();
+        // Of several at one place one: the others are welded to it.
+        on.dedup_by(|v, w| at(*v).distance(at(*w)) <= near);
+        on
     }
 
     /// A length within which vertices meet across a gap that is narrow for the edges at it: as

@@ -3,8 +3,8 @@
 //! In turn: sheets and bodies that lie on another are dropped; boundary vertices at the same place
 //! are welded where that stitches two edges, so that boundary chains that coincide close; faces
 //! without area go; a vertex in the middle of a neighbour's edge is inserted there; sheets that hang
-//! on an edge of two other faces are dropped where they are small, else cut loose. Every change is
-//! listed with its count and its vertices.
+//! on an edge of two other faces are dropped where they are walls between two others or small, else
+//! cut loose. Every change is listed with its count and its vertices.
 //! Nothing is welded where the surface is whole already: two closed bodies that touch stay two,
 //! and so do two holes that share a corner.
 
@@ -32,7 +32,8 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum Weld {
-    /// Within 1e-6 of the diagonal of the bounding box, and a hundredth of the median edge.
+    /// Within 1e-6 of the diagonal of the bounding box or, of coordinates in single precision, four
+    /// units in the last place of the largest; no farther than a hundredth of the median edge.
     #[default]
     Auto,
     /// Not at all.
@@ -81,9 +82,15 @@ messages! {
             /// How many.
             count: usize,
         },
-        /// Faces at an edge of more than two that no cut could take apart were dropped.
-        TangledFaces {
+        /// Edges of more than two faces whose ends hang together elsewhere were doubled: by a vertex
+        /// in the middle that all but two of the faces have.
+        DoubledEdges {
             /// How many.
+            count: usize,
+        },
+        /// Faces of walls inside a body were dropped.
+        Walls {
+            /// How many faces.
             count: usize,
         },
     }
@@ -229,6 +236,7 @@ fn changed(soup: &mut PolygonSoup, origin: &mut Vec<u32>, weld: Weld) -> Vec<Cha
     changes.extend(flat.change(|count| R::FlatFaces { count }));
     changes.extend(inserted.change(|count| R::Inserted { count }));
     if sheet::has_crowded_edge(soup) {
+        changes.extend(sheet::drop_walls(soup));
         changes.extend(sheet::drop_fins(soup));
         changes.extend(sheet::cut(soup, origin));
     }
@@ -279,7 +287,15 @@ fn automatic(x: &[DVec3], mut lengths: Vec<f64>) -> Option<f64> {
     let (low, high) = bounds(x);
     let middle = lengths.len() / 2;
     let (_, median, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
-    Some((1e-6 * low.distance(high)).min(1e-2 * *median))
+    // A corner that each face rounds on its own is off by half a unit in each coordinate.
+    let is_single = |c: f64| f64::from(c as f32) == c;
+    let rounded = if x.iter().all(|p| p.to_array().into_iter().all(is_single)) {
+        4.0 * f64::from(f32::EPSILON) * low.abs().max(high.abs()).max_element()
+    } else {
+        0.0
+    };
+    let near = (1e-6 * low.distance(high)).max(rounded);
+    Some(near.min(1e-2 * *median))
 }
 
 /// Corners of the bounding box.

@@ -100,10 +100,85 @@ pub(super) fn drop_fins(soup: &mut PolygonSoup) -> Option<Change> {
     Some(Change::of(&RepairChange::Fins { count }, 0, vertices))
 }
 
+/// Drops walls inside: sheets that end at edges of three faces alone, where the other two go on in
+/// sheets that end nowhere else either. The smallest go first: of the sheets that share a rim a flat
+/// wall is the smallest.
+pub(super) fn drop_walls(soup: &mut PolygonSoup) -> Option<Change> {
+    let mut faces = Faces::of(soup);
+    let (mut count, mut vertices) = (0, Vec::new());
+    loop {
+        let all = sheets(&faces);
+        let mut sheet_of = vec![0; faces.len()];
+        for (name, sheet) in all.iter().enumerate() {
+            sheet.iter().for_each(|&f| sheet_of[f] = name);
+        }
+        let ends = |sheet: &Vec<usize>| {
+            let mut sides = sheet.iter().flat_map(|&f| sides(faces.face(f)));
+            sides.any(|(a, b)| faces.at(a, b).len() == 1)
+        };
+        let ends: Vec<bool> = all.iter().map(ends).collect();
+        let is_wall = |name: usize| {
+            let sides = all[name].iter().flat_map(|&f| sides(faces.face(f)));
+            let mut rims = sides
+                .map(|(a, b)| faces.at(a, b))
+                .filter(|of| of.len() != 2);
+            let is_rim = |of: &[u32]| {
+                let others = of
+                    .iter()
+                    .map(|f| sheet_of[*f as usize])
+                    .filter(|s| *s != name);
+                of.len() == 3 && others.clone().count() == 2 && others.into_iter().all(|s| !ends[s])
+            };
+            rims.next().is_some_and(is_rim) && rims.all(is_rim)
+        };
+        let area = |name: usize| -> f64 {
+            let areas = all[name]
+                .iter()
+                .map(|&f| area_of(faces.face(f), &soup.positions));
+            areas.sum()
+        };
+        let mut walls: Vec<usize> = (0..all.len()).filter(|name| is_wall(*name)).collect();
+        order::sort_by(&mut walls, |s, t| {
+            area(*s).total_cmp(&area(*t)).then(s.cmp(t))
+        });
+        // Where one is gone two others have become one.
+        let mut is_settled = vec![false; all.len()];
+        let mut gone = Vec::new();
+        for &wall in &walls {
+            let sides = all[wall].iter().flat_map(|&f| sides(faces.face(f)));
+            let near = sides.flat_map(|(a, b)| faces.at(a, b));
+            let near: Vec<usize> = near.map(|f| sheet_of[*f as usize]).collect();
+            if !near.iter().any(|sheet| is_settled[*sheet]) {
+                near.into_iter().for_each(|sheet| is_settled[sheet] = true);
+                gone.extend(&all[wall]);
+            }
+        }
+        if gone.is_empty() {
+            break;
+        }
+        count += gone.len();
+        for f in gone {
+            vertices.extend(faces.remove(f));
+        }
+    }
+    if count == 0 {
+        return None;
+    }
+    faces.write_to(soup);
+    Some(Change::of(&RepairChange::Walls { count }, 0, vertices))
+}
+
+/// Area of a polygon, of one that is not flat that of its vector area.
+fn area_of(face: &[u32], x: &[DVec3]) -> f64 {
+    let at = |v: u32| x[v as usize] - x[face[0] as usize];
+    let crosses = face.windows(2).map(|pair| at(pair[0]).cross(at(pair[1])));
+    0.5 * crosses.sum::<DVec3>().length()
+}
+
 /// Gives each sheet at an edge of more than two faces vertices of its own there. Two faces go on
 /// as one where they agree in orientation, belong together elsewhere, and lie most nearly
-/// opposite each other. What cannot be taken apart, as its ends hang together elsewhere, is
-/// dropped. `origin` learns what new vertices are copies of.
+/// opposite each other. An edge that cannot be taken apart, as its ends hang together elsewhere, is
+/// doubled. `origin` learns what new vertices are copies of.
 pub(super) fn cut(soup: &mut PolygonSoup, origin: &mut Vec<u32>) -> Vec<Change> {
     let (mut count, mut vertices) = (0, Vec::new());
     for round in 0..2 {
@@ -125,38 +200,66 @@ pub(super) fn cut(soup: &mut PolygonSoup, origin: &mut Vec<u32>) -> Vec<Change> 
         for (name, sheet) in sheets(&faces).iter().enumerate() {
             sheet.iter().for_each(|&f| sheet_of[f] = name);
         }
+        let is_one = |f: u32, g: u32| sheet_of[f as usize] == sheet_of[g as usize];
         let pairs: BTreeMap<(u32, u32), Vec<(u32, u32)>> = crowded
             .iter()
-            .map(|&ends| (ends, paired(&faces, &sheet_of, ends, &soup.positions)))
+            .map(|&ends| (ends, paired(&faces, is_one, ends, &soup.positions)))
             .collect();
         split(soup, origin, &faces, &pairs);
     }
-    if count == 0 {
-        return Vec::new();
-    }
-    let mut changes = vec![Change::of(&RepairChange::CutEdges { count }, 0, vertices)];
-    // What still hangs together.
-    let mut faces = Faces::of(soup);
-    let crowded = faces.edges().filter(|(_, of)| of.len() > 2);
-    let mut tangled: Vec<u32> = crowded.flat_map(|(_, of)| of[2..].to_vec()).collect();
-    tangled.sort_unstable();
-    tangled.dedup();
-    if !tangled.is_empty() {
-        let count = tangled.len();
-        let corners = tangled.into_iter().flat_map(|f| faces.remove(f as usize));
-        let corners: Vec<u32> = corners.map(|v| origin[v as usize]).collect();
-        changes.push(Change::of(
-            &RepairChange::TangledFaces { count },
-            0,
-            corners,
-        ));
-        faces.write_to(soup);
-    }
-    changes
+    let doubled = double_edges(soup, origin);
+    let count = count
+        - doubled
+            .as_ref()
+            .map_or(0, |doubled| doubled.count)
+            .min(count);
+    let cut = (count > 0).then(|| Change::of(&RepairChange::CutEdges { count }, 0, vertices));
+    cut.into_iter().chain(doubled).collect()
 }
 
-/// Which faces at an edge go on as one sheet.
-fn paired(faces: &Faces, sheet_of: &[usize], (a, b): (u32, u32), x: &[DVec3]) -> Vec<(u32, u32)> {
+/// Gives each pair of faces but the first, at every edge of more than two, a vertex in the middle.
+fn double_edges(soup: &mut PolygonSoup, origin: &mut Vec<u32>) -> Option<Change> {
+    let mut faces = Faces::of(soup);
+    let crowded = faces.edges().filter(|(_, of)| of.len() > 2);
+    let mut crowded: Vec<(u32, u32)> = crowded.map(|(ends, _)| *ends).collect();
+    if crowded.is_empty() {
+        return None;
+    }
+    order::sort(&mut crowded);
+    let mut vertices = Vec::new();
+    for &(a, b) in &crowded {
+        vertices.extend([origin[a as usize], origin[b as usize]]);
+        let pairs = paired(&faces, |_, _| true, (a, b), &soup.positions);
+        let in_pairs = |f: &u32| pairs.iter().any(|(g, h)| g == f || h == f);
+        let alone = faces.at(a, b).iter().filter(|f| !in_pairs(f));
+        let alone: Vec<Vec<u32>> = alone.map(|f| vec![*f]).collect();
+        let others = pairs[1..].iter().map(|(f, g)| vec![*f, *g]);
+        for sheet in others.chain(alone) {
+            let middle = soup.positions.len() as u32;
+            let [p, q] = [a, b].map(|v| soup.positions[v as usize]);
+            soup.positions.push(p.midpoint(q));
+            origin.push(origin[a as usize]);
+            for f in sheet {
+                faces.insert(f as usize, (a, b), middle);
+            }
+        }
+    }
+    faces.write_to(soup);
+    let count = crowded.len();
+    Some(Change::of(
+        &RepairChange::DoubledEdges { count },
+        0,
+        vertices,
+    ))
+}
+
+/// Which faces at an edge go on as one sheet; `is_one` tells whether two belong together elsewhere.
+fn paired(
+    faces: &Faces,
+    is_one: impl Fn(u32, u32) -> bool,
+    (a, b): (u32, u32),
+    x: &[DVec3],
+) -> Vec<(u32, u32)> {
     let axis = (x[b as usize] - x[a as usize]).normalize_or_zero();
     // Of each face the direction away from the edge, and whether it runs from a to b.
     let wings: Vec<(u32, DVec3, bool)> = faces
@@ -187,8 +290,8 @@ fn paired(faces: &Faces, sheet_of: &[usize], (a, b): (u32, u32), x: &[DVec3]) ->
     for (i, (f, p, runs)) in wings.iter().enumerate() {
         for (g, q, other) in &wings[i + 1..] {
             // Of one sheet first, flattest first; faces that disagree last.
-            let is_one = sheet_of[*f as usize] == sheet_of[*g as usize];
-            let far = if is_one { 0.0 } else { 4.0 } + if runs == other { 8.0 } else { 0.0 };
+            let far =
+                if is_one(*f, *g) { 0.0 } else { 4.0 } + if runs == other { 8.0 } else { 0.0 };
             let bend = if has_wall && runs != other {
                 let along = if *runs { axis } else { -axis };
                 inside(along.cross(*p), *p, *q)

@@ -25,20 +25,21 @@ pub fn is_suspect(mesh: &HalfedgeMesh, x: &[DVec3], weld: Weld) -> bool {
 }
 
 deferred! {
-    /// Whether two parts may lie on each other: their vertices have the same places.
+    /// Whether two faces may lie on each other: their corners have the same places.
     fn has_twins(mesh: &HalfedgeMesh, x: &[DVec3]) -> bool {
-        let (component, count) = mesh.components();
-        // Of each part how many vertices, and a sum of their places that no order changes.
-        let mut parts = vec![(0usize, 0u64); count];
-        for (p, &part) in x.iter().zip(&component) {
+        let place = |p: &DVec3| {
             let mut hasher = Mixed::default();
             (*p + 0.0).to_array().map(f64::to_bits).hash(&mut hasher);
-            let (vertices, sum) = &mut parts[part as usize];
-            *vertices += 1;
-            *sum = sum.wrapping_add(hasher.finish());
-        }
+            hasher.finish()
+        };
+        let places: Vec<u64> = x.iter().map(place).collect();
+        // A sum of them that no order changes.
+        let sum = |f| {
+            let corners = mesh.face_vertices(f).map(|v| places[v.0 as usize]);
+            corners.fold(0, u64::wrapping_add)
+        };
         let mut seen = Table::default();
-        parts.into_iter().any(|part| seen.insert(part, ()).is_some())
+        mesh.faces().any(|f| seen.insert(sum(f), ()).is_some())
     }
 }
 

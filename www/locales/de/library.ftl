@@ -3,19 +3,19 @@
 ## Flüsse: ihre Namen, und die schlichte Zeile darunter
 
 flow-circle = Willmore durch Kreiswinkel
-    .plain = So rund wie möglich. Geschlossene und berandete Netze.
+    .plain = So rund wie möglich. Für jedes Netz.
 flow-p-willmore = p-Willmore
-    .plain = Inhalt oder Volumen bleiben, Exponent p nach Wahl. Geschlossene Netze.
+    .plain = Flächeninhalt oder Volumen fest, jeder Exponent p.
 flow-mean-curvature = Mittlere Krümmung
-    .plain = Verkleinert den Flächeninhalt so schnell wie möglich.
+    .plain = Verkleinert die Fläche so schnell wie möglich.
 flow-volume-preserving = Mittlere Krümmung bei festem Volumen
-    .plain = Verkleinert den Flächeninhalt bei festem Volumen: Am besten ist eine Kugel. Geschlossene Netze.
+    .plain = Verkleinert die Fläche, das Volumen bleibt.
 flow-surface-diffusion = Oberflächendiffusion
-    .plain = Verkleinert den Flächeninhalt, das Volumen bleibt.
+    .plain = Glättet die Fläche, das Volumen bleibt.
 flow-willmore = Willmore durch angepasste Operatoren
-    .plain = Biegt sich so wenig wie möglich zwischen dem Festen.
+    .plain = So wenig gebogen, wie das Feste es zulässt.
 flow-mmcv = Minimale Krümmungsvariation, sechster Ordnung
-    .plain = Das glatteste Stück: die Krümmung ändert sich am wenigsten.
+    .plain = Das glatteste Stück: Krümmung ohne Wechsel.
 flow-flips = Kantenflips
     .plain = Bewegt keine Ecke, tauscht nur Kanten.
 
@@ -391,7 +391,7 @@ sample-spheroid-shows = Wird rund, während das Volumen bleibt: Der Flächeninha
 sample-letter-c-shows = Rundet sich mit p = 2 zur Sphäre; schrumpft mit p = 0, wächst mit p = 4 (p-Willmore, Abbildung 2).
 sample-thin-torus-shows = Verdickt sich zum Clifford-Torus: ∫H² fällt auf 2π² (p-Willmore, Abbildung 4).
 sample-torus-knot-shows = Bei festem Inhalt und Volumen; ohne Regularisierung entartet das Netz (p-Willmore, Abbildung 5).
-sample-bad-mesh-shows = Dreiecke sind umgeklappt; „Netz jetzt regularisieren“ heilt sie, ohne die Form zu ändern (p-Willmore, Abbildungen 3, 7 und 11).
+sample-bad-mesh-shows = Dreiecke sind umgeklappt; „Dreiecke ausgleichen“ heilt sie, ohne die Form zu ändern (p-Willmore, Abbildungen 3, 7 und 11).
 sample-trefoil-kept-shows = Ein dicker verknoteter Schlauch kommt auf einem Plateau von ∫H² zur Ruhe (p-Willmore, Abbildung 9).
 sample-trefoil-tube-shows = Ein verknoteter Schlauch geht durch sich hindurch und endet als Clifford-Torus: ∫H² = 2π² (Pinkall; Marques und Neves).
 sample-linked-tubes-shows = Zwei verschlungene Schläuche gehen durcheinander hindurch und enden als zwei Clifford-Tori: ∫H² = 4π².
@@ -422,7 +422,7 @@ sample-cyclide-shows = Ein Möbius-Bild des Clifford-Torus, mit derselben Energi
 sample-inverted-catenoid-shows = Zwei Blätter, die sich in einem Punkt berühren: ∫H² = 8π, wie bei jeder invertierten Minimalfläche mit zwei Enden.
 sample-lawson-two-handles-shows = Fließt zu Lawsons ξ₂,₁, deren Symmetrien und Großkreise sie hat: ∫H² = 21,89, so wenig wie keine andere bekannte mit zwei Henkeln.
 sample-lawson-three-handles-shows = Fließt zu Lawsons ξ₃,₁: ∫H² = 22,82, so wenig wie keine andere bekannte mit drei Henkeln.
-sample-rough-mesh-shows = Ein Durchgang von „Netz jetzt regularisieren“ genügt hier (p-Willmore, Abbildung 7).
+sample-rough-mesh-shows = Ein Durchgang von „Dreiecke ausgleichen“ genügt hier (p-Willmore, Abbildung 7).
 sample-range-scan-shows = So groß wie der der Arbeit, mit ebenso vielen Löchern; hundert Schritte beginnen auch Merkmale wegzunehmen (Abbildung 12).
 
 ## Neue Dreiecke zwischen Schritten

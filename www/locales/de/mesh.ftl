@@ -97,10 +97,14 @@ repaired-cut-edges = Aufgeschnitten: { $count ->
     [one] { $count } Kante mit mehr als zwei Facetten
    *[other] { $count } Kanten mit mehr als zwei Facetten
 }; jedes Blatt hat nun seine eigene.
-repaired-tangled-faces = Weggelassen: { $count ->
-    [one] { $count } Facette
-   *[other] { $count } Facetten
-} an einer Kante mit mehr als zweien, die kein Schnitt trennt.
+repaired-doubled-edges = Verdoppelt: { $count ->
+    [one] { $count } Kante mit mehr als zwei Facetten, die kein Schnitt trennt; die Blätter dort haben in ihrer Mitte
+   *[other] { $count } Kanten mit mehr als zwei Facetten, die kein Schnitt trennt; die Blätter dort haben in der Mitte
+} je eine eigene Ecke.
+repaired-walls = Weggelassen: { $count ->
+    [one] { $count } Facette einer inneren Wand, ohne die
+   *[other] { $count } Facetten innerer Wände, ohne die
+} die Fläche außen herum geschlossen ist.
 
 ## Unterteilung
 

@@ -39,7 +39,7 @@ option-pressure-help = mit p = 2, P in ∫|Y|² dA − PV, mal L³
 option-epsilon = Winkelglättung ε
 option-epsilon-help = Glättung der Winkel
 option-sharpen = Am Ende schärfen (ε → 0)
-option-sharpen-help = lässt epsilon am Ende gegen 0 gehen
+option-sharpen-help = lässt ε am Ende gegen 0 gehen
 
 option-criterion = Kriterium
     .area = Flächeninhalt
@@ -60,9 +60,9 @@ option-smoothSteps-help = in so vielen Schritten
 
 option-tau = Zeitschritt τ
     .absent = automatisch
-option-tau-help = Schrittweite ohne Einheit: durch h² (circle), durch L^k eines Flusses der Ordnung k, L die Größe dessen, was sich bewegt (die anderen)
+option-tau-help = Schrittweite ohne Einheit: dt/h² beim Fluss der Kreiswinkel, h die mittlere Kantenlänge; sonst dt/L^k, k die Ordnung, L die Größe dessen, was sich bewegt
 option-dt = Zeitschritt dt
-option-dt-help = Schrittweite in der Einheit des Netzes: Länge², bei p-willmore Länge^(p+2), bei einem Fluss der Ordnung k Länge^k
+option-dt-help = Schrittweite in der Einheit des Netzes: Länge², bei p-Willmore Länge^(p+2), bei einem Fluss der Ordnung k Länge^k
 option-tauGrowth = Wachstum von τ
 option-tauGrowth-help = Faktor der Schrittweite nach jedem Schritt
 option-tauMax = Größtes τ

@@ -109,11 +109,14 @@ found-holes = { $count ->
     [one] { $count } Rand
    *[other] { $count } Ränder
 }
-    .hint = Jeder lässt sich füllen, oder zwei verbinden.
+    .hint = { $count ->
+        [one] Er lässt sich füllen.
+       *[other] Jeder lässt sich füllen, oder zwei verbinden.
+    }
 found-closed = Geschlossen
 found-two-sided = Kein Rand, mit Innen und Außen.
 found-one-sided = Kein Rand, einseitig.
-found-even = Die Dreiecke sind gleichmäßig
+found-even = Die Facetten sind gleichmäßig
 found-uneven = Manche Dreiecke sind Splitter
 found-angle = Kleinster Winkel { $angle }°
 fill-start = Füllen …
@@ -362,6 +365,7 @@ search-hint = Suchen, zum Beispiel „Knoten“ oder „Abb 6“
 shelves = Regale
 open-now = Jetzt offen
 library-size = { $vertices } Ecken
+library-none = Nichts heißt so und nichts davon steht darin. Leeren Sie das Suchfeld, um alles zu sehen.
 library-count = { $count ->
     [one] { $count } Fläche oder Abbildung
    *[other] { $count } Flächen und Abbildungen
@@ -416,7 +420,8 @@ key-ctrl-k = Strg K
 command-play = Abspielen oder anhalten
 command-step = Einen Schritt weiter
 command-back = Einen Schritt zurück
-command-reset = Zurück zum Anfang
+command-reset = Zurück zum Anfang, ohne die Schritte
+command-start = Zum Anfang
 command-end = Zum neuesten Schritt
 command-slower = Langsamer
 command-faster = Schneller

@@ -391,7 +391,7 @@ sample-spheroid-shows = Becomes round while its volume stays: the area falls, an
 sample-letter-c-shows = Rounds off to a sphere with p = 2; shrinks with p = 0, grows with p = 4 (p-Willmore, figure 2).
 sample-thin-torus-shows = Thickens into the Clifford torus: ∫H² falls to 2π² (p-Willmore, figure 4).
 sample-torus-knot-shows = Area and volume kept; without regularisation the mesh degenerates (p-Willmore, figure 5).
-sample-bad-mesh-shows = Triangles have turned over; “Regularise the mesh now” mends them without changing the shape (p-Willmore, figures 3, 7 and 11).
+sample-bad-mesh-shows = Triangles have turned over; “Even out triangles” mends them without changing the shape (p-Willmore, figures 3, 7 and 11).
 sample-trefoil-kept-shows = A thick knotted tube comes to rest on a plateau of ∫H² (p-Willmore, figure 9).
 sample-trefoil-tube-shows = A knotted tube passes through itself and ends as the Clifford torus: ∫H² = 2π² (Pinkall; Marques and Neves).
 sample-linked-tubes-shows = Two linked tubes pass through each other and end as two Clifford tori: ∫H² = 4π².
@@ -422,7 +422,7 @@ sample-cyclide-shows = A Möbius image of the Clifford torus, with the same ener
 sample-inverted-catenoid-shows = Two sheets that touch in a point: ∫H² = 8π, as of every inverted minimal surface with two ends.
 sample-lawson-two-handles-shows = Flows to Lawson’s ξ₂,₁, of which it has the symmetries and the great circles: ∫H² = 21.89, the least known with two handles.
 sample-lawson-three-handles-shows = Flows to Lawson’s ξ₃,₁: ∫H² = 22.82, the least known with three handles.
-sample-rough-mesh-shows = One pass of “Regularise the mesh now” is enough here (p-Willmore, figure 7).
+sample-rough-mesh-shows = One pass of “Even out triangles” is enough here (p-Willmore, figure 7).
 sample-range-scan-shows = As large as the paper’s, with as many holes; a hundred steps begin to take the features too (figure 12).
 
 ## New triangles between steps

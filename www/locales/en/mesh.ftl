@@ -103,10 +103,14 @@ repaired-cut-edges = Cut { $count ->
     [one] { $count } edge of more than two faces
    *[other] { $count } edges of more than two faces
 }, so that each sheet has its own.
-repaired-tangled-faces = Dropped { $count ->
-    [one] { $count } face
-   *[other] { $count } faces
-} at an edge of more than two that no cut takes apart.
+repaired-doubled-edges = Doubled { $count ->
+    [one] { $count } edge of more than two faces that no cut takes apart: the sheets that meet there have
+   *[other] { $count } edges of more than two faces that no cut takes apart: the sheets that meet there have
+} a vertex of their own in its middle.
+repaired-walls = Dropped { $count ->
+    [one] { $count } face of a wall inside, which
+   *[other] { $count } faces of walls inside, which
+} the surface around closes without.
 
 ## Subdivision
 

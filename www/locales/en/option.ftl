@@ -39,7 +39,7 @@ option-pressure-help = with p = 2, P in ∫|Y|² dA − PV, times L³
 option-epsilon = Angle smoothing ε
 option-epsilon-help = smoothing of the angles
 option-sharpen = Sharpen at the end (ε → 0)
-option-sharpen-help = lets epsilon go to 0 at the end
+option-sharpen-help = lets ε go to 0 at the end
 
 option-criterion = Criterion
     .area = Area
@@ -60,9 +60,9 @@ option-smoothSteps-help = in so many steps
 
 option-tau = Time step τ
     .absent = automatic
-option-tau-help = step size without a unit: over h² (circle), over L^k of a flow of order k, L the size of what moves (the others)
+option-tau-help = step size without a unit: dt/h² of the flow by circle angles, h the mean edge length; else dt/L^k, k the order, L the size of what moves
 option-dt = Time step dt
-option-dt-help = step size in the unit of the mesh: length², for p-willmore length^(p+2), for a flow of order k length^k
+option-dt-help = step size in the unit of the mesh: length², for p-Willmore length^(p+2), for a flow of order k length^k
 option-tauGrowth = Growth of τ
 option-tauGrowth-help = factor on the step size after each step
 option-tauMax = Largest τ

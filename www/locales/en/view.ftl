@@ -109,11 +109,14 @@ found-holes = { $count ->
     [one] { $count } boundary
    *[other] { $count } boundaries
 }
-    .hint = Each can be filled, or two be bridged.
+    .hint = { $count ->
+        [one] It can be filled.
+       *[other] Each can be filled, or two be bridged.
+    }
 found-closed = Closed
 found-two-sided = No boundary, with an inside and an outside.
 found-one-sided = No boundary, one-sided.
-found-even = Triangles are even
+found-even = Faces are even
 found-uneven = Some triangles are slivers
 found-angle = Smallest angle { $angle }°
 fill-start = Fill…
@@ -362,6 +365,7 @@ search-hint = Search, for example “knot” or “fig 6”
 shelves = Shelves
 open-now = Open now
 library-size = { $vertices } vertices
+library-none = Nothing is called so or speaks of it. Clear the search to see everything.
 library-count = { $count ->
     [one] { $count } surface or figure
    *[other] { $count } surfaces and figures
@@ -416,7 +420,8 @@ key-ctrl-k = Ctrl K
 command-play = Play or pause
 command-step = One step on
 command-back = One step back
-command-reset = Back to the start
+command-reset = Back to the start, forgetting the steps
+command-start = To the start
 command-end = To the latest step
 command-slower = Slower
 command-faster = Faster
