@@ -6,7 +6,7 @@ use super::lineage::Lineage;
 use super::message::Notice;
 use super::numbers::{Numbers, first_of};
 use super::readings::Info;
-use super::repairs::{Memo, Mended, RepairItem, preview};
+use super::repairs::{Memo, Mended, RepairItem, gap_left, preview};
 use crate::geometry::frame::Frame;
 use crate::geometry::measure;
 use crate::geometry::quality::flat_triangles;
@@ -225,9 +225,11 @@ impl Document {
     pub(super) fn info(&self) -> Info {
         let mut repairs = self.opened.clone();
         repairs.extend(preview(&self.mended, &self.polygons, &self.start));
+        let gap = gap_left(&self.mended, &self.polygons, &self.start);
         interrupt::pulse();
         Info {
             repairs,
+            gap,
             ..Info::of(&self.polygons, &self.triangles, &self.start, &self.warnings)
         }
     }

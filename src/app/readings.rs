@@ -17,7 +17,6 @@ use crate::message::Message;
 use crate::operator::{Elements, Mass};
 use crate::remesh::adaptive::Soundness;
 use crate::remesh::fill::boundary_loops;
-use crate::remesh::repair;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -63,7 +62,7 @@ pub struct Info {
     /// What a repair does to the file: what was safe, and done when it was opened, and what
     /// [`Session::repair`](super::Session::repair) would change now.
     pub repairs: Vec<RepairItem>,
-    /// A length within which a weld closes gaps that no repair closes by itself; see
+    /// A length within which a weld closes gaps that the usual repair leaves; see
     /// [`gap`](crate::remesh::repair::gap). Left out where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
@@ -103,7 +102,7 @@ impl Info {
             self_intersections,
             warnings,
             repairs: Vec::new(),
-            gap: repair::gap(mesh, x),
+            gap: None,
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::arrays::TypedArray;
 use crate::mesh::{self, Built, HalfedgeMesh, MeshError};
 use crate::message::Message;
-use crate::remesh::repair::{Change, Repaired, Weld, is_suspect, repair};
+use crate::remesh::repair::{Change, Repaired, Weld, gap, is_suspect, repair};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 use serde::Serialize;
@@ -168,6 +168,16 @@ pub(super) fn preview(memo: &Memo, mesh: &Rc<HalfedgeMesh>, x: &[DVec3]) -> Vec<
     }
     memo.keep(mesh, x, mended);
     items
+}
+
+/// A length within which a weld closes what the usual repair leaves open.
+pub(super) fn gap_left(memo: &Memo, mesh: &Rc<HalfedgeMesh>, x: &[DVec3]) -> Option<f64> {
+    let known = memo.0.borrow();
+    let known = known.as_ref();
+    match known.filter(|known| Rc::ptr_eq(&known.mesh, mesh) && known.x == x) {
+        Some(Known { mended, .. }) => gap(&mended.built.mesh, &mended.built.positions),
+        None => gap(mesh, x),
+    }
 }
 
 #[cfg(test)]

@@ -184,3 +184,22 @@ test("fill refuses in words", () => {
   const rim = json(["fill", file("triangle.off")], 3);
   assert.deepEqual([rim.kind, /outer rim/.test(rim.message)], ["NoSmallLoops", true]);
 });
+
+test("info lists the boundary loops by the numbers that fill takes", () => {
+  const mesh = shape("cylinder");
+  const { loops, ...info } = json(["info", mesh]);
+  assert.equal(loops.length, info.boundaryLoops);
+  for (const { number, edges, length, vertex, small } of loops) {
+    // Both mouths of the tube, which stay open unless chosen.
+    assert.equal(small, false);
+    const filled = json(["fill", mesh, "--loops", String(number)]);
+    assert.deepEqual(filled.filled, [number]);
+    // A circle of as many edges, about the axis at the vertex.
+    const [x, y] = lines(mesh).vertices[vertex].split(" ").map(Number);
+    const around = 2 * edges * Math.sin(Math.PI / edges) * Math.hypot(x, y);
+    assert.ok(Math.abs(length - around) < 1e-9, `${length}, ${around}`);
+  }
+  const words = umbilic(["info", mesh]);
+  assert.match(words.out, /^loop 1: \d+ edges, length [\d.]+, at vertex \d+; no small hole$/m);
+  assert.equal(json(["info", shape("octahedron")]).loops, undefined);
+});

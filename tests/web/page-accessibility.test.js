@@ -114,6 +114,19 @@ test("on a phone targets are large, and with a sheet open there is still a surfa
   assert.deepEqual(small, []);
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   assert.ok(overflow <= 0, String(overflow));
+  // A tap on the handle makes the sheet tall, and chooses nothing of what is then below the finger.
+  await page.keyboard.press(".");
+  await until(page, "Paused at step 1");
+  const sheet = page.getByRole("tabpanel");
+  await sheet.locator(".grip").tap();
+  await page.locator(".panel.tall").waitFor();
+  assert.equal(await stepOf(page), 1);
+  await page.getByRole("option", { name: /^Willmore by circle/, selected: true }).waitFor();
+  // The next tab begins at its beginning.
+  await sheet.locator(".body").evaluate((body) => body.scrollTo(0, 200));
+  await page.getByRole("tab", { name: "Measure" }).tap();
+  await page.getByRole("table", { name: "Readings" }).waitFor();
+  assert.equal(await sheet.locator(".body").evaluate((body) => body.scrollTop), 0);
   assert.deepEqual(faults, []);
   await close();
 });

@@ -42,6 +42,12 @@ test("steps forwards and backwards, each press one, and back to the start", asyn
   await page.keyboard.press(".");
   await until(page, "Paused at step 5");
   assert.equal(await energy(page), fifth);
+  // To the start and to the latest step: nothing is forgotten on the way.
+  await page.keyboard.press("Home");
+  await until(page, "Ready");
+  await page.keyboard.press("End");
+  await until(page, "Paused at step 5");
+  assert.equal(await energy(page), fifth);
   await button(page, "Reset").click();
   await until(page, "Ready");
   assert.equal(await energy(page), first);

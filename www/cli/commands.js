@@ -1,6 +1,7 @@
 // The commands there are.
 
 import * as schema from "../generated/schema.js";
+import { numberOf } from "../numbers.js";
 import { bench } from "./bench.js";
 import { out } from "./command.js";
 import { isRefusal, orExit } from "./failure.js";
@@ -24,11 +25,24 @@ function infoOf(perform, mesh) {
   }
 }
 
+/**
+ * A boundary loop by its number, with one of its vertices as the file counts.
+ * @param {import("../generated/types.js").LoopInfo} loop @param {number} number
+ */
+const loopOf = ({ edges, length, small, vertices }, number) => ({
+  ...{ number, edges, length, small },
+  vertex: numberOf("vertices", vertices[0]),
+});
+
 /** @type {Record<string, import("./command.js").Spec>} */
 export const commands = {
   info: {
     summary: "what a mesh is and what is odd about it",
-    run: ({ perform }) => ({ result: inWords(perform("info")) }),
+    run({ perform }) {
+      const info = perform("info");
+      const loops = info.boundaryLoops > 0 && perform("loops").map(loopOf);
+      return { result: { ...inWords(info), ...(loops && { loops }) } };
+    },
   },
   repair: {
     summary: "makes a whole surface of a broken file, and lists what it changed",

@@ -52,7 +52,7 @@ export function table(rows, left = 1) {
  * key.
  * @param {Record<string, any>} result @returns {string}
  */
-export function print({ message, warnings = [], changes, repairs = [], ...rest }) {
+export function print({ message, warnings = [], changes, repairs = [], loops = [], ...rest }) {
   const { before, after, initial, final, ...others } = rest;
   const sides = before ? { before, after } : initial && { initial, final };
   // A file that was no surface has nothing to stand before it.
@@ -68,11 +68,26 @@ export function print({ message, warnings = [], changes, repairs = [], ...rest }
     changes ? lines(changes.map(said)) || "Nothing was to be repaired.\n" : "",
     rows.length > 0 ? table(rows) : "",
     sides ? compared(sides) : "",
+    listOf(loops),
     lines(warnings, "warning: "),
     wanting.length > 0 ? lines([...wanting, repairWay]) : "",
     gap === undefined ? "" : `Boundaries run close beside each other: try --weld ${gap}\n`,
   ];
   return parts.filter((part) => part !== "").join("\n");
+}
+
+/** Most boundary loops that are listed. */
+const MOST_LOOPS = 20;
+
+/** @param {readonly Record<string, any>[]} loops */
+function listOf(loops) {
+  const said = loops.slice(0, MOST_LOOPS).map((loop) => {
+    const { small, length, ...rest } = loop;
+    return say("loop-line", { ...rest, length: format(length), small: String(small) });
+  });
+  const more = loops.length - said.length;
+  if (more > 0) said.push(say("loop-more", { count: more }));
+  return said.map((line) => `${line}\n`).join("");
 }
 
 /** Two objects of the same keys side by side. @param {Record<string, object>} sides */

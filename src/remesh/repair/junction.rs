@@ -65,28 +65,12 @@ impl<'a> Rims<'a> {
     fn on_edge(&self, (a, b): (u32, u32)) -> Vec<u32> {
         let at = |v: u32| self.x[v as usize];
         let (p, q) = (at(a), at(b));
-        let along = q - p;
-        let length = along.length();
         // Rounding of the coordinates, where nothing is to be welded.
         let near = self.near.max(1e-12 * (p.abs() + q.abs()).max_element());
-        let reach = DVec3::splat(near);
-        let parts = (length / self.grid.size()).ceil().max(1.0) as usize;
-        let mut found: Vec<(f64, u32)> = Vec::new();
-        for part in 0..parts {
-            let [s, t] = [part, part + 1].map(|i| p + along * (i as f64 / parts as f64));
-            for v in self.grid.near(s.min(t) - reach, s.max(t) + reach) {
-                let r = at(v) - p;
-                let share = r.dot(along) / (length * length);
-                let is_inside = share * length > near && (1.0 - share) * length > near;
-                let is_on = (r - share * along).length() <= near;
-                if v != a && v != b && is_inside && is_on {
-                    found.push((share, v));
-                }
-            }
-        }
-        order::sort_by(&mut found, |s, t| s.0.total_cmp(&t.0).then(s.1.cmp(&t.1)));
+        let mut found = self.beside((a, b), near, near);
+        order::sort_by(&mut found, |s, t| s.1.total_cmp(&t.1).then(s.0.cmp(&t.0)));
         found.dedup();
-        let all: Vec<u32> = found.into_iter().map(|(_, v)| v).collect();
+        let all: Vec<u32> = found.into_iter().map(|(v, ..)| v).collect();
         let goes_on = |v: &u32| {
             self.around(*v).iter().any(|&w| {
                 let is_end = [p, q].iter().any(|end| at(w).distance(*end) <= near);
@@ -99,28 +83,68 @@ impl<'a> Rims<'a> {
         on
     }
 
-    /// A length within which vertices meet across a gap that is narrow for the edges at it: as
-    /// large as the widest of such, of which there must be two ends.
-    pub(super) fn gap(&self) -> Option<f64> {
-        let mut widest = 0.0_f64;
-        let mut ends = 0;
-        for v in self.vertices() {
-            let around = self.around(v);
-            let p = self.x[v as usize];
-            let length = |w: &u32| self.x[*w as usize].distance(p);
-            let shortest = around.iter().map(length).fold(f64::INFINITY, f64::min);
-            let narrow = NARROW * shortest;
-            let reach = DVec3::splat(narrow);
-            let others = self.grid.near(p - reach, p + reach);
-            let others = others.filter(|w| *w != v && !around.contains(w));
-            let nearest = others.map(|w| length(&w)).fold(f64::INFINITY, f64::min);
-            if nearest <= narrow && nearest > self.near {
-                widest = widest.max(nearest);
-                ends += 1;
+    /// Vertices no farther than `near` from an edge, beyond `off` of its ends: where along it, as a share
+    /// of its length, and how far from it.
+    fn beside(&self, (a, b): (u32, u32), near: f64, off: f64) -> Vec<(u32, f64, f64)> {
+        let (p, q) = (self.x[a as usize], self.x[b as usize]);
+        let along = q - p;
+        let length = along.length();
+        let reach = DVec3::splat(near);
+        let parts = (length / self.grid.size()).ceil().max(1.0) as usize;
+        let mut found = Vec::new();
+        for part in 0..parts {
+            let [s, t] = [part, part + 1].map(|i| p + along * (i as f64 / parts as f64));
+            for v in self.grid.near(s.min(t) - reach, s.max(t) + reach) {
+                let r = self.x[v as usize] - p;
+                let share = r.dot(along) / (length * length);
+                let is_inside = share * length > off && (1.0 - share) * length > off;
+                let distance = (r - share * along).length();
+                if v != a && v != b && is_inside && distance <= near {
+                    found.push((v, share, distance));
+                }
             }
         }
+        found
+    }
+
+    /// A length within which vertices meet others, or edges on which they lie, across a gap that is
+    /// narrow for the edges at it: as large as the widest of such, of which there must be two ends.
+    pub(super) fn gap(&self) -> Option<f64> {
+        let place = |v: u32| self.x[v as usize];
+        let length = |v: u32, w: &u32| place(*w).distance(place(v));
+        // Of each vertex how far it is from what is across, as far as that is narrow.
+        let mut across = vec![f64::INFINITY; self.x.len()];
+        for v in self.vertices() {
+            let around = self.around(v);
+            let shortest = around.iter().map(|w| length(v, w));
+            let narrow = NARROW * shortest.fold(f64::INFINITY, f64::min);
+            let reach = DVec3::splat(narrow);
+            let others = self.grid.near(place(v) - reach, place(v) + reach);
+            let others = others.filter(|w| *w != v && !around.contains(w));
+            let nearest = others.map(|w| length(v, &w)).fold(f64::INFINITY, f64::min);
+            if nearest <= narrow {
+                across[v as usize] = nearest;
+            }
+        }
+        for &(a, b) in &self.edges {
+            let narrow = NARROW * length(a, &b);
+            for (v, _, distance) in self.beside((a, b), narrow, self.near) {
+                let around = self.around(v);
+                let is_narrow = around.iter().all(|w| distance <= NARROW * length(v, w));
+                let is_neighbour = around.contains(&a) || around.contains(&b);
+                if is_narrow && !is_neighbour {
+                    let nearest = &mut across[v as usize];
+                    *nearest = nearest.min(distance);
+                }
+            }
+        }
+        let wide = across
+            .into_iter()
+            .filter(|d| *d > self.near && d.is_finite());
+        let wide: Vec<f64> = wide.collect();
         // A little more, so that rounding leaves none out.
-        (ends >= 2).then_some(1.01 * widest)
+        let widest = wide.iter().copied().fold(0.0, f64::max);
+        (wide.len() >= 2).then_some(1.01 * widest)
     }
 
     /// Whether two boundary vertices lie within `near` of each other, or one on an edge.

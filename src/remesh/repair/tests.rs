@@ -408,7 +408,7 @@ fn bodies_whose_edges_no_cut_takes_apart_stay_closed() {
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1);
-            if (state >> 33) % 2 == 0 {
+            if (state >> 33).is_multiple_of(2) {
                 voxels.push([k % 4, k / 4 % 4, k / 16]);
             }
         }
@@ -547,4 +547,44 @@ fn corners_that_each_face_rounds_to_single_precision_are_welded() {
         assert_eq!(kinds(&repaired), [("Welded", 3 * 1280 - 642)], "{far}");
         assert!(is_sphere(&repaired.soup), "{far}");
     }
+}
+
+#[test]
+fn a_vertex_beside_a_long_edge_tells_the_width_of_the_gap() {
+    // A box whose top has a vertex more on two sides than the walls, all a little above them.
+    let walls = blocks(&[[0, 0, 0]]);
+    let is_high = |v: &u32| walls.positions[*v as usize].z > 0.5;
+    let mut faces: Vec<Vec<u32>> = walls.faces().map(<[u32]>::to_vec).collect();
+    faces.retain(|face| !face.iter().all(is_high));
+    let mut x = walls.positions.clone();
+    let first = x.len() as u32;
+    let rim = [
+        (0.0, 0.0),
+        (0.5, 0.0),
+        (1.0, 0.0),
+        (1.0, 1.0),
+        (0.5, 1.0),
+        (0.0, 1.0),
+    ];
+    for width in [0.02, 0.002] {
+        let mut x = x.clone();
+        x.extend(rim.map(|(u, v)| DVec3::new(u, v, 1.0 + width)));
+        let mut faces = faces.clone();
+        faces.push(
+            (first..first + 3)
+                .chain([first + 3, first + 4, first + 5])
+                .collect(),
+        );
+        let soup = PolygonSoup::from_faces(x, &faces);
+        let open = build(&soup).expect("a surface");
+        let proposed = gap(&open.mesh, &open.positions).expect("a gap");
+        assert!((width..1.05 * width).contains(&proposed), "{proposed}");
+        assert_eq!(repair(&soup, Weld::Auto).changes, []);
+        let repaired = repair(&soup, Weld::Within(proposed));
+        assert!(is_sphere(&repaired.soup), "{:?}", repaired.changes);
+    }
+    // A hole as wide as an edge is none.
+    x.truncate(8);
+    let open = build(&PolygonSoup::from_faces(x, &faces)).expect("a surface");
+    assert_eq!(gap(&open.mesh, &open.positions), None);
 }

@@ -1,5 +1,13 @@
 # Was allein die Kommandozeile sagt: Optionen ihrer Befehle und Tabellen von Messungen.
 
+## Randkurven, wie `umbilic info` sie nennt
+
+loop-line = Randkurve { $number }: { $edges } Kanten, Länge { $length }, bei Ecke { $vertex }{ $small ->
+    [true] {""}
+   *[other] ; kein kleines Loch
+}
+loop-more = … und { $count } weitere: --json nennt alle
+
 ## Optionen anderer Befehle
 
 energy-p-help = weitere Exponenten von ∫|H|^p dA, neben 0 bis 4

@@ -167,7 +167,7 @@ fill-no-small-loops = { $loops ->
     [one] die Randkurve ist
    *[other] die { $loops } Randkurven sind
 } kein kleines Loch: Der äußere Rand eines Blatts und die Mündung einer Röhre bleiben offen, solange sie nicht gewählt werden
-    .hint = Verlangen Sie alle Randkurven, oder einige mit ihren Nummern.
+    .hint = Verlangen Sie alle Randkurven, oder einige mit ihren Nummern: `umbilic info` nennt sie, und „Löcher füllen“ zeigt sie.
 fill-no-room = an Randkurve { $index } ist kein Platz für einen Flicken: Er fiele auf Facetten, die es schon gibt
     .hint = Lassen Sie die Randkurve offen, oder löschen Sie die Facetten um sie.
 fill-not-orientable = die Fläche hat keine einheitliche Orientierung

@@ -1,5 +1,13 @@
 # What the command line alone says: options of its commands, and tables of measurements.
 
+## Boundary loops, as `umbilic info` lists them
+
+loop-line = loop { $number }: { $edges } edges, length { $length }, at vertex { $vertex }{ $small ->
+    [true] {""}
+   *[other] ; no small hole
+}
+loop-more = … and { $count } more: --json lists all
+
 ## Options of other commands
 
 energy-p-help = further exponents of ∫|H|^p dA, beside 0 to 4

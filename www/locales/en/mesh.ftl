@@ -173,7 +173,7 @@ fill-no-small-loops = { $loops ->
     [one] the boundary loop is
    *[other] the { $loops } boundary loops are
 } no small hole: the outer rim of a sheet and the mouth of a tube are left open unless chosen
-    .hint = Ask for all loops, or for some by their numbers.
+    .hint = Ask for all loops, or for some by their numbers: `umbilic info` lists them, and Fill holes shows them.
 fill-no-room = there is no room for a patch at boundary loop { $index }: it would fall onto faces that are there
     .hint = Leave the loop open, or delete the faces around it.
 fill-not-orientable = the surface has no consistent orientation
