@@ -16,13 +16,25 @@ pub fn triangle_quality([a, b, c]: [DVec3; 3]) -> f64 {
     }
 }
 
-/// Triangles of no more quality have no area.
-const FLAT: f64 = 1e-12;
+/// Height over length of the longest side, at and below which a triangle has no area: the digits
+/// that files are written with make as much of corners on a line.
+const FLAT: f64 = 1e-8;
 
-/// Triangles without area: corners on a line, or at one place.
+/// Whether a triangle has no area: corners on a line, or at one place.
+pub fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
+    let sides = [
+        a.distance_squared(b),
+        b.distance_squared(c),
+        c.distance_squared(a),
+    ];
+    (b - a).cross(c - a).length() <= FLAT * sides.into_iter().fold(0.0, f64::max)
+}
+
+/// Triangles without area.
 pub fn flat_triangles(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<Face> {
-    let quality = |f: &Face| triangle_quality(triangle_points(mesh, x, *f));
-    mesh.faces().filter(|f| quality(f) < FLAT).collect()
+    mesh.faces()
+        .filter(|f| is_flat(triangle_points(mesh, x, *f)))
+        .collect()
 }
 
 /// The worst triangle and its quality.

@@ -847,12 +847,13 @@ fn bodies_that_meet_in_an_edge_are_taken_apart() {
 
 /// A vertex of no face, a face with a corner twice, and a triangle of three corners on a line: all
 /// before or among the rest, so that the surface's own numbers are not the file's.
-fn with_flat_triangle() -> Vec<u8> {
+/// A corner is off the line of the two others by `off`, as far as the digits of a file leave it.
+fn with_flat_triangle(off: f64) -> Vec<u8> {
     let mut soup = Soup::sphere(6, 8);
     let [a, b, c] = [soup.faces[20][0], soup.faces[20][1], soup.faces[20][2]];
     let middle = soup.x.len();
     soup.x
-        .push([0, 1, 2].map(|k| 0.5 * (soup.x[a][k] + soup.x[b][k])));
+        .push([0, 1, 2].map(|k| 0.5 * (soup.x[a][k] + soup.x[b][k]) + off * soup.x[c][k]));
     // The neighbour across the edge keeps it; this side is divided.
     soup.faces[20] = vec![a, middle, c];
     soup.faces.push(vec![middle, b, c]);
@@ -867,11 +868,16 @@ fn with_flat_triangle() -> Vec<u8> {
 
 #[test]
 fn a_triangle_without_area_is_named_as_the_file_numbers_it_and_stops_flows_truthfully() {
-    let bytes = with_flat_triangle();
-    let text = String::from_utf8(bytes.clone()).expect("text");
+    for off in [0.0, 1e-12, 1e-9] {
+        a_triangle_without_area_is_named(&with_flat_triangle(off));
+    }
+}
+
+fn a_triangle_without_area_is_named(bytes: &[u8]) {
+    let text = String::from_utf8(bytes.to_vec()).expect("text");
     let faces: Vec<&str> = text.lines().filter(|line| line.starts_with('f')).collect();
     let mut session = Session::new();
-    let loaded = session.load(&bytes, "flat.obj").expect("a surface");
+    let loaded = session.load(bytes, "flat.obj").expect("a surface");
     let numbers = &loaded.numbers;
     assert_eq!(numbers.first, 1);
     let of_file = |list: &Option<umbilic::arrays::TypedArray<u32>>, n: f64| {
@@ -936,7 +942,9 @@ fn no_flow_is_at_rest_on_a_face_without_area() {
             let [a, b, c] = soup.faces[at][..] else {
                 panic!("no triangle");
             };
-            let middle = std::array::from_fn(|k| (soup.x[a][k] + soup.x[b][k]) / 2.0);
+            let off = if at == 3 { 0.0 } else { 1e-9 };
+            let middle = |k: usize| (soup.x[a][k] + soup.x[b][k]) / 2.0 + off * soup.x[c][k];
+            let middle = std::array::from_fn(middle);
             soup.x.push(middle);
             let m = soup.x.len() - 1;
             soup.faces[at] = vec![a, m, c];

@@ -2,12 +2,13 @@
 
 use super::collapse::Collapser;
 use super::faces::{Faces, sides};
+use crate::geometry::quality;
 use crate::order;
 use crate::soup::PolygonSoup;
 use glam::DVec3;
 
-/// Height over length of the longest side, at and below which a triangle has no area.
-const FLAT: f64 = 1e-10;
+/// A side no longer than this share of the longest has no length.
+const SHORT: f64 = 1e-10;
 
 /// How a triangle has no area.
 #[derive(Clone, Copy)]
@@ -24,19 +25,17 @@ fn flat(face: &[u32], x: &[DVec3]) -> Option<Flat> {
     let &[a, b, c] = face else {
         let length = |(a, b): (u32, u32)| at(a).distance_squared(at(b));
         let longest = sides(face).map(length).fold(0.0, f64::max);
-        let short = sides(face).find(|&side| length(side) <= FLAT * FLAT * longest);
+        let short = sides(face).find(|&side| length(side) <= SHORT * SHORT * longest);
         return short.map(|(a, b)| Flat::Short([a, b]));
     };
     let mut sides = [[a, b, c], [b, c, a], [c, a, b]];
     let length = |s: &[u32; 3]| at(s[0]).distance_squared(at(s[1]));
     order::sort_by(&mut sides, |s, t| length(s).total_cmp(&length(t)));
     let [shortest, _, longest] = sides;
-    let [p, q, r] = longest.map(at);
-    let twice = (q - p).cross(r - p).length();
-    if twice > FLAT * length(&longest) {
+    if !quality::is_flat(longest.map(at)) {
         return None;
     }
-    let is_short = length(&shortest) <= FLAT * FLAT * length(&longest);
+    let is_short = length(&shortest) <= SHORT * SHORT * length(&longest);
     Some(if is_short {
         Flat::Short([shortest[0], shortest[1]])
     } else {
