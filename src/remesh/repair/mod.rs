@@ -1,6 +1,7 @@
 //! Repairs that change a file's faces, on request: what people bring as a surface becomes one.
 //!
-//! In turn: sheets and bodies that lie on another are dropped; boundary vertices at the same place
+//! In turn: quadrilaterals whose sides cross get their corners in order; sheets and bodies that lie on
+//! another are dropped; boundary vertices at the same place
 //! are welded where that stitches two edges, so that boundary chains that coincide close; faces
 //! without area go; a vertex in the middle of a neighbour's edge is inserted there; sheets that hang
 //! on an edge of two other faces are dropped where they are walls between two others or small, else
@@ -9,6 +10,7 @@
 //! and so do two holes that share a corner.
 
 mod collapse;
+mod crossed;
 mod double;
 mod faces;
 mod flat;
@@ -47,6 +49,11 @@ messages! {
     /// What a repair has changed.
     #[derive(Clone, Debug, PartialEq)]
     pub enum RepairChange as "repaired" {
+        /// Corners of quadrilaterals whose sides crossed were put in order.
+        Uncrossed {
+            /// How many.
+            count: usize,
+        },
         /// Faces of sheets that lie exactly on an earlier one were dropped.
         DoubledFaces {
             /// How many.
@@ -206,7 +213,9 @@ fn changed(soup: &mut PolygonSoup, origin: &mut Vec<u32>, weld: Weld) -> Vec<Cha
     let cleaned = repairs.iter().filter_map(|r| Change::built(r, 0));
     let mut changes: Vec<Change> = cleaned.collect();
 
-    let mut doubled = Tally::default();
+    let [mut crossed, mut doubled] = [(); 2].map(|()| Tally::default());
+    crossed.add(crossed::uncross(soup));
+    changes.extend(crossed.change(|count| RepairChange::Uncrossed { count }));
     doubled.add(double::drop_doubles(soup));
     changes.extend(doubled.change(|count| RepairChange::DoubledFaces { count }));
     let near = distance(soup, weld);

@@ -2,7 +2,7 @@
 
 use super::hash::{Mixed, Table};
 use super::junction::Rims;
-use super::{Weld, automatic, flat};
+use super::{Weld, automatic, crossed, flat};
 use crate::geometry::measure::edge_length;
 use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
@@ -15,7 +15,7 @@ pub fn is_suspect(mesh: &HalfedgeMesh, x: &[DVec3], weld: Weld) -> bool {
     let mut has_flat = |f| {
         corners.clear();
         corners.extend(mesh.face_vertices(f).map(|v| v.0));
-        flat::is_flat(&corners, x)
+        flat::is_flat(&corners, x) || crossed::is_crossed(&corners, x)
     };
     if mesh.faces().any(&mut has_flat) || mesh.components().1 > 1 && has_twins(mesh, x) {
         return true;

@@ -588,3 +588,39 @@ fn a_vertex_beside_a_long_edge_tells_the_width_of_the_gap() {
     let open = build(&PolygonSoup::from_faces(x, &faces)).expect("a surface");
     assert_eq!(gap(&open.mesh, &open.positions), None);
 }
+
+#[test]
+fn quadrilaterals_in_the_order_of_rows_are_put_right() {
+    let whole = blocks(&[[0, 0, 0], [1, 0, 0]]);
+    let crossed = |which: &dyn Fn(usize) -> bool| {
+        let mut faces: Vec<Vec<u32>> = whole.faces().map(<[u32]>::to_vec).collect();
+        for (f, face) in faces.iter_mut().enumerate().filter(|(f, _)| which(*f)) {
+            // Either pair of sides.
+            if f % 4 == 0 {
+                face.swap(1, 2)
+            } else {
+                face.swap(2, 3)
+            }
+        }
+        PolygonSoup::from_faces(whole.positions.clone(), &faces)
+    };
+    for (which, count) in [
+        (&(|f: usize| f == 4) as &dyn Fn(usize) -> bool, 1),
+        (&|f| f > 5, 4),
+        (&|_| true, 10),
+    ] {
+        let repaired = repair(&crossed(which), Weld::Auto);
+        assert_eq!(kinds(&repaired)[0], ("Uncrossed", count));
+        let (is_closed, area, volume) = measures(&repaired.soup);
+        assert!(is_closed && (area - 10.0).abs() < 1e-12, "{area}");
+        assert!((volume - 2.0).abs() < 1e-12, "{volume}");
+        if let Ok(built) = build(&crossed(which)) {
+            assert!(is_suspect(&built.mesh, &built.positions, Weld::Auto));
+        }
+    }
+    // A quadrilateral that is bent or not convex is none of these.
+    let x = [(0., 0., 0.), (2., 0., 1.), (0.3, 0.3, 0.), (0., 2., 1.)]
+        .map(|(a, b, c)| DVec3::new(a, b, c));
+    let bent = PolygonSoup::from_faces(x.to_vec(), &[[0, 1, 2, 3]]);
+    assert_eq!(repair(&bent, Weld::Auto).changes, []);
+}

@@ -66,6 +66,10 @@ repair-turned-parts = Umgedreht: { $count ->
    *[other] { $count } geschlossene Teile, die umgestülpt waren
 }.
 
+repaired-uncrossed = In die richtige Reihenfolge gebracht: die Ecken { $count ->
+    [one] eines Vierecks
+   *[other] von { $count } Vierecken
+} mit gekreuzten Seiten.
 repaired-doubled-faces = Weggelassen: { $count ->
     [one] { $count } Facette, die
    *[other] { $count } Facetten, die

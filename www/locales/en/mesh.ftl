@@ -66,6 +66,10 @@ repair-turned-parts = Turned { $count ->
    *[other] { $count } closed parts that were
 } inside out.
 
+repaired-uncrossed = Put the corners of { $count ->
+    [one] { $count } quadrilateral whose sides crossed
+   *[other] { $count } quadrilaterals whose sides crossed
+} in order.
 repaired-doubled-faces = Dropped { $count ->
     [one] { $count } face that lies
    *[other] { $count } faces that lie
