@@ -97,6 +97,11 @@ messages! {
             /// How many.
             count: usize,
         },
+        /// Sides of faces that run out to a vertex and back were cut off.
+        SpikedFaces {
+            /// How many faces had some.
+            count: usize,
+        },
         /// Faces on the vertices of an earlier one were dropped.
         DuplicateFaces {
             /// How many.

@@ -21,7 +21,7 @@ pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> Poly
     clean.corners.reserve(soup.corners.len());
     clean.face_starts.reserve(soup.n_faces());
     let (mut degenerate, mut first_degenerate) = (0usize, 0usize);
-    let mut bridged = 0;
+    let (mut bridged, mut spiked) = (0, 0);
     let mut corners: Vec<u32> = Vec::new();
     let mut sorted: Vec<u32> = Vec::new();
     for (f, face) in soup.faces().enumerate() {
@@ -42,6 +42,11 @@ pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> Poly
                 triangles.iter().for_each(|t| clean.push_face(t));
                 continue;
             }
+            if cut_spikes(&mut corners) {
+                spiked += 1;
+                clean.push_face(&corners);
+                continue;
+            }
             if degenerate == 0 {
                 first_degenerate = f;
             }
@@ -60,6 +65,9 @@ pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> Poly
     if bridged > 0 {
         repairs.push(Repair::BridgedFaces { count: bridged });
     }
+    if spiked > 0 {
+        repairs.push(Repair::SpikedFaces { count: spiked });
+    }
     let duplicates = duplicate_faces(&clean);
     if !duplicates.is_empty() {
         repairs.push(Repair::DuplicateFaces {
@@ -68,6 +76,23 @@ pub(crate) fn clean_faces(soup: &PolygonSoup, repairs: &mut Vec<Repair>) -> Poly
         retain_faces(&mut clean, |f| duplicates.binary_search(&f).is_err());
     }
     clean
+}
+
+/// Cuts off where a polygon runs out to a vertex and back. Whether a polygon is left that passes no
+/// vertex twice.
+fn cut_spikes(corners: &mut Vec<u32>) -> bool {
+    let at = |corners: &[u32], i: usize| corners[i % corners.len()];
+    while corners.len() > 2 {
+        let spike = (0..corners.len()).find(|&i| at(corners, i) == at(corners, i + 2));
+        let Some(i) = spike else { break };
+        // The tip, and what is the same on both sides of it.
+        let tip = (i + 1) % corners.len();
+        corners.remove(tip);
+        corners.remove(if tip < corners.len() { tip } else { 0 });
+    }
+    let mut sorted = corners.clone();
+    sorted.sort_unstable();
+    corners.len() > 2 && sorted.windows(2).all(|pair| pair[0] != pair[1])
 }
 
 fn retain_faces(soup: &mut PolygonSoup, keep: impl Fn(usize) -> bool) {
@@ -227,4 +252,43 @@ pub(super) fn drop_unused_vertices(
     soup.corners.iter_mut().for_each(|v| *v = name[*v as usize]);
     soup.positions = kept.iter().map(|&v| soup.positions[v]).collect();
     kept.into_iter().map(|v| origin[v]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spike_is_cut_off_and_the_face_kept() {
+        for (spiked, plain) in [
+            (vec![0, 1, 2, 3, 9, 3], Some(vec![0, 1, 2, 3])),
+            // At the seam of the list, and one that is two sides long.
+            (vec![3, 0, 1, 2, 3, 9], Some(vec![0, 1, 2, 3])),
+            (vec![9, 3, 0, 1, 2, 3], Some(vec![0, 1, 2, 3])),
+            (vec![0, 1, 8, 9, 8, 1, 2], Some(vec![0, 1, 2])),
+            // Nothing else, and a loop that is no spike.
+            (vec![0, 1, 0, 1], None),
+            (vec![0, 1, 2, 0, 3, 4], None),
+        ] {
+            let mut corners = spiked.clone();
+            let is_left = cut_spikes(&mut corners);
+            assert_eq!(is_left, plain.is_some(), "{spiked:?}");
+            if let Some(plain) = plain {
+                let first = corners
+                    .iter()
+                    .position(|v| *v == plain[0])
+                    .expect("a corner");
+                corners.rotate_left(first);
+                assert_eq!(corners, plain);
+            }
+        }
+        // One that runs outwards, where no cut into triangles is to be had.
+        let x = [(0., 0.), (1., 0.), (1., 1.), (0., 1.), (2., 2.)];
+        let x = x.map(|(u, v)| glam::DVec3::new(u, v, 0.0)).to_vec();
+        let soup = PolygonSoup::from_faces(x, &[vec![0, 1, 2, 4, 2, 3]]);
+        let mut repairs = Vec::new();
+        let clean = clean_faces(&soup, &mut repairs);
+        assert_eq!(clean.faces().collect::<Vec<_>>(), [[0, 1, 2, 3]]);
+        assert_eq!(repairs, [Repair::SpikedFaces { count: 1 }]);
+    }
 }

@@ -944,7 +944,7 @@ warnings: Array<Message>,
  */
 repairs: Array<RepairItem>, 
 /**
- * A length within which a weld closes gaps that no repair closes by itself; see
+ * A length within which a weld closes gaps that the usual repair leaves; see
  * [`gap`](crate::remesh::repair::gap). Left out where there is none.
  */
 gap?: number, };

@@ -33,6 +33,13 @@ repair-bridged-faces = In Dreiecke zerlegt: { $count ->
     [one] { $count } Facette, die eine Ecke zweimal hat
    *[other] { $count } Facetten, die eine Ecke zweimal haben
 }, wie um ein Loch.
+repair-spiked-faces = Abgeschnitten, wo { $count ->
+    [one] { $count } Facette
+   *[other] { $count } Facetten
+} zu einer Ecke hin und zurück { $count ->
+    [one] läuft
+   *[other] laufen
+}.
 repair-duplicate-faces = Weggelassen: { $count ->
     [one] { $count } Facette
    *[other] { $count } Facetten

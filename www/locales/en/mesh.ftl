@@ -33,6 +33,10 @@ repair-bridged-faces = Cut { $count ->
     [one] { $count } face that passes a vertex twice
    *[other] { $count } faces that pass a vertex twice
 }, as around a hole, into triangles.
+repair-spiked-faces = Cut off where { $count ->
+    [one] { $count } face runs
+   *[other] { $count } faces run
+} out to a vertex and back.
 repair-duplicate-faces = Dropped { $count ->
     [one] { $count } face
    *[other] { $count } faces
