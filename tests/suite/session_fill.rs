@@ -442,3 +442,64 @@ fn a_folded_quadrilateral_beside_another_component_is_left_open() {
         }
     }
 }
+
+/// A sphere without these faces, as an OBJ file.
+fn sphere_without(gone: &[usize]) -> Vec<u8> {
+    let s = session("icosphere", &[("level", 3.0)]);
+    let text = String::from_utf8(s.export(Format::Obj).expect("a file")).expect("text");
+    let mut face = 0;
+    let kept = text.lines().filter(|line| {
+        let is_face = line.starts_with("f ");
+        face += usize::from(is_face);
+        !is_face || !gone.contains(&(face - 1))
+    });
+    kept.map(|line| format!("{line}\n"))
+        .collect::<String>()
+        .into_bytes()
+}
+
+/// Faces that have corners in common with others, in the order of the file.
+fn faces_of(bytes: &[u8]) -> Vec<Vec<u32>> {
+    let text = std::str::from_utf8(bytes).expect("text");
+    let faces = text.lines().filter_map(|line| line.strip_prefix("f "));
+    let numbers = |face: &str| {
+        face.split(' ')
+            .map(|v| v.parse().expect("a number"))
+            .collect()
+    };
+    faces.map(numbers).collect()
+}
+
+#[test]
+fn holes_around_an_island_are_filled_and_it_stays_a_part_of_the_surface() {
+    let whole = sphere_without(&[]);
+    let faces = faces_of(&whole);
+    let beside = |f: usize| -> Vec<usize> {
+        let shared = |g: &usize| faces[*g].iter().filter(|v| faces[f].contains(v)).count();
+        (0..faces.len())
+            .filter(|g| *g != f && shared(g) == 2)
+            .collect()
+    };
+    let area = opened(&whole).info().expect("a mesh").area;
+    let mut state = 3_u64;
+    let mut random = |n: usize| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (state >> 33) as usize % n
+    };
+    // About one face, about two, and wherever chance has it.
+    let mut cases = vec![beside(100), [beside(100), beside(700)].concat()];
+    cases.extend((0..12).map(|k| (0..12 + 8 * k).map(|_| random(faces.len())).collect()));
+    for gone in cases {
+        let mut s = opened(&sphere_without(&gone));
+        let loops = s.boundary_loops().expect("a mesh");
+        assert_eq!(s.info().expect("a mesh").boundary_loops, loops.len());
+        fill(&mut s, &FillOptions::default()).expect("filled");
+        let after = s.info().expect("a mesh");
+        let told = (after.components, after.closed, after.genus);
+        assert_eq!(told, (1, true, Some(0)), "{} gone: {after:?}", gone.len());
+        assert!((after.area / area - 1.0).abs() < 2e-3, "{}", after.area);
+        assert_eq!(after.self_intersections, Some(0));
+    }
+}

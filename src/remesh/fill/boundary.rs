@@ -6,7 +6,7 @@ use crate::geometry::measure;
 use crate::mesh::{HalfedgeMesh, Vertex};
 use crate::order;
 use glam::DVec3;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::f64::consts::TAU;
 
 /// Vertices of a loop closer than this share of its mean edge lie in the same place.
@@ -41,31 +41,116 @@ pub struct BoundaryLoop {
     pub copies: Vec<[u32; 2]>,
 }
 
-/// The boundary loops of a mesh, in the order of [`HalfedgeMesh::boundary_loops`]; one that passes
-/// a point more than once is several, in the order in which they close.
-pub fn boundary_loops(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<BoundaryLoop> {
-    mesh.boundary_loops()
-        .flat_map(|halfedges| {
-            let vertices: Vec<u32> = halfedges.map(|h| mesh.tail(h).0).collect();
-            let whole = || vec![vertices.iter().map(|&v| [v, v]).collect()];
-            let parts = parts(&vertices, x).unwrap_or_else(whole);
-            parts.into_iter().map(|part| of_part(&part, x))
-        })
-        .collect()
+/// A vertex of a loop by the copy at which an edge ends and that at which the next begins.
+type Passed = [u32; 2];
+
+/// Bits of a place; of −0 and 0 the same.
+fn key(x: &[DVec3], v: u32) -> [u64; 3] {
+    (x[v as usize] + 0.0).to_array().map(f64::to_bits)
 }
 
-/// The parts of a loop between passing a point and passing it again, each vertex by the copy where
-/// an edge ends and that where the next begins; `None` where a part has no inside, as along a slit.
-fn parts(vertices: &[u32], x: &[DVec3]) -> Option<Vec<Vec<[u32; 2]>>> {
+/// The boundary loops of a mesh, in the order of [`HalfedgeMesh::boundary_loops`]; one that passes
+/// a point more than once is several, in the order in which they close, and so are those about an
+/// island that meets the rim around it in its corners.
+pub fn boundary_loops(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<BoundaryLoop> {
+    let loops: Vec<Vec<u32>> = mesh
+        .boundary_loops()
+        .map(|halfedges| halfedges.map(|h| mesh.tail(h).0).collect())
+        .collect();
+    let mut is_done = vec![false; loops.len()];
+    let mut all = Vec::new();
+    for (name, group) in touching(&loops, x).into_iter().enumerate() {
+        if is_done[name] {
+            continue;
+        }
+        let together = || parts(&spliced(&loops, &group, x)?, x);
+        let found = if group.len() > 1 { together() } else { None };
+        let found = match found {
+            Some(found) => {
+                group.iter().for_each(|&other| is_done[other] = true);
+                found
+            }
+            None => {
+                let whole: Vec<Passed> = loops[name].iter().map(|&v| [v, v]).collect();
+                parts(&whole, x).unwrap_or_else(|| vec![whole])
+            }
+        };
+        all.extend(found.iter().map(|part| of_part(part, x)));
+    }
+    all
+}
+
+/// For each loop those that hang together with it, it among them: two that meet in more than one
+/// point, as an island and the rim around it.
+fn touching(loops: &[Vec<u32>], x: &[DVec3]) -> Vec<Vec<usize>> {
+    let mut at: HashMap<[u64; 3], Vec<usize>> = HashMap::new();
+    let mut meetings: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+    for (name, vertices) in loops.iter().enumerate() {
+        for &v in vertices {
+            let others = at.entry(key(x, v)).or_default();
+            for &other in others.iter().filter(|other| **other != name) {
+                *meetings.entry((other, name)).or_default() += 1;
+            }
+            others.push(name);
+        }
+    }
+    let mut groups: Vec<Vec<usize>> = (0..loops.len()).map(|name| vec![name]).collect();
+    for ((a, b), _) in meetings.into_iter().filter(|(_, count)| *count > 1) {
+        if groups[a].contains(&b) {
+            continue;
+        }
+        let union = [groups[a].clone(), groups[b].clone()].concat();
+        for &name in &union {
+            groups[name].clone_from(&union);
+        }
+    }
+    groups.iter_mut().for_each(|group| group.sort_unstable());
+    groups
+}
+
+/// One path along loops that meet: where it comes to another for the first time it goes around that
+/// one. It begins where it passes once; `None` where it does so nowhere.
+fn spliced(loops: &[Vec<u32>], group: &[usize], x: &[DVec3]) -> Option<Vec<Passed>> {
+    let mut path: Vec<Passed> = loops[group[0]].iter().map(|&v| [v, v]).collect();
+    let mut left: Vec<usize> = group[1..].to_vec();
+    while !left.is_empty() {
+        let place_of: HashMap<_, usize> = (path.iter().enumerate())
+            .map(|(at, [v, _])| (key(x, *v), at))
+            .collect();
+        let meeting = left.iter().enumerate().find_map(|(n, &name)| {
+            let found = loops[name].iter().enumerate();
+            let mut found = found.filter_map(|(i, &v)| Some((i, *place_of.get(&key(x, v))?)));
+            found.next().map(|(i, at)| (n, i, at))
+        });
+        let (n, i, at) = meeting?;
+        let other = &loops[left.remove(n)];
+        let [before, after] = path[at];
+        let around = (1..other.len()).map(|k| other[(i + k) % other.len()]);
+        let around = around.map(|v| [v, v]);
+        let back = std::iter::once([other[i], after]);
+        let detour: Vec<Passed> = around.chain(back).collect();
+        path[at] = [before, other[i]];
+        path.splice(at + 1..at + 1, detour);
+    }
+    let mut times: HashMap<[u64; 3], usize> = HashMap::new();
+    for [v, _] in &path {
+        *times.entry(key(x, *v)).or_default() += 1;
+    }
+    let first = path.iter().position(|[v, _]| times[&key(x, *v)] == 1)?;
+    path.rotate_left(first);
+    Some(path)
+}
+
+/// The parts of a path between passing a point and passing it again; `None` where a part has no
+/// inside, as along a slit.
+fn parts(passed: &[Passed], x: &[DVec3]) -> Option<Vec<Vec<Passed>>> {
     let mut found = Vec::new();
-    let mut path: Vec<[u32; 2]> = Vec::new();
+    let mut path: Vec<Passed> = Vec::new();
     let mut place_of: HashMap<[u64; 3], usize> = HashMap::new();
-    // Of −0 and 0 the same.
-    let key = |v: u32| (x[v as usize] + 0.0).to_array().map(f64::to_bits);
-    for &v in vertices {
-        let Some(&place) = place_of.get(&key(v)) else {
-            place_of.insert(key(v), path.len());
-            path.push([v, v]);
+    for &[ends, begins] in passed {
+        let Some(&place) = place_of.get(&key(x, ends)) else {
+            place_of.insert(key(x, ends), path.len());
+            path.push([ends, begins]);
             continue;
         };
         let mut part = path.split_off(place);
@@ -73,12 +158,12 @@ fn parts(vertices: &[u32], x: &[DVec3]) -> Option<Vec<Vec<[u32; 2]>>> {
             return None;
         }
         for [w, _] in &part[1..] {
-            place_of.remove(&key(*w));
+            place_of.remove(&key(x, *w));
         }
         // The part ends at this copy, and the path goes on from it.
         let [before, after] = part[0];
-        part[0] = [v, after];
-        path.push([before, v]);
+        part[0] = [ends, after];
+        path.push([before, begins]);
         found.push(part);
     }
     if path.len() < 3 {
@@ -107,7 +192,14 @@ pub fn small_loops(mesh: &HalfedgeMesh, x: &[DVec3], all: &[BoundaryLoop]) -> Ve
         let (low, high) = &mut boxes[*c as usize];
         (*low, *high) = (low.min(*p), high.max(*p));
     }
-    let component_of = |index: usize| component[all[index].vertices[0] as usize] as usize;
+    let size = |c: &usize| boxes[*c].0.distance(boxes[*c].1);
+    // About an island the surface is what the island belongs to.
+    let component_of = |index: usize| {
+        let all = all[index].vertices.iter();
+        let all = all.map(|v| component[*v as usize] as usize);
+        all.reduce(|a, b| if size(&b) > size(&a) { b } else { a })
+            .unwrap_or(0)
+    };
     let is_short = |index: &usize| {
         let (low, high) = boxes[component_of(*index)];
         all[*index].length <= SMALL * low.distance(high)
