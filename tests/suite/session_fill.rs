@@ -491,6 +491,18 @@ fn holes_around_an_island_are_filled_and_it_stays_a_part_of_the_surface() {
     // About one face, about two, and wherever chance has it.
     let mut cases = vec![beside(100), [beside(100), beside(700)].concat()];
     cases.extend((0..12).map(|k| (0..12 + 8 * k).map(|_| random(faces.len())).collect()));
+    // About a square of a sheet, whose outer rim stays.
+    for (n, scale) in [(7, 1.0), (8, 1e-3)] {
+        let mut s = opened(&sheet(n, &[(3, 2), (2, 3), (4, 3), (3, 4)], scale, 0.0));
+        fill(&mut s, &FillOptions::default()).expect("filled");
+        let after = s.info().expect("a mesh");
+        let told = (
+            after.components,
+            after.boundary_loops,
+            after.self_intersections,
+        );
+        assert_eq!(told, (1, 1, Some(0)));
+    }
     for gone in cases {
         let mut s = opened(&sphere_without(&gone));
         let loops = s.boundary_loops().expect("a mesh");

@@ -63,8 +63,14 @@ pub fn boundary_loops(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<BoundaryLoop> {
         if is_done[name] {
             continue;
         }
-        let together = || parts(&spliced(&loops, &group, x)?, x);
-        let found = if group.len() > 1 { together() } else { None };
+        // Of the ways to go around them that which makes the most loops: none is around another.
+        let ways = if group.len() > 1 {
+            &[false, true][..]
+        } else {
+            &[]
+        };
+        let together = |late: &bool| parts(&spliced(&loops, &group, x, *late)?, x);
+        let found = ways.iter().filter_map(together).max_by_key(Vec::len);
         let found = match found {
             Some(found) => {
                 group.iter().for_each(|&other| is_done[other] = true);
@@ -108,19 +114,33 @@ fn touching(loops: &[Vec<u32>], x: &[DVec3]) -> Vec<Vec<usize>> {
     groups
 }
 
-/// One path along loops that meet: where it comes to another for the first time it goes around that
-/// one. It begins where it passes once; `None` where it does so nowhere.
-fn spliced(loops: &[Vec<u32>], group: &[usize], x: &[DVec3]) -> Option<Vec<Passed>> {
-    let mut path: Vec<Passed> = loops[group[0]].iter().map(|&v| [v, v]).collect();
-    let mut left: Vec<usize> = group[1..].to_vec();
+/// One path along loops that meet: around the longest, from where nothing else meets it, and where it
+/// comes to another for the first time, or the last, around that one. `None` where there is no such
+/// start.
+fn spliced(loops: &[Vec<u32>], group: &[usize], x: &[DVec3], late: bool) -> Option<Vec<Passed>> {
+    let mut times: HashMap<[u64; 3], usize> = HashMap::new();
+    for &v in group.iter().flat_map(|&name| &loops[name]) {
+        *times.entry(key(x, v)).or_default() += 1;
+    }
+    let longest = *group.iter().max_by_key(|name| loops[**name].len())?;
+    let mut path: Vec<Passed> = loops[longest].iter().map(|&v| [v, v]).collect();
+    let start = path.iter().position(|[v, _]| times[&key(x, *v)] == 1)?;
+    path.rotate_left(start);
+    let mut left: Vec<usize> = group
+        .iter()
+        .copied()
+        .filter(|name| *name != longest)
+        .collect();
     while !left.is_empty() {
+        // Of a place that is passed twice the last.
         let place_of: HashMap<_, usize> = (path.iter().enumerate())
             .map(|(at, [v, _])| (key(x, *v), at))
             .collect();
         let meeting = left.iter().enumerate().find_map(|(n, &name)| {
             let found = loops[name].iter().enumerate();
-            let mut found = found.filter_map(|(i, &v)| Some((i, *place_of.get(&key(x, v))?)));
-            found.next().map(|(i, at)| (n, i, at))
+            let found = found.filter_map(|(i, &v)| Some((*place_of.get(&key(x, v))?, i)));
+            let found = if late { found.max() } else { found.min() };
+            found.map(|(at, i)| (n, i, at))
         });
         let (n, i, at) = meeting?;
         let other = &loops[left.remove(n)];
@@ -132,12 +152,6 @@ fn spliced(loops: &[Vec<u32>], group: &[usize], x: &[DVec3]) -> Option<Vec<Passe
         path[at] = [before, other[i]];
         path.splice(at + 1..at + 1, detour);
     }
-    let mut times: HashMap<[u64; 3], usize> = HashMap::new();
-    for [v, _] in &path {
-        *times.entry(key(x, *v)).or_default() += 1;
-    }
-    let first = path.iter().position(|[v, _]| times[&key(x, *v)] == 1)?;
-    path.rotate_left(first);
     Some(path)
 }
 
