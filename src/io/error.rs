@@ -143,6 +143,11 @@ messages! {
             /// Endings of files that are read.
             known: Vec<&'static str>,
         },
+        /// Something else came in the place of the file.
+        Substituted {
+            /// `git-lfs` (the pointer that stands for a large file) or `html` (a page about it).
+            what: &'static str,
+        },
         /// A known format that is not read.
         Unsupported {
             /// `obj-free-form`, `nd-off` (of higher dimension), `vtk-data-set` (no surface),
@@ -259,6 +264,7 @@ impl ReadError {
         match self {
             Self::Empty
             | Self::UnknownFormat { .. }
+            | Self::Substituted { .. }
             | Self::Unsupported { .. }
             | Self::RequiredExtension { .. } => Vec::new(),
             Self::NotText { offset, .. } => vec![("byte", *offset as f64)],

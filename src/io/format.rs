@@ -153,6 +153,9 @@ pub(super) fn detect(bytes: &[u8], file_name: &str) -> Result<Format, ReadError>
     if bytes.trim_ascii().is_empty() {
         return Err(ReadError::Empty);
     }
+    if let Some(what) = in_its_place(bytes) {
+        return Err(ReadError::Substituted { what });
+    }
     if let Some(found) = by_magic(bytes) {
         return Ok(found);
     }
@@ -167,6 +170,20 @@ pub(super) fn detect(bytes: &[u8], file_name: &str) -> Result<Format, ReadError>
         Some(Format::Stl) if text::nul(bytes).is_none() => Ok(Format::StlAscii),
         Some(named) => Ok(named),
     }
+}
+
+/// What came in the place of a file, whatever it is called.
+fn in_its_place(bytes: &[u8]) -> Option<&'static str> {
+    const PAGES: [&[u8]; 2] = [b"<!doctype html", b"<html"];
+    let start = bytes.trim_ascii_start();
+    let begins = |text: &[u8]| {
+        let start = start.get(..text.len());
+        start.is_some_and(|start| start.eq_ignore_ascii_case(text))
+    };
+    if begins(b"version https://git-lfs.") {
+        return Some("git-lfs");
+    }
+    PAGES.into_iter().any(begins).then_some("html")
 }
 
 /// The format that the first bytes tell of.

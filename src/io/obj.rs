@@ -9,12 +9,13 @@
 use std::fmt::Write as _;
 
 use super::assembly::{Assembly, Tally};
-use super::text::{Lines, Words, comment_lines, parse_integer};
+use super::text::{Lines, Words, comment_lines, parse_integer, without_padding};
 use super::{Expected, Extra, Format, Oddity, Read, ReadError};
 use crate::soup::PolygonSoup;
 
 /// Reads an OBJ file; a face may name vertices that come after it.
 pub(super) fn read(bytes: &[u8]) -> Result<Read, ReadError> {
+    let bytes = without_padding(bytes);
     let lines = || Lines::new(Format::Obj, bytes).with_continuation();
     // The number of vertices first, so that every index is judged where it stands.
     let vertices = Lines::of_text(Format::Obj, bytes)?

@@ -28,9 +28,15 @@ pub(super) fn without_byte_order_mark(bytes: &[u8]) -> (Cow<'_, [u8]>, bool) {
     (Cow::Owned(text.into_bytes()), true)
 }
 
-/// Offset of the first NUL byte, which no text has.
+/// A text without the NUL bytes that a whole number of blocks is filled up with.
+pub(super) fn without_padding(bytes: &[u8]) -> &[u8] {
+    let end = bytes.iter().rposition(|&b| b != 0);
+    &bytes[..end.map_or(0, |last| last + 1)]
+}
+
+/// Offset of the first NUL byte before the padding, which no text has.
 pub(super) fn nul(bytes: &[u8]) -> Option<usize> {
-    bytes.iter().position(|&b| b == 0)
+    without_padding(bytes).iter().position(|&b| b == 0)
 }
 
 /// The first word that is not part of a `#` comment; empty when there is none.
@@ -66,7 +72,7 @@ impl<'a> Lines<'a> {
     pub(super) fn of_text(format: Format, bytes: &'a [u8]) -> Result<Self, ReadError> {
         match nul(bytes) {
             Some(offset) => Err(ReadError::NotText { format, offset }),
-            None => Ok(Self::new(format, bytes)),
+            None => Ok(Self::new(format, without_padding(bytes))),
         }
     }
 

@@ -274,3 +274,46 @@ fn a_vertex_without_a_position_counts_only_where_a_face_uses_it() {
         );
     }
 }
+
+#[test]
+fn what_came_in_the_place_of_a_file_is_called_that() {
+    let pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:0f\nsize 123\n";
+    let pages = [
+        "<!DOCTYPE html><html></html>",
+        "\n<HTML lang=\"en\">",
+        "<!doctype HTML>\n",
+    ];
+    let pages = pages.map(|text| (text, "html"));
+    for (text, what) in pages.into_iter().chain([(pointer, "git-lfs")]) {
+        for name in ["a.obj", "a.stl", "a.ply", "a.3mf", ""] {
+            let error = io::read(text.as_bytes(), name).expect_err("no mesh");
+            assert_eq!(error, ReadError::Substituted { what }, "{name}");
+        }
+    }
+}
+
+#[test]
+fn text_may_be_filled_up_with_nul_bytes() {
+    for format in [Format::Obj, Format::Off, Format::StlAscii] {
+        for text in variants(format)
+            .into_iter()
+            .filter(|bytes| !bytes.contains(&0))
+        {
+            let mut padded = text.clone();
+            padded.resize(text.len().next_multiple_of(512), 0);
+            let name = format!(
+                "a.{}",
+                if format == Format::Off {
+                    "off"
+                } else {
+                    format.name()
+                }
+            );
+            let [plain, filled] = [&text, &padded].map(|bytes| io::read(bytes, &name));
+            assert_eq!(filled, plain, "{format:?}");
+            // Within, they are none of a text.
+            padded.extend(b"\n#");
+            assert!(io::read(&padded, &name).is_err());
+        }
+    }
+}

@@ -62,6 +62,14 @@ read-empty = die Datei ist leer
     .hint = Prüfen Sie, ob der Export oder das Herunterladen zu Ende kam.
 read-unknown-format = `{ $name }` ist nicht als Netz zu erkennen
     .hint = Öffnen Sie eine Datei mit einer dieser Endungen: { $known }.
+read-substituted = { $what ->
+    [git-lfs] dies ist ein Verweis von Git LFS und nicht die Datei selbst
+   *[html] dies ist eine HTML-Seite und kein Netz
+}
+    .hint = { $what ->
+        [git-lfs] Holen Sie die Datei mit `git lfs pull` oder über den Download auf ihrer Seite.
+       *[html] Der Link führte zu einer Seite über die Datei oder zu einem Fehler: Laden Sie die Datei selbst herunter.
+    }
 read-required-extension = ohne seine Erweiterung { $name }, die hier unbekannt ist, kann das glTF nicht gelesen werden
     .hint = Exportieren Sie die Fläche ohne sie oder als OBJ, PLY oder STL.
 read-unsupported = Dateien der Art { $what ->

@@ -62,6 +62,14 @@ read-empty = the file is empty
     .hint = Check that the export or download finished.
 read-unknown-format = `{ $name }` is not recognised as a mesh
     .hint = Open a file that ends in one of these: { $known }.
+read-substituted = { $what ->
+    [git-lfs] this is a pointer of Git LFS and not the file itself
+   *[html] this is an HTML page and not a mesh
+}
+    .hint = { $what ->
+        [git-lfs] Fetch the file with `git lfs pull`, or by the download link of its page.
+       *[html] The link led to a page about the file, or to an error: download the file itself.
+    }
 read-required-extension = the glTF file cannot be read without its extension { $name }, which is not known here
     .hint = Export the surface without it, or as OBJ, PLY or STL.
 read-unsupported = { $what ->
