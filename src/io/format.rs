@@ -252,7 +252,7 @@ mod tests {
         assert_eq!(detected(b"ply\nformat ascii 1.0", "a.obj"), Ok(Format::Ply));
         assert_eq!(detected(b"STCNOFF 3 1 0", "a.obj"), Ok(Format::Off));
         assert_eq!(detected(b" SOLID\tball", ""), Ok(Format::StlAscii));
-        assert_eq!(detected(b"solid\0\0", "a.stl"), Ok(Format::Stl));
+        assert_eq!(detected(b"solid\0\0\x01", "a.stl"), Ok(Format::Stl));
         assert_eq!(detected(b"glTF\x02\0\0\0", "a.obj"), Ok(Format::Glb));
         assert_eq!(detected(b"3 1 0", "a.off"), Ok(Format::Off));
         assert_eq!(
@@ -264,7 +264,7 @@ mod tests {
         let xml = b"<?xml version=\"1.0\"?><!-- a > b --><x:model>";
         assert_eq!(detected(xml, "a"), Ok(Format::ThreeMf));
         assert_eq!(detected(b"<VTKFile type='PolyData'>", "a"), Ok(Format::Vtp));
-        assert_eq!(detected(b"<html>", "a.stl"), Ok(Format::StlAscii));
+        assert_eq!(detected(b"<svg>", "a.stl"), Ok(Format::StlAscii));
         assert_eq!(detected(b" \n", "a.off"), Err(ReadError::Empty));
         for name in ["a.txt", "", "a.glb"] {
             assert_eq!(
