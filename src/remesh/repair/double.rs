@@ -40,9 +40,9 @@ pub(super) fn drop_doubles(soup: &mut PolygonSoup) -> (usize, Vec<u32>) {
         }
     }
     let mut is_kept = vec![true; all.len()];
-    let mut order: Vec<usize> = (0..all.len()).rev().collect();
-    order.sort_by_key(|&name| all[name].len());
-    for name in order {
+    let mut by_size: Vec<usize> = (0..all.len()).rev().collect();
+    order::sort_by_key(&mut by_size, |name| all[*name].len());
+    for name in by_size {
         let sheet = &all[name];
         let owners = |f: &usize| {
             let all = owners.get(&places(faces.face(*f), soup));

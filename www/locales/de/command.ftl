@@ -18,7 +18,7 @@ regularise-epsilon-help = 1e-3 ist getreu, 1e-1 kräftig
 regularise-iterations-help = höchstens so viele Durchgänge
 regularise-features-help = wie fest Merkmale bleiben; bei 0 gleiten auch Kanten
 
-repair-weld-help = verschweißt Randecken innerhalb dieser Länge; auto ist 1e-6 der Größe und höchstens ein Hundertstel einer Kante
+repair-weld-help = verschweißt Randecken innerhalb dieser Länge; auto ist 1e-6 der Größe, oder was einfache Genauigkeit rundet, und höchstens ein Hundertstel einer Kante
 fill-loops-help = welche Randkurven, gezählt ab 0; small lässt äußere Ränder offen
 fill-connect-help = verbindet diese Randkurven, ohne Auswahl alle, durch einen Flicken, statt jede zu schließen
 fill-maxVertices-help = höchstens so viele neue Ecken; auto heißt 200000

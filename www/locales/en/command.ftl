@@ -18,7 +18,7 @@ regularise-epsilon-help = 1e-3 is faithful, 1e-1 aggressive
 regularise-iterations-help = passes at most
 regularise-features-help = how strongly features stay; with 0 creases slide too
 
-repair-weld-help = welds boundary vertices within this length; auto is 1e-6 of the size and at most a hundredth of an edge
+repair-weld-help = welds boundary vertices within this length; auto is 1e-6 of the size, or what single precision rounds by, and at most a hundredth of an edge
 fill-loops-help = which boundary loops, counted from 0; small leaves outer rims and mouths of tubes open
 fill-connect-help = connects these loops, by default all, by one patch instead of closing each
 fill-maxVertices-help = at most so many new vertices; auto is 200000
