@@ -57,9 +57,17 @@ pub fn boundary_loops(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<BoundaryLoop> {
         .boundary_loops()
         .map(|halfedges| halfedges.map(|h| mesh.tail(h).0).collect())
         .collect();
+    if loops.is_empty() {
+        return Vec::new();
+    }
+    taken_apart(&loops, x)
+}
+
+deferred! {
+    fn taken_apart(loops: &[Vec<u32>], x: &[DVec3]) -> Vec<BoundaryLoop> {
     let mut is_done = vec![false; loops.len()];
     let mut all = Vec::new();
-    for (name, group) in touching(&loops, x).into_iter().enumerate() {
+    for (name, group) in touching(loops, x).into_iter().enumerate() {
         if is_done[name] {
             continue;
         }
@@ -69,7 +77,7 @@ pub fn boundary_loops(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<BoundaryLoop> {
         } else {
             &[]
         };
-        let together = |late: &bool| parts(&spliced(&loops, &group, x, *late)?, x);
+        let together = |late: &bool| parts(&spliced(loops, &group, x, *late)?, x);
         let found = ways.iter().filter_map(together).max_by_key(Vec::len);
         let found = match found {
             Some(found) => {
@@ -84,6 +92,7 @@ pub fn boundary_loops(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<BoundaryLoop> {
         all.extend(found.iter().map(|part| of_part(part, x)));
     }
     all
+    }
 }
 
 /// For each loop those that hang together with it, it among them: two that meet in more than one

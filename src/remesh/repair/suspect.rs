@@ -20,8 +20,14 @@ pub fn is_suspect(mesh: &HalfedgeMesh, x: &[DVec3], weld: Weld) -> bool {
     if mesh.faces().any(&mut has_flat) || mesh.components().1 > 1 && has_twins(mesh, x) {
         return true;
     }
-    let rims = rims(mesh, x, weld);
-    rims.is_some_and(|rims| rims.is_suspect())
+    !mesh.is_closed() && are_rims_suspect(mesh, x, weld)
+}
+
+deferred! {
+    fn are_rims_suspect(mesh: &HalfedgeMesh, x: &[DVec3], weld: Weld) -> bool {
+        let rims = rims(mesh, x, weld);
+        rims.is_some_and(|rims| rims.is_suspect())
+    }
 }
 
 deferred! {
@@ -46,7 +52,17 @@ deferred! {
 /// A length within which a weld closes gaps that are wider than what [`Weld::Auto`] takes for none,
 /// and narrow for the edges at them; `None` where there are none.
 pub fn gap(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<f64> {
-    rims(mesh, x, Weld::Auto)?.gap()
+    if mesh.is_closed() {
+        None
+    } else {
+        gap_between(mesh, x)
+    }
+}
+
+deferred! {
+    fn gap_between(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<f64> {
+        rims(mesh, x, Weld::Auto)?.gap()
+    }
 }
 
 fn rims<'a>(mesh: &HalfedgeMesh, x: &'a [DVec3], weld: Weld) -> Option<Rims<'a>> {
