@@ -64,34 +64,31 @@ pub fn boundary_loops(mesh: &HalfedgeMesh, x: &[DVec3]) -> Vec<BoundaryLoop> {
 }
 
 deferred! {
+    /// The loops as they are filled, see [`boundary_loops`].
     fn taken_apart(loops: &[Vec<u32>], x: &[DVec3]) -> Vec<BoundaryLoop> {
-    let mut is_done = vec![false; loops.len()];
-    let mut all = Vec::new();
-    for (name, group) in touching(loops, x).into_iter().enumerate() {
-        if is_done[name] {
-            continue;
+        let mut is_done = vec![false; loops.len()];
+        let mut all = Vec::new();
+        for (name, group) in touching(loops, x).into_iter().enumerate() {
+            if is_done[name] {
+                continue;
+            }
+            // Of the ways to go around them that which makes the most loops: none is around another.
+            let ways = if group.len() > 1 { &[false, true][..] } else { &[] };
+            let together = |late: &bool| parts(&spliced(loops, &group, x, *late)?, x);
+            let found = ways.iter().filter_map(together).max_by_key(Vec::len);
+            let found = match found {
+                Some(found) => {
+                    group.iter().for_each(|&other| is_done[other] = true);
+                    found
+                }
+                None => {
+                    let whole: Vec<Passed> = loops[name].iter().map(|&v| [v, v]).collect();
+                    parts(&whole, x).unwrap_or_else(|| vec![whole])
+                }
+            };
+            all.extend(found.iter().map(|part| of_part(part, x)));
         }
-        // Of the ways to go around them that which makes the most loops: none is around another.
-        let ways = if group.len() > 1 {
-            &[false, true][..]
-        } else {
-            &[]
-        };
-        let together = |late: &bool| parts(&spliced(loops, &group, x, *late)?, x);
-        let found = ways.iter().filter_map(together).max_by_key(Vec::len);
-        let found = match found {
-            Some(found) => {
-                group.iter().for_each(|&other| is_done[other] = true);
-                found
-            }
-            None => {
-                let whole: Vec<Passed> = loops[name].iter().map(|&v| [v, v]).collect();
-                parts(&whole, x).unwrap_or_else(|| vec![whole])
-            }
-        };
-        all.extend(found.iter().map(|part| of_part(part, x)));
-    }
-    all
+        all
     }
 }
 
