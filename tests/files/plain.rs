@@ -134,7 +134,7 @@ fn binary_off(head: &str, more: usize, parts: u32) -> Vec<u8> {
     let mut push = |word: u32| bytes.extend(word.to_be_bytes());
     [4, 4, 6].into_iter().for_each(&mut push);
     for corner in CORNERS {
-        let rest = vec![0.5_f32; more];
+        let rest: Vec<f32> = (0..more).map(|k| 0.125 * k as f32).collect();
         corner.iter().chain(&rest).for_each(|x| push(x.to_bits()));
     }
     for face in FACES {
@@ -234,7 +234,7 @@ fn binary_off_is_refused_wherever_it_ends_and_holds_its_colours() {
     let bytes = binary_off("CNOFF BINARY", 7, 3);
     is_refused_wherever_it_ends(&bytes, 0, bytes.len() - 1);
     let read = io::read(&bytes, "").expect("a mesh");
-    assert_eq!(read.soup.colours, [[0.5; 4]; 4]);
+    assert_eq!(read.soup.colours, [[0.375, 0.5, 0.625, 0.75]; 4]);
     // A count that the file cannot hold, and a corner that it has not.
     for (at, word) in [(13, u32::MAX), (13 + 12 + 4 * 40 + 8, 4)] {
         let mut broken = bytes.clone();
