@@ -174,6 +174,21 @@ export async function reading(page, name) {
   return (await row.getByRole("cell").textContent()) ?? "";
 }
 
+/**
+ * Waits for a cell of the readings to hold something else: the message of a change may be
+ * that of the one before, which says the same.
+ * @param {Page} page @param {string} name @param {string} before
+ */
+export async function untilReadingIsNot(page, name, before) {
+  const end = Date.now() + PATIENCE;
+  for (;;) {
+    const now = await reading(page, name);
+    if (now !== before) return now;
+    if (Date.now() > end) throw new Error(`${name} stays ${before}`);
+    await page.waitForTimeout(50);
+  }
+}
+
 /** @param {Page} page @returns {Promise<number>} */
 export const energy = async (page) => Number(await reading(page, "Energy"));
 
