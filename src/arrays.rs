@@ -75,7 +75,7 @@ macro_rules! typed_array {
             type OptionInnerType = Self;
 
             fn name(_: &ts_rs::Config) -> String {
-                stringify!($array).into()
+                concat!(stringify!($array), "<ArrayBuffer>").into()
             }
 
             fn inline(config: &ts_rs::Config) -> String {

@@ -83,6 +83,7 @@ pub mod flow;
 #[cfg(feature = "solver")]
 pub mod geometry;
 pub mod interrupt;
+#[cfg(feature = "solver")]
 pub mod io;
 #[cfg(feature = "solver")]
 pub mod linalg;

@@ -48,7 +48,7 @@ export async function sequence(session, format, every, tell) {
   const parts = [];
   const zip = new Zip((error, part) => {
     if (error) throw error;
-    parts.push(/** @type {Uint8Array<ArrayBuffer>} */ (part));
+    parts.push(part);
   });
   const { at, last } = perform(session, "timeline");
   const stem = perform(session, "loaded").name.replace(/[^\p{L}\p{N}._-]+/gu, "-");

@@ -394,7 +394,7 @@ export function createSolver(listener, { patience, pause = PAUSE } = {}) {
     async export(format) {
       try {
         if (isWhole && !channel.isSilent()) {
-          const bytes = /** @type {Uint8Array<ArrayBuffer>} */ (await send("export", { format }));
+          const bytes = await send("export", { format });
           return { format, bytes, losses: await send("losses", { format }) };
         }
       } catch (error) {

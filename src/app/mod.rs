@@ -41,11 +41,12 @@ mod repairs;
 mod runner;
 mod segment;
 mod study;
+mod unpacked;
 
 pub use crate::interrupt::Progress;
 pub use crate::remesh::static_pass::{MeshQuality, RegulariseOptions, Regularised};
 pub use arrangement::{Arrangement, Compare};
-pub use bench::{Bench, BenchOptions, BenchReport, MeshFile, TableName};
+pub use bench::{Bench, BenchOptions, BenchReport, TableName};
 pub use command::{RunAnswer, RunCommand, ToolAnswer, ToolCommand};
 pub use comparison::{Comparison, Lockstep, PaneChange};
 pub use conjecture::{ConjectureReport, LabReport, QuadReport};
@@ -87,6 +88,7 @@ pub use recipe::{
 pub use repairs::RepairItem;
 pub use runner::Configured;
 pub use study::{Limits, RefinedBy, Resolution, Study, StudyOptions, StudyReport, Tendency, Trend};
+pub use unpacked::{OpenedFile, Unpacked};
 
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;

@@ -10,8 +10,9 @@
 
 use crate::colours::{coloured, triangle_in_light};
 use crate::mesh::{cube, octahedron};
-use crate::{gltf, msh, plain, solid, three_mf, vtk, vtp};
+use crate::{gltf, msh, packed, plain, solid, three_mf, vtk, vtp};
 use std::time::{Duration, Instant};
+use umbilic::io::packed::{File, mesh_among};
 use umbilic::io::{self, Format};
 
 /// Files that are damaged without a command of their own.
@@ -155,6 +156,32 @@ fn check(bytes: &[u8], name: &str) -> bool {
     true
 }
 
+/// Unpacks a file: no more comes out than may.
+fn unpack(bytes: &[u8], name: &str) -> bool {
+    let file = File {
+        name: name.to_owned(),
+        bytes: bytes.into(),
+    };
+    let Ok(found) = mesh_among(&[file]) else {
+        return false;
+    };
+    // Gzip within ZIP is unpacked twice.
+    assert!(found.bytes.len() <= (1 << 24).max(200 * 200 * bytes.len()));
+    true
+}
+
+/// What files of a name are given to, and sound ones.
+type Target = (String, fn(&[u8], &str) -> bool, Vec<Vec<u8>>);
+
+fn targets() -> Vec<Target> {
+    let formats = Format::all().map(|format| {
+        let name = format!("a.{}", format.extensions()[0]);
+        (name, check as fn(&[u8], &str) -> bool, seeds(format))
+    });
+    let zip = ("a.zip".to_owned(), unpack as _, packed::variants());
+    formats.chain([zip]).collect()
+}
+
 #[test]
 fn fuzz() {
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
@@ -162,11 +189,9 @@ fn fuzz() {
     let mut random = Random(number("FUZZ_SEED").unwrap_or(0x9E37_79B9_7F4A_7C15));
     let mut total = 0;
     let begun = Instant::now();
-    for format in Format::all() {
-        let seeds = seeds(format);
-        let name = format!("a.{}", format.extensions()[0]);
+    for (name, check, seeds) in targets() {
         for seed in &seeds {
-            assert!(check(seed, &name), "{format:?}");
+            assert!(check(seed, &name), "{name}");
         }
         let (mut runs, mut accepted) = (0_u64, 0_u64);
         let start = Instant::now();
@@ -181,13 +206,13 @@ fn fuzz() {
             let Ok(is_read) = answer else {
                 let file = std::env::temp_dir().join(format!("umbilic-fuzz-{name}"));
                 std::fs::write(&file, &bytes).unwrap();
-                panic!("{format:?}: run {runs}, see {}", file.display());
+                panic!("{name}: run {runs}, see {}", file.display());
             };
             runs += 1;
             accepted += u64::from(is_read);
         }
         let rate = runs as f64 / start.elapsed().as_secs_f64();
-        println!("{format:?}: {runs} runs, {accepted} accepted, {rate:.0} a second");
+        println!("{name}: {runs} runs, {accepted} accepted, {rate:.0} a second");
         total += runs;
     }
     let rate = total as f64 / begun.elapsed().as_secs_f64();

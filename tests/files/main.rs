@@ -8,6 +8,7 @@ mod fuzz;
 mod gltf;
 mod mesh;
 mod msh;
+mod packed;
 mod plain;
 mod round_trip;
 mod second_order;

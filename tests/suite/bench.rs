@@ -1,6 +1,6 @@
 //! Tables of measurements: their columns and rows. Nothing is said of how long anything takes.
 
-use umbilic::app::{Bench, BenchOptions, MeshFile, Session, TableName, read_flags};
+use umbilic::app::{Bench, BenchOptions, OpenedFile, Session, TableName, read_flags};
 use umbilic::flow::option::{Value as Given, Values};
 use umbilic::io::Format;
 use umbilic::message::Value;
@@ -121,7 +121,7 @@ fn what_is_refused_is_a_row_too_and_the_others_go_on() {
         .expect("an ellipsoid");
     let tall = session.export(Format::Ply).expect("PLY");
     let square = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
-    let file = |name: &str, bytes: &[u8]| MeshFile {
+    let file = |name: &str, bytes: &[u8]| OpenedFile {
         name: name.into(),
         bytes: bytes.to_vec().into(),
     };

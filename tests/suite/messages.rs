@@ -9,6 +9,7 @@ use umbilic::app::{
 };
 use umbilic::flow::option::{Allowed, OptionError};
 use umbilic::flow::{Advice, Cause, Clock, FlowError, Reason, Warning};
+use umbilic::io::packed::UnpackError;
 use umbilic::io::{Expected, Extra, Format, Found, Loss, Oddity, Place, ReadError, WriteError};
 use umbilic::linalg::LinalgError;
 use umbilic::mesh::shape::{Conflict, ShapeError};
@@ -55,6 +56,7 @@ macro_rules! groups {
 fn errors() -> Vec<(&'static str, Messages)> {
     groups![
         ReadError,
+        UnpackError,
         WriteError,
         MeshError,
         SubdivisionError,

@@ -283,9 +283,9 @@ export function createOpen(core, run, compare) {
         if (recipeFile) await readRecipe(await bytesOf(recipeFile));
         const rest = files.filter((one) => one !== recipeFile);
         if (rest.length === 0) return;
-        const { meshAmong } = await import("../unpack.js");
         const read = rest.map(async (one) => ({ name: one.name, bytes: await bytesOf(one) }));
-        const { name, bytes, others } = await meshAmong(await Promise.all(read));
+        const unpacked = await solver.ask("unpack", { files: await Promise.all(read) });
+        const { name, bytes, others } = unpacked;
         await loadAwaited({ name, bytes }, given);
         if (others.length > 0) notes.note(say("unpack-others", { name, others }), "unpack-others");
       });

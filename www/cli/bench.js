@@ -5,11 +5,9 @@ import path from "node:path";
 import * as schema from "../generated/schema.js";
 import { say } from "../words.js";
 import { attempt, orExit, usage } from "./failure.js";
-import { isMesh, readHelp, readInput, readMesh } from "./files.js";
+import { isMesh, readHelp, readInput } from "./files.js";
 import { readFlags, typed } from "./options.js";
 import { table } from "./text.js";
-
-/** @typedef {import("../cli.js").Terminal} Terminal */
 
 /** @type {import("./command.js").Spec} */
 export const bench = {
@@ -19,11 +17,11 @@ export const bench = {
   options: {
     meshes: { value: "DIR", help: "of the table robustness: meshes to try every flow on" },
   },
-  async ask(values, _, io) {
+  ask(values) {
     const options = readFlags("bench", typed(schema.bench, values));
     if (values.meshes === undefined) return options;
     if (options.table !== "robustness") throw usage("--meshes needs --table robustness.");
-    return { ...options, meshes: await meshesIn(values.meshes, io) };
+    return { ...options, meshes: meshesIn(values.meshes) };
   },
   run({ perform, asked: options, io }) {
     const { columns, left, digits, row } = orExit(4, () => perform("bench", { options }));
@@ -48,18 +46,16 @@ function cell(value, digits) {
   return digits ? String(Number(value.toPrecision(digits))) : value.toFixed(1);
 }
 
-/** Mesh files of a folder, by name. @param {string} folder @param {Terminal} io */
-async function meshesIn(folder, io) {
+/** Mesh files of a folder, by name. @param {string} folder */
+function meshesIn(folder) {
   const files = attempt(
     () => readdirSync(folder),
     () => usage(`${folder} is not a folder that can be read.`),
   );
   const names = files.filter(isMesh).sort();
   if (names.length === 0) throw usage(`${folder} holds no mesh.`, `Meshes end in ${readHelp}.`);
-  const meshes = names.map(async (name) => {
-    const file = path.join(folder, name);
-    // An archive that cannot be unpacked is refused in its row, as any other file.
-    return readMesh(file, io).catch(() => ({ name, bytes: readInput(file) }));
-  });
-  return Promise.all(meshes);
+  return names.map((name) => ({
+    name,
+    bytes: Uint8Array.from(readInput(path.join(folder, name))),
+  }));
 }

@@ -32,7 +32,7 @@ import { pending, print, repairInWords, repairWay } from "./text.js";
  * @property {Options | ((parameters: string[]) => Options)} [options]  others
  * @property {(values: Values, operands: string[], io: Terminal) => any} [ask]  what is asked of the
  *   solver; the options of the rows unless given
- * @property {(perform: Perform, mesh: { bytes: Uint8Array, name: string }, asked: any) => any} [load]
+ * @property {(perform: Perform, mesh: { bytes: Uint8Array<ArrayBuffer>, name: string }, asked: any) => any} [load]
  *   how the mesh is loaded, where that takes more; what it answers is `loaded`
  * @property {(done: { perform: Perform, asked: any, values: Values, operands: string[],
  *   io: Terminal, loaded: any }) => Done | Promise<Done>} run
@@ -64,10 +64,10 @@ export async function execute(name, spec, { parameters, io, open }) {
   for (const [key, { isWritten }] of Object.entries(syntax.options)) {
     if (isWritten && values[key] !== undefined) checkOutput(values[key]);
   }
-  const mesh = operands[0] === "MESH" ? await readMesh(given[0], io) : null;
   const session = await open();
   /** @type {Perform} */
   const perform = (command, fields) => performIn(session, command, fields);
+  const mesh = operands[0] === "MESH" ? readMesh(perform, given[0], io) : null;
   const loaded = mesh && (load?.(perform, mesh, asked) ?? perform("load", mesh));
   const done = await run({ perform, asked, values, operands: given, io, loaded });
   // What works on a broken surface as it is says so; `info` lists that itself.

@@ -13,7 +13,7 @@ import { inWords, repairInWords, table } from "./text.js";
 
 /**
  * What a file is before a repair; null where it is no surface.
- * @param {import("./command.js").Perform} perform @param {{ bytes: Uint8Array, name: string }} mesh
+ * @param {import("./command.js").Perform} perform @param {{ bytes: Uint8Array<ArrayBuffer>, name: string }} mesh
  */
 function infoOf(perform, mesh) {
   try {

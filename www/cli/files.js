@@ -3,11 +3,11 @@
 import { accessSync, constants, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import * as formats from "../mesh-format.js";
-import { meshAmong } from "../unpack.js";
 import { say } from "../words.js";
 import { attempt, Failure, usage } from "./failure.js";
 
 /** @typedef {import("../cli.js").Terminal} Terminal */
+/** @typedef {import("./command.js").Perform} Perform */
 
 /** Whether a file's name is that of a mesh that can be read, packed or not. @param {string} file */
 export const isMesh = (file) =>
@@ -20,13 +20,13 @@ export const readHelp = `${list.format(formats.readEndings)}, also in ${list.for
 
 /**
  * The mesh in a file, unpacked, with the files beside it that it names; `-` is standard input.
- * @param {string} file @param {Terminal} io
+ * @param {Perform} perform @param {string} file @param {Terminal} io
  */
-export async function readMesh(file, io) {
+export function readMesh(perform, file, io) {
   const bytes = Uint8Array.from(readInput(file, io));
   const name = file === "-" ? "stdin" : path.basename(file);
   const beside = formats.endingOf(name) === ".gltf" ? buffersBeside(file, bytes) : [];
-  const { others, ...mesh } = await meshAmong([{ name, bytes }, ...beside]);
+  const { others, ...mesh } = perform("unpack", { files: [{ name, bytes }, ...beside] });
   if (others.length > 0) io.log(say("unpack-others", { name: mesh.name, others }));
   return mesh;
 }

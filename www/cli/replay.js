@@ -16,11 +16,11 @@ export const replay = {
   summary: "does again what a recipe says, and compares",
   operands: ["RECIPE.json", "[MESH]"],
   options: out,
-  ask: async (_, [file], io) => new TextDecoder().decode(readInput(file, io)),
-  async run({ perform, asked: text, operands: [file, given], io }) {
+  ask: (_, [file], io) => new TextDecoder().decode(readInput(file, io)),
+  run({ perform, asked: text, operands: [file, given], io }) {
     const { mesh, flow, estimate } = perform("readRecipe", { text });
     const script = { recipe: text };
-    const bytes = await meshOf(mesh, file, given, io);
+    const bytes = meshOf(perform, mesh, file, given, io);
     if (estimate.isLong) io.log(`The recipe runs about ${estimate.steps} steps.`);
     perform("prepare", { script, bytes, name: "" });
     advance(perform, io);
@@ -38,10 +38,10 @@ export const replay = {
 
 /**
  * The mesh of the recipe, if that is a file: the one given, or the one of its name beside it.
- * @param {RecipeMesh} mesh @param {string} file @param {string | undefined} given
+ * @param {Perform} perform @param {RecipeMesh} mesh @param {string} file @param {string | undefined} given
  * @param {Terminal} io
  */
-async function meshOf(mesh, file, given, io) {
+function meshOf(perform, mesh, file, given, io) {
   if ("shape" in mesh) {
     if (given) throw usage(`The recipe begins with the sample ${mesh.shape}: ${given} has no use.`);
     return null;
@@ -52,7 +52,7 @@ async function meshOf(mesh, file, given, io) {
     const hint = "Give it after the recipe, or put it beside it.";
     throw usage(`The recipe begins with the mesh ${mesh.name}, which is missing.`, hint);
   }
-  return (await readMesh(found, io)).bytes;
+  return readMesh(perform, found, io).bytes;
 }
 
 /** Does what was begun, to its end. @param {Perform} perform @param {Terminal} io */

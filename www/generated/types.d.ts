@@ -57,7 +57,7 @@ quick: boolean,
 /**
  * Of the table of robustness: meshes to try instead of shapes with noise.
  */
-meshes: Array<MeshFile>, };
+meshes: Array<OpenedFile>, };
 
 /**
  * A table as far as it has come.
@@ -248,7 +248,7 @@ state: State,
 /**
  * 1 for each vertex that is held, 0 for each that moves.
  */
-heldVertices: Uint8Array, };
+heldVertices: Uint8Array<ArrayBuffer>, };
 
 /**
  * f_a against f_l for the edges of a mesh that can be flipped.
@@ -257,15 +257,15 @@ export type ConjectureReport = {
 /**
  * Those shown: ends and apexes i, j, k, l, …
  */
-corners: Uint32Array, 
+corners: Uint32Array<ArrayBuffer>, 
 /**
  * … f_a over the area of both triangles …
  */
-area: Float32Array, 
+area: Float32Array<ArrayBuffer>, 
 /**
  * … and f_l in radians. Counterexamples come first, the strongest of them foremost.
  */
-localised: Float32Array, 
+localised: Float32Array<ArrayBuffer>, 
 /**
  * How many of those shown are counterexamples.
  */
@@ -356,11 +356,11 @@ criterion: Criterion,
 /**
  * Total area.
  */
-area: Float64Array, 
+area: Float64Array<ArrayBuffer>, 
 /**
  * W.
  */
-circle: Float64Array, };
+circle: Float64Array<ArrayBuffer>, };
 
 /**
  * Area and W against the number of flips, for plots.
@@ -369,7 +369,7 @@ export type Curves = {
 /**
  * Numbers of flips, from 0 to those of the run that made most.
  */
-flips: Float64Array, 
+flips: Float64Array<ArrayBuffer>, 
 /**
  * One a criterion.
  */
@@ -390,15 +390,15 @@ message: Message,
 /**
  * Vertices at fault.
  */
-vertices: Uint32Array, 
+vertices: Uint32Array<ArrayBuffer>, 
 /**
  * Triangles at fault.
  */
-faces: Uint32Array, 
+faces: Uint32Array<ArrayBuffer>, 
 /**
  * Two ends an edge at fault.
  */
-edges: Uint32Array, 
+edges: Uint32Array<ArrayBuffer>, 
 /**
  * What helps, the best first; three at most.
  */
@@ -527,7 +527,7 @@ name: FieldName,
 /**
  * One value a vertex.
  */
-values: Float32Array, 
+values: Float32Array<ArrayBuffer>, 
 /**
  * Lower end of the robust range; −`high` when signed.
  */
@@ -825,15 +825,15 @@ reports: Array<PlotPoint>,
 /**
  * Three coordinates a vertex, relative to the mesh's frame, for drawing.
  */
-positions: Float32Array, 
+positions: Float32Array<ArrayBuffer>, 
 /**
  * The same in full precision, to go on from after a crash.
  */
-exact: Float64Array, 
+exact: Float64Array<ArrayBuffer>, 
 /**
  * Three corners each, where remeshing or edge flips made others than were loaded.
  */
-triangles: Uint32Array | null, 
+triangles: Uint32Array<ArrayBuffer> | null, 
 /**
  * Colours; null where there are none, or panes have their own.
  */
@@ -841,7 +841,7 @@ field: Field | null,
 /**
  * Triangles that folded over in the last step.
  */
-flippedTriangles: Uint32Array, 
+flippedTriangles: Uint32Array<ArrayBuffer>, 
 /**
  * Pictures side by side; none of a single flow.
  */
@@ -1025,7 +1025,7 @@ report: InversionReport,
 /**
  * Three coordinates a vertex.
  */
-positions: Float32Array, 
+positions: Float32Array<ArrayBuffer>, 
 /**
  * The colours asked for.
  */
@@ -1143,7 +1143,7 @@ step: number,
 /**
  * As the viewer gave it.
  */
-camera: Float32Array | null, 
+camera: Float32Array<ArrayBuffer> | null, 
 /**
  * How it is drawn.
  */
@@ -1205,7 +1205,7 @@ info: Info,
 /**
  * Three coordinates a vertex, relative to the mesh's frame.
  */
-positions: Float32Array, 
+positions: Float32Array<ArrayBuffer>, 
 /**
  * What is added to positions for the file's coordinates; zero unless those lie far from the
  * origin.
@@ -1214,7 +1214,7 @@ shift: [number, number, number],
 /**
  * Red, green, blue and opacity of each vertex, from 0 to 1; null where the file has none.
  */
-colours: Float32Array | null, 
+colours: Float32Array<ArrayBuffer> | null, 
 /**
  * How the file numbers what sentences name.
  */
@@ -1222,15 +1222,15 @@ numbers: Numbers,
 /**
  * Three corners a triangle.
  */
-triangles: Uint32Array, 
+triangles: Uint32Array<ArrayBuffer>, 
 /**
  * Two ends an edge of the file's own faces.
  */
-wireEdges: Uint32Array, 
+wireEdges: Uint32Array<ArrayBuffer>, 
 /**
  * Two ends a boundary edge.
  */
-boundaryEdges: Uint32Array, 
+boundaryEdges: Uint32Array<ArrayBuffer>, 
 /**
  * Whether the file has triangles only.
  */
@@ -1238,11 +1238,11 @@ trianglesOnly: boolean,
 /**
  * Vertices a sample suggests to hold.
  */
-fixed: Uint32Array | null, 
+fixed: Uint32Array<ArrayBuffer> | null, 
 /**
  * Vertices a sample suggests to move.
  */
-free: Uint32Array | null, 
+free: Uint32Array<ArrayBuffer> | null, 
 /**
  * What a repair changed to make this of what was there before.
  */
@@ -1268,11 +1268,11 @@ probe: Probe | null,
 /**
  * Two ends a segment, three coordinates each, relative to the mesh's frame.
  */
-ends: Float32Array, 
+ends: Float32Array<ArrayBuffer>, 
 /**
  * The [`SegmentKind`] of each segment, by its number.
  */
-kinds: Uint8Array, 
+kinds: Uint8Array<ArrayBuffer>, 
 /**
  * Of all circumcircles.
  */
@@ -1339,19 +1339,6 @@ export type Loops = Array<number> | string | null;
  * The metric the gradient is taken in.
  */
 export type MassChoice = "auto" | "uniform" | "area";
-
-/**
- * A mesh that was read.
- */
-export type MeshFile = { 
-/**
- * Of the file.
- */
-name: string, 
-/**
- * All of it.
- */
-bytes: Uint8Array, };
 
 /**
  * How good a mesh is.
@@ -1455,11 +1442,24 @@ first: number,
 /**
  * For each vertex the file's, counted from 0; null where these are the same.
  */
-vertices: Uint32Array | null, 
+vertices: Uint32Array<ArrayBuffer> | null, 
 /**
  * For each triangle the file's face that it was cut from.
  */
-faces: Uint32Array | null, };
+faces: Uint32Array<ArrayBuffer> | null, };
+
+/**
+ * A file that was opened.
+ */
+export type OpenedFile = { 
+/**
+ * What it is called.
+ */
+name: string, 
+/**
+ * What is in it.
+ */
+bytes: Uint8Array<ArrayBuffer>, };
 
 /**
  * What the open mesh was made of, before any edits; as the page tells it.
@@ -1563,7 +1563,7 @@ view: LinkView,
 /**
  * As the viewer gives it.
  */
-camera: Float32Array | null, 
+camera: Float32Array<ArrayBuffer> | null, 
 /**
  * The step that it runs to; of the half of a film that is shown backwards a negative one.
  */
@@ -1592,23 +1592,23 @@ jump: CurvatureJump | null,
 /**
  * Three coordinates a vertex.
  */
-positions: Float32Array, 
+positions: Float32Array<ArrayBuffer>, 
 /**
  * Three corners a triangle.
  */
-triangles: Uint32Array, 
+triangles: Uint32Array<ArrayBuffer>, 
 /**
  * Two ends an edge.
  */
-wireEdges: Uint32Array, 
+wireEdges: Uint32Array<ArrayBuffer>, 
 /**
  * Two ends a boundary edge.
  */
-boundaryEdges: Uint32Array, 
+boundaryEdges: Uint32Array<ArrayBuffer>, 
 /**
  * Two ends an edge that the last step made.
  */
-highlight: Uint32Array, 
+highlight: Uint32Array<ArrayBuffer>, 
 /**
  * Colours.
  */
@@ -2062,7 +2062,7 @@ message: Message,
 /**
  * Vertices of the surface at which it is, of many only some.
  */
-vertices: Uint32Array, 
+vertices: Uint32Array<ArrayBuffer>, 
 /**
  * Whether that was safe, and so done when the file was opened.
  */
@@ -2234,11 +2234,11 @@ export type SelfIntersections = {
 /**
  * Two triangles a pair, the smaller number first; sorted.
  */
-pairs: Uint32Array, 
+pairs: Uint32Array<ArrayBuffer>, 
 /**
  * The triangles of all pairs, each once; sorted.
  */
-triangles: Uint32Array, };
+triangles: Uint32Array<ArrayBuffer>, };
 
 /**
  * How faces are lit.
@@ -2641,16 +2641,20 @@ branches: Array<BranchInfo>, };
 /**
  * What a command of the same name is answered with.
  */
-export type ToolAnswer = { "load": Loaded } | { "energy": EnergyReadings } | { "turn": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "phase": Phase | null } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array } | { "losses": Array<Message> } | { "history": string };
+export type ToolAnswer = { "unpack": Unpacked } | { "load": Loaded } | { "energy": EnergyReadings } | { "turn": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "phase": Phase | null } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array<ArrayBuffer> } | { "losses": Array<Message> } | { "history": string };
 
 /**
  * A request by name, with its fields.
  */
-export type ToolCommand = { "load": { 
+export type ToolCommand = { "unpack": { 
+/**
+ * At least one.
+ */
+files: Array<OpenedFile>, } } | { "load": { 
 /**
  * The file.
  */
-bytes: Uint8Array, 
+bytes: Uint8Array<ArrayBuffer>, 
 /**
  * Its name.
  */
@@ -2666,11 +2670,11 @@ figure: string, } } | { "restore": {
 /**
  * Three coordinates a vertex.
  */
-exact: Float64Array, 
+exact: Float64Array<ArrayBuffer>, 
 /**
  * Three corners each, where those of the frame were its own; null or none else.
  */
-triangles: Uint32Array | null, 
+triangles: Uint32Array<ArrayBuffer> | null, 
 /**
  * The step they belong to.
  */
@@ -2774,7 +2778,7 @@ script: ScriptText,
 /**
  * The file it begins with, if it does.
  */
-bytes: Uint8Array | null, 
+bytes: Uint8Array<ArrayBuffer> | null, 
 /**
  * Its name.
  */
@@ -2817,6 +2821,23 @@ isKnown: boolean,
  * where no smooth value is known of successive differences, over that of the widths.
  */
 orders: Array<number | null>, };
+
+/**
+ * The mesh among files.
+ */
+export type Unpacked = { 
+/**
+ * What it is called, without folders and without `.gz`.
+ */
+name: string, 
+/**
+ * What is in it, out of whatever it was packed in.
+ */
+bytes: Uint8Array<ArrayBuffer>, 
+/**
+ * Further meshes, which were not taken.
+ */
+others: Array<string>, };
 
 /**
  * The coordinate axis that points up where a surface is looked at.

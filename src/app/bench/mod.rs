@@ -17,8 +17,8 @@ mod vesicles;
 
 use super::fault::Fault;
 use super::message::AppError;
+use super::unpacked::OpenedFile;
 use super::{Loaded, Session};
-use crate::arrays::TypedArray;
 use crate::flow::option::OptionError;
 use crate::flow::option::kind::{Kind, id_of};
 use crate::flow::{Status, StepReport};
@@ -68,7 +68,7 @@ pub struct BenchOptions {
     /// Of the table of figures those that take a few seconds.
     pub quick: bool,
     /// Of the table of robustness: meshes to try instead of shapes with noise.
-    pub meshes: Vec<MeshFile>,
+    pub meshes: Vec<OpenedFile>,
 }
 
 impl Default for BenchOptions {
@@ -82,16 +82,6 @@ impl Default for BenchOptions {
             meshes: Vec::new(),
         }
     }
-}
-
-/// A mesh that was read.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub struct MeshFile {
-    /// Of the file.
-    pub name: String,
-    /// All of it.
-    pub bytes: TypedArray<u8>,
 }
 
 impl BenchOptions {

@@ -1,8 +1,9 @@
 //! How flows end on sound and on rough meshes, left to themselves: the energy at first and last,
 //! the largest relative rise of the monitored functional in a step, the smallest angle there was.
 
-use super::{BenchOptions, Measurement, MeshFile, Row, Table, named};
+use super::{BenchOptions, Measurement, Row, Table, named};
 use crate::app::document::Document;
+use crate::app::unpacked::{OpenedFile, unpacked};
 use crate::app::{Fault, Session, State};
 use crate::flow::StepReport;
 use crate::flow::constraint::Kept;
@@ -118,11 +119,12 @@ fn measurements(options: &BenchOptions) -> Vec<Measurement> {
         };
         return CASES.iter().flat_map(of_case).collect();
     }
-    let of_file = |file: &MeshFile| {
+    let of_file = |file: &OpenedFile| {
         let (name, file) = (file.name.clone(), file.clone());
         let load = move || {
             let mut session = Session::new();
-            session.load(&file.bytes, &file.name)?;
+            let mesh = unpacked(std::slice::from_ref(&file))?;
+            session.load(&mesh.bytes, &mesh.name)?;
             Ok(session)
         };
         of_mesh(&name, Rc::new(load), every(), Some(STEPS), options)

@@ -17,6 +17,7 @@ use crate::app::phases::Phase;
 use crate::app::readings::{EnergyOptions, EnergyReadings, State};
 use crate::app::recipe::{Origin, RecipeCard, ReplayProgress, ReplayReport, ScriptText};
 use crate::app::study::{StudyOptions, StudyReport};
+use crate::app::unpacked::{OpenedFile, Unpacked, unpacked};
 use crate::app::{FlipOutcome, Loaded, RegulariseOptions, Regularised, RemeshOutcome, Session};
 use crate::arrays::TypedArray;
 use crate::energy::curvature_jump::CurvatureJump;
@@ -34,6 +35,11 @@ use std::ops::ControlFlow;
 )]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub enum ToolCommand {
+    /// Finds the mesh among files that are opened together, out of gzip and ZIP.
+    Unpack {
+        /// At least one.
+        files: Vec<OpenedFile>,
+    },
     /// Loads a mesh file; the format is found from its content.
     Load {
         /// The file.
@@ -231,6 +237,7 @@ pub enum ToolCommand {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[allow(missing_docs, reason = "each is described at the command of its name")]
 pub enum ToolAnswer {
+    Unpack(Unpacked),
     Load(Loaded),
     Energy(EnergyReadings),
     Turn(State),
@@ -299,7 +306,10 @@ impl Session {
     /// # Errors
     /// Those of the method it stands for, and `Cancelled`; nothing has changed then.
     pub fn perform_tool(&mut self, command: ToolCommand) -> Result<ToolAnswer, Fault> {
-        let opens = matches!(command, ToolCommand::Load { .. });
+        let opens = matches!(
+            command,
+            ToolCommand::Load { .. } | ToolCommand::Unpack { .. }
+        );
         // Steps are observed one by one: what is given up is a step.
         let steps = matches!(command, ToolCommand::Advance {});
         let progress = self.progress.clone().filter(|_| !steps);
@@ -321,6 +331,7 @@ impl Session {
             self.view.forget_steps();
         }
         Ok(match command {
+            C::Unpack { files } => A::Unpack(unpacked(&files)?),
             C::Load {
                 bytes,
                 name,

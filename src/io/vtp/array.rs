@@ -3,7 +3,7 @@
 use super::super::base64;
 use super::super::binary::{Cursor, Scalar};
 use super::super::budget::Budget;
-use super::super::inflate::inflate;
+use super::super::packed::inflate::zlib;
 use super::super::text::{parse_float, shortened};
 use super::super::xml::{Event, Tag, Xml};
 use super::super::{Expected, Format, Found, Place, ReadError};
@@ -241,7 +241,7 @@ impl<'a, 'f> Arrays<'a, 'f> {
             rest = after;
             let plain = usize::try_from(length)
                 .ok()
-                .and_then(|length| inflate(piece, length));
+                .and_then(|length| zlib(piece, length));
             bytes.extend(plain.ok_or_else(|| self.damaged(Expected::Compressed))?);
         }
         Ok(Cow::Owned(bytes))

@@ -56,6 +56,11 @@ export class FakeSession {
     return { [name]: method.call(this, fields) };
   }
 
+  /** @param {{ files: { bytes: Uint8Array, name: string }[] }} fields */
+  unpack({ files: [file] }) {
+    return { ...file, others: [] };
+  }
+
   /** @param {{ bytes: Uint8Array, name: string }} file */
   load({ bytes, name }) {
     this.calls.push(["load", Buffer.from(bytes).toString(), name]);

@@ -189,3 +189,16 @@ write-read-only = { $format } wird gelesen und nicht geschrieben
     .hint = Nehmen Sie PLY, OBJ, OFF, STL oder GLB.
 write-too-large = das Netz ist zu groß für { $format }
     .hint = Nehmen Sie OBJ, OFF oder PLY.
+
+## Archive, und mehrere Dateien auf einmal
+
+unpack-no-mesh = Unter diesen Dateien ist kein Netz: { LIST($names, most: 6) }
+    .hint = Öffnen Sie das Netz selbst oder ein Archiv, in dem es ist.
+unpack-damaged = Das Archiv ist beschädigt oder bricht ab.
+    .hint = Das Herunterladen oder Kopieren endete wohl zu früh; holen Sie die Datei noch einmal.
+unpack-encrypted = Das Archiv ist verschlüsselt.
+    .hint = Entpacken Sie es, und öffnen Sie, was darin ist.
+unpack-unsupported = Das Archiv ist nach dem Verfahren { $method } komprimiert, das nicht gelesen wird.
+    .hint = Entpacken Sie es, und öffnen Sie, was darin ist.
+unpack-too-large = Entpackt wäre die Datei größer als { $megabytes } MB.
+    .hint = Entpacken Sie sie, und öffnen Sie, was darin ist, wenn es ein Netz ist.

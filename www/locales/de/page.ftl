@@ -79,14 +79,4 @@ no-mesh-yet = Es gibt noch kein Netz.
 
 ## Archive und mehrere Dateien zugleich
 
-unpack-no-mesh = Unter diesen Dateien ist kein Netz: { LIST($names, most: 6) }
-    .hint = Öffnen Sie das Netz selbst oder ein Archiv, in dem es ist.
-unpack-damaged = Das Archiv ist beschädigt oder bricht ab.
-    .hint = Das Herunterladen oder Kopieren endete wohl zu früh; holen Sie die Datei noch einmal.
-unpack-encrypted = Das Archiv ist verschlüsselt.
-    .hint = Entpacken Sie es, und öffnen Sie, was darin ist.
-unpack-method = Das Archiv ist nach dem Verfahren { $method } komprimiert, das nicht gelesen wird.
-    .hint = Entpacken Sie es, und öffnen Sie, was darin ist.
-unpack-too-large = Entpackt wäre die Datei größer als { $megabytes } MB.
-    .hint = Entpacken Sie sie, und öffnen Sie, was darin ist, wenn es ein Netz ist.
 unpack-others = Von mehreren Netzen wurde das größte geöffnet, { $name }; beiseite blieben: { LIST($others, most: 6) }

@@ -79,14 +79,4 @@ no-mesh-yet = There is no mesh yet.
 
 ## Archives, and several files at once
 
-unpack-no-mesh = There is no mesh among these files: { LIST($names, most: 6) }
-    .hint = Open the mesh itself, or an archive with it.
-unpack-damaged = The archive is damaged or cut short.
-    .hint = The download or copy may have stopped early; fetch it again.
-unpack-encrypted = The archive is encrypted.
-    .hint = Unpack it, and open what is in it.
-unpack-method = The archive is compressed by method { $method }, which is not read.
-    .hint = Unpack it, and open what is in it.
-unpack-too-large = Unpacked, the file would be larger than { $megabytes } MB.
-    .hint = Unpack it, and open what is in it, if that is a mesh.
 unpack-others = Of several meshes the largest was opened, { $name }; left aside: { LIST($others, most: 6) }
