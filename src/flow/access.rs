@@ -104,6 +104,7 @@ impl Driver {
         // After a mere limit a run goes on as if there had been none.
         if self.out_of_budget().is_none() {
             self.run.window = Window::default();
+            self.run.least = (f64::INFINITY, self.run.step);
             self.run.is_exhausted = false;
         }
         self.run.first_step = self.run.step;

@@ -103,6 +103,7 @@ impl Driver {
             seconds: 0.0,
             window: Window::default(),
             given: WarningsGiven::default(),
+            least: (f64::INFINITY, 0),
             is_exhausted: false,
         };
         Self {

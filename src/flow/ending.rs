@@ -21,6 +21,9 @@ const VANISHED: f64 = 1e-3;
 const VANISHING: f64 = 0.1;
 /// Times the start's area at which a surface that grows without end has shown that.
 const GROWN: f64 = 100.0;
+/// Times its least at which a functional that nothing holds down has risen, so many steps after that.
+const RISEN: f64 = 2.0;
+const RISING: usize = 100;
 /// What vanishes and is still as long as this share of what it was has become no point.
 const STILL_LONG: f64 = 0.3;
 /// With faces of so many times the mean, and four times what there was at the start, the
@@ -119,6 +122,9 @@ impl Driver {
             };
             return Ok(Decision::Stop(Status::Stalled, why));
         }
+        if let Some(rise) = self.rise(ending.after.value) {
+            return Ok(rise);
+        }
         if ending.rests {
             return self.rested(x, Reason::Still, cost);
         }
@@ -137,6 +143,21 @@ impl Driver {
             return Ok(decision);
         }
         Ok(self.out_of_budget().unwrap_or(Decision::GoOn))
+    }
+
+    /// A functional that nothing holds down, and that has risen for long: what comes of it is no
+    /// result of the flow.
+    fn rise(&mut self, value: f64) -> Option<Decision> {
+        let (least, then) = &mut self.run.least;
+        if value <= *least {
+            (*least, *then) = (value, self.run.step);
+        }
+        let times = value / *least;
+        let is_long = self.run.step - *then >= RISING;
+        let is_free = self.flow.rules().ceiling == Ceiling::None;
+        let why = Reason::Rises { times };
+        (is_free && is_long && *least > 0.0 && times > RISEN)
+            .then_some(Decision::Stop(Status::Stalled, why))
     }
 
     /// The functional has stopped falling.

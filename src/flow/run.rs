@@ -29,6 +29,8 @@ pub(super) struct Run {
     pub(super) seconds: f64,
     pub(super) window: Window,
     pub(super) given: WarningsGiven,
+    /// The least energy since then, and the step that had it.
+    pub(super) least: (f64, usize),
     /// Whether the next step is to end the run, as it gains nothing.
     pub(super) is_exhausted: bool,
 }

@@ -100,6 +100,11 @@ messages! {
             /// Its area over that at first.
             times: f64,
         },
+        /// Steps of a set size lead to more and more energy.
+        Rises {
+            /// The energy over the least of the run.
+            times: f64,
+        },
         /// The flow ends with more energy than it had on the way.
         WorseRest {
             /// What helps.

@@ -36,6 +36,8 @@ messages! {
         EndOfLine,
         /// The file is at its end.
         EndOfFile,
+        /// It is missing.
+        Nothing,
         /// A word.
         Word {
             /// Shortened.
@@ -119,6 +121,8 @@ messages! {
             /// Its name.
             name: &'static str,
         },
+        /// A node of a scene by its number, which has one place there.
+        SceneNode,
         /// Bytes written as text.
         Base64,
         /// Compressed bytes.
@@ -495,6 +499,8 @@ messages! {
             /// The vertex, counted from 0.
             vertex: usize,
         },
+        /// The mesh is so small that single precision cannot tell its vertices apart.
+        BelowSingle,
         /// Normals were given, but not one a vertex.
         NormalCount {
             /// How many normals.

@@ -24,7 +24,7 @@ pub fn write(
     check_writable(soup)?;
     let centre = single::centre(&soup.positions);
     let positions: Vec<DVec3> = soup.positions.iter().map(|p| *p - centre).collect();
-    single::check(positions.iter().copied())?;
+    single::check_positions(positions.iter().copied())?;
     let vertices = soup.positions.len();
     if let Some(normals) = normals {
         if normals.len() != vertices {
@@ -252,6 +252,11 @@ mod tests {
         soup.positions[3].x = 1e39;
         let error = write(&soup, None, "").unwrap_err();
         assert_eq!(error, WriteError::BeyondSingle { vertex: 3 });
+        let mut soup = quad();
+        for p in &mut soup.positions {
+            *p *= 1e-40;
+        }
+        assert_eq!(write(&soup, None, ""), Err(WriteError::BelowSingle));
         assert_eq!(
             write(&quad(), Some(&[DVec3::X]), "").unwrap_err(),
             WriteError::NormalCount {

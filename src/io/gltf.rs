@@ -64,15 +64,15 @@ impl<'a> Scene<'a> {
             }
         }
         let mut open: Vec<(usize, DAffine3)> = Vec::new();
-        let mut roots = self.roots(&nodes);
+        let mut roots = self.roots(&nodes)?;
         roots.reverse();
         open.extend(roots.into_iter().map(|root| (root, DAffine3::IDENTITY)));
         let mut seen = vec![false; nodes.len()];
         while let Some((index, outer)) = open.pop() {
-            let node = nodes.get(index).filter(|_| !seen[index]);
-            let Some(node) = node else {
-                return Err(self.asset.wrong(None, "nodes"));
-            };
+            let node = &nodes[index];
+            if seen[index] {
+                return Err(self.asset.expected(Some(*node), Expected::SceneNode));
+            }
             seen[index] = true;
             let transform = outer * self.transform(*node)?;
             if let Some(mesh) = node.get("mesh") {
@@ -89,7 +89,9 @@ impl<'a> Scene<'a> {
             }
             let before = open.len();
             let children = node.get("children").into_iter().flat_map(Json::items);
-            open.extend(children.map(|child| (child.index().unwrap_or(usize::MAX), transform)));
+            for child in children {
+                open.push((self.node(child, &nodes)?, transform));
+            }
             open[before..].reverse();
         }
         let format = self.asset.format;
@@ -109,15 +111,19 @@ impl<'a> Scene<'a> {
         Ok(read)
     }
 
+    /// A node by its number.
+    fn node(&self, number: Json<'a>, nodes: &[Json<'a>]) -> Result<usize, ReadError> {
+        let found = number.index().filter(|&index| index < nodes.len());
+        found.ok_or_else(|| self.asset.expected(Some(number), Expected::SceneNode))
+    }
+
     /// Nodes of the scene that is shown; where there is none, those that are in no other.
-    fn roots(&self, nodes: &[Json<'a>]) -> Vec<usize> {
+    fn roots(&self, nodes: &[Json<'a>]) -> Result<Vec<usize>, ReadError> {
         let scenes = self.asset.list("scenes");
         let shown = self.asset.json.get("scene").and_then(Json::index);
         if let Some(scene) = scenes.get(shown.unwrap_or(0)) {
-            let nodes = scene.get("nodes").into_iter().flat_map(Json::items);
-            return nodes
-                .map(|node| node.index().unwrap_or(usize::MAX))
-                .collect();
+            let shown = scene.get("nodes").into_iter().flat_map(Json::items);
+            return shown.map(|number| self.node(number, nodes)).collect();
         }
         let mut is_root = vec![true; nodes.len()];
         for child in nodes
@@ -129,7 +135,7 @@ impl<'a> Scene<'a> {
                 *is_root = false;
             }
         }
-        (0..nodes.len()).filter(|&node| is_root[node]).collect()
+        Ok((0..nodes.len()).filter(|&node| is_root[node]).collect())
     }
 
     /// Where a node puts what is in it: a matrix, or a scale, a rotation and a translation.
@@ -195,7 +201,7 @@ impl<'a> Scene<'a> {
                 Entry::Occupied(known) => known.into_mut(),
                 Entry::Vacant(free) => {
                     let numbers = self.asset.accessor(accessor, primitive)?;
-                    let made = self.positions(&numbers, transform, is_split)?;
+                    let made = self.positions(&numbers, accessor, transform, is_split)?;
                     self.colours(primitive, &made);
                     free.insert(made)
                 }
@@ -218,12 +224,13 @@ impl<'a> Scene<'a> {
     fn positions(
         &mut self,
         numbers: &Numbers<'_>,
+        accessor: Json<'a>,
         transform: &DAffine3,
         is_split: bool,
     ) -> Result<Vec<u32>, ReadError> {
         if numbers.width != 3 {
             let expected = Expected::JsonMember { name: "VEC3" };
-            return Err(self.asset.expected(numbers.place, expected));
+            return Err(self.asset.expected(Some(accessor), expected));
         }
         self.budget.part(numbers.count, 0, numbers.place)?;
         let mut vertices = Vec::with_capacity(numbers.count);

@@ -111,6 +111,11 @@ impl<'a> Json<'a> {
         Some(Cow::Owned(plain))
     }
 
+    /// The value as it stands there.
+    pub(super) fn written(self) -> &'a [u8] {
+        &self.0[..length(self.0)]
+    }
+
     /// How many bytes of the document come from here on.
     pub(super) fn left(self) -> usize {
         self.0.len()

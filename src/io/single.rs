@@ -26,6 +26,22 @@ pub(super) fn centre(positions: &[DVec3]) -> DVec3 {
     }
 }
 
+/// Smaller meshes are rounded by more than 10⁻⁶ of their size: numbers are 2⁻¹⁴⁹ apart at least.
+const SMALLEST: f64 = 1.5e-39;
+
+/// Refuses positions that single precision cannot hold, or cannot tell apart.
+pub(super) fn check_positions(
+    positions: impl Iterator<Item = DVec3> + Clone,
+) -> Result<(), WriteError> {
+    check(positions.clone())?;
+    let first = positions.clone().next().unwrap_or_default();
+    let size = positions.fold(0.0_f64, |size, p| size.max((p - first).abs().max_element()));
+    match size {
+        0.0 | SMALLEST.. => Ok(()),
+        _ => Err(WriteError::BelowSingle),
+    }
+}
+
 /// Refuses vectors that single precision cannot hold.
 pub(super) fn check(vectors: impl IntoIterator<Item = DVec3>) -> Result<(), WriteError> {
     let found = vectors.into_iter().position(|v| !v.as_vec3().is_finite());

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use glam::DVec3;
 
-use super::text::{Lines, comment_lines};
+use super::text::{Lines, Words, comment_lines};
 use super::weld::Weld;
 use super::{Expected, Format, Oddity, Place, Read, ReadError, WriteError, single};
 use crate::order;
@@ -118,28 +118,33 @@ pub(super) fn read_ascii(bytes: &[u8]) -> Result<Read, ReadError> {
     let mut corners = Vec::new();
     let mut open = None;
     let mut ended = false;
-    for mut words in lines.by_ref() {
-        let Some(word) = words.next() else { continue };
+    first.give_back(word);
+    for mut words in std::iter::once(first).chain(lines.by_ref()) {
         let place = words.place();
-        match (word.to_ascii_lowercase().as_slice(), open) {
-            (b"vertex", Some(_)) => corners.push(weld.corner(words.point()?, place)?),
-            (b"outer", None) => open = Some(place),
-            (b"endloop", Some(place)) => {
-                weld.assembly.face(&corners, place)?;
-                corners.clear();
-                open = None;
+        // Some write all of it in one line.
+        while let Some(word) = words.next() {
+            let lower = word.to_ascii_lowercase();
+            match (lower.as_slice(), open) {
+                (b"vertex", Some(_)) => corners.push(weld.corner(words.point()?, place)?),
+                (b"outer", None) => open = Some(place),
+                (b"endloop", Some(place)) => {
+                    weld.assembly.face(&corners, place)?;
+                    corners.clear();
+                    open = None;
+                }
+                (b"facet" | b"endfacet", None) => {}
+                (b"solid" | b"endsolid", None) => ended = word.len() > 5,
+                (_, open) => {
+                    let word_of = if open.is_some() {
+                        "vertex, endloop"
+                    } else {
+                        "facet, outer loop, vertex, endloop, endfacet, solid, endsolid"
+                    };
+                    let expected = Expected::Keyword { word: word_of };
+                    return Err(words.error(Some(word), expected));
+                }
             }
-            (b"facet" | b"endfacet", None) => {}
-            (b"solid" | b"endsolid", None) => ended = word.len() > 5,
-            (_, open) => {
-                let word_of = if open.is_some() {
-                    "vertex, endloop"
-                } else {
-                    "facet, outer loop, vertex, endloop, endfacet, solid, endsolid"
-                };
-                let expected = Expected::Keyword { word: word_of };
-                return Err(words.error(Some(word), expected));
-            }
+            skip_to_keyword(&mut words, lower.ends_with(b"solid"));
         }
     }
     if open.is_some() {
@@ -150,6 +155,32 @@ pub(super) fn read_ascii(bytes: &[u8]) -> Result<Read, ReadError> {
         read.warnings.push(Oddity::NoEnd);
     }
     Ok(read)
+}
+
+/// Passes what belongs to the keyword before: a normal, or a name, in which any word may stand.
+fn skip_to_keyword(words: &mut Words<'_>, is_named: bool) {
+    const KEYWORDS: [&str; 6] = [
+        "facet", "outer", "vertex", "endloop", "endfacet", "endsolid",
+    ];
+    let is_one_of = |word: Option<&[u8]>, all: &[&str]| {
+        word.is_some_and(|word| {
+            all.iter()
+                .any(|one| word.eq_ignore_ascii_case(one.as_bytes()))
+        })
+    };
+    loop {
+        let mut ahead = words.clone();
+        let next = ahead.next();
+        let is_keyword = if is_named {
+            is_one_of(next, &KEYWORDS[..1]) && is_one_of(ahead.clone().next(), &["normal", "outer"])
+        } else {
+            is_one_of(next, &KEYWORDS)
+        };
+        if next.is_none() || is_keyword {
+            return;
+        }
+        *words = ahead;
+    }
 }
 
 /// The normal of a triangle; zero, as the format has it, where there is none.
@@ -208,7 +239,7 @@ pub(super) fn joined(soup: &PolygonSoup, format: Format) -> usize {
 /// there.
 pub(super) fn write_binary(soup: &PolygonSoup, comment: &str) -> Result<Vec<u8>, WriteError> {
     let shift = moved_by(soup).unwrap_or(DVec3::ZERO);
-    single::check(soup.positions.iter().map(|p| *p + shift))?;
+    single::check_positions(soup.positions.iter().map(|p| *p + shift))?;
     let triangles = corner_positions(soup);
     let count = u32::try_from(triangles.len()).map_err(|_| WriteError::TooLarge {
         format: Format::Stl,
@@ -345,6 +376,9 @@ mod tests {
             [&[0, 1, 2, 3][..], &[0, 1, 4]]
         );
         assert!(read.warnings.is_empty());
+        let one_line = text.replace("\r\nfacet\r\n", " facet normal 0 0 1 ");
+        let one_line = one_line.replace(['\r', '\n'], " ");
+        assert_eq!(read_ascii(one_line.as_bytes()), Ok(read));
         let unended = text.trim_end().strip_suffix("endsolid b").unwrap();
         assert_eq!(read_ascii(unended.as_bytes()).unwrap().warnings.len(), 1);
     }

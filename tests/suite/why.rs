@@ -590,3 +590,45 @@ fn steps_that_are_all_refused_are_told_by_the_last() {
     let found = case.diagnosis("RefusedSteps");
     assert_eq!(found.vertices.len() + found.faces.len(), 1);
 }
+
+/// The step is longer than the scheme of the paper bears; it goes on with it, until it is plain that
+/// the energy does not fall.
+#[test]
+fn a_step_that_is_too_long_for_the_papers_scheme_is_halved_and_ends_by_a_rise() {
+    let options = FlowOptions {
+        scheme: Scheme::Paper,
+        tau: Some(5.0),
+        ..plain()
+    };
+    let mut case = Case::new("coarse-torus", &[], options);
+    case.run(1);
+    let found = case.diagnosis("HalvedStep");
+    assert!(number(&found, "count") >= 1.0);
+    assert_eq!(found.remedies[0].id, RemedyId::Continue);
+    case.run(400);
+    let state = case.state();
+    assert_eq!(state.status, Status::Stalled);
+    let reason = state.message.expect("a reason");
+    assert_eq!(&*reason.id, "reason-rises");
+    assert!(reason.number("times") > Some(2.0));
+    case.carry_out(&first(
+        &case.diagnosis("RisingEnergy"),
+        RemedyId::RecommendedScheme,
+    ));
+}
+
+#[test]
+fn a_mesh_that_cannot_be_believed_is_said_to_be_the_matter() {
+    let knot = [("p", 3.0), ("q", 4.0), ("along", 240.0), ("around", 16.0)];
+    let options = FlowOptions {
+        keep: vec![Kept::Area, Kept::Volume],
+        ..p_willmore()
+    };
+    let mut case = Case::new("torus-knot", &knot, options);
+    case.run(40);
+    let readings = case.state().soundness.expect("a closed mesh");
+    assert!(!readings.is_sound);
+    let found = case.diagnosis("Untrusted");
+    assert_eq!(number(&found, "bend"), readings.bend);
+    assert_eq!(found.vertices.len(), 1);
+}

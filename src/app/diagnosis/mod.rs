@@ -35,6 +35,15 @@ messages! {
             /// The vertex that the last of them would have moved most.
             vertex: u32,
         },
+        /// A step of the paper's scheme was halved for a definite matrix: it goes on.
+        HalvedStep {
+            /// The step.
+            step: usize,
+            /// So many times.
+            count: usize,
+            /// The step size taken, without a unit.
+            tau: f64,
+        },
         /// Every trial step was refused.
         RefusedSteps {
             /// Kind of the last one's [`Cause`](crate::flow::Cause).
@@ -133,6 +142,19 @@ messages! {
         },
         /// The mesh shows less energy than that before the first step.
         Unresolved,
+        /// A mesh whose readings cannot be believed.
+        Untrusted {
+            /// See [`Soundness::bend`](crate::remesh::adaptive::Soundness::bend).
+            bend: f64,
+            /// See [`Soundness::alignment`](crate::remesh::adaptive::Soundness::alignment).
+            alignment: f64,
+            /// See [`Soundness::gauss_bonnet`](crate::remesh::adaptive::Soundness::gauss_bonnet).
+            topology: f64,
+            /// See [`Soundness::fitted_energy`](crate::remesh::adaptive::Soundness::fitted_energy).
+            energy: f64,
+            /// The sharpest point.
+            vertex: u32,
+        },
         /// A large exponent on a rough surface.
         LargeExponent {
             /// The exponent.
@@ -238,7 +260,7 @@ impl Runner {
             return None;
         }
         if status == Status::Converged {
-            return self.below_minimum();
+            return self.below_minimum().or_else(|| self.untrusted());
         }
         let stopped = status == Status::Stalled || status.is_breakdown();
         let pinched = || {
@@ -260,9 +282,12 @@ impl Runner {
             .or_else(|| self.folded_over(flow))
             .or_else(|| self.degenerate())
             .or_else(|| match status {
-                Status::Stalled | Status::Singular | Status::Collapsed => self.refused(flow),
                 Status::StepLimit => self.step_limit(),
-                _ => self.rejected(flow),
+                _ if stopped => self.refused(flow),
+                _ => None,
             })
+            .or_else(|| self.untrusted())
+            .or_else(|| self.rejected(flow))
+            .or_else(|| self.halved())
     }
 }

@@ -6,7 +6,7 @@ use super::{Diagnosis, Symptom};
 use crate::app::engine::Engine;
 use crate::app::runner::Runner;
 use crate::flow::spec::FlowName;
-use crate::flow::{FlowError, Status};
+use crate::flow::{FlowError, Status, StepReport, Warning};
 use crate::message::Say;
 
 /// An energy above the least of the last steps by more than this share has risen.
@@ -17,6 +17,15 @@ pub(super) const WINDOW: usize = 10;
 const SMOOTH: [f64; 2] = [0.01, 0.1];
 /// An update of so many edges after as many steps is of a flow that does not come to rest.
 const LOST: f64 = 2.0;
+
+/// Times that a step was halved for a definite matrix.
+fn halvings(report: &StepReport) -> usize {
+    let of = |warning: &Warning| match warning {
+        Warning::HalvedStep { times } => Some(*times),
+        _ => None,
+    };
+    report.warnings.iter().find_map(of).unwrap_or_default()
+}
 
 impl Runner {
     pub(super) fn cocircular(&self, flow: &Engine) -> Option<Diagnosis> {
@@ -69,7 +78,7 @@ impl Runner {
             tau: last.tau,
             vertex,
             moved: moved / self.h(),
-            halved: last.rejected,
+            halved: halvings(last),
         };
         let remedies = [
             Some(Remedy::recommended_scheme().anew()),
@@ -166,6 +175,20 @@ impl Runner {
         let fixed = self.options().tau.is_some() || self.options().dt.is_some();
         let automatic = (fixed && !self.is_paper()).then(Remedy::automatic_step);
         Some(diagnosis.with([Some(Remedy::go_on()), automatic]))
+    }
+
+    /// Only the paper's schemes halve a step without a trial of it.
+    pub(super) fn halved(&self) -> Option<Diagnosis> {
+        let last = self.last().filter(|last| halvings(last) > 0)?;
+        let (vertex, _) = self.last_move()?;
+        let symptom = Symptom::HalvedStep {
+            step: last.step,
+            count: halvings(last),
+            tau: last.tau,
+        };
+        let remedies = [Remedy::go_on(), Remedy::recommended_scheme().anew()];
+        let diagnosis = Diagnosis::new(&symptom).at_vertices([vertex]);
+        Some(diagnosis.with(remedies.map(Some)))
     }
 
     pub(super) fn rejected(&self, flow: &Engine) -> Option<Diagnosis> {

@@ -187,6 +187,23 @@ impl Runner {
         Some(diagnosis.with([finer, Some(Remedy::refine()), self.can_go_back()]))
     }
 
+    /// A mesh too coarse or too crumpled for its readings to be believed.
+    pub(super) fn untrusted(&self) -> Option<Diagnosis> {
+        let readings = self.state.soundness.filter(|readings| !readings.is_sound)?;
+        let vertex = elements::most_curved(self.triangles(), &self.x)?;
+        let symptom = Symptom::Untrusted {
+            bend: readings.bend,
+            alignment: readings.alignment,
+            topology: readings.gauss_bonnet,
+            energy: readings.fitted_energy,
+            vertex,
+        };
+        let finer = self.can_subdivide().unwrap_or_else(Remedy::refine);
+        let remedies = [Some(finer), self.can_regularise(), self.can_go_back()];
+        let diagnosis = Diagnosis::new(&symptom).at_vertices([vertex]);
+        Some(diagnosis.with(remedies))
+    }
+
     pub(super) fn unresolved(&self) -> Option<Diagnosis> {
         let is_at_start = self.segment_reports().is_empty();
         let symptom = (self.state.status == Status::Collapsed && is_at_start)

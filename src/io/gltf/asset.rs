@@ -144,8 +144,8 @@ impl<'a> Asset<'a> {
                     let plain = is_base64
                         .then(|| base64::decode(&uri[comma + 1..], usize::MAX))
                         .flatten();
-                    let place = asset.place(buffer);
-                    let plain = plain.ok_or_else(|| asset.expected(place, Expected::Base64))?;
+                    let wrong = || asset.expected(buffer.get("uri"), Expected::Base64);
+                    let plain = plain.ok_or_else(wrong)?;
                     Some(Cow::Owned(plain))
                 }
                 Some(_) => None,
@@ -182,12 +182,16 @@ impl<'a> Asset<'a> {
 
     /// The error that a value is missing, or is not what `name` should be.
     pub(super) fn wrong(&self, value: Option<Json<'a>>, name: &'static str) -> ReadError {
-        let place = self.place(value.unwrap_or(self.json));
-        self.expected(place, Expected::JsonMember { name })
+        self.expected(value, Expected::JsonMember { name })
     }
 
-    pub(super) fn expected(&self, place: Place, expected: Expected) -> ReadError {
-        ReadError::syntax(self.format, place, Found::EndOfFile, expected)
+    /// The same of anything else that should stand there.
+    pub(super) fn expected(&self, value: Option<Json<'a>>, expected: Expected) -> ReadError {
+        let place = self.place(value.unwrap_or(self.json));
+        let found = value.map_or(Found::Nothing, |value| Found::Word {
+            word: shortened(value.written()),
+        });
+        ReadError::syntax(self.format, place, found, expected)
     }
 
     /// A list of so many finite numbers.

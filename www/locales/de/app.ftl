@@ -135,6 +135,11 @@ symptom-pinch = Die Fläche schnürt sich bei Ecke { VERTEX($vertex) } ab: Der H
 symptom-inflating = Die Fläche ist auf das { $times }-Fache ihres Inhalts angeschwollen, da ∫H² nicht von der Größe abhängt, und das hat ihr Netz verschlissen: Der kleinste Winkel von Facette { FACE($face) } ist { $angle }°.
 symptom-growing = Für jeden Exponenten über 2 fällt ∫|H|^p, wenn die Fläche wächst: Mit p = { $p } ist ihr Inhalt das { $times }-Fache dessen am Anfang, und sie kommt nie zur Ruhe.
 symptom-shrinking = Für jeden Exponenten unter 2 fällt ∫|H|^p, wenn die Fläche schrumpft: Mit p = { $p } ist ihr Inhalt 1/{ $times } dessen am Anfang, und sie verschwindet in endlicher Zeit.
+symptom-untrusted = Das Netz ist zu grob oder zu zerknittert, als dass seine Messwerte viel bedeuten, am meisten bei Ecke { VERTEX($vertex) }. Größte Krümmung mal Kante { NUMBER($bend, digits: 2) }, kleinstes Produkt von Flächen- und Eckennormalen { NUMBER($alignment, digits: 2) }, ∫K/4π weicht um { NUMBER($topology, digits: 2) } ab, ∫H² der Anpassungen das { NUMBER($energy, digits: 2) }-Fache von dem des Netzes.
+symptom-halved-step = Das Verfahren des Artikels geht in Schritten fester Größe: Schritt { $step } wurde { $count ->
+    [one] einmal
+   *[other] { $count }-mal
+} halbiert, auf τ = { $tau }, da seine Matrix nicht positiv definit war. Es geht weiter; die Energie kann steigen.
 symptom-degenerate-faces = Das Netz entartet: Der kleinste Winkel von Facette { FACE($face) } ist { $angle }°, und am Anfang lag kein Winkel unter { $before }°; Schritte können nicht länger sein, als eine solche Facette erlaubt.
 symptom-folded-faces = { $count ->
     [one] Facette { FACE($face) } ist gegen ihre Nachbarn umgeklappt: Um sie herum bedeuten Normalen und Krümmungen nichts, und Schritte sind kurz oder gehen fehl.

@@ -58,7 +58,7 @@ warning-margin = { $rings ->
    *[other] Weniger als ein Ring festgehaltener Ecken liegt zwischen dem Rand des freien Flickens und dem des Netzes: Dort wird die Fläche von einer Seite angepasst, und nur die Lage ist vorgegeben, nicht die Tangentialebene.
 }
 warning-disagreement = Zwei Werte von ∫H², mit konzentrierter und mit konsistenter Masse, weichen um { NUMBER($percent, digits: 2) } % voneinander ab: Das Netz löst seine Krümmung nicht gut auf.
-warning-untrusted = Nicht vertrauenswürdig: Das Netz ist zu grob oder zu zerknittert, als dass seine Messwerte viel bedeuten. Größte Krümmung mal Kante { NUMBER($bend, digits: 2) }, kleinstes Produkt von Flächen- und Eckennormalen { NUMBER($alignment, digits: 2) }, ∫K/4π weicht um { NUMBER($topology, digits: 2) } ab, ∫H² der Anpassungen das { NUMBER($energy, digits: 2) }-Fache von dem des Netzes.
+warning-untrusted = Nicht vertrauenswürdig: Das Netz ist zu grob oder zu zerknittert, als dass seine Messwerte viel bedeuten.
 warning-branch = Das Volumen ist, wo es hin sollte. Die Form ist { $shape ->
     [round] rund
     [prolate] gestreckt
@@ -128,6 +128,7 @@ reason-flat-face = { $count ->
 } keinen Flächeninhalt, und von dort führt kein Schritt weiter; eine Reparatur nimmt solche Facetten heraus
 reason-creeping = nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; { $advice }
 reason-grows-on = die Fläche ist auf das { $times }-fache ihres Inhalts gewachsen und wächst immer weiter: Ruhe gibt es nur, wenn Flächeninhalt oder Volumen beibehalten wird
+reason-rises = Schritte dieser Größe führen zu mehr Energie, dem { NUMBER($times, digits: 2) }-fachen dessen, was unterwegs war; eine kleinere Schrittweite hilft, oder das Verfahren, das sie selbst wählt
 reason-worse-rest = der Fluss endet mit mehr Energie, als er unterwegs hatte; { $advice }
 reason-below-bound = jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft
 reason-unresolved = die Krümmungen dieser Dreiecke haben zusammen weniger Energie als jede glatte Fläche dieser Topologie, sodass sich kein Schritt an ihnen messen lässt; die Fläche ist, wie sie war, und ein Netz aus gleichmäßigen Dreiecken hilft oder der p-Willmore-Fluss

@@ -135,6 +135,11 @@ symptom-pinch = The surface pinches off at vertex { VERTEX($vertex) }: the neck 
 symptom-inflating = The surface has swollen to { $times } times its area, as ∫H² does not depend on size, and its mesh is worn out: the smallest angle of face { FACE($face) } is { $angle }°.
 symptom-growing = ∫|H|^p falls as the surface grows, for every exponent above 2: with p = { $p } its area is { $times } times that at the start, and it never comes to rest.
 symptom-shrinking = ∫|H|^p falls as the surface shrinks, for every exponent below 2: with p = { $p } its area is 1/{ $times } of that at the start, and it vanishes in finite time.
+symptom-untrusted = The mesh is too coarse or too crumpled for its readings to mean much, most at vertex { VERTEX($vertex) }. Largest curvature times edge { NUMBER($bend, digits: 2) }, least product of face and vertex normals { NUMBER($alignment, digits: 2) }, ∫K/4π off by { NUMBER($topology, digits: 2) }, ∫H² of fits { NUMBER($energy, digits: 2) } times that of the mesh.
+symptom-halved-step = The scheme of the paper takes steps of a set size: step { $step } was halved { $count ->
+    [one] once
+   *[other] { $count } times
+}, to τ = { $tau }, as its matrix was not positive definite. It goes on; the energy may rise.
 symptom-degenerate-faces = The mesh degenerates: the smallest angle of face { FACE($face) } is { $angle }°, and at the start no angle was below { $before }°; that limits the steps.
 symptom-folded-faces = { $count ->
     [one] Face { FACE($face) } is folded over, against its neighbours: about it normals and curvatures mean nothing, and steps are short or go astray.

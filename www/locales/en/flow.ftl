@@ -58,7 +58,7 @@ warning-margin = { $rings ->
    *[other] Fewer than one ring of held vertices lies between the free patch's boundary and the mesh's: there the surface is fitted from one side, and only positions are given, not the tangent plane.
 }
 warning-disagreement = Two readings of ∫H², with a lumped and with a consistent mass, part by { NUMBER($percent, digits: 2) } %: the mesh does not resolve its curvature well.
-warning-untrusted = Not to be trusted: the mesh is too coarse or too crumpled for its readings to mean much. Largest curvature times edge { NUMBER($bend, digits: 2) }, least product of face and vertex normals { NUMBER($alignment, digits: 2) }, ∫K/4π off by { NUMBER($topology, digits: 2) }, ∫H² of fits { NUMBER($energy, digits: 2) } times that of the mesh.
+warning-untrusted = Not to be trusted: the mesh is too coarse or too crumpled for its readings to mean much.
 warning-branch = The volume is where it was to go. The shape is { $shape ->
     [round] round
     [prolate] prolate
@@ -113,7 +113,7 @@ clock-mean-curvature = by the normal velocity −H
 clock-area-gradient = by the normal velocity −2H, which takes half as long as −H
 reason-at-rest = the surface is at rest
 reason-still = no vertex moves any more
-reason-zero-energy = the energy is zero up to roundoff
+reason-zero-energy = the energy is zero to rounding
 reason-smoothed = { $steps ->
     [one] { $steps } step of smoothing is
    *[other] { $steps } steps of smoothing are
@@ -131,6 +131,7 @@ reason-flat-face = { $count ->
 } no area, and no step leads on from there; a repair takes such faces out
 reason-creeping = only ever smaller steps lower the energy, which is not at rest; { $advice }
 reason-grows-on = the surface has grown to { $times } times its area, and grows for ever: there is no rest unless area or volume is kept
+reason-rises = steps of this size lead to more energy, { NUMBER($times, digits: 2) } times what there was on the way; a smaller step size helps, or the scheme that chooses it
 reason-worse-rest = the flow ends with more energy than on the way; { $advice }
 reason-below-bound = any further step would have less energy than every smooth surface of this topology; the surface is the last good one; a finer or better mesh helps
 reason-unresolved = the curvatures of these triangles add up to less than every smooth surface of this topology has; the surface is as it was; even triangles help, or the p-Willmore flow
