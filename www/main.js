@@ -74,6 +74,7 @@ for (const [id, isOpen] of /** @type {const} */ ([
     if (isOpen(s) === element.open) return;
     if (isOpen(s)) element.showModal();
     else element.close();
+    element.scrollTop = 0;
   });
   // Of a dialog that is closed with its key this comes at once, and no key after it is lost.
   for (const kind of ["cancel", "close"]) {

@@ -3,7 +3,16 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { button, colourBy, openPart, openTab, stepOf, until, useSite } from "./support/app.js";
+import {
+  button,
+  colourBy,
+  openPart,
+  openTab,
+  stepOf,
+  until,
+  upload,
+  useSite,
+} from "./support/app.js";
 import { accessibilityFaults } from "./support/axe.js";
 
 const site = useSite();
@@ -127,6 +136,27 @@ test("on a phone targets are large, and with a sheet open there is still a surfa
   await page.getByRole("tab", { name: "Measure" }).tap();
   await page.getByRole("table", { name: "Readings" }).waitFor();
   assert.equal(await sheet.locator(".body").evaluate((body) => body.scrollTop), 0);
+  // So does a dialog; nothing in it is small either.
+  const dialog = page.locator("#dialog");
+  await page.keyboard.press("/");
+  await dialog.getByRole("button", { name: "Start here" }).waitFor();
+  const chips = await dialog
+    .locator(".chip")
+    .evaluateAll((all) => all.map((one) => one.clientHeight));
+  assert.ok(Math.min(...chips) >= 41, String(chips));
+  await dialog.evaluate((element) => element.scrollTo(0, 300));
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("?");
+  await dialog.getByRole("heading", { name: "Help" }).waitFor();
+  assert.equal(await dialog.evaluate((element) => element.scrollTop), 0);
+  await page.keyboard.press("Escape");
+  // A message has the width of the page, below the status: the surface keeps its room.
+  await page.getByRole("tab", { name: "Measure" }).tap();
+  await upload(page, "nothing.obj", "v 0 0 0\n");
+  const alert = page.getByRole("alert");
+  await alert.waitFor();
+  const said = await alert.boundingBox();
+  assert.ok(said && said.width > 300 && said.height < 110, JSON.stringify(said));
   assert.deepEqual(faults, []);
   await close();
 });

@@ -130,7 +130,7 @@ test("numbers have a decimal point and no grouping in every language", async () 
     await speak(language);
     const text = say("regularised", { ...values, distortionNow: 0.5 });
     assert.ok(text.startsWith(`${start}0.5; `), text);
-    assert.ok(text.includes(" 2.5e+5 % "), text);
+    assert.ok(text.includes(" 250000 % "), text);
   }
 });
 

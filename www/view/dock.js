@@ -10,7 +10,7 @@ import { button, iconButton, lazy } from "./parts.js";
 
 /** What a command line says after its name, as a sentence. @param {string} text */
 const sentence = (text) =>
-  text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?…:]$/.test(text) ? "" : ".");
+  text && text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?…:]$/.test(text) ? "" : ".");
 
 /** @param {Note} note */
 const dismissal = ({ id }) => iconButton("close", say("dismiss"), () => page.notes.dismiss(id));
@@ -45,7 +45,8 @@ function line() {
   if (s.isNew && s.mode === null && shown?.step === 0 && !s.running) return purpose();
   if (page.player.isWaiting.value) return html`<span class="text">${say("computing")}</span>`;
   const last = page.lead.clip.last?.state.step ?? 0;
-  const text = s.mode ? say(`mode-${s.mode}`) : clause(s, shown, isPlaying, last);
+  const own = clause(s, shown, isPlaying, last);
+  const text = s.mode ? say(`mode-${s.mode}`) : rests ? sentence(own) : own;
   return html`<span class="text">${text}</span>${rests ? why : nothing}`;
 }
 

@@ -4,7 +4,7 @@
 import "../style/measure.css";
 import { html, nothing, svg } from "lit-html";
 import { figureTitle, sayFigure } from "../library.js";
-import { formatBeside, formatNumber, formatShort, formatSigned } from "../number.js";
+import { formatBeside, formatNumber, formatShort, formatSigned, isRounding } from "../number.js";
 import { histogram } from "../range.js";
 import { symbol } from "../status.js";
 import { say } from "../words.js";
@@ -61,9 +61,14 @@ function readings() {
   const row = (id, value, name = say(`reading-${id}`)) => [name, value, id];
   const { tension, pressure } = shown?.multipliers ?? {};
   const volume = shown ? volumeOf(shown) : "";
+  /** What is lost in rounding beside the start is none, and stands behind it. @param {number} value */
+  const energy = (value) => {
+    const exact = formatNumber(value, 6);
+    return isRounding(value, first?.energy ?? 0) ? html`<span title=${exact}>0</span>` : exact;
+  };
   const rows = [
-    shown && row("energy", formatNumber(shown.energy, 6)),
-    shown && isCircle && row("half", formatNumber(shown.energyNormalised, 6), "W/2"),
+    shown && row("energy", energy(shown.energy)),
+    shown && isCircle && row("half", energy(shown.energyNormalised), "W/2"),
     shown && row("step", String(shown.step)),
     shown && row("time", formatNumber(shown.time)),
     shown && row("dt", stepSize(shown)),

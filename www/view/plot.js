@@ -26,6 +26,9 @@ const quantities = {
   dt: (state) => state.dt,
 };
 
+/** CSS pixels of a page on which letters of the usual drawing would be tiny. */
+const NARROW = 700;
+
 const quantity = signal("energy");
 const abscissa = signal(/** @type {"step" | "time"} */ ("step"));
 
@@ -98,7 +101,12 @@ export function plot() {
   const along = lines.flat().map(([x]) => x);
   const right = Math.max(...along, 1e-12);
   const { x, y, drawing, upright } = axesOf({
-    ...{ size: [900, 420], left: 70, x: [Math.min(...along, right), right], isLog },
+    ...{
+      size: innerWidth < NARROW ? [380, 360] : [900, 420],
+      left: 70,
+      x: [Math.min(...along, right), right],
+      isLog,
+    },
     y: [Math.min(...usable, isLog ? Infinity : 0), Math.max(...usable, isLog ? 0 : 1e-12)],
   });
   const curves = lines.map((list, n) => {

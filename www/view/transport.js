@@ -2,7 +2,7 @@
 
 import "../style/transport.css";
 import { html, nothing } from "lit-html";
-import { letter } from "../comparison.js";
+import { letter, optionsOf } from "../comparison.js";
 import { formatBeside } from "../number.js";
 import { speeds } from "../player.js";
 import { symbol } from "../status.js";
@@ -40,7 +40,9 @@ function energy() {
     const numbers = page.tracks().map(({ clip, u }, n) => {
       const [now, start] = [clip.points[clip.at(u).index], clip.points[0]];
       const text = formatBeside(now?.state.energy, start?.state.energy ?? 0);
-      return html`<span class="pane-${n}"><b>${text}</b> ${letter(n)}</span>`;
+      const { options, comparison } = s;
+      const own = n === 0 ? options : optionsOf(options, comparison.rivals[n - 1].change);
+      return html`<span class="pane-${n}"><b>${text}</b> ${letter(n)}, ${symbol({ options: own })}</span>`;
     });
     return html`<div class="energy pair">${numbers}</div>`;
   }
