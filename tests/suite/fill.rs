@@ -1,5 +1,6 @@
 //! Hole filling and blending: topology to the letter, geometry against closed forms.
 
+use crate::support::parts::{Ends, chamfered, circle, gear, prism, refined};
 use crate::support::*;
 use glam::DVec3;
 use std::collections::BTreeSet;
@@ -600,6 +601,41 @@ fn the_order_falls_where_the_surroundings_are_narrow_and_says_so() {
         let says = filled.notices.iter().any(near);
         assert_eq!(says, order < 3, "{:?}", filled.notices);
     }
+}
+
+/// What continued the sides smoothly would bulge out of the plane of the rim.
+#[test]
+fn the_missing_side_of_a_part_comes_back_flat() {
+    let hexagon = circle(6, 1.0);
+    for (outline, level) in [
+        (chamfered(2.0, 1.5, 0.0), 0),
+        (chamfered(2.0, 1.5, 0.0), 3),
+        (hexagon, 2),
+        (gear(5, 0.7, 1.0), 2),
+    ] {
+        let whole = refined(&prism(&outline, &[0.0, 0.5, 1.0], Ends::Hub), level);
+        let closed = surface(&whole);
+        let volume = measure::volume(&closed.mesh, &closed.x).expect("closed");
+        let s = cut(&whole, |c, _| c.z < 1.0 - 1e-9);
+        let filled = fill_all(&s);
+        let found = measure::volume(&filled.mesh, &filled.positions).expect("closed");
+        assert!((found / volume - 1.0).abs() < 1e-9, "{found} for {volume}");
+        let is_side = |notice: &FillNotice| {
+            matches!(
+                notice,
+                FillNotice::LowOrder {
+                    cause: "side",
+                    order: 1,
+                    ..
+                }
+            )
+        };
+        assert!(filled.notices.iter().all(is_side), "{:?}", filled.notices);
+    }
+    // The mouth of a smooth tube is none, however flat.
+    let tube = refined(&prism(&circle(24, 1.0), &[0.0, 0.5, 1.0], Ends::Hub), 1);
+    let filled = fill_all(&cut(&tube, |c, _| c.z < 1.0 - 1e-9));
+    assert_eq!(filled.patches[0].order, 3);
 }
 
 #[test]

@@ -21,7 +21,8 @@ const browser = files.filter((file) => !file.startsWith("cli") && !timed.include
 /** @param {string[]} names @param {number} [atOnce]  so many files */
 function nodeTests(names, atOnce = 2) {
   const paths = names.map((name) => path.join(folder, name));
-  runNode(["--test", `--test-concurrency=${atOnce}`, ...paths]);
+  // What waits for ever is to be told, and not to be waited for.
+  runNode(["--test", "--test-timeout=900000", `--test-concurrency=${atOnce}`, ...paths]);
 }
 
 /** Chromium must be there; what is missing of the others is said, and their tests are skipped. */

@@ -19,27 +19,34 @@ const QUIET = 2000;
 
 const details = signal(false);
 
+/** What is on its way: a press before it is there counts from it. @type {{ figure: typeof figures[number] | null, id: string } | null} */
+let asked = null;
+
 /** What comes after, and before: figures of the papers, else what one begins with. @param {1 | -1} way */
-function turnTo(way) {
+async function turnTo(way) {
   const { figure, source } = page.get();
-  if (figure) {
-    const next = figures[figures.indexOf(figure) + way];
-    return next && page.open.figure(next);
-  }
+  const from = asked ?? { figure, id: source?.kind === "sample" ? source.id : "" };
   const all = ["bumpy-sphere", ...starters];
-  const at = all.indexOf(source?.kind === "sample" ? source.id : "");
-  return page.open.sample(all[(at + way + all.length) % all.length]);
+  const next = from.figure
+    ? { figure: figures[figures.indexOf(from.figure) + way], id: "" }
+    : { figure: null, id: all[(all.indexOf(from.id) + way + all.length) % all.length] };
+  if (next.figure === undefined) return;
+  asked = next;
+  try {
+    await (next.figure ? page.open.figure(next.figure) : page.open.sample(next.id));
+  } finally {
+    if (asked === next) asked = null;
+  }
 }
 
 function forward() {
-  const { running } = page.get();
-  const isMoving = running || page.player.motion.peek() !== "still";
+  const isMoving = page.get().running || page.player.motion.peek() !== "still";
   const { clip, u } = page.lead;
-  if (!isMoving && page.isOver() && u >= clip.total * (1 - 1e-9)) turnTo(1);
-  else page.run.toggle();
+  const isAtEnd = !isMoving && page.isOver() && u >= clip.total * (1 - 1e-9);
+  return asked || isAtEnd ? turnTo(1) : page.run.toggle();
 }
 
-const backward = () => (page.lead.u > 0 ? page.run.reset() : turnTo(-1));
+const backward = () => (page.lead.u > 0 && !asked ? page.run.reset() : turnTo(-1));
 
 /** @type {Record<string, () => unknown>} */
 const keys = {
@@ -52,7 +59,7 @@ const keys = {
 // Keys of a clicker, full screen, and the pointer that goes when it rests.
 const root = document.documentElement;
 addEventListener("keydown", (event) => {
-  const { presenting, dialog, phase } = page.get();
+  const { presenting, dialog } = page.get();
   const act = Object.hasOwn(keys, event.key) ? keys[event.key] : null;
   if (!act || !presenting || dialog || event.defaultPrevented || event.repeat) return;
   if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || takesKeys(event.target))
@@ -60,7 +67,7 @@ addEventListener("keydown", (event) => {
   // Arrow keys belong to what has the focus: they turn the surface.
   if (event.key.startsWith("Arrow") && document.activeElement !== document.body) return;
   event.preventDefault();
-  if (phase !== "loading") act();
+  act();
 });
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let quiet;

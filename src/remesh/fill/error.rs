@@ -110,7 +110,7 @@ messages! {
             loops: Vec<usize>,
             /// What it continues: 2 tangent planes, 1 positions; 0 a membrane.
             order: usize,
-            /// `near-boundary`, `size`, `folds` or `rough`.
+            /// `near-boundary`, `size`, `folds`, `rough` or `side`.
             cause: &'static str,
             /// New vertices of the patch.
             vertices: usize,

@@ -35,6 +35,8 @@ pub(super) enum Lowered {
     Folds,
     /// The higher order bulges far more than the lower.
     Rough,
+    /// A flat side of the shape is missing.
+    Side,
 }
 
 /// Fairs the vertices in `free` in place; answers the order used, 0 for none, and why it is

@@ -22,6 +22,7 @@ mod minimal_area;
 mod notice;
 mod patch;
 mod refine;
+mod side;
 
 pub use boundary::{BoundaryLoop, boundary_loops, small_loops};
 pub use error::{FillError, FillNotice};
@@ -255,12 +256,13 @@ fn begin(
     if rim.is_face(mesh) {
         patch.forbid_face();
     }
+    let is_side = !options.connect && side::is_side(mesh, x, &rim);
     Ok(Job {
         patch,
         length: rim.mean_edge,
         most: usize::MAX,
-        order: ORDER,
-        lowered: None,
+        order: if is_side { 1 } else { ORDER },
+        lowered: is_side.then_some(Lowered::Side),
         total_curvature: (!options.connect).then(|| notice::total_curvature(&angles)),
         rim,
     })

@@ -35,6 +35,7 @@ fn order(job: &Job) -> Option<FillNotice> {
         Lowered::Size => "size",
         Lowered::Folds => "folds",
         Lowered::Rough => "rough",
+        Lowered::Side => "side",
     };
     Some(FillNotice::LowOrder {
         loops: job.rim.loops.clone(),

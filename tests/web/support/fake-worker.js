@@ -138,6 +138,7 @@ export class FakeWorker {
   /** @param {string} name @param {any} fields @returns {any} */
   perform(name, fields) {
     if (name === "readOptions") return {};
+    if (name === "unpack") return { ...fields.files[0], others: [] };
     if (name === "load" || name === "sample") {
       if (fields.name === "broken.obj") throw refusal("BadMesh");
       this.mesh = fields.name;

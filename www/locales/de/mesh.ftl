@@ -212,6 +212,7 @@ fill-notice-low-order = Der Flicken an { COUNT($loops) ->
     [near-boundary] Um ihn liegen weniger als drei Ringe der Fläche
     [size] Er hat { $vertices } neue Ecken
     [folds] Ein glatterer würde umklappen
+    [side] Sein Rand ist eben, und Kanten der Form enden dort: Es fehlt eine Seite
    *[rough] Die Fläche um ihn ist zu rau, um fortgesetzt zu werden
 }.
 fill-notice-coarser = Die Kantenlängen der Randkurven verlangen etwa { $vertices } neue Ecken, mehr als die Grenze von { $most }: Die Kanten der Flicken sind { NUMBER($times, digits: 2) }-mal so lang.

@@ -215,6 +215,7 @@ fill-notice-low-order = The patch at { COUNT($loops) ->
     [near-boundary] there are fewer than three rings of surface around it
     [size] it has { $vertices } new vertices
     [folds] a smoother one would fold over
+    [side] its rim is flat and edges of the shape end there: a side is missing
    *[rough] the surface around it is too rough to be continued
 }.
 fill-notice-coarser = The loops' edge lengths ask for about { $vertices } new vertices, more than the limit of { $most }: the patches' edges are { NUMBER($times, digits: 2) } times as long.
