@@ -77,8 +77,10 @@ mod tests {
         for (k, corner) in corners.iter_mut().enumerate() {
             *corner = [0, 1, 2].map(|axis| (k >> axis & 1) as f64);
         }
-        let mut cube = PolygonSoup::default();
-        cube.positions = corners.map(DVec3::from_array).to_vec();
+        let mut cube = PolygonSoup {
+            positions: corners.map(DVec3::from_array).to_vec(),
+            ..PolygonSoup::default()
+        };
         for side in [
             [0, 2, 3, 1],
             [4, 5, 7, 6],
