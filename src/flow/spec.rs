@@ -100,39 +100,56 @@ use FlowName::{
     Circle, Flips, MeanCurvature, Mmcv, PWillmore, SurfaceDiffusion, VolumePreserving, Willmore,
 };
 
-/// Every flow.
-pub const ALL: &[FlowName] = &[
-    Circle,
-    PWillmore,
-    MeanCurvature,
-    VolumePreserving,
-    SurfaceDiffusion,
-    Willmore,
-    Mmcv,
-    Flips,
-];
-/// Those that move vertices.
-pub const MOVING: &[FlowName] = &[
-    Circle,
-    PWillmore,
-    MeanCurvature,
-    VolumePreserving,
-    SurfaceDiffusion,
-    Willmore,
-    Mmcv,
-];
-/// Those with something to choose at a boundary, and with vertices to hold.
-pub const OPEN: &[FlowName] = &[Circle, MeanCurvature, SurfaceDiffusion, Willmore, Mmcv];
+/// The names of the rows for which a condition holds.
+macro_rules! flows {
+    ($(#[$note:meta])* $name:ident: |$row:ident| $condition:expr) => {
+        $(#[$note])*
+        pub const $name: &[FlowName] = {
+            const fn holds($row: &FlowRow) -> bool {
+                $condition
+            }
+            const NAMES: ([FlowName; FLOWS.len()], usize) = {
+                let (mut names, mut count, mut n) = ([Circle; FLOWS.len()], 0, 0);
+                while n < FLOWS.len() {
+                    if holds(&FLOWS[n]) {
+                        names[count] = FLOWS[n].id;
+                        count += 1;
+                    }
+                    n += 1;
+                }
+                (names, count)
+            };
+            NAMES.0.split_at(NAMES.1).0
+        };
+    };
+}
+
+flows! {
+    /// Every flow.
+    ALL: |_row| true
+}
+flows! {
+    /// Those that move vertices.
+    MOVING: |row| row.order > 0
+}
+flows! {
+    /// Those with something to choose at a boundary, and with vertices to hold.
+    OPEN: |row| row.boundary.is_some()
+}
+flows! {
+    /// The p-Willmore flow and its cases: flows of closed surfaces.
+    CLOSED: |row| matches!(row.family, Family::PWillmore)
+}
+flows! {
+    /// Those that another can stand beside.
+    COMPARED: |row| matches!(row.family, Family::Curvature | Family::Flips)
+}
 /// The circle-angle flow.
 pub const CIRCLE: &[FlowName] = &[Circle];
 /// The p-Willmore flow.
 pub const P_WILLMORE: &[FlowName] = &[PWillmore];
-/// The p-Willmore flow and its cases: flows of closed surfaces.
-pub const CLOSED: &[FlowName] = &[PWillmore, VolumePreserving];
 /// Minimal mean-curvature variation.
 pub const MMCV: &[FlowName] = &[Mmcv];
-/// Those that another can stand beside.
-pub const COMPARED: &[FlowName] = &[MeanCurvature, SurfaceDiffusion, Willmore, Mmcv, Flips];
 /// Edge flips.
 pub const FLIPS: &[FlowName] = &[Flips];
 
@@ -166,7 +183,7 @@ const fn fitted(
 }
 
 /// The flows, in the order of menus.
-pub static FLOWS: &[FlowRow] = &[
+pub const FLOWS: &[FlowRow] = &[
     FlowRow {
         id: Circle,
         family: Family::Circle,
@@ -296,13 +313,12 @@ mod tests {
         let rows: Vec<FlowName> = FLOWS.iter().map(|row| row.id).collect();
         assert_eq!(rows, FlowName::all().collect::<Vec<_>>());
         assert_eq!(rows, ALL);
-        let moving = rows
-            .iter()
-            .filter(|flow| of(**flow).family != Family::Flips);
-        assert!(moving.eq(MOVING));
-        let open = FLOWS.iter().filter(|row| row.boundary.is_some());
-        assert!(open.map(|row| &row.id).eq(OPEN));
-        let closed = FLOWS.iter().filter(|row| row.family == Family::PWillmore);
-        assert!(closed.map(|row| &row.id).eq(CLOSED));
+        assert_eq!(MOVING, &rows[..rows.len() - 1], "all but the flips");
+        assert_eq!(CLOSED, [PWillmore, VolumePreserving]);
+        assert_eq!(
+            OPEN,
+            [Circle, MeanCurvature, SurfaceDiffusion, Willmore, Mmcv]
+        );
+        assert_eq!(COMPARED[..4], OPEN[1..]);
     }
 }
