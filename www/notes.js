@@ -27,6 +27,14 @@ export function createNotes(store) {
     timer = setTimeout(next, STAYS);
   }
 
+  /** @param {(note: Note) => boolean} isPast */
+  function drop(isPast) {
+    const { notes } = store.get();
+    if (!notes.some(isPast)) return;
+    store.patch({ notes: notes.filter((one) => !isPast(one)) });
+    next();
+  }
+
   /** @param {Note["kind"]} kind @param {string} text @param {string} hint @param {Note["offers"]} offers */
   function add(kind, text, hint, offers) {
     lastId += 1;
@@ -53,10 +61,9 @@ export function createNotes(store) {
     /** @param {{ message: string, hint: string }} fault @param {Note["offers"]} [offers] */
     error: ({ message, hint }, offers = []) => add("error", message, hint, offers),
     /** @param {number} id */
-    dismiss(id) {
-      store.patch({ notes: store.get().notes.filter((one) => one.id !== id) });
-      next();
-    },
+    dismiss: (id) => drop((one) => one.id === id),
+    /** What was refused has been done otherwise. */
+    settle: () => drop(({ kind }) => kind === "error"),
     /** Whether to do what takes long. @param {string} text @returns {Promise<boolean>} */
     ask: (text) =>
       new Promise((resolve) => {

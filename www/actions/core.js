@@ -277,6 +277,7 @@ export function createCore(store, notes, { isCalm, nextFrame, waits }) {
       if (way === "configure") anew(true);
       const configured = await solver.configure(options, way);
       patch({ configured, reading: configured.state, running: false });
+      notes.settle();
     } catch (error) {
       patch({ options: { ...before } });
       // Where it is refused the run is as it was, and the display is to be so too.

@@ -1,6 +1,6 @@
 // What makes another mesh of the one at hand, and the way back; what is looked at more closely.
 
-import { flowOf, toFlow } from "../options.js";
+import { flowLabel, flowOf, toFlow } from "../options.js";
 import { withSelection } from "../solver.js";
 import { sceneTitle } from "../status.js";
 import { earlierOf } from "../store.js";
@@ -135,11 +135,14 @@ export function createEdit(core) {
       const { flow } = get().options;
       // Flows that a new patch is left to.
       const fairs = flowOf(flow).family === "curvature";
-      const change = { ...toFlow(fairs ? flow : "mmcv"), fixed: null, prefill: false };
+      // A flat side is to stay flat.
+      const isSide = filled.warnings.some(({ values }) => values.cause === "side");
+      const next = isSide ? "mean-curvature" : fairs ? flow : "mmcv";
+      const change = { ...toFlow(next), fixed: null, prefill: false };
       const fair = { ...kept(loaded), ...change, free: kept(loaded).free };
       await edited(loaded, say("count-fills", { count }), fair);
       for (const warning of filled.warnings) notes.note(say(warning), warning.id);
-      notes.answer(say("filled", { count, vertices: filled.newVertices }));
+      notes.answer(say("filled", { count, vertices: filled.newVertices, flow: flowLabel(next) }));
     },
     /** Frees these vertices and holds the others; the surface as it is becomes the start. @param {number[] | null} free */
     select: (free) => restart({ ...get().options, free, fixed: null }),
