@@ -109,6 +109,18 @@ test("there is one Play, the space bar plays, and nothing lies over the surface"
   await close();
 });
 
+test("where edges are too close to be drawn the page says so, until one is near enough", async () => {
+  const { page, faults, close } = await site.open("sample=genus-4&wireframe=true", desk);
+  await page.getByRole("group", { name: "Legend" }).getByRole("button").last().click();
+  const hint = page.getByText("Zoom in to see edges");
+  await hint.waitFor();
+  await canvas(page).hover();
+  for (let n = 0; n < 6; n += 1) await page.mouse.wheel(0, -400);
+  await hint.waitFor({ state: "detached" });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("an option over decades has a slider, which the field follows", async () => {
   const { page, close } = await site.open("sample=bumpy-sphere&goal=smooth", desk);
   await openTab(page, "Flow");

@@ -49,6 +49,23 @@ function fit() {
   if (field) page.patch({ range: rangeOf(field) });
 }
 
+/** CSS pixels of an edge below which few are drawn (`fragment_wire` in surface.wgsl). */
+const DENSE = 8;
+
+/** Whether edges lie so close on the screen that they are left out. */
+function isDense() {
+  // The camera is the picture's.
+  page.stage.pictures.value;
+  const { mesh } = page.state.value;
+  const { viewer } = page.stage.first;
+  const area = page.shown()?.area;
+  const at = mesh && viewer?.project(mesh.positions);
+  const beside = at && viewer?.unproject({ ...at, x: at.x + 1 });
+  if (!mesh || !area || !beside) return false;
+  const pixel = Math.hypot(...beside.map((value, axis) => value - mesh.positions[axis]));
+  return Math.sqrt((4 * area) / (Math.sqrt(3) * mesh.info.faces)) < DENSE * pixel;
+}
+
 function optionsOf() {
   const { view, colour, presenting, lookOptions, mesh, reading } = page.state.value;
   const { view: set } = page.run;
@@ -59,7 +76,8 @@ function optionsOf() {
     ${select(say("colour-by"), named(colours, "colour"), colour, page.run.colour)}
     ${colour === "none" ? nothing : html`<div class="row">${button(say("fit-range"), fit, "small")}</div>`}
     ${toggle(say("wireframe"), view.wireframe, (wireframe) => set({ wireframe }))}
-    ${toggle(say("boundary-lines"), view.boundary, (boundary) => set({ boundary }))}
+    ${view.wireframe && isDense() ? html`<p class="hint">${say("wireframe-dense")}</p>` : nothing}
+    ${(mesh?.info.boundaryLoops ?? 0) > 0 ? toggle(say("boundary-lines"), view.boundary, (boundary) => set({ boundary })) : nothing}
     ${slider(say("cut"), view.cut, 0, 95, (cut) => set({ cut }))}
     ${crosses ? toggle(say("double-curves"), lookOptions.crossings, doubled) : nothing}
     ${segmented(say("shading"), named(["smooth", "flat"], "shading"), view.shading, (shading) => set({ shading }))}

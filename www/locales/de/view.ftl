@@ -212,6 +212,7 @@ round = rund
 range-held = Skala für den ganzen Lauf
 fit-range = An diesen Schritt anpassen
 wireframe = Drahtgitter
+wireframe-dense = Näher heran sind die Kanten zu sehen.
 boundary-lines = Rand
 cut = Aufschneiden
 double-curves = Kurven, an denen sie sich durchdringt

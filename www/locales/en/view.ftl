@@ -212,6 +212,7 @@ round = round
 range-held = Scale held for the whole run
 fit-range = Fit to this step
 wireframe = Wireframe
+wireframe-dense = Zoom in to see edges.
 boundary-lines = Boundary
 cut = Cut open
 double-curves = Curves where it crosses itself
