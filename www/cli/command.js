@@ -35,7 +35,7 @@ import { pending, print, repairInWords, repairWay } from "./text.js";
  * @property {(perform: Perform, mesh: { bytes: Uint8Array<ArrayBuffer>, name: string }, asked: any) => any} [load]
  *   how the mesh is loaded, where that takes more; what it answers is `loaded`
  * @property {(done: { perform: Perform, asked: any, values: Values, operands: string[],
- *   io: Terminal, loaded: any }) => Done | Promise<Done>} run
+ *   io: Terminal, loaded: any }) => Done} run
  */
 
 /** @type {Options} */
@@ -59,7 +59,7 @@ export async function execute(name, spec, { parameters, io, open }) {
     return 0;
   }
   const { operands: given, values } = parse(parameters, syntax);
-  const asked = await (spec.ask?.(values, given, io) ?? readFlags(name, typed(rows, values)));
+  const asked = spec.ask?.(values, given, io) ?? readFlags(name, typed(rows, values));
   const format = values.out && formatOf(values.out);
   for (const [key, { isWritten }] of Object.entries(syntax.options)) {
     if (isWritten && values[key] !== undefined) checkOutput(values[key]);
@@ -69,7 +69,7 @@ export async function execute(name, spec, { parameters, io, open }) {
   const perform = (command, fields) => performIn(session, command, fields);
   const mesh = operands[0] === "MESH" ? readMesh(perform, given[0], io) : null;
   const loaded = mesh && (load?.(perform, mesh, asked) ?? perform("load", mesh));
-  const done = await run({ perform, asked, values, operands: given, io, loaded });
+  const done = run({ perform, asked, values, operands: given, io, loaded });
   // What works on a broken surface as it is says so; `info` lists that itself.
   if (loaded?.info && name !== "info") {
     const wanting = pending(loaded.info.repairs.map(repairInWords));
