@@ -189,6 +189,13 @@ impl Engine {
         }
     }
 
+    /// Counts work between steps to the budget of time.
+    pub(super) fn spend(&mut self, seconds: f64) {
+        if let Self::Flow(driver) = self {
+            driver.spend(seconds);
+        }
+    }
+
     /// Sets the step count and time, after positions came from outside.
     pub(super) fn set_clock(&mut self, step: usize, time: f64) {
         match self {

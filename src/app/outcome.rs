@@ -6,6 +6,7 @@ use super::runner::Runner;
 use crate::energy::curvature_jump::CurvatureJump;
 use crate::flow::option::kind::id_of;
 use crate::flow::{Monitored, Status, Warning};
+use crate::geometry::measure;
 use crate::message::{Message, Value, messages};
 use crate::remesh::adaptive::Soundness;
 use serde::Serialize;
@@ -127,9 +128,18 @@ impl Runner {
             )
         };
         let others = of_steps.filter(|warning| !is_passing(warning));
+        // What grows on is told by what it has come to.
+        let first = measure::area(&self.document.triangles, &self.document.start);
+        let now = (100.0 * (self.state.area / first - 1.0)).round();
+        let others = others.copied().map(|warning| match warning {
+            Warning::OpenBoundary { percent } => Warning::OpenBoundary {
+                percent: percent.max(now),
+            },
+            other => other,
+        });
         let unsound = self.state.soundness.as_ref().and_then(Warning::of_unsound);
         let mut last = BTreeMap::new();
-        for message in others.copied().chain(unsound).map(Message::from) {
+        for message in others.chain(unsound).map(Message::from) {
             last.insert(message.id.clone(), message);
         }
         let folds = (folding > 0).then_some(RunNotice::Folds { folding, steps });

@@ -89,6 +89,11 @@ impl Driver {
         self.run.step_size.restart();
     }
 
+    /// Counts work between steps to the budget of time.
+    pub fn spend(&mut self, seconds: f64) {
+        self.run.seconds += seconds;
+    }
+
     /// Sets the step count and time, after positions came from outside.
     pub fn set_clock(&mut self, step: usize, time: f64) {
         self.restore(self.checkpoint());

@@ -155,7 +155,12 @@ impl Driver {
         let times = value / *least;
         let is_long = self.run.step - *then >= RISING;
         let is_free = self.flow.rules().ceiling == Ceiling::None;
-        let why = Reason::Rises { times };
+        let why = if self.run.step_size.is_given {
+            Reason::Rises { times }
+        } else {
+            let advice = self.flow.advice();
+            Reason::RisesOn { times, advice }
+        };
         (is_free && is_long && *least > 0.0 && times > RISEN)
             .then_some(Decision::Stop(Status::Stalled, why))
     }
@@ -294,7 +299,12 @@ deferred! {
     fn vanished(driver: &Driver, x: &[DVec3]) -> Decision {
         let (time, clock) = (driver.run.time, driver.flow.clock());
         let size = measure::bounding_diagonal(x);
-        let why = if size > STILL_LONG * driver.run.first_size {
+        // Of several parts those that were smaller may be gone long before.
+        let part = shrunken_part(&driver.mesh, &driver.start.x, x, VANISHED);
+        let why = if let Some(place) = part.filter(|_| size > STILL_LONG * driver.run.first_size) {
+            let place = place.to_array();
+            Reason::PartVanishes { time, clock, place }
+        } else if size > STILL_LONG * driver.run.first_size {
             Reason::VanishesToCurve { time, clock }
         } else {
             let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();

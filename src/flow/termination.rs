@@ -105,6 +105,13 @@ messages! {
             /// The energy over the least of the run.
             times: f64,
         },
+        /// Steps that the flow itself chooses do.
+        RisesOn {
+            /// The energy over the least of the run.
+            times: f64,
+            /// What helps.
+            advice: Advice,
+        },
         /// The flow ends with more energy than it had on the way.
         WorseRest {
             /// What helps.

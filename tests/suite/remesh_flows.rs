@@ -3,6 +3,7 @@
 
 use crate::p_willmore_energy::roughened;
 use crate::support::*;
+use glam::DVec3;
 use std::f64::consts::PI;
 use umbilic::app::Session;
 use umbilic::energy::circle::Boundary;
@@ -10,8 +11,11 @@ use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowOptions, Remeshing};
 use umbilic::flow::spec::FlowName;
 use umbilic::flow::{Status, Warning};
+use umbilic::geometry::measure;
 use umbilic::io::{Format, write};
+use umbilic::mesh::HalfedgeMesh;
 use umbilic::message::Message;
+use umbilic::remesh::adaptive::{Creases, Kind, remesh};
 
 /// ∫H² of the Clifford torus, the least of all tori (Marques & Neves 2014).
 const CLIFFORD: f64 = 2.0 * PI * PI;
@@ -172,5 +176,72 @@ fn readings_of_a_mesh_that_wears_out_are_not_to_be_trusted_and_the_run_says_so()
         let end = run(s, &[Kept::Area], Remeshing::Adaptive, 60);
         assert!(end.is_sound);
         assert_eq!(end.warned, [false; 2]);
+    }
+}
+
+/// A vertex that was pulled out, as scans have them: no pass may make more of it.
+#[test]
+fn a_ball_with_one_spike_becomes_a_ball() {
+    for (level, height) in [(3.0, 2.0), (3.0, 3.0), (4.0, 2.0), (4.0, 3.0)] {
+        let mut soup = sample("icosphere", &[("level", level)]);
+        soup.positions[100] *= height;
+        let file = write(&soup, Format::Ply, "a spike").expect("a file");
+        let mut session = Session::new();
+        session.load(&file, "spike.ply").expect("a mesh");
+        let options = FlowOptions {
+            flow: FlowName::PWillmore,
+            ..FlowOptions::default()
+        };
+        session.configure(options).expect("a flow");
+        session.run(200).expect("steps");
+        let state = session.state().expect("a state");
+        let (energy, angle) = (state.energy, state.min_angle_degrees);
+        assert_eq!(state.status, Status::Converged, "{level}, {height}");
+        assert!((energy / (4.0 * PI) - 1.0).abs() < 1e-3, "{energy}");
+        assert!(angle > 25.0, "{level}, {height}: {angle}°");
+    }
+}
+
+/// Each has its own area, and stays where it is, however far apart they are.
+#[test]
+fn parts_keep_their_sizes_and_places() {
+    let ball = sample("icosphere", &[("level", 3.0)]);
+    let mut soup = ball.clone();
+    let n = soup.positions.len() as u32;
+    let small = |p: &DVec3| DVec3::X * 50.0 + 0.5 * *p;
+    soup.positions.extend(ball.positions.iter().map(small));
+    for face in ball.faces() {
+        let corners: Vec<u32> = face.iter().map(|v| v + n).collect();
+        soup.push_face(&corners);
+    }
+    let s = surface(&soup);
+    let parts = |mesh: &HalfedgeMesh, x: &[DVec3]| {
+        let (of, count) = mesh.components();
+        assert_eq!(count, 2);
+        let mut found = [(0.0, DVec3::ZERO); 2];
+        for (v, weight) in measure::vertex_areas(mesh, x).into_iter().enumerate() {
+            let far = usize::from(x[v].x > 25.0);
+            assert_eq!(of[v] == of[0], (far == 1) == (x[0].x > 25.0));
+            found[far].0 += weight;
+            found[far].1 += weight * x[v];
+        }
+        found.map(|(area, sum)| (area, sum / area))
+    };
+    let before = parts(&s.mesh, &s.x);
+    for vertices in [1284, 700] {
+        let Ok(r) = remesh(
+            &s.mesh,
+            &s.x,
+            Kind::Adaptive,
+            vertices,
+            &vec![false; s.x.len()],
+            Creases::Keep,
+        ) else {
+            panic!("{vertices}");
+        };
+        for ((area, place), (now, there)) in before.iter().zip(parts(&r.mesh, &r.positions)) {
+            assert!((now / area - 1.0).abs() < 1e-9, "{area}: {now}");
+            assert!(place.distance(there) < 2e-3, "{place}: {there}");
+        }
     }
 }

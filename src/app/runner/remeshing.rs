@@ -5,11 +5,14 @@
 //! follows from the surface and the number of steps since the last; so a run that is done again
 //! makes the same passes at the same steps, and no recipe has to list them.
 //!
-//! Energies are not compared across a pass. That of a worn mesh is too low as often as too high,
-//! so a pass may raise it; refusing those that do would keep exactly the meshes that need one.
+//! Energies are hardly compared across a pass. That of a worn mesh is too low as often as too high,
+//! so a pass may raise it; refusing those that do would keep exactly the meshes that need one. But one
+//! that makes a multiple of it has crumpled the surface, as about a spike: then edges are made of one
+//! length, or there is no pass.
 
 use super::Runner;
 use crate::app::colours::Colours;
+use crate::app::document::Document;
 use crate::app::engine::Checkpoint;
 use crate::app::fault::Fault;
 use crate::app::history::{Event, Snapshot};
@@ -33,6 +36,8 @@ use web_time::Instant;
 const EVERY: usize = 10;
 /// Degrees that a pass is to add to the smallest angle where it does little else.
 const GAIN: f64 = 3.0;
+/// Times its ∫H² to which a pass may raise that of a worn mesh, where it began with less.
+const RISEN: f64 = 1.3;
 /// Steps after a pass before there can be another.
 const REST: usize = 3;
 
@@ -130,6 +135,16 @@ impl Runner {
         (helps && self.steps_since_pass() >= REST).then_some(kind)
     }
 
+    /// ∫H² after a pass over what it may be: that before, or what the run began with.
+    fn rises(&self, made: &Made) -> f64 {
+        let Document {
+            triangles, start, ..
+        } = &self.document;
+        let first = integrated_power(triangles, start, 2.0);
+        let before = integrated_power(self.triangles(), &self.x, 2.0);
+        integrated_power(&made.remade.mesh, &made.positions, 2.0) / first.max(RISEN * before)
+    }
+
     /// Makes a pass, and tells its milliseconds; `None` where the surface would not have stayed the
     /// same, or the mesh would.
     ///
@@ -141,15 +156,33 @@ impl Runner {
         snapshot: Option<Snapshot>,
     ) -> Result<Option<(Pass, f64)>, Fault> {
         let watch = Instant::now();
+        let pass = self.attempt(kind, snapshot)?;
+        let seconds = watch.elapsed().as_secs_f64();
+        // A step's own time is counted by the flow.
+        if let Some(engine) = &mut self.engine {
+            engine.spend(seconds);
+        }
+        Ok(pass.map(|pass| (pass, 1e3 * seconds)))
+    }
+
+    fn attempt(&mut self, kind: Kind, snapshot: Option<Snapshot>) -> Result<Option<Pass>, Fault> {
         let keeps_volume = self.options().keep.contains(&Kept::Volume);
         let targets = Targets {
             area: self.state.area,
             volume: self.state.volume.filter(|_| keeps_volume),
         };
         let before = measure::min_angle_degrees(self.triangles(), &self.x);
-        let made = made(self, kind, targets);
+        let mut made = made(self, kind, targets);
         interrupt::check().map_err(FlowError::from)?;
-        let Ok(made) = made else {
+        if kind == Kind::Adaptive && made.as_ref().is_ok_and(|made| self.rises(made) > 1.0) {
+            // About a spike or a fold the fitted curvature is none.
+            let even = self::made(self, Kind::Isotropic, targets);
+            interrupt::check().map_err(FlowError::from)?;
+            if even.is_ok() {
+                made = even;
+            }
+        }
+        let Some(made) = made.ok().filter(|made| self.rises(made) <= 1.0) else {
             return Ok(None);
         };
         // A mesh that is as good as it gets would be flipped to and fro, and the flow never rest.
@@ -202,7 +235,7 @@ impl Runner {
             angles: [before, self.state.min_angle_degrees],
             objective: [energy, self.state.objective],
         };
-        Ok(Some((pass, 1e3 * watch.elapsed().as_secs_f64())))
+        Ok(Some(pass))
     }
 
     /// Whether readings of the surface as it is now can be believed; `None` of open and one-sided

@@ -160,7 +160,7 @@ pub fn pass(
         interrupt::check().map_err(|_| RemeshError::Spoilt)?;
     }
     counts.flips += flip::to_delaunay(&mut draft);
-    finished(&start, draft, Some(targets), counts)
+    finished(mesh, &start, draft, Some(targets), counts)
 }
 
 /// Rounds from any mesh until it is settled, towards so many vertices; those that `held` marks
@@ -207,7 +207,7 @@ pub fn remesh(
     }
     let is_same = change.abs() < SAME_AREA && !start.held.contains(&true);
     let targets = is_same.then_some(Targets { area, volume: None });
-    finished(&start, draft, targets, counts)
+    finished(mesh, &start, draft, targets, counts)
 }
 
 /// The number of vertices of a mesh with edges of a mean length, away from those that `held` marks and
@@ -284,12 +284,13 @@ fn round(draft: &mut Draft, kind: Kind, vertices: usize, counts: &mut Counts) {
 }
 
 fn finished(
+    mesh: &HalfedgeMesh,
     start: &Draft,
     mut draft: Draft,
     targets: Option<Targets>,
     counts: Counts,
 ) -> Result<Remeshed, RemeshError> {
-    if targets.is_some_and(|targets| !restore::run(&mut draft, targets)) {
+    if targets.is_some_and(|targets| !restore::run(&mut draft, start, mesh, targets)) {
         return Err(RemeshError::Spoilt);
     }
     let mesh = draft.mesh().ok_or(RemeshError::Spoilt)?;

@@ -1,11 +1,13 @@
 //! Area and volume as they were before: a scaling, and Newton's iteration along two smooth
 //! fields of normals.
 //!
-//! The scaling about the centroid makes the area exact and leaves ∫H² as it is. For the volume
+//! The scaling makes the area exact and leaves ∫H² as it is: of each part that hangs together with no
+//! other about its own centroid, so that parts keep their sizes and stay where they are. For the volume
 //! the vertices move by (p + q H̃) n, H̃ the mean curvature averaged over neighbours so that no
 //! noise of the mesh enters, with p and q from A and V to first order.
 
 use super::draft::Draft;
+use crate::mesh::HalfedgeMesh;
 use glam::DVec3;
 
 /// What must be as it was.
@@ -28,12 +30,49 @@ const FARTHEST: f64 = 1.0;
 /// Averages over neighbours of the mean curvature.
 const AVERAGES: usize = 5;
 
-/// Brings area and volume back; whether the surface is still the one it was.
-pub(super) fn run(draft: &mut Draft, targets: Targets) -> bool {
+/// The parts of a surface that hang together.
+struct Parts {
+    /// By vertex.
+    of: Vec<usize>,
+    /// Areas to be brought back.
+    areas: Vec<f64>,
+}
+
+impl Parts {
+    /// Those of a draft that was made of the mesh of another, in proportion to an area of all.
+    fn of(draft: &Draft, start: &Draft, mesh: &HalfedgeMesh, area: f64) -> Self {
+        let (part_of, count) = mesh.components();
+        let of = |vertices: &[u32]| -> Vec<usize> {
+            vertices
+                .iter()
+                .map(|v| part_of[*v as usize] as usize)
+                .collect()
+        };
+        let mut areas = areas(start, &of(&start.seed), count);
+        let total: f64 = areas.iter().sum();
+        areas.iter_mut().for_each(|own| *own *= area / total);
+        Self {
+            of: of(&draft.seed),
+            areas,
+        }
+    }
+}
+
+fn areas(draft: &Draft, part_of: &[usize], count: usize) -> Vec<f64> {
+    let mut areas = vec![0.0; count];
+    for corners in draft.live_faces() {
+        areas[part_of[corners[0] as usize]] += 0.5 * draft.normal_of(corners).length();
+    }
+    areas
+}
+
+/// Brings area and volume of what was another draft back; whether the surface is still the one it was.
+pub(super) fn run(draft: &mut Draft, start: &Draft, mesh: &HalfedgeMesh, targets: Targets) -> bool {
     let before = draft.x.clone();
+    let parts = Parts::of(draft, start, mesh, targets.area);
     let ball = targets.area.powf(1.5) / (6.0 * std::f64::consts::PI.sqrt());
     for _ in 0..ROUNDS {
-        scale_to(draft, targets.area);
+        scale_to(draft, &parts);
         let Some(volume) = targets.volume else { break };
         let missing = volume - self::volume(draft);
         if missing.abs() <= MET * ball {
@@ -41,7 +80,7 @@ pub(super) fn run(draft: &mut Draft, targets: Targets) -> bool {
         }
         correct(draft, missing);
     }
-    scale_to(draft, targets.area);
+    scale_to(draft, &parts);
     let missed = targets
         .volume
         .map_or(0.0, |v| (self::volume(draft) - v).abs() / ball);
@@ -54,14 +93,18 @@ pub(super) fn run(draft: &mut Draft, targets: Targets) -> bool {
     missed <= MISSED && farthest <= FARTHEST * mean
 }
 
-fn scale_to(draft: &mut Draft, wanted: f64) {
-    let area: f64 = draft
-        .live_faces()
-        .map(|f| 0.5 * draft.normal_of(f).length())
-        .sum();
-    let centre = draft.x.iter().sum::<DVec3>() / draft.x.len().max(1) as f64;
-    let factor = (wanted / area).sqrt();
-    for p in &mut draft.x {
+fn scale_to(draft: &mut Draft, parts: &Parts) {
+    let count = parts.areas.len();
+    let mut sums = vec![(DVec3::ZERO, 0.0); count];
+    for (p, part) in draft.x.iter().zip(&parts.of) {
+        let (sum, n) = &mut sums[*part];
+        *sum += *p;
+        *n += 1.0;
+    }
+    let now = areas(draft, &parts.of, count);
+    for (p, &part) in draft.x.iter_mut().zip(&parts.of) {
+        let (sum, n) = sums[part];
+        let (centre, factor) = (sum / n, (parts.areas[part] / now[part]).sqrt());
         *p = centre + factor * (*p - centre);
     }
 }

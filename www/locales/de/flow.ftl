@@ -44,7 +44,7 @@ warning-roughened = ∫H² stieg von { NUMBER($before, digits: 4) } auf { NUMBER
 warning-coarse = Bei Ecke { VERTEX($vertex) } sind die Kanten zu lang für die Krümmung: Nehmen Sie ein feineres Netz.
 warning-nearly-singular = Bei Ecke { VERTEX($vertex) } wird die Fläche gleich singulär, wie ein Hals, der sich abschnürt: Nehmen Sie ein feineres Netz.
 warning-large-face = Die größte Facette ist auf das { $times }-Fache des Mittels gewachsen: Ein Teil der Fläche bläht sich auf, und die gezeigte Energie ist zu klein. Ein feineres Netz hilft.
-warning-slivers = Das Netz entartet: Sein kleinster Winkel ist { NUMBER($degrees, digits: 2) }°, am Anfang { NUMBER($before, digits: 2) }°; { $advice }.
+warning-slivers = Das Netz entartet: Sein kleinster Winkel ist { NUMBER($degrees, digits: 2) }°, { NUMBER($before, digits: 2) }°, als diese Dreiecke neu waren; { $advice }.
 warning-folded-faces = In diesem Schritt umgeklappt: { $count ->
     [one] { $count } Facette
    *[other] { $count } Facetten
@@ -129,6 +129,7 @@ reason-flat-face = { $count ->
 reason-creeping = nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; { $advice }
 reason-grows-on = die Fläche ist auf das { $times }-fache ihres Inhalts gewachsen und wächst immer weiter: Ruhe gibt es nur, wenn Flächeninhalt oder Volumen beibehalten wird
 reason-rises = Schritte dieser Größe führen zu mehr Energie, dem { NUMBER($times, digits: 2) }-fachen dessen, was unterwegs war; eine kleinere Schrittweite hilft, oder das Verfahren, das sie selbst wählt
+reason-rises-on = die Energie ist auf das { NUMBER($times, digits: 2) }-fache dessen gestiegen, was sie unterwegs war; { $advice }
 reason-worse-rest = der Fluss endet mit mehr Energie, als er unterwegs hatte; { $advice }
 reason-below-bound = jeder weitere Schritt hätte weniger Energie als jede glatte Fläche dieser Topologie, also schließt sich etwas zwischen den Ecken; die Fläche ist die letzte gute, und ein feineres oder besseres Netz hilft
 reason-unresolved = die Krümmungen dieser Dreiecke haben zusammen weniger Energie als jede glatte Fläche dieser Topologie, sodass sich kein Schritt an ihnen messen lässt; die Fläche ist, wie sie war, und ein Netz aus gleichmäßigen Dreiecken hilft oder der p-Willmore-Fluss

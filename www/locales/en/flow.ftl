@@ -44,7 +44,7 @@ warning-roughened = ∫H² rose from { NUMBER($before, digits: 4) } to { NUMBER(
 warning-coarse = At vertex { VERTEX($vertex) } edges are too long for the curvature: use a finer mesh.
 warning-nearly-singular = At vertex { VERTEX($vertex) } the surface is about to become singular, as a neck that pinches off: use a finer mesh.
 warning-large-face = The largest face has grown to { $times } times the mean: one part of the surface inflates, and the energy shown is too low. A finer mesh helps.
-warning-slivers = The mesh degenerates: its smallest angle is { NUMBER($degrees, digits: 2) }°, { NUMBER($before, digits: 2) }° at the start; { $advice }.
+warning-slivers = The mesh degenerates: its smallest angle is { NUMBER($degrees, digits: 2) }°, { NUMBER($before, digits: 2) }° when these triangles were new; { $advice }.
 warning-folded-faces = { $count ->
     [one] { $count } face
    *[other] { $count } faces
@@ -132,6 +132,7 @@ reason-flat-face = { $count ->
 reason-creeping = only ever smaller steps lower the energy, which is not at rest; { $advice }
 reason-grows-on = the surface has grown to { $times } times its area, and grows for ever: there is no rest unless area or volume is kept
 reason-rises = steps of this size lead to more energy, { NUMBER($times, digits: 2) } times what there was on the way; a smaller step size helps, or the scheme that chooses it
+reason-rises-on = the energy has risen to { NUMBER($times, digits: 2) } times what it was on the way; { $advice }
 reason-worse-rest = the flow ends with more energy than on the way; { $advice }
 reason-below-bound = any further step would have less energy than every smooth surface of this topology; the surface is the last good one; a finer or better mesh helps
 reason-unresolved = the curvatures of these triangles add up to less than every smooth surface of this topology has; the surface is as it was; even triangles help, or the p-Willmore flow
