@@ -1,13 +1,14 @@
 //! Remeshing: as an edit, what it does to the surface and to selections; between the steps of a
 //! flow, what it gains, and that history and recipes know of it.
 
+use crate::support::parts::{self, Ends};
 use std::f64::consts::PI;
 use umbilic::app::{Edit, Origin, RemeshOptions, ScriptText, Session};
 use umbilic::flow::constraint::Kept;
 use umbilic::flow::options::{FlowOptions, Remeshing};
 use umbilic::flow::spec::FlowName;
 use umbilic::flow::{Status, StepReport};
-use umbilic::io::Format;
+use umbilic::io::{self, Format};
 use umbilic::remesh::adaptive::{Creases, Kind};
 
 fn opened(shape: &str, values: &[(&str, f64)]) -> Session {
@@ -97,6 +98,29 @@ fn what_is_thinner_than_its_triangles_is_not_made_another_surface() {
                 }
             }
         }
+    }
+}
+
+/// Taken for smooth, an edge of 45° bulges by some per cent of the volume.
+#[test]
+fn chamfers_stay_as_flat_as_they_are() {
+    let outline = parts::chamfered(4.0, 3.0, 0.5);
+    let soup = parts::refined(&parts::prism(&outline, &[0.0, 2.0], Ends::Hub), 1);
+    let file = io::write(&soup, Format::Ply, "").expect("a file");
+    for kind in [Kind::Adaptive, Kind::Isotropic] {
+        let mut s = Session::new();
+        s.load(&file, "chamfered.ply").expect("a surface");
+        let before = s.info().expect("a mesh");
+        let options = RemeshOptions {
+            kind,
+            vertices: Some(1200),
+            ..RemeshOptions::default()
+        };
+        s.remesh(&options).expect("remeshed");
+        let after = s.info().expect("a mesh");
+        let off = after.volume.expect("closed") / before.volume.expect("closed") - 1.0;
+        assert!(off.abs() < 1e-3, "{kind:?}: {off}");
+        assert!((after.area / before.area - 1.0).abs() < 1e-3, "{kind:?}");
     }
 }
 

@@ -1,9 +1,10 @@
 //! Flips: the other diagonal where it makes valences or angles better.
 //!
 //! First for valence, Σ(faces − regular)² falling, then to a Delaunay triangulation. A flip
-//! changes the surface where it bends, so none is made across more than 60°, or where a new
+//! changes the surface where it bends, so none is made across an edge of the shape or more than 60°, or where a new
 //! face stands at more than 45° to the two it replaces.
 
+use super::crease;
 use super::draft::{Draft, Hinge};
 use crate::interrupt::paced;
 use crate::order;
@@ -128,7 +129,7 @@ fn flipped(draft: &Draft, hinge: Hinge) -> Option<[[u32; 3]; 2]> {
     let [n, m]: [DVec3; 2] = hinge.faces.map(|f| unit(draft.faces[f as usize]));
     let (new, mean) = ([[c, a, d], [d, b, c]], (n + m).normalize_or_zero());
     let is_flat = n.dot(m) >= BENT && new.iter().all(|t| unit(*t).dot(mean) >= TURN);
-    is_flat.then_some(new)
+    (is_flat && !crease::is_sharp(draft, hinge)).then_some(new)
 }
 
 fn flip(draft: &mut Draft, hinge: Hinge, new: [[u32; 3]; 2]) {

@@ -71,7 +71,7 @@ pub enum Kind {
     Isotropic,
 }
 
-/// What becomes of edges of the shape, where faces meet at more than 60°.
+/// What becomes of edges of the shape, where faces meet at more than 60°, or flat sides at more than 40°.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]

@@ -29,7 +29,7 @@ flips-max-help = höchstens so viele Flips
 
 remesh-kind-help = adaptive: kurze Kanten, wo sich die Fläche biegt; isotropic: lauter gleiche
 remesh-target-help = mittlere Länge der Kanten, abseits von Rändern, die bleiben
-remesh-creases-help = Kanten der Form, an denen sich Flächen unter mehr als 60° treffen: keep hält sie, smooth nimmt sie für Rauschen
+remesh-creases-help = Kanten der Form, an denen sich Flächen unter mehr als 60° treffen, oder ebene Seiten unter mehr als 40°: keep hält sie, smooth nimmt sie für Rauschen
 remesh-vertices-help = Zahl der Ecken; so viele wie vorher, wenn keines von beiden gegeben ist
 
 bench-table-help = welche Tabelle

@@ -29,7 +29,7 @@ flips-max-help = at most so many flips
 
 remesh-kind-help = adaptive edges are short where the surface bends, isotropic ones are equal
 remesh-target-help = mean length of the edges, away from boundaries, which stay
-remesh-creases-help = edges of the shape, where faces meet at more than 60°: keep holds them, smooth takes them for noise
+remesh-creases-help = edges of the shape, where faces meet at more than 60°, or flat sides at more than 40°: keep holds them, smooth takes them for noise
 remesh-vertices-help = number of vertices; as many as there are if neither is given
 
 bench-table-help = which table
