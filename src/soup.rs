@@ -66,11 +66,6 @@ impl PolygonSoup {
         were.iter().map(|&v| self.colours[v as usize]).collect()
     }
 
-    /// Whether some colour lets light through.
-    pub(crate) fn is_translucent(&self) -> bool {
-        self.colours.iter().any(|colour| colour[3] < 1.0)
-    }
-
     /// Appends one face.
     pub fn push_face(&mut self, corners: &[u32]) {
         self.corners.extend_from_slice(corners);

@@ -3,7 +3,12 @@
 //!
 //! Source: IEC 61966-2-1.
 
-use crate::soup::Colour;
+use crate::soup::{Colour, PolygonSoup};
+
+/// Parts of a colour that are written: a fourth where some lets light through.
+pub(super) fn parts(soup: &PolygonSoup) -> usize {
+    3 + usize::from(soup.colours.iter().any(|colour| colour[3] < 1.0))
+}
 
 /// Light of what a screen shows.
 pub(super) fn to_linear(colour: Colour) -> Colour {

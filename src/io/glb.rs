@@ -50,7 +50,7 @@ pub fn write(
         attributes.push(("NORMAL", "VEC3", 12 * vertices));
     }
     if soup.has_colours() {
-        let parts = 3 + usize::from(soup.is_translucent());
+        let parts = colour::parts(soup);
         for colour in &soup.colours {
             for &part in &colour::to_linear(*colour)[..parts] {
                 binary.extend(part.to_le_bytes());

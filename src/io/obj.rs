@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 
 use super::assembly::{Assembly, Tally};
 use super::text::{Lines, Words, comment_lines, parse_integer, without_padding};
-use super::{Expected, Extra, Format, Oddity, Read, ReadError};
+use super::{Expected, Extra, Format, Oddity, Read, ReadError, colour};
 use crate::soup::PolygonSoup;
 
 /// Reads an OBJ file; a face may name vertices that come after it.
@@ -121,7 +121,7 @@ pub(super) fn write(soup: &PolygonSoup, comment: &str) -> Vec<u8> {
     for line in comment_lines(comment) {
         out += &format!("# {line}\n");
     }
-    let parts = 3 + usize::from(soup.is_translucent());
+    let parts = colour::parts(soup);
     for (v, p) in soup.positions.iter().enumerate() {
         // Writing to a string cannot fail.
         let _ = write!(out, "v {:?} {:?} {:?}", p.x, p.y, p.z);

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::super::Format;
 use super::super::text::comment_lines;
+use super::super::{Format, colour};
 use crate::soup::PolygonSoup;
 
 /// A colour part in bytes: the way most programs know, where it loses nothing.
@@ -22,7 +22,7 @@ impl Colours {
     fn of(soup: &PolygonSoup) -> Self {
         let parts = match soup.has_colours() {
             false => 0,
-            true => 3 + usize::from(soup.is_translucent()),
+            true => colour::parts(soup),
         };
         let bytes = soup.colours.iter().flatten().all(|p| byte(*p).is_some());
         Self { parts, bytes }
