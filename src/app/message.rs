@@ -155,6 +155,13 @@ messages! {
             /// The other end.
             b: u32,
         },
+        /// Edge flips cut what they had better kept.
+        FlippedVolume {
+            /// What was enclosed.
+            before: f64,
+            /// What is.
+            after: f64,
+        },
         /// The surface passes through itself.
         SelfIntersections {
             /// Pairs of triangles.

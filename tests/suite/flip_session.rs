@@ -472,3 +472,28 @@ fn flips_and_energies_tell_the_same_w() {
         }
     }
 }
+
+/// Flips cut off a part of an ear, and nothing of a ball.
+#[test]
+fn flips_that_cut_the_shape_say_so() {
+    for (mut s, is_cut) in [
+        (session("eared-head", &[("jitter", 0.2)]), true),
+        (session("icosphere", &[("level", 3.0)]), false),
+    ] {
+        let before = s.info().expect("a mesh").volume.expect("closed");
+        let options = FlipOptions {
+            criterion: Criterion::Area,
+            ..FlipOptions::default()
+        };
+        let outcome = s.flip(&options).expect("flips");
+        let after = s.info().expect("a mesh").volume.expect("closed");
+        assert_eq!((after / before - 1.0).abs() > 0.005, is_cut);
+        let ids: Vec<&str> = outcome.warnings.iter().map(|one| &*one.id).collect();
+        let said: &[&str] = if is_cut {
+            &["notice-flipped-volume"]
+        } else {
+            &[]
+        };
+        assert_eq!(ids, said);
+    }
+}

@@ -73,8 +73,8 @@ export const commands = {
     },
     run({ perform, asked, values, loaded }) {
       const options = { ...asked, history: values.history !== undefined };
-      const { history, ...result } = perform("flip", { options });
-      const { warnings } = loaded.info;
+      const { history, warnings: own, ...result } = perform("flip", { options });
+      const warnings = [...loaded.info.warnings, ...own];
       // Those who read the result rely on its keys.
       const told = warnings.length > 0 ? inWords({ ...result, warnings }) : result;
       return { result: told, files: { history: () => history ?? "" } };

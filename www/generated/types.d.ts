@@ -318,7 +318,7 @@ collapses: number,
 flips: number, };
 
 /**
- * What becomes of edges of the shape, where faces meet at more than 60°.
+ * What becomes of edges of the shape, where faces meet at more than 60°, or flat sides at more than 40°.
  */
 export type Creases = "keep" | "smooth";
 
@@ -630,6 +630,10 @@ before: Costs,
  * After the last.
  */
 after: Costs, 
+/**
+ * What is to be known of it.
+ */
+warnings: Array<Message>, 
 /**
  * A row a flip with a header, as comma-separated values, if asked for.
  */

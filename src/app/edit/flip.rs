@@ -3,15 +3,21 @@
 use super::options::FlipOptions;
 use crate::app::document::Document;
 use crate::app::fault::Fault;
+use crate::app::message::Notice;
 use crate::app::runner::Runner;
 use crate::energy::circle::angle::Smoothing;
 use crate::energy::circle::{Boundary, CircleEnergy};
+use crate::geometry::measure;
 use crate::interrupt;
 use crate::mesh::HalfedgeMesh;
+use crate::message::Message;
 use crate::remesh::flips::{Flip, FlipOptimiser};
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::rc::Rc;
+
+/// Share of the volume from which flips are said to have cut the shape.
+const CUT: f64 = 0.005;
 
 /// Costs before or after.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -35,6 +41,8 @@ pub struct FlipOutcome {
     pub before: Costs,
     /// After the last.
     pub after: Costs,
+    /// What is to be known of it.
+    pub warnings: Vec<Message>,
     /// A row a flip with a header, as comma-separated values, if asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
@@ -60,14 +68,22 @@ impl Runner {
         let most = options.max.unwrap_or(usize::MAX);
         while optimiser.flips() < most && interrupt::check().is_ok() && optimiser.step().is_some() {
         }
-        let outcome = FlipOutcome {
+        let mut outcome = FlipOutcome {
             flips: optimiser.flips(),
             rejected: optimiser.rejected(),
             before,
             after: costs(&optimiser),
+            warnings: Vec::new(),
             history: options.history.then(|| history(optimiser.made())),
         };
         let mesh = Rc::new(optimiser.into_mesh());
+        let volumes = [&present.triangles, &mesh].map(|mesh| measure::volume(mesh, &x));
+        if let [Some(before), Some(after)] = volumes
+            && (after - before).abs() > CUT * before.abs()
+        {
+            let notice = Notice::FlippedVolume { before, after };
+            outcome.warnings.push(notice.into());
+        }
         let document = Document {
             polygons: Rc::clone(&mesh),
             triangles: mesh,

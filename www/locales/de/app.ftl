@@ -90,6 +90,7 @@ notice-short-edges = Das Netz hat { $count ->
     [one] { $count } Kante
    *[other] { $count } Kanten
 }, kürzer als ein Millionstel des Mittels, zuerst zwischen den Ecken { VERTEX($a, bare: 1) } und { VERTEX($b) }: Verschmelzen Sie solche Ecken (nach Abstand) für einen besseren Fluss.
+notice-flipped-volume = Das Volumen ging von { NUMBER($before, digits: 4) } auf { NUMBER($after, digits: 4) }: Flips halten die Ecken und nicht die Form und schneiden über deren Kanten hinweg.
 notice-self-intersections = Die Fläche durchdringt sich selbst, in { $count ->
     [one] { $count } Dreieckspaar
    *[other] { $count } Dreieckspaaren

@@ -90,6 +90,7 @@ notice-short-edges = The mesh has { $count ->
     [one] { $count } edge
    *[other] { $count } edges
 } shorter than a millionth of the mean, the first between vertices { VERTEX($a, bare: 1) } and { VERTEX($b) }: merge such vertices (merge by distance) for a better flow.
+notice-flipped-volume = The volume went from { NUMBER($before, digits: 4) } to { NUMBER($after, digits: 4) }: flips hold the vertices and not the shape, and cut across its edges.
 notice-self-intersections = The surface passes through itself in { $count ->
     [one] { $count } pair of triangles
    *[other] { $count } pairs of triangles
