@@ -299,12 +299,13 @@ deferred! {
     fn vanished(driver: &Driver, x: &[DVec3]) -> Decision {
         let (time, clock) = (driver.run.time, driver.flow.clock());
         let size = measure::bounding_diagonal(x);
+        let is_long = size > STILL_LONG * driver.run.first_size;
         // Of several parts those that were smaller may be gone long before.
-        let part = shrunken_part(&driver.mesh, &driver.start.x, x, VANISHED);
-        let why = if let Some(place) = part.filter(|_| size > STILL_LONG * driver.run.first_size) {
+        let part = is_long.then(|| shrunken_part(&driver.mesh, &driver.start.x, x, VANISHED));
+        let why = if let Some(place) = part.flatten() {
             let place = place.to_array();
             Reason::PartVanishes { time, clock, place }
-        } else if size > STILL_LONG * driver.run.first_size {
+        } else if is_long {
             Reason::VanishesToCurve { time, clock }
         } else {
             let place = (x.iter().sum::<DVec3>() / x.len() as f64).to_array();

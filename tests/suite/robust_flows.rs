@@ -245,6 +245,29 @@ fn what_shrinks_to_a_curve_is_no_point() {
     assert!(is_curve, "{:?}", end.reason);
 }
 
+/// Of two balls, one in the other, the inner one vanishes first, while the outer one is still large.
+#[test]
+fn a_part_that_vanishes_in_another_is_told() {
+    let ball = sample("icosphere", &[("level", 3.0)]);
+    let mut shell = ball.clone();
+    let n = shell.positions.len() as u32;
+    shell
+        .positions
+        .extend(ball.positions.iter().map(|p| 0.9 * *p));
+    for face in ball.faces() {
+        let turned: Vec<u32> = face.iter().rev().map(|v| v + n).collect();
+        shell.push_face(&turned);
+    }
+    let end = watch(
+        &surface(&shell),
+        limited(FlowName::MeanCurvature, 400),
+        "shell",
+    );
+    assert_eq!(end.status, Status::Singular);
+    let is_part = matches!(end.reason, Some(Reason::PartVanishes { .. }));
+    assert!(is_part, "{:?}", end.reason);
+}
+
 /// A tube is at rest under surface diffusion; with its ends held in place alone it grows, and that is
 /// said.
 #[test]
