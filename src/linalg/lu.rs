@@ -284,6 +284,8 @@ impl Lu {
         assert!(self.is_factored, "no factor to solve with");
         assert_eq!(rhs.len(), order.len(), "one value a row");
         let mut y: Vec<f64> = order.iter().map(|&i| rhs[i as usize]).collect();
+        // What a front subtracts from the rows below its own.
+        let mut sums = Vec::new();
         for (s, front) in self.fronts.iter().enumerate() {
             if s.is_multiple_of(FRONTS) && interrupt::check().is_err() {
                 return;
@@ -291,15 +293,20 @@ impl Lu {
             let (size, width) = (front.size(), front.width);
             let below = &self.rows[front.below.clone()];
             let columns = self.factor[front.offset..].chunks_exact(size).take(width);
+            let own = &mut y[front.begin..front.begin + width];
+            sums.clear();
+            sums.resize(below.len(), 0.0);
             for (k, column) in columns.enumerate() {
-                let value = y[front.begin + k];
-                let own = &mut y[front.begin..front.begin + width];
+                let value = own[k];
                 for (y, l) in own[k + 1..].iter_mut().zip(&column[k + 1..width]) {
                     *y -= l * value;
                 }
-                for (&row, l) in below.iter().zip(&column[width..]) {
-                    y[row as usize] -= l * value;
+                for (sum, l) in sums.iter_mut().zip(&column[width..]) {
+                    *sum += l * value;
                 }
+            }
+            for (&row, sum) in below.iter().zip(&sums) {
+                y[row as usize] -= sum;
             }
         }
         for (s, front) in self.fronts.iter().enumerate().rev() {

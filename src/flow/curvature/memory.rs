@@ -2,6 +2,7 @@
 
 use super::CurvatureFlow;
 use super::ladder::Ladder;
+use super::solver::Reference;
 use crate::flow::Move;
 use glam::DVec3;
 use std::rc::Rc;
@@ -12,6 +13,7 @@ pub struct Memory {
     ladder: Ladder,
     reached: Option<Rc<Vec<DVec3>>>,
     top: Option<Rc<Vec<DVec3>>>,
+    reference: Option<Rc<Reference>>,
 }
 
 /// What a step may change beside that.
@@ -28,12 +30,15 @@ impl CurvatureFlow {
             ladder: self.ladder,
             reached: self.reached.clone(),
             top: self.top.clone(),
+            reference: self.system.reference(),
         }
     }
 
     pub(super) fn recall_own(&mut self, memory: Memory) {
         self.ladder = memory.ladder;
         (self.reached, self.top) = (memory.reached, memory.top);
+        self.choose_law();
+        self.system.refer_to(memory.reference);
         self.forget();
     }
 

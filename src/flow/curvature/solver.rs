@@ -1,11 +1,22 @@
-//! Solving a step's system: directly, or for very many unknowns by GMRES.
+//! Solving a step's system by GMRES, preconditioned by a factor of the matrix itself, which is kept
+//! from step to step as long as it serves; for very many unknowns by one of what is like it.
 
 use crate::flow::{Cost, FlowError};
 use crate::interrupt;
 use crate::linalg::{LinalgError, Lu, Pattern, Symbolic, Unsymmetric, gmres};
 use glam::DVec3;
+use std::rc::Rc;
 use std::sync::Arc;
 use web_time::Instant;
+
+/// Residual at which a solution by a factor of the matrix is one, relative to the velocity.
+const ACCURACY: f64 = 1e-8;
+/// Most iterations with a factor of an earlier step, each of which takes some fifteenth of the time of
+/// a new factor. Steps towards a rest need 4 to 7 with the factor of the first of them.
+pub(super) const MAX_KEPT: usize = 10;
+/// Most with a factor of this very matrix: one or two are enough, unless elimination without pivoting
+/// has lost digits.
+const MAX_OWN: usize = 8;
 
 /// Entries of L and U, 8 bytes each, up to which a matrix is factored: those of some
 /// 150,000 unknowns of the sixth-order flow. Far beyond, double precision does not
@@ -57,9 +68,21 @@ pub(super) struct Equations<'a> {
     pub(super) dt: f64,
 }
 
+/// Positions and step size of a matrix that was factored. A checkpoint has them in place of the factor,
+/// which is large: the same factor can be made again from them.
+#[derive(Debug)]
+pub(super) struct Reference {
+    pub(super) x: Vec<DVec3>,
+    pub(super) dt: f64,
+}
+
 /// What is kept from step to step.
 pub(super) enum LinearSolver {
-    Direct(Lu),
+    Direct {
+        lu: Lu,
+        /// Of which matrix `lu` is the factor, if it is one.
+        of: Option<Rc<Reference>>,
+    },
     Iterative(Vec<DVec3>),
 }
 
@@ -79,14 +102,40 @@ impl LinearSolver {
         if 2 * symbolic.factor_len() > max_factor {
             return Ok(Self::Iterative(points.to_vec()));
         }
-        Ok(Self::Direct(Lu::new(Arc::new(symbolic))?))
+        let lu = Lu::new(Arc::new(symbolic))?;
+        Ok(Self::Direct { lu, of: None })
+    }
+
+    /// Whether what is kept is a factor, and of that matrix.
+    pub(super) fn has_factor_of(&self, reference: &Rc<Reference>) -> bool {
+        match self {
+            Self::Direct { of, .. } => of.as_ref().is_some_and(|of| Rc::ptr_eq(of, reference)),
+            Self::Iterative(_) => false,
+        }
+    }
+
+    /// Makes the factor of a matrix, where matrices are factored.
+    pub(super) fn factor(
+        &mut self,
+        matrix: &Unsymmetric,
+        reference: &Rc<Reference>,
+    ) -> Result<(), LinalgError> {
+        if let Self::Direct { lu, of } = self {
+            *of = None;
+            lu.factor(matrix)?;
+            *of = Some(Rc::clone(reference));
+        }
+        Ok(())
     }
 
     /// The solution, whose residual is measured against the right-hand side: positions
-    /// would hide it.
+    /// would hide it. `reference` says whose factor is at hand, and is `here` afterwards where that
+    /// did not serve any more.
     pub(super) fn solve(
         &mut self,
         system: &Equations<'_>,
+        here: Reference,
+        reference: &mut Option<Rc<Reference>>,
         rhs: &[f64],
         quality: &mut Quality,
     ) -> Result<Vec<f64>, FlowError> {
@@ -94,29 +143,28 @@ impl LinearSolver {
             return Err(LinalgError::NonFiniteRightHandSide { row }.into());
         }
         let watch = Instant::now();
+        let factored = quality.factor;
         let phi = match self {
-            Self::Direct(lu) => {
-                lu.factor(system.matrix)?;
-                quality.factor = watch.elapsed().as_secs_f64();
-                let mut phi = rhs.to_vec();
-                lu.solve_in_place(&mut phi);
-                interrupt::check()?;
-                // One refinement, for what elimination without pivoting may have lost.
-                let mut rest = residual(system, &phi, rhs);
-                let before = norm(&rest);
-                interrupt::check()?;
-                lu.solve_in_place(&mut rest);
-                interrupt::check()?;
-                let refined: Vec<f64> = phi.iter().zip(&rest).map(|(a, b)| a + b).collect();
-                if norm(&residual(system, &refined, rhs)) < before {
-                    phi = refined;
+            Self::Direct { lu, of } => {
+                let (mut phi, mut residual) = (Vec::new(), f64::INFINITY);
+                if reference.is_some() {
+                    (phi, residual) = by_factor(system, lu, rhs, MAX_KEPT, quality)?;
+                }
+                if residual > ACCURACY {
+                    let watch = Instant::now();
+                    (*of, *reference) = (None, None);
+                    lu.factor(system.matrix)?;
+                    *reference = Some(Rc::new(here));
+                    of.clone_from(reference);
+                    quality.factor += watch.elapsed().as_secs_f64();
+                    (phi, _) = by_factor(system, lu, rhs, MAX_OWN, quality)?;
                 }
                 phi
             }
             Self::Iterative(points) => {
                 quality.is_iterative = true;
                 let lu = preconditioner(system, points)?;
-                quality.factor = watch.elapsed().as_secs_f64();
+                quality.factor += watch.elapsed().as_secs_f64();
                 let mut phi = vec![0.0; rhs.len()];
                 let mut rest = rhs.to_vec();
                 for _ in 0..RESTARTS {
@@ -142,7 +190,7 @@ impl LinearSolver {
         if size > 0.0 {
             quality.residual = norm(&residual(system, &phi, rhs)) / size;
         }
-        quality.solve = watch.elapsed().as_secs_f64() - quality.factor;
+        quality.solve = watch.elapsed().as_secs_f64() - (quality.factor - factored);
         if quality.residual <= WORTHLESS {
             Ok(phi)
         } else {
@@ -167,6 +215,26 @@ fn preconditioner(system: &Equations<'_>, points: &[DVec3]) -> Result<Lu, Linalg
     let mut lu = Lu::new(Arc::new(Symbolic::analyse(&pattern, Some(points))?))?;
     lu.factor(&values)?;
     Ok(lu)
+}
+
+/// A solution preconditioned by a factor of this matrix or an earlier one, with its residual.
+fn by_factor(
+    system: &Equations<'_>,
+    lu: &Lu,
+    rhs: &[f64],
+    most: usize,
+    quality: &mut Quality,
+) -> Result<(Vec<f64>, f64), LinalgError> {
+    let (phi, info) = gmres(
+        |v, w| system.matrix.multiply(system.pattern, v, w),
+        |v| lu.solve_in_place(v),
+        rhs,
+        ACCURACY,
+        most,
+    );
+    interrupt::check()?;
+    quality.iterations += info.iterations;
+    Ok((phi, info.relative_residual))
 }
 
 fn residual(system: &Equations<'_>, phi: &[f64], rhs: &[f64]) -> Vec<f64> {
@@ -205,16 +273,21 @@ mod tests {
         let rhs = [1.0; 4];
         assert_eq!(residual(&system, &[0.25; 4], &rhs), [0.75, 0.75, 1.0, 0.75]);
         let mut quality = Quality::default();
-        let refused = LinearSolver::Iterative(points.clone()).solve(&system, &rhs, &mut quality);
+        let mut solve = |mut solver: LinearSolver, rhs: &[f64]| {
+            let (x, dt) = (points.clone(), 1.0);
+            let here = Reference { x, dt };
+            solver.solve(&system, here, &mut None, rhs, &mut quality)
+        };
+        let refused = solve(LinearSolver::Iterative(points.clone()), &rhs);
         assert!(
             matches!(refused, Err(FlowError::Inaccurate { residual }) if residual > 0.4),
             "{refused:?}"
         );
-        let mut direct = LinearSolver::new(&pattern, &points).expect("a structure");
-        let refused = direct.solve(&system, &rhs, &mut quality);
+        let direct = || LinearSolver::new(&pattern, &points).expect("a structure");
+        let refused = solve(direct(), &rhs);
         let zero = LinalgError::ZeroPivot { row: 2 };
         assert_eq!(refused, Err(FlowError::Linear(zero)));
-        let refused = direct.solve(&system, &[f64::NAN; 4], &mut quality);
+        let refused = solve(direct(), &[f64::NAN; 4]);
         let first = LinalgError::NonFiniteRightHandSide { row: 0 };
         assert_eq!(refused, Err(FlowError::Linear(first)));
     }
@@ -225,6 +298,6 @@ mod tests {
         let points = vec![DVec3::ZERO; 3];
         let solver = |limit| LinearSolver::limited(&pattern, &points, limit).expect("a structure");
         assert!(matches!(solver(2), LinearSolver::Iterative(_)));
-        assert!(matches!(solver(1000), LinearSolver::Direct(_)));
+        assert!(matches!(solver(1000), LinearSolver::Direct { .. }));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::curvatures::Curvatures;
 use super::gauge;
+use super::system::Setting;
 use super::{
     AT_REST, CAP, CONTRACTING, CurvatureFlow, MAX_SETTLING, NEARLY_AT_REST, SETTLED, SHORT,
 };
@@ -20,7 +21,12 @@ impl CurvatureFlow {
     ) -> Result<Move, FlowError> {
         self.choose_law();
         let at = self.take_curvatures(x);
-        let solved = self.system.solve(&at, &self.region, &self.start, dt);
+        let setting = Setting {
+            mesh: &self.mesh,
+            region: &self.region,
+            start: &self.start,
+        };
+        let solved = self.system.solve(&setting, x, &at, dt);
         let (mut phi, quality) = match solved {
             Ok(solved) => solved,
             Err(error) => {
