@@ -119,6 +119,12 @@ fn schema() -> String {
  * @property {Partial<FlowOptions>} sets  options of its family that make it this flow
  */
 
+/**
+ * A flag of a command, or of the flow that fairs a fill, and what help says of it: what follows it,
+ * where it counts, what it may be, and its words by their id.
+ * @typedef {{ name: string, flag: string, value: string | null, isMany: boolean, of: string, notes: string, words: string }} Flag
+ */
+
 /** A format of mesh files. @typedef {{ name: string, extensions: readonly string[], isWritten: boolean }} MeshFormat */
 ";
     let ids: Vec<String> = FlowName::all().map(|f| format!("'{}'", f.id())).collect();
@@ -130,34 +136,28 @@ fn schema() -> String {
         list("readonly Flow[]", "flows", &flows),
         list("readonly Row[]", "options", &rows::<FlowOptions>()),
         list("readonly Row[]", "arrangement", &rows::<Arrangement>()),
-        "// Of the commands that are called so.\n".into(),
-        list("readonly Row[]", "energy", &rows::<EnergyOptions>()),
-        list("readonly Row[]", "regularise", &rows::<RegulariseOptions>()),
-        list("readonly Row[]", "repair", &rows::<RepairOptions>()),
-        list("readonly Row[]", "fill", &rows::<FillOptions>()),
-        list("readonly Row[]", "remesh", &rows::<RemeshOptions>()),
-        list("readonly Row[]", "flips", &rows::<FlipOptions>()),
-        list("readonly Row[]", "bench", &rows::<BenchOptions>()),
         list("readonly MeshFormat[]", "meshFormats", &mesh_formats()),
         "// What a surface can be coloured by.\n".into(),
-        list("readonly import('./types.js').FieldName[]", "fields", &fields()),
-        "/**\n * What help says of a flag: what follows it, what reads it, and what it may be; by its \
-         words.\n * @type {Record<string, { value: string | null, of: string, notes: string }>}\n \
-         */\nexport const flags = {\n"
-            .to_owned()
-            + &[
-                flags::<FlowOptions>("option"),
-                flags::<EnergyOptions>("energy"),
-                flags::<RegulariseOptions>("regularise"),
-                flags::<RepairOptions>("repair"),
-                flags::<FillOptions>("fill"),
-                flags::<RemeshOptions>("remesh"),
-                flags::<FlipOptions>("flips"),
-                flags::<BenchOptions>("bench"),
+        list(
+            "readonly import('./types.js').FieldName[]",
+            "fields",
+            &fields(),
+        ),
+        format!(
+            "/** @type {{Record<string, readonly Flag[]>}} */\nexport const flags = {{\n{}}};\n",
+            [
+                flags("flow", "option", moving()),
+                flags("energy", "energy", EnergyOptions::ROWS),
+                flags("regularise", "regularise", RegulariseOptions::ROWS),
+                flags("repair", "repair", RepairOptions::ROWS),
+                flags("fill", "fill", FillOptions::ROWS),
+                fairing(),
+                flags("remesh", "remesh", RemeshOptions::ROWS),
+                flags("flips", "flips", FlipOptions::ROWS),
+                flags("bench", "bench", BenchOptions::ROWS),
             ]
             .concat()
-            .concat()
-            + "};\n",
+        ),
     ]
     .join("\n")
 }
@@ -238,14 +238,53 @@ fn row_json<S: Options>(row: &Row<S>) -> Json {
     })
 }
 
-/// What the command line says of a flag beside its words: what follows it, what reads it where that
-/// is not every flow, and what it may be. By the name of its words.
-fn flags<S: Options>(words: &str) -> Vec<String> {
-    let line = |row: &Row<S>| format!("  \"{words}-{}\": {},\n", row.name, flag(row));
-    S::ROWS.iter().map(line).collect()
+/// The options of flows that move vertices: flips have a command of their own.
+fn moving() -> impl Iterator<Item = &'static Row<FlowOptions>> {
+    FlowOptions::ROWS.iter().filter(|row| {
+        let mut flows = row.read_by.flows.iter();
+        flows.any(|flow| *flow != FlowName::Flips)
+    })
 }
 
-fn flag<S: Options>(row: &Row<S>) -> Json {
+/// The flow that fairs a fill, one that can hold what is around a patch, and how long it may go on.
+/// It relaxes, and has no other goal.
+fn fairing() -> String {
+    let row = |name: &str| moving().find(|row| row.name == name).expect("a row");
+    let flows = row("free").read_by.flows.iter().map(|flow| flow.id());
+    let value: Vec<&str> = std::iter::once("none").chain(flows).collect();
+    let mut all = vec![json!({
+        "name": "fair",
+        "flag": "fair",
+        "value": value.join("|"),
+        "isMany": false,
+        "of": "",
+        "notes": "default none",
+        "words": "fill-fair",
+    })];
+    for name in ["maxSteps", "maxSeconds"] {
+        let mut limit = flag("option", row(name));
+        limit["of"] = json!("--fair");
+        all.push(limit);
+    }
+    table("fair", all)
+}
+
+/// The flags of a command.
+fn flags<S: Options>(
+    command: &str,
+    words: &str,
+    rows: impl IntoIterator<Item = &'static Row<S>>,
+) -> String {
+    table(command, rows.into_iter().map(|row| flag(words, row)))
+}
+
+fn table(command: &str, flags: impl IntoIterator<Item = Json>) -> String {
+    let lines = flags.into_iter().map(|flag| format!("    {flag},\n"));
+    let lines: String = lines.collect();
+    format!("  {command}: [\n{lines}  ],\n")
+}
+
+fn flag<S: Options>(words: &str, row: &Row<S>) -> Json {
     let absent = row.absent.map(str::to_owned);
     let of = |own: String| [absent.as_slice(), &[own]].concat().join("|");
     let one = |range: Range| match range.whole {
@@ -257,7 +296,12 @@ fn flag<S: Options>(row: &Row<S>) -> Json {
     let value = match row.kind {
         Kind::Number(range) => Some(of(number(range))),
         Kind::Numbers(range) => Some(of([number(range).as_str(), one(range)].join(","))),
-        Kind::Choice(ids) => Some(of(ids().join("|"))),
+        Kind::Choice(ids) => Some(of(ids()
+            .iter()
+            .copied()
+            .filter(|id| row.name != "flow" || *id != FlowName::Flips.id())
+            .collect::<Vec<_>>()
+            .join("|"))),
         Kind::Set(ids) if ids().len() > 4 => Some(of("ID,ID".into())),
         Kind::Set(ids) => Some(ids().join(",")),
         Kind::Switch => None,
@@ -287,7 +331,15 @@ fn flag<S: Options>(row: &Row<S>) -> Json {
         }
         _ => usual.into_iter().collect(),
     };
-    json!({ "value": value, "of": readers(row), "notes": notes.join("; ") })
+    json!({
+        "name": row.name,
+        "flag": row.flag,
+        "value": value,
+        "isMany": matches!(row.kind, Kind::Numbers(_)),
+        "of": readers(row),
+        "notes": notes.join("; "),
+        "words": format!("{words}-{}", row.name),
+    })
 }
 
 fn limits(range: Range) -> String {

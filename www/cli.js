@@ -2,9 +2,9 @@
 // The command line: arguments in, one `Session`, JSON and mesh files out.
 
 import { readFileSync, realpathSync } from "node:fs";
-import { execute } from "./cli/command.js";
 import { commands, overview } from "./cli/commands.js";
-import { failed, usage } from "./cli/failure.js";
+import { failed, refused } from "./cli/failure.js";
+import { execute } from "./cli/run.js";
 import { openSession, unknown } from "./cli/solver.js";
 import { pending } from "./cli/text.js";
 
@@ -27,13 +27,10 @@ export async function main(parameters, io, open) {
   try {
     return await dispatch(parameters, io, open);
   } catch (error) {
-    const { exit, kind, message, hint, repairs } = failed(3, error);
-    if (parameters.includes("--json")) {
-      const offer = repairs.length > 0 ? { repairs } : {};
-      io.write(`${JSON.stringify({ kind, message, hint, ...offer })}\n`);
-    } else {
-      io.log([`umbilic: ${message}`, ...(hint ? [hint] : []), ...pending(repairs)].join("\n  "));
-    }
+    const { exit, ...told } = failed(3, error);
+    const lines = [`umbilic: ${told.message}`, told.hint, ...pending(told.repairs)];
+    if (parameters.includes("--json")) io.write(`${JSON.stringify(told)}\n`);
+    else io.log(lines.filter((line) => line !== "").join("\n  "));
     return exit;
   }
 }
@@ -46,10 +43,9 @@ async function dispatch([name = "", ...parameters], io, open) {
     const file = new URL("../package.json", import.meta.url);
     io.write(`umbilic ${JSON.parse(readFileSync(file, "utf8")).version}\n`);
   } else {
-    const list = "umbilic --help lists the commands.";
     throw name
-      ? unknown("command", name, Object.keys(commands), list)
-      : usage("A command is missing.", list);
+      ? unknown("usage-command", name, Object.keys(commands))
+      : refused("usage-no-command");
   }
   return 0;
 }

@@ -27,6 +27,13 @@ messages! {
             /// What it may be.
             allowed: Allowed,
         },
+        /// A selection names what is no vertex of the file.
+        BadSelection {
+            /// Its number.
+            number: u32,
+            /// That of the first vertex.
+            first: u32,
+        },
         /// A word that names no boundary loops.
         UnknownLoops {
             /// The word.

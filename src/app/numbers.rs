@@ -1,11 +1,15 @@
 //! How a file numbers the vertices and faces that sentences name: OBJ counts from 1, and what a
 //! file has besides the surface is counted there too.
 
+use super::Session;
+use super::fault::Fault;
+use super::message::AppError;
 use crate::arrays::TypedArray;
 use crate::io::Format;
 use crate::mesh::{Built, HalfedgeMesh};
 use crate::soup::PolygonSoup;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// Numbers of a file's vertices and faces.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -40,6 +44,28 @@ impl Numbers {
         }
     }
 
+    /// The vertices that the file gives these numbers: all copies of one that was split.
+    fn vertices_of(&self, numbers: &[u32]) -> Result<Vec<u32>, AppError> {
+        let mut copies: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        for (&n, v) in self.vertices.iter().flat_map(|all| &all.0).zip(0..) {
+            copies.entry(n).or_default().push(v);
+        }
+        let mut found = Vec::new();
+        for &number in numbers {
+            let n = number.checked_sub(self.first);
+            match n.and_then(|n| copies.get(&n)) {
+                Some(all) => found.extend(all),
+                // A number past the last is refused by what reads the selection.
+                None if self.vertices.is_none() && n.is_some() => found.extend(n),
+                None => {
+                    let first = self.first;
+                    return Err(AppError::BadSelection { number, first });
+                }
+            }
+        }
+        Ok(found)
+    }
+
     /// Of a surface that is no longer the file's: its own faces, as a file would have them.
     pub(super) fn plain(&self, polygons: &HalfedgeMesh) -> Self {
         let own = (0..polygons.n_faces() as u32).collect();
@@ -48,6 +74,17 @@ impl Numbers {
             vertices: None,
             faces: unless_plain(of_triangles(polygons, own)),
         }
+    }
+}
+
+impl Session {
+    /// The vertices that the file gives these numbers.
+    ///
+    /// # Errors
+    /// [`Fault::no_mesh`]; a number that none has.
+    pub fn numbered(&self, numbers: &[u32]) -> Result<Vec<u32>, Fault> {
+        let document = &self.runner()?.document;
+        Ok(document.numbers.vertices_of(numbers)?)
     }
 }
 

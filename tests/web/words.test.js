@@ -68,7 +68,7 @@ function saidHere() {
     if (node.type === "CallExpression") {
       const { name } = node.callee;
       const [first, second, , hint = `${second}.hint`] = node.arguments.map(literal);
-      if (name === "say" && first) found.add(first);
+      if (["say", "refused", "unknown"].includes(name) && first) found.add(first);
       if (name === "refusal" && second) found.add(second).add(`${second}.hint`);
       if (name === "fault" && second) found.add(second).add(hint || second);
     }

@@ -1,10 +1,9 @@
 // The commands there are.
 
-import * as schema from "../generated/schema.js";
 import { numberOf } from "../numbers.js";
+import { say } from "../words.js";
 import { bench } from "./bench.js";
-import { out } from "./command.js";
-import { isRefusal, orExit } from "./failure.js";
+import { orExit } from "./failure.js";
 import { readHelp } from "./files.js";
 import { fill, flow } from "./flow.js";
 import { replay } from "./replay.js";
@@ -13,14 +12,14 @@ import { inWords, repairInWords, table } from "./text.js";
 
 /**
  * What a file is before a repair; null where it is no surface.
- * @param {import("./command.js").Perform} perform @param {{ bytes: Uint8Array<ArrayBuffer>, name: string }} mesh
+ * @param {import("./run.js").Perform} perform @param {import("./run.js").Mesh} mesh
  */
 function infoOf(perform, mesh) {
   try {
     return inWords(perform("load", mesh).info);
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     // What a repair does not help against it will refuse itself.
-    if (isRefusal(error)) return null;
+    if (error?.kind) return null;
     throw error;
   }
 }
@@ -34,10 +33,9 @@ const loopOf = ({ edges, length, small, vertices }, number) => ({
   vertex: numberOf("vertices", vertices[0]),
 });
 
-/** @type {Record<string, import("./command.js").Spec>} */
+/** @type {Record<string, import("./run.js").Spec>} */
 export const commands = {
   info: {
-    summary: "what a mesh is and what is odd about it",
     run({ perform }) {
       const info = perform("info");
       const loops = info.boundaryLoops > 0 && perform("loops").map(loopOf);
@@ -45,10 +43,8 @@ export const commands = {
     },
   },
   repair: {
-    summary: "makes a whole surface of a broken file, and lists what it changed",
-    rows: schema.repair,
-    options: out,
-    load(perform, mesh, asked) {
+    own: { out: "FILE" },
+    load({ perform, asked }, mesh) {
       const before = infoOf(perform, mesh);
       const { repaired } = perform("load", { ...mesh, repair: asked });
       return { before, repaired };
@@ -58,19 +54,10 @@ export const commands = {
       return { result: { changes: repaired.map(repairInWords), before, after } };
     },
   },
-  energy: {
-    summary: "all energies and integrals",
-    rows: schema.energy,
-    run: ({ perform, asked }) => ({ result: perform("energy", asked) }),
-  },
+  energy: { run: ({ perform, asked }) => ({ result: perform("energy", asked) }) },
   flow,
   flips: {
-    summary: "flips edges as long as that lowers area or Willmore energy",
-    rows: schema.flips,
-    options: {
-      ...out,
-      history: { value: "FILE.csv", isWritten: true, help: "every flip: edge, reduction, area, W" },
-    },
+    own: { out: "FILE", history: "FILE.csv" },
     run({ perform, asked, values, loaded }) {
       const options = { ...asked, history: values.history !== undefined };
       const { history, warnings: own, ...result } = perform("flip", { options });
@@ -81,9 +68,7 @@ export const commands = {
     },
   },
   regularise: {
-    summary: "slides vertices along a closed surface towards a conformal mesh, or refuses",
-    rows: schema.regularise,
-    options: out,
+    own: { out: "FILE" },
     run({ perform, asked }) {
       // Without steps: the flow's checks of the mesh are those of the regularisation.
       perform("configure", { options: { flow: "p-willmore" } });
@@ -93,9 +78,7 @@ export const commands = {
     },
   },
   remesh: {
-    summary: "gives a surface other triangles, of one size or as small as it bends",
-    rows: schema.remesh,
-    options: out,
+    own: { out: "FILE" },
     run: ({ perform, asked }) => ({ result: perform("remesh", { options: asked }) }),
   },
   fill,
@@ -106,20 +89,9 @@ export const commands = {
 
 /** @returns {string} */
 export function overview() {
-  const rows = Object.entries(commands).map(([name, { operands = ["MESH"], summary }]) => [
+  const rows = Object.entries(commands).map(([name, { operands = ["MESH"] }]) => [
     `  ${[name, ...operands].join(" ")}`,
-    summary,
+    say(`summary-${name}`),
   ]);
-  return `umbilic <command> [options]
-
-Willmore-type geometric flows on triangle meshes.
-
-${table(rows, 2)}
-MESH is a file that ends in
-${readHelp},
-or - for standard input.
-umbilic <command> --help lists a command's options; --version tells the version.
-Exit codes: 0 done, 2 bad usage, 3 refused input, 4 the surface could not be kept good: a failure,
-a singularity or a collapse.
-`;
+  return `${say("overview", { commands: table(rows, 2), formats: readHelp })}\n`;
 }

@@ -2,40 +2,35 @@
 // boundary loops, and lets a flow fair what is new.
 
 import * as schema from "../generated/schema.js";
-import { byCurvature, rowOf } from "../options.js";
+import { byCurvature } from "../options.js";
 import { isOver } from "../session.js";
 import { say } from "../words.js";
-import { out } from "./command.js";
-import { attempt, failed, isRefusal, usage } from "./failure.js";
-import { numbered, readSelection } from "./files.js";
-import { checkWord, flagsOf, readFlags, typed } from "./options.js";
+import { attempt, failed, refused } from "./failure.js";
+import { readSelection } from "./files.js";
+import { readFlags, typed } from "./options.js";
+import { unknown } from "./solver.js";
 import { format, inWords } from "./text.js";
 
 /** @import { Outcome, StepReport } from "../generated/types.js" */
-/** @import { Options, Values } from "./options.js" */
-/** @import { Perform } from "./command.js" */
+/** @import { Perform, Spec } from "./run.js" */
+/** @import { Values } from "./options.js" */
 /** @import { Terminal } from "../cli.js" */
 
-/** @typedef {import("./command.js").Spec} Spec */
-
-/** Flows that move vertices: flips have a command of their own. */
-const flows = schema.flows.filter(({ order }) => order > 0).map(({ id }) => id);
-/** How long a flow may go on, for every command that runs one. */
-const budget = ["maxSteps", "maxSeconds"].map(rowOf);
+const untilRest = "until-converged";
+/** Flows that fair a fill, and how long a flow may go on. */
+const [fairing, ...budget] = schema.flags.fair;
 /** Options that are lists of vertices, in files. */
 const selections = /** @type {const} */ (["free", "fixed"]);
-/** @type {Options} */
-const untilConverged = {
-  "until-converged": { help: "until it comes to rest, however long that takes" },
-};
 
-/** The budget of steps or of time, as far as it was asked for. @param {Values} values */
-function budgetOf(values) {
-  const words = typed(budget, values);
-  if (!values["until-converged"]) return words;
-  const [other] = Object.keys(words);
-  if (other) throw usage(`Give --until-converged or --${rowOf(other).flag}, not both.`);
-  return { maxSeconds: "auto" };
+/**
+ * What was asked of a flow, with the time that it takes to come to rest where that was.
+ * @param {Record<string, any>} words @param {Values} values
+ */
+function withBudget(words, values) {
+  if (!values[untilRest]) return words;
+  const other = budget.find(({ name }) => words[name] !== undefined);
+  if (other) throw refused("usage-both", { flag: other.flag });
+  return { ...words, maxSeconds: "auto" };
 }
 
 /** Steps until the run is over, and the exit code of that. @param {Perform} perform @param {Terminal} io */
@@ -52,9 +47,9 @@ function runSteps(perform, io) {
       const parts = Object.entries(readings).map(([name, value]) => `${name} ${format(value)}`);
       io.log(`step ${String(step).padStart(4)}  ${parts.join("  ")}`);
     }
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     // Why a step failed is part of the outcome.
-    if (!isRefusal(error)) throw error;
+    if (!error?.kind) throw error;
   }
   const outcome = perform("outcome");
   return { steps, outcome, exit: outcome.isBreakdown ? 4 : 0 };
@@ -70,36 +65,24 @@ const ended = ({ status, message, reason, fault }) => ({
 
 /** @type {Spec} */
 export const flow = {
-  summary: "runs a flow on a mesh",
-  rows: schema.options.filter((row) => row.flows.some((id) => flows.includes(id))),
-  words: "option",
-  options: {
-    flow: { value: flows.join("|"), help: `${say("option-flow-help")} (default circle)` },
-    ...untilConverged,
-    "self-intersections": {
-      help: "counts where the surface passes through itself, before and after",
-    },
-    ...out,
-    history: { value: "FILE.csv", isWritten: true, help: "the readings of every step, as a table" },
-    report: { value: "FILE.json", isWritten: true, help: "the report that --json prints" },
+  own: {
+    ...{ [untilRest]: null, "self-intersections": null },
+    ...{ out: "FILE", history: "FILE.csv", report: "FILE.json" },
   },
   ask(values) {
-    /** @type {Record<string, string | number[]>} */
-    const words = { flow: "circle", ...typed(schema.options, values), ...budgetOf(values) };
-    if (words.flow === "flips")
-      throw usage("Edge flips have a command of their own: umbilic flips.");
-    if (words.goal === "smooth" && values["until-converged"])
-      throw usage("--until-converged is for --goal relax: smoothing takes a set amount of steps.");
+    const words = withBudget({ flow: "circle", ...typed("flow", values) }, values);
+    if (words.flow === "flips") throw refused("usage-flips");
+    if (words.goal === "smooth" && values[untilRest]) throw refused("usage-smooth");
     for (const name of selections) {
       const file = words[name] ?? "auto";
-      if (file !== "auto") words[name] = readSelection(String(file), name);
+      if (file !== "auto") words[name] = readSelection(file, name);
     }
     return readFlags("flow", words);
   },
-  run({ perform, asked, values, io, loaded }) {
+  run({ perform, asked, values, io }) {
     const options = { ...asked };
     for (const name of selections) {
-      if (asked[name]) options[name] = numbered(asked[name], loaded.numbers);
+      if (asked[name]) options[name] = perform("numbered", { numbers: asked[name] });
     }
     attempt(
       () => perform("configure", { options }),
@@ -135,32 +118,20 @@ export const flow = {
   },
 };
 
-/** Flows that can hold what is around a patch. */
-const fairing = ["none", ...rowOf("free").flows];
-
 /** @type {Spec} */
 export const fill = {
-  summary: "closes holes, or connects boundary loops, and fairs the patches",
-  rows: schema.fill,
-  options: {
-    fair: {
-      value: fairing.join("|"),
-      help: "a flow that moves the new vertices afterwards (default none)",
-    },
-    // It relaxes, and has no other goal.
-    ...flagsOf(budget, "option", () => "--fair: "),
-    ...untilConverged,
-    ...out,
-  },
+  tables: ["fill", "fair"],
+  own: { [untilRest]: null, out: "FILE" },
   ask(values) {
-    const { fair = "none" } = values;
-    checkWord("fair", fair, fairing);
-    const words = { flow: fair, boundary: "fixed", ...budgetOf(values) };
-    const limit = [...budget.map(({ flag }) => flag), "until-converged"].find((key) => values[key]);
-    if (fair === "none" && limit) throw usage(`--${limit} needs --fair FLOW.`);
+    const { fair: flow = "none", ...limits } = typed("fair", values);
+    const names = fairing.value?.split("|") ?? [];
+    if (!names.includes(flow)) throw unknown("usage-fair", flow, names);
+    const words = withBudget({ flow, boundary: "fixed", ...limits }, values);
+    const flag = [...budget.map((limit) => limit.flag), untilRest].find((key) => values[key]);
+    if (flow === "none" && flag) throw refused("usage-unfaired", { flag });
     return {
-      options: readFlags("fill", typed(schema.fill, values)),
-      fair: fair === "none" ? null : readFlags("flow", words),
+      options: readFlags("fill", typed("fill", values)),
+      fair: flow === "none" ? null : readFlags("flow", words),
     };
   },
   run({ perform, asked: { options, fair }, io }) {

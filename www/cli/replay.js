@@ -2,26 +2,25 @@
 
 import { existsSync } from "node:fs";
 import path from "node:path";
-import { out } from "./command.js";
-import { orExit, usage } from "./failure.js";
-import { readInput, readMesh } from "./files.js";
+import { say } from "../words.js";
+import { orExit, refused } from "./failure.js";
+import { beside, readMesh, readText } from "./files.js";
 import { table } from "./text.js";
 
-/** @import { RecipeMesh, ReplayReport, ReplayResult } from "../generated/types.js" */
-/** @typedef {import("./command.js").Perform} Perform */
+/** @import { RecipeMesh, ReplayReport } from "../generated/types.js" */
+/** @typedef {import("./run.js").Perform} Perform */
 /** @typedef {import("../cli.js").Terminal} Terminal */
 
-/** @type {import("./command.js").Spec} */
+/** @type {import("./run.js").Spec} */
 export const replay = {
-  summary: "does again what a recipe says, and compares",
   operands: ["RECIPE.json", "[MESH]"],
-  options: out,
-  ask: (_, [file], io) => new TextDecoder().decode(readInput(file, io)),
+  own: { out: "FILE" },
+  ask: (_, [file], io) => readText(file, io),
   run({ perform, asked: text, operands: [file, given], io }) {
     const { mesh, flow, estimate } = perform("readRecipe", { text });
     const script = { recipe: text };
     const bytes = meshOf(perform, mesh, file, given, io);
-    if (estimate.isLong) io.log(`The recipe runs about ${estimate.steps} steps.`);
+    if (estimate.isLong) io.log(say("replay-long", { ...estimate }));
     perform("prepare", { script, bytes, name: "" });
     advance(perform, io);
     perform("configure", { options: flow });
@@ -43,15 +42,12 @@ export const replay = {
  */
 function meshOf(perform, mesh, file, given, io) {
   if ("shape" in mesh) {
-    if (given) throw usage(`The recipe begins with the sample ${mesh.shape}: ${given} has no use.`);
+    if (given) throw refused("usage-recipe-shape", { shape: mesh.shape, given });
     return null;
   }
-  const beside = path.join(path.dirname(file), path.basename(mesh.name));
-  const found = given ?? (file !== "-" && existsSync(beside) ? beside : null);
-  if (!found) {
-    const hint = "Give it after the recipe, or put it beside it.";
-    throw usage(`The recipe begins with the mesh ${mesh.name}, which is missing.`, hint);
-  }
+  const place = beside(file, path.basename(mesh.name));
+  const found = given ?? (file !== "-" && existsSync(place) ? place : null);
+  if (!found) throw refused("usage-recipe-mesh", { name: mesh.name });
   return readMesh(perform, found, io).bytes;
 }
 
@@ -68,22 +64,17 @@ function advance(perform, io) {
 }
 
 /** @param {ReplayReport} report */
-function summary({ version, steps, same, exact, tolerance, expected, got, differing }) {
+function summary({ expected, got, differing, ...report }) {
   const cell = (/** @type {unknown} */ value) =>
     typeof value === "string" ? `${value.slice(0, 12)}…` : String(value ?? "–");
+  const found = /** @type {Record<string, unknown>} */ ({ ...got });
   // Bits of positions can only agree where all bits must.
-  const names = /** @type {(keyof ReplayResult)[]} */ (Object.keys(expected));
-  const rows = names
-    .filter((name) => exact || name !== "positions")
-    .map((name) => {
-      const found = differing.includes(name) ? "differs" : "same";
-      return [name, cell(expected[name]), cell(got[name]), found];
+  const rows = Object.entries(expected)
+    .filter(([name]) => report.exact || name !== "positions")
+    .map(([name, value]) => {
+      const how = differing.includes(name) ? "differs" : "same";
+      return [name, cell(value), cell(found[name]), how];
     });
-  const how = exact
-    ? "to the last bit"
-    : `to ${tolerance} (made by version ${version}, so that the last bits may differ)`;
-  const heading = same
-    ? `Reproduced after ${steps} steps, ${how}.`
-    : `Not reproduced after ${steps} steps: these differ, compared ${how}.`;
-  return `${heading}\n\n${table([["", "expected", "got", ""], ...rows])}`;
+  const compared = { id: "replay-compared", values: report };
+  return `${say("replay-result", { ...report, compared })}\n\n${table([["", "expected", "got", ""], ...rows])}`;
 }

@@ -1,7 +1,7 @@
 // The wasm solver in Node: the same file that the page loads.
 
 import { existsSync, readFileSync } from "node:fs";
-import { Failure, usage } from "./failure.js";
+import { refused } from "./failure.js";
 
 /** @typedef {import("../pkg/solver/solver.js").Session} Session */
 
@@ -16,11 +16,10 @@ if (built) {
   built.initSync({ module: readFileSync(wasm) });
 }
 
-/** What the solver can do without a session. @throws {Failure} where it has not been built */
+/** What the solver can do without a session. @throws where it has not been built */
 export function loadSolver() {
   if (built) return built;
-  const hint = "Run `npm run build` once in the project's folder.";
-  throw new Failure(2, "NotBuilt", "The solver has not been built yet.", hint);
+  throw refused("usage-not-built", {}, "NotBuilt");
 }
 
 /** @returns {Session} */
@@ -28,11 +27,7 @@ export const openSession = () => new (loadSolver().Session)();
 
 /**
  * There is nothing of a name: perhaps another was meant.
- * @param {"command" | "shape"} what @param {string} name @param {string[]} names  that there are
- * @param {string} list  how all are listed
+ * @param {string} id  of the words @param {string} name @param {readonly string[]} names  that there are
  */
-export function unknown(what, name, names, list) {
-  const near = loadSolver().nearest(name, names);
-  const hint = near ? `Did you mean \`${near}\`?` : list;
-  return usage(`There is no ${what} \`${name}\`.`, hint);
-}
+export const unknown = (id, name, names) =>
+  refused(id, { name, names, near: loadSolver().nearest(name, [...names]) ?? "none" });

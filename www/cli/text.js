@@ -1,5 +1,6 @@
 // Results as text for people.
 
+import { formatShort } from "../number.js";
 import { say } from "../words.js";
 
 /** @import { Message, RepairItem } from "../generated/types.js" */
@@ -21,19 +22,20 @@ export const repairInWords = ({ kind, count, message, done }) => ({
   message: say(message),
 });
 
-/** How what a repair would change is changed. */
-export const repairWay = "`umbilic repair MESH --out FILE` writes such a surface.";
+/** What a repair would change. @param {{ message: string | Message, done: boolean }[]} [repairs] */
+export const pending = (repairs = []) =>
+  repairs.filter(({ done }) => !done).map(({ message }) => say("repair-pending", { message }));
 
-/** What a repair would change. @param {readonly ReturnType<typeof repairInWords>[]} repairs */
-export const pending = (repairs) =>
-  repairs.filter(({ done }) => !done).map(({ message }) => `repair: ${message}`);
+/** The same, and how it is changed. @param {Parameters<typeof pending>[0]} repairs */
+export const wanting = (repairs) => {
+  const lines = pending(repairs);
+  return lines.length > 0 ? [...lines, say("repair-way")] : [];
+};
 
-/** Six significant digits; whole numbers in full. @param {unknown} value @returns {string} */
+/** Six significant digits; whole numbers in full. @param {unknown} value */
 export function format(value) {
-  if (value === null || value === undefined) return "–";
-  if (typeof value !== "number") return String(value);
-  if (Number.isInteger(value) && Math.abs(value) < 1e15) return String(value);
-  return String(Number(value.toPrecision(6)));
+  if (typeof value !== "number" || Number.isSafeInteger(value)) return String(value ?? "–");
+  return formatShort(value, 6);
 }
 
 /**
@@ -41,53 +43,47 @@ export function format(value) {
  * @param {string[][]} rows @param {number} [left] @returns {string}
  */
 export function table(rows, left = 1) {
-  const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => row[column].length)));
+  const widths = (rows[0] ?? []).map((_, i) => Math.max(...rows.map((row) => row[i].length)));
   const line = (/** @type {string[]} */ row) =>
     row.map((cell, i) => (i < left ? cell.padEnd(widths[i]) : cell.padStart(widths[i])));
   return rows.map((row) => `${line(row).join("  ").trimEnd()}\n`).join("");
 }
+
+/** Most boundary loops that are listed. */
+const MOST_LOOPS = 20;
 
 /**
  * A result in lines: its sentence, what was before beside what is after, and everything else by its
  * key.
  * @param {Record<string, any>} result @returns {string}
  */
-export function print({ message, warnings = [], changes, repairs = [], loops = [], ...rest }) {
+export function print({ message, warnings = [], changes, repairs, loops = [], ...rest }) {
   const { before, after, initial, final, ...others } = rest;
   const sides = before ? { before, after } : initial && { initial, final };
   // A file that was no surface has nothing to stand before it.
   const all = sides || !after ? others : { ...others, ...after };
-  const rows = entries(all).map(([key, value]) => [key, format(value)]);
-  const lines = (/** @type {string[]} */ list, kind = "") =>
-    list.map((line) => `${kind}${line}\n`).join("");
-  const wanting = pending(repairs);
-  const said = (/** @type {{ message: string }} */ one) => one.message;
+  const changed = changes?.map((/** @type {{ message: string }} */ one) => one.message);
+  const listed = loops.slice(0, MOST_LOOPS).map((/** @type {Record<string, any>} */ loop) => {
+    return say("loop-line", { ...loop, length: format(loop.length) });
+  });
+  const count = loops.length - listed.length;
   const gap = after ? after.gap : rest.gap;
   const parts = [
-    message ? `${message}\n` : "",
-    changes ? lines(changes.map(said)) || "Nothing was to be repaired.\n" : "",
-    rows.length > 0 ? table(rows) : "",
+    message ? [message] : [],
+    changed?.length === 0 ? [say("repair-nothing")] : (changed ?? []),
+    table(entries(all).map(([key, value]) => [key, format(value)])),
     sides ? compared(sides) : "",
-    listOf(loops),
-    lines(warnings, "warning: "),
-    wanting.length > 0 ? lines([...wanting, repairWay]) : "",
-    gap === undefined ? "" : `Boundaries run close beside each other: try --weld ${gap}\n`,
+    count > 0 ? [...listed, say("loop-more", { count })] : listed,
+    warnings.map((/** @type {string} */ warning) => say("result-warning", { message: warning })),
+    wanting(repairs),
+    gap === undefined ? [] : [say("repair-gap", { gap: String(gap) })],
   ];
-  return parts.filter((part) => part !== "").join("\n");
-}
-
-/** Most boundary loops that are listed. */
-const MOST_LOOPS = 20;
-
-/** @param {readonly Record<string, any>[]} loops */
-function listOf(loops) {
-  const said = loops.slice(0, MOST_LOOPS).map((loop) => {
-    const { small, length, ...rest } = loop;
-    return say("loop-line", { ...rest, length: format(length), small: String(small) });
-  });
-  const more = loops.length - said.length;
-  if (more > 0) said.push(say("loop-more", { count: more }));
-  return said.map((line) => `${line}\n`).join("");
+  const texts = parts.map((part) =>
+    typeof part === "string"
+      ? part
+      : part.map((/** @type {string} */ line) => `${line}\n`).join(""),
+  );
+  return texts.filter((text) => text !== "").join("\n");
 }
 
 /** Two objects of the same keys side by side. @param {Record<string, object>} sides */
@@ -102,7 +98,7 @@ function compared(sides) {
  * The keys of an object and their values, nested keys dotted, lists left out.
  * @param {object} object @param {string} [prefix] @returns {[string, unknown][]}
  */
-export function entries(object, prefix = "") {
+function entries(object, prefix = "") {
   return Object.entries(object).flatMap(([key, value]) => {
     const name = prefix + key;
     if (Array.isArray(value)) return [];

@@ -37,6 +37,12 @@
  * @property {Partial<FlowOptions>} sets  options of its family that make it this flow
  */
 
+/**
+ * A flag of a command, or of the flow that fairs a fill, and what help says of it: what follows it,
+ * where it counts, what it may be, and its words by their id.
+ * @typedef {{ name: string, flag: string, value: string | null, isMany: boolean, of: string, notes: string, words: string }} Flag
+ */
+
 /** A format of mesh files. @typedef {{ name: string, extensions: readonly string[], isWritten: boolean }} MeshFormat */
 
 /** @typedef {'circle' | 'p-willmore' | 'mean-curvature' | 'volume-preserving' | 'surface-diffusion' | 'willmore' | 'mmcv' | 'flips'} FlowName */
@@ -139,58 +145,6 @@ export const arrangement = [
   {"absent":"all","default":1,"flag":"flips-per-step","flows":["flips"],"goal":null,"group":"display","ids":[],"kind":"number","name":"flipsPerStep","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"flips"},
 ];
 
-// Of the commands that are called so.
-
-/** @type {readonly Row[]} */
-export const energy = [
-  {"absent":null,"default":[],"flag":"p","flows":[],"goal":null,"group":"functional","ids":[],"kind":"numbers","name":"p","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":""},
-  {"absent":null,"default":"clamped","flag":"boundary","flows":[],"goal":null,"group":"surface","ids":["clamped","fixed","free"],"kind":"choice","name":"boundary","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
-];
-
-/** @type {readonly Row[]} */
-export const regularise = [
-  {"absent":null,"default":"nonlinear","flag":"mode","flows":[],"goal":null,"group":"method","ids":["linear","nonlinear"],"kind":"choice","name":"mode","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
-  {"absent":null,"default":0.01,"flag":"epsilon","flows":[],"goal":null,"group":"method","ids":[],"kind":"number","name":"epsilon","ofOneFlow":false,"range":{"also":null,"high":1000,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":""},
-  {"absent":null,"default":5,"flag":"iterations","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"iterations","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":""},
-  {"absent":null,"default":0.3,"flag":"features","flows":[],"goal":null,"group":"method","ids":[],"kind":"number","name":"features","ofOneFlow":false,"range":{"also":null,"high":1000000,"low":0,"lowOpen":false,"whole":false},"remesh":null,"scheme":null,"unit":""},
-];
-
-/** @type {readonly Row[]} */
-export const repair = [
-  {"absent":"auto","default":null,"flag":"weld","flows":[],"goal":null,"group":"surface","ids":[],"kind":"number","name":"weld","ofOneFlow":false,"range":{"also":null,"high":1e+100,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"length"},
-];
-
-/** @type {readonly Row[]} */
-export const fill = [
-  {"absent":"small","default":null,"flag":"loops","flows":[],"goal":null,"group":"surface","ids":[],"kind":"numbers","name":"loops","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":""},
-  {"absent":null,"default":false,"flag":"connect","flows":[],"goal":null,"group":"surface","ids":[],"kind":"switch","name":"connect","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
-  {"absent":"auto","default":null,"flag":"max-vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxVertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"vertices"},
-];
-
-/** @type {readonly Row[]} */
-export const remesh = [
-  {"absent":null,"default":"adaptive","flag":"kind","flows":[],"goal":null,"group":"method","ids":["adaptive","isotropic"],"kind":"choice","name":"kind","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
-  {"absent":"auto","default":null,"flag":"target","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"target","ofOneFlow":false,"range":{"also":null,"high":1e+300,"low":0,"lowOpen":true,"whole":false},"remesh":null,"scheme":null,"unit":"length"},
-  {"absent":"auto","default":null,"flag":"vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"vertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":4,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"vertices"},
-  {"absent":null,"default":"keep","flag":"creases","flows":[],"goal":null,"group":"method","ids":["keep","smooth"],"kind":"choice","name":"creases","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
-];
-
-/** @type {readonly Row[]} */
-export const flips = [
-  {"absent":null,"default":"localised","flag":"criterion","flows":[],"goal":null,"group":"functional","ids":["area","willmore","localised"],"kind":"choice","name":"criterion","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
-  {"absent":null,"default":false,"flag":"guard-folds","flows":[],"goal":null,"group":"functional","ids":[],"kind":"switch","name":"guardFolds","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
-  {"absent":"all","default":null,"flag":"max","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"max","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":0,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"flips"},
-];
-
-/** @type {readonly Row[]} */
-export const bench = [
-  {"absent":null,"default":null,"flag":"table","flows":[],"goal":null,"group":"flow","ids":["circle","p-willmore","flips","mmcv","refinement","repair","robustness","vesicles","figures"],"kind":"choice","name":"table","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
-  {"absent":"all","default":null,"flag":"max-vertices","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"maxVertices","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"vertices"},
-  {"absent":null,"default":3,"flag":"steps","flows":[],"goal":null,"group":"budget","ids":[],"kind":"number","name":"steps","ofOneFlow":false,"range":{"also":null,"high":1000000000,"low":1,"lowOpen":false,"whole":true},"remesh":null,"scheme":null,"unit":"steps"},
-  {"absent":"all","default":null,"flag":"figures","flows":[],"goal":null,"group":"surface","ids":["circle-6","circle-6-adaptive","circle-7-fixed","circle-7-free","circle-8","circle-8-long","circle-9","circle-10","circle-11","circle-12-10","circle-12-100","p-willmore-1","p-willmore-2-p0","p-willmore-2-p2","p-willmore-2-p4","p-willmore-3-linear","p-willmore-3-nonlinear","p-willmore-4","p-willmore-5","p-willmore-6","p-willmore-6-blob","p-willmore-7","p-willmore-8","p-willmore-9","p-willmore-9-off","p-willmore-10-p0","p-willmore-10-p2","p-willmore-10-p4","p-willmore-11","p-willmore-12-p0","p-willmore-12-p2","p-willmore-12-p4","flips-6","flips-6-curvature","flips-7","flips-8","flips-8-volume","curvature-5.1-cylinder","curvature-5.1-sphere","curvature-5.4","curvature-5.2-two","curvature-5.2-three","curvature-5.2-six","curvature-5.3","curvature-5.5","curvature-5.6","volume-preserving-round","eversion","eversion-fine","lawson-2","lawson-3","knot-undone","link-undone"],"kind":"set","name":"figures","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
-  {"absent":null,"default":false,"flag":"quick","flows":[],"goal":null,"group":"budget","ids":[],"kind":"switch","name":"quick","ofOneFlow":false,"range":null,"remesh":null,"scheme":null,"unit":""},
-];
-
 /** @type {readonly MeshFormat[]} */
 export const meshFormats = [
   {"extensions":["ply"],"isWritten":true,"name":"ply"},
@@ -219,63 +173,79 @@ export const fields = [
   "displacement",
 ];
 
-/**
- * What help says of a flag: what follows it, what reads it, and what it may be; by its words.
- * @type {Record<string, { value: string | null, of: string, notes: string }>}
- */
+/** @type {Record<string, readonly Flag[]>} */
 export const flags = {
-  "option-flow": {"notes":"default circle","of":"","value":"circle|p-willmore|mean-curvature|volume-preserving|surface-diffusion|willmore|mmcv|flips"},
-  "option-scheme": {"notes":"default auto","of":"","value":"auto|paper"},
-  "option-boundary": {"notes":"default auto","of":"not p-willmore, not volume-preserving","value":"auto|clamped|fixed|free"},
-  "option-free": {"notes":"numbered as in the file, OBJ from 1; default auto","of":"not p-willmore, not volume-preserving","value":"FILE.json"},
-  "option-fixed": {"notes":"numbered as in the file, OBJ from 1; default auto","of":"not p-willmore, not volume-preserving","value":"FILE.json"},
-  "option-prefill": {"notes":"","of":"not p-willmore, not volume-preserving","value":null},
-  "option-p": {"notes":"default 2; 0 or from 1 to 16","of":"p-willmore","value":"VALUE"},
-  "option-keep": {"notes":"","of":"p-willmore","value":"area,volume"},
-  "option-reducedVolume": {"notes":"default auto; above 0 to 1","of":"p-willmore","value":"auto|VALUE"},
-  "option-spontaneousCurvature": {"notes":"default 0; from -1000 to 1000","of":"p-willmore","value":"VALUE"},
-  "option-tension": {"notes":"default 0","of":"p-willmore","value":"VALUE"},
-  "option-pressure": {"notes":"default 0","of":"p-willmore","value":"VALUE"},
-  "option-epsilon": {"notes":"default 0.1; from 0 to 1","of":"circle","value":"VALUE"},
-  "option-sharpen": {"notes":"default; --no-sharpen for not","of":"circle, --goal relax","value":null},
-  "option-criterion": {"notes":"default localised","of":"flips","value":"area|willmore|localised"},
-  "option-guardFolds": {"notes":"","of":"flips","value":null},
-  "option-goal": {"notes":"default relax","of":"circle","value":"relax|smooth"},
-  "option-detail": {"notes":"default 4; from 0.1 to 1000","of":"circle, --goal smooth","value":"VALUE"},
-  "option-smoothSteps": {"notes":"default 10; from 1","of":"circle, --goal smooth","value":"N"},
-  "option-tau": {"notes":"default auto; above 0","of":"","value":"auto|VALUE"},
-  "option-dt": {"notes":"default auto; above 0","of":"","value":"auto|VALUE"},
-  "option-tauGrowth": {"notes":"default 1.2; above 0 to 100","of":"p-willmore, volume-preserving, --scheme paper","value":"VALUE"},
-  "option-tauMax": {"notes":"default auto; above 0","of":"p-willmore, volume-preserving, --scheme paper","value":"auto|VALUE"},
-  "option-integrator": {"notes":"default semi-implicit","of":"circle","value":"semi-implicit|forward-euler|backward-euler|l-bfgs"},
-  "option-mass": {"notes":"default auto","of":"circle","value":"auto|uniform|area"},
-  "option-remesh": {"notes":"default adaptive","of":"p-willmore, --scheme auto","value":"adaptive|isotropic|off"},
-  "option-regularise": {"notes":"default nonlinear","of":"p-willmore, volume-preserving, --remesh off","value":"off|linear|nonlinear"},
-  "option-regulariseEpsilon": {"notes":"default 0.01; above 0 to 1000","of":"p-willmore, volume-preserving, --remesh off","value":"VALUE"},
-  "option-perturbation": {"notes":"default 0; from 0 to 0.3","of":"p-willmore, volume-preserving","value":"VALUE"},
-  "option-rungs": {"notes":"default auto; from 0","of":"mmcv","value":"auto|N"},
-  "option-maxSteps": {"notes":"default auto; from 0","of":"","value":"auto|N"},
-  "option-maxSeconds": {"notes":"default 120; above 0","of":"--goal relax","value":"auto|VALUE"},
-  "energy-p": {"notes":"","of":"","value":"VALUE,VALUE"},
-  "energy-boundary": {"notes":"default clamped","of":"","value":"clamped|fixed|free"},
-  "regularise-mode": {"notes":"default nonlinear","of":"","value":"linear|nonlinear"},
-  "regularise-epsilon": {"notes":"default 0.01; above 0 to 1000","of":"","value":"VALUE"},
-  "regularise-iterations": {"notes":"default 5; from 0","of":"","value":"N"},
-  "regularise-features": {"notes":"default 0.3; from 0","of":"","value":"VALUE"},
-  "repair-weld": {"notes":"default auto; above 0","of":"","value":"auto|off|LENGTH"},
-  "fill-loops": {"notes":"default small","of":"","value":"small|all|N,N"},
-  "fill-connect": {"notes":"","of":"","value":null},
-  "fill-maxVertices": {"notes":"default auto; from 0","of":"","value":"auto|N"},
-  "remesh-kind": {"notes":"default adaptive","of":"","value":"adaptive|isotropic"},
-  "remesh-target": {"notes":"default auto; above 0","of":"","value":"auto|LENGTH"},
-  "remesh-vertices": {"notes":"default auto; from 4","of":"","value":"auto|N"},
-  "remesh-creases": {"notes":"default keep","of":"","value":"keep|smooth"},
-  "flips-criterion": {"notes":"default localised","of":"","value":"area|willmore|localised"},
-  "flips-guardFolds": {"notes":"","of":"","value":null},
-  "flips-max": {"notes":"default all; from 0","of":"","value":"all|N"},
-  "bench-table": {"notes":"","of":"","value":"circle|p-willmore|flips|mmcv|refinement|repair|robustness|vesicles|figures"},
-  "bench-maxVertices": {"notes":"default all; from 1","of":"","value":"all|N"},
-  "bench-steps": {"notes":"default 3; from 1","of":"","value":"N"},
-  "bench-figures": {"notes":"default all","of":"","value":"all|ID,ID"},
-  "bench-quick": {"notes":"","of":"","value":null},
+  flow: [
+    {"flag":"flow","isMany":false,"name":"flow","notes":"default circle","of":"","value":"circle|p-willmore|mean-curvature|volume-preserving|surface-diffusion|willmore|mmcv","words":"option-flow"},
+    {"flag":"scheme","isMany":false,"name":"scheme","notes":"default auto","of":"","value":"auto|paper","words":"option-scheme"},
+    {"flag":"boundary","isMany":false,"name":"boundary","notes":"default auto","of":"not p-willmore, not volume-preserving","value":"auto|clamped|fixed|free","words":"option-boundary"},
+    {"flag":"free","isMany":false,"name":"free","notes":"numbered as in the file, OBJ from 1; default auto","of":"not p-willmore, not volume-preserving","value":"FILE.json","words":"option-free"},
+    {"flag":"fixed","isMany":false,"name":"fixed","notes":"numbered as in the file, OBJ from 1; default auto","of":"not p-willmore, not volume-preserving","value":"FILE.json","words":"option-fixed"},
+    {"flag":"prefill","isMany":false,"name":"prefill","notes":"","of":"not p-willmore, not volume-preserving","value":null,"words":"option-prefill"},
+    {"flag":"p","isMany":false,"name":"p","notes":"default 2; 0 or from 1 to 16","of":"p-willmore","value":"VALUE","words":"option-p"},
+    {"flag":"keep","isMany":false,"name":"keep","notes":"","of":"p-willmore","value":"area,volume","words":"option-keep"},
+    {"flag":"reduced-volume","isMany":false,"name":"reducedVolume","notes":"default auto; above 0 to 1","of":"p-willmore","value":"auto|VALUE","words":"option-reducedVolume"},
+    {"flag":"spontaneous-curvature","isMany":false,"name":"spontaneousCurvature","notes":"default 0; from -1000 to 1000","of":"p-willmore","value":"VALUE","words":"option-spontaneousCurvature"},
+    {"flag":"tension","isMany":false,"name":"tension","notes":"default 0","of":"p-willmore","value":"VALUE","words":"option-tension"},
+    {"flag":"pressure","isMany":false,"name":"pressure","notes":"default 0","of":"p-willmore","value":"VALUE","words":"option-pressure"},
+    {"flag":"epsilon","isMany":false,"name":"epsilon","notes":"default 0.1; from 0 to 1","of":"circle","value":"VALUE","words":"option-epsilon"},
+    {"flag":"sharpen","isMany":false,"name":"sharpen","notes":"default; --no-sharpen for not","of":"circle, --goal relax","value":null,"words":"option-sharpen"},
+    {"flag":"goal","isMany":false,"name":"goal","notes":"default relax","of":"circle","value":"relax|smooth","words":"option-goal"},
+    {"flag":"detail","isMany":false,"name":"detail","notes":"default 4; from 0.1 to 1000","of":"circle, --goal smooth","value":"VALUE","words":"option-detail"},
+    {"flag":"smooth-steps","isMany":false,"name":"smoothSteps","notes":"default 10; from 1","of":"circle, --goal smooth","value":"N","words":"option-smoothSteps"},
+    {"flag":"tau","isMany":false,"name":"tau","notes":"default auto; above 0","of":"","value":"auto|VALUE","words":"option-tau"},
+    {"flag":"dt","isMany":false,"name":"dt","notes":"default auto; above 0","of":"","value":"auto|VALUE","words":"option-dt"},
+    {"flag":"tau-growth","isMany":false,"name":"tauGrowth","notes":"default 1.2; above 0 to 100","of":"p-willmore, volume-preserving, --scheme paper","value":"VALUE","words":"option-tauGrowth"},
+    {"flag":"tau-max","isMany":false,"name":"tauMax","notes":"default auto; above 0","of":"p-willmore, volume-preserving, --scheme paper","value":"auto|VALUE","words":"option-tauMax"},
+    {"flag":"integrator","isMany":false,"name":"integrator","notes":"default semi-implicit","of":"circle","value":"semi-implicit|forward-euler|backward-euler|l-bfgs","words":"option-integrator"},
+    {"flag":"mass","isMany":false,"name":"mass","notes":"default auto","of":"circle","value":"auto|uniform|area","words":"option-mass"},
+    {"flag":"remesh","isMany":false,"name":"remesh","notes":"default adaptive","of":"p-willmore, --scheme auto","value":"adaptive|isotropic|off","words":"option-remesh"},
+    {"flag":"regularise","isMany":false,"name":"regularise","notes":"default nonlinear","of":"p-willmore, volume-preserving, --remesh off","value":"off|linear|nonlinear","words":"option-regularise"},
+    {"flag":"regularise-epsilon","isMany":false,"name":"regulariseEpsilon","notes":"default 0.01; above 0 to 1000","of":"p-willmore, volume-preserving, --remesh off","value":"VALUE","words":"option-regulariseEpsilon"},
+    {"flag":"perturbation","isMany":false,"name":"perturbation","notes":"default 0; from 0 to 0.3","of":"p-willmore, volume-preserving","value":"VALUE","words":"option-perturbation"},
+    {"flag":"rungs","isMany":false,"name":"rungs","notes":"default auto; from 0","of":"mmcv","value":"auto|N","words":"option-rungs"},
+    {"flag":"steps","isMany":false,"name":"maxSteps","notes":"default auto; from 0","of":"","value":"auto|N","words":"option-maxSteps"},
+    {"flag":"seconds","isMany":false,"name":"maxSeconds","notes":"default 120; above 0","of":"--goal relax","value":"auto|VALUE","words":"option-maxSeconds"},
+  ],
+  energy: [
+    {"flag":"p","isMany":true,"name":"p","notes":"","of":"","value":"VALUE,VALUE","words":"energy-p"},
+    {"flag":"boundary","isMany":false,"name":"boundary","notes":"default clamped","of":"","value":"clamped|fixed|free","words":"energy-boundary"},
+  ],
+  regularise: [
+    {"flag":"mode","isMany":false,"name":"mode","notes":"default nonlinear","of":"","value":"linear|nonlinear","words":"regularise-mode"},
+    {"flag":"epsilon","isMany":false,"name":"epsilon","notes":"default 0.01; above 0 to 1000","of":"","value":"VALUE","words":"regularise-epsilon"},
+    {"flag":"iterations","isMany":false,"name":"iterations","notes":"default 5; from 0","of":"","value":"N","words":"regularise-iterations"},
+    {"flag":"features","isMany":false,"name":"features","notes":"default 0.3; from 0","of":"","value":"VALUE","words":"regularise-features"},
+  ],
+  repair: [
+    {"flag":"weld","isMany":false,"name":"weld","notes":"default auto; above 0","of":"","value":"auto|off|LENGTH","words":"repair-weld"},
+  ],
+  fill: [
+    {"flag":"loops","isMany":true,"name":"loops","notes":"default small","of":"","value":"small|all|N,N","words":"fill-loops"},
+    {"flag":"connect","isMany":false,"name":"connect","notes":"","of":"","value":null,"words":"fill-connect"},
+    {"flag":"max-vertices","isMany":false,"name":"maxVertices","notes":"default auto; from 0","of":"","value":"auto|N","words":"fill-maxVertices"},
+  ],
+  fair: [
+    {"flag":"fair","isMany":false,"name":"fair","notes":"default none","of":"","value":"none|circle|mean-curvature|surface-diffusion|willmore|mmcv","words":"fill-fair"},
+    {"flag":"steps","isMany":false,"name":"maxSteps","notes":"default auto; from 0","of":"--fair","value":"auto|N","words":"option-maxSteps"},
+    {"flag":"seconds","isMany":false,"name":"maxSeconds","notes":"default 120; above 0","of":"--fair","value":"auto|VALUE","words":"option-maxSeconds"},
+  ],
+  remesh: [
+    {"flag":"kind","isMany":false,"name":"kind","notes":"default adaptive","of":"","value":"adaptive|isotropic","words":"remesh-kind"},
+    {"flag":"target","isMany":false,"name":"target","notes":"default auto; above 0","of":"","value":"auto|LENGTH","words":"remesh-target"},
+    {"flag":"vertices","isMany":false,"name":"vertices","notes":"default auto; from 4","of":"","value":"auto|N","words":"remesh-vertices"},
+    {"flag":"creases","isMany":false,"name":"creases","notes":"default keep","of":"","value":"keep|smooth","words":"remesh-creases"},
+  ],
+  flips: [
+    {"flag":"criterion","isMany":false,"name":"criterion","notes":"default localised","of":"","value":"area|willmore|localised","words":"flips-criterion"},
+    {"flag":"guard-folds","isMany":false,"name":"guardFolds","notes":"","of":"","value":null,"words":"flips-guardFolds"},
+    {"flag":"max","isMany":false,"name":"max","notes":"default all; from 0","of":"","value":"all|N","words":"flips-max"},
+  ],
+  bench: [
+    {"flag":"table","isMany":false,"name":"table","notes":"","of":"","value":"circle|p-willmore|flips|mmcv|refinement|repair|robustness|vesicles|figures","words":"bench-table"},
+    {"flag":"max-vertices","isMany":false,"name":"maxVertices","notes":"default all; from 1","of":"","value":"all|N","words":"bench-maxVertices"},
+    {"flag":"steps","isMany":false,"name":"steps","notes":"default 3; from 1","of":"","value":"N","words":"bench-steps"},
+    {"flag":"figures","isMany":false,"name":"figures","notes":"default all","of":"","value":"all|ID,ID","words":"bench-figures"},
+    {"flag":"quick","isMany":false,"name":"quick","notes":"","of":"","value":null,"words":"bench-quick"},
+  ],
 };

@@ -2645,7 +2645,7 @@ branches: Array<BranchInfo>, };
 /**
  * What a command of the same name is answered with.
  */
-export type ToolAnswer = { "unpack": Unpacked } | { "load": Loaded } | { "energy": EnergyReadings } | { "turn": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "phase": Phase | null } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array<ArrayBuffer> } | { "losses": Array<Message> } | { "history": string };
+export type ToolAnswer = { "unpack": Unpacked } | { "load": Loaded } | { "energy": EnergyReadings } | { "turn": State } | { "restore": State } | { "regularise": Regularised } | { "flip": FlipOutcome } | { "fill": FillOutcome } | { "repair": Loaded } | { "subdivide": Loaded } | { "remesh": RemeshOutcome } | { "invert": InversionReport } | { "adopt": Loaded } | { "undo": Loaded } | { "loops": Array<LoopInfo> } | { "numbered": Array<number> } | { "look": Look } | { "previewInversion": Inverted } | { "conjecture": ConjectureReport } | { "quadrilateral": QuadReport } | { "lab": LabReport } | { "why": Diagnosis | null } | { "selfIntersections": SelfIntersections | null } | { "study": StudyReport } | { "phase": Phase | null } | { "bench": BenchReport } | { "outcome": Outcome } | { "curvatureJump": CurvatureJump | null } | { "readRecipe": RecipeCard } | { "writeRecipe": string } | { "compareRecipe": ReplayReport } | { "readLink": LinkScene } | { "writeLink": WrittenLink } | { "checkLink": LinkCheck | null } | { "prepare": null } | { "follow": null } | { "advance": ReplayProgress } | { "cancelReplay": null } | { "export": Uint8Array<ArrayBuffer> } | { "losses": Array<Message> } | { "history": string };
 
 /**
  * A request by name, with its fields.
@@ -2714,7 +2714,11 @@ options: RemeshOptions, } } | { "invert": {
 /**
  * From the middle of the bounding box, in diagonals of it.
  */
-centre: [number, number, number], } } | { "adopt": Record<symbol, never> } | { "undo": Record<symbol, never> } | { "loops": Record<symbol, never> } | { "look": { 
+centre: [number, number, number], } } | { "adopt": Record<symbol, never> } | { "undo": Record<symbol, never> } | { "loops": Record<symbol, never> } | { "numbered": { 
+/**
+ * All of them.
+ */
+numbers: Array<number>, } } | { "look": { 
 /**
  * All of it.
  */

@@ -116,6 +116,11 @@ pub enum ToolCommand {
     Undo {},
     /// The boundary loops of the surface as it is now.
     Loops {},
+    /// The vertices that the file gives these numbers, as selections in files have them.
+    Numbered {
+        /// All of them.
+        numbers: Vec<u32>,
+    },
     /// What frames look at more closely from now on.
     Look {
         /// All of it.
@@ -253,6 +258,7 @@ pub enum ToolAnswer {
     Adopt(Loaded),
     Undo(Loaded),
     Loops(Vec<LoopInfo>),
+    Numbered(Vec<u32>),
     Look(Look),
     PreviewInversion(Inverted),
     Conjecture(ConjectureReport),
@@ -361,6 +367,7 @@ impl Session {
             C::Adopt {} => A::Adopt(self.adopt()?),
             C::Undo {} => A::Undo(self.undo_edit()?),
             C::Loops {} => A::Loops(self.boundary_loops()?),
+            C::Numbered { numbers } => A::Numbered(self.numbered(&numbers)?),
             C::Look { options } => A::Look(self.look_at(options)?),
             C::PreviewInversion { centre } => {
                 let (field, look) = (self.view.field, self.view.look.unwrap_or_default());

@@ -71,6 +71,11 @@ export class FakeSession {
     return { name, info, numbers: { first: 0, vertices: null, faces: null } };
   }
 
+  /** @param {{ numbers: number[] }} fields  of vertices as the file counts, here from 0 */
+  numbered({ numbers }) {
+    return numbers;
+  }
+
   selfIntersections() {
     this.calls.push(["selfIntersections"]);
     return { pairs: Uint32Array.of(0, 1, 0, 2), triangles: Uint32Array.of(0, 1, 2) };
