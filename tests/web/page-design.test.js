@@ -56,13 +56,21 @@ test("what holds at a boundary is asked about where there is one", async () => {
   }
 });
 
-test("no drawer is higher than a window and a half, and pictures in it are whole", async () => {
-  const { page, close } = await site.open("sample=bumpy-sphere&colour=mean-curvature", desk);
+test("no drawer is higher than a window and a half, whatever is open, and pictures in it are whole", async () => {
+  // The flow with the most options, with those of its paper, under way.
+  const scene = "flow=p-willmore&scheme=paper&remesh=off&colour=mean-curvature&step=1";
+  const { page, close } = await site.open(`sample=bumpy-sphere&${scene}`, desk);
+  const body = page.locator(".panel .body");
+  const look = async (/** @type {string} */ where) => {
+    const height = await body.evaluate((body) => body.scrollHeight);
+    assert.ok(height <= 1.5 * 720, `${where}: ${height} px`);
+  };
   for (const tab of ["Surface", "Flow", "Measure", "Compare", "Share"]) {
     await openTab(page, tab);
-    const body = page.locator(".panel .body");
-    const height = await body.evaluate((body) => body.scrollHeight);
-    assert.ok(height <= 1.5 * 720, `${tab}: ${height} px`);
+    await look(tab);
+    // The numbers and how they are spread over the surface are seen at once.
+    if (tab === "Measure")
+      assert.deepEqual(await hidden(page, "[data-reading], .histogram"), []);
     // What lies over what comes next: less room than it asks for.
     const squeezed = await body.evaluate((body) => {
       const boxes = [...body.children].map((child) => child.getBoundingClientRect());
@@ -71,7 +79,18 @@ test("no drawer is higher than a window and a half, and pictures in it are whole
     assert.equal(squeezed, 0, tab);
     // One thing is opened at a time, and nothing in what is opened is opened once more.
     assert.equal(await page.locator(".more .more").count(), 0);
+    const parts = body.locator(".more h3 button");
+    for (let n = 0; n < (await parts.count()); n += 1) {
+      await parts.nth(n).click();
+      await body.locator(".inner > *").first().waitFor();
+      // What is said of a field waits until one is there.
+      assert.equal(await body.locator(".field .hint:visible").count(), 0, tab);
+      await look(`${tab}, ${await parts.nth(n).textContent()}`);
+    }
   }
+  await openTab(page, "Flow");
+  await page.getByRole("spinbutton", { name: "Exponent p" }).focus();
+  await body.getByText("the exponent of").waitFor();
   await close();
 });
 

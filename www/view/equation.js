@@ -1,6 +1,6 @@
 // The energy and the equation of the flow in force, symbol by symbol, with their values.
 
-import { html } from "lit-html";
+import { html, nothing } from "lit-html";
 import temml from "temml";
 import { functionals, steps, symbols } from "../generated/equation.js";
 import { formatNumber } from "../number.js";
@@ -57,5 +57,6 @@ export function equation() {
   const functional = functionals[shown?.monitored ?? flow.monitored[0]];
   return html`${part(say("equation-energy"), functional)}${part(say("equation-flow"), [flow.formula, step])}
     <table class="rows symbols" aria-label=${say("symbols")}><tbody>${rows}</tbody></table>
+    ${family === "circle" ? html`<p class="hint">${say("what-w-says")}</p>` : nothing}
     <p class="hint">${flow.paper}${flow.tau ? `; τ = ${flow.tau}` : ""}</p>`;
 }

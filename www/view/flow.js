@@ -71,6 +71,15 @@ function decades({ default: usual, range }, label, value, set) {
     @input=${show} @change=${(/** @type {any} */ event) => set(at(event))} />`;
 }
 
+/** Leads from a step size to the same in the other unit. @param {string} name @param {(change: any) => unknown} change */
+function twin(name, change) {
+  const other = { tau: "dt", dt: "tau" }[name];
+  const { configured } = page.state.value;
+  if (!other || !configured) return nothing;
+  const swap = () => change({ [name]: null, [other]: /** @type {any} */ (configured)[other] });
+  return html`<button type="button" class="link" @click=${swap}>${say("step-size-as", { other })}</button>`;
+}
+
 /** @param {Row} row @param {any} options @param {(change: any) => unknown} change  of options, or of how edge flips are shown */
 export function field(row, options, change) {
   const { name, kind, absent, unit, range } = row;
@@ -104,15 +113,17 @@ export function field(row, options, change) {
   const take = (/** @type {number | null} */ typed) => (typed !== null || isOptional) && set(typed);
   const input = number(label, shown, take, { min, max: range?.high, placeholder });
   const unitOf = unit ? say("unit", { unit, kind: unit.split(" ")[0] }) : "";
-  const control = html`<span class="number">${input}${unit ? html`<span class="unit">${unitOf}</span>` : nothing}</span>
+  const control = html`<span class="number">${input}${unit ? html`<span class="unit">${unitOf}</span>` : nothing}${twin(name, change)}</span>
     ${value === null ? nothing : decades(row, label, value, set)}`;
   return labelled(label, control, hint);
 }
 
 /** Whether the surface has what an option is about: a boundary, or anything that is held. @param {string} name @param {Options} options */
-function isPossible(name, { free, fixed }) {
+function isPossible(name, { free, fixed, dt }) {
   const isOpen = (page.state.value.mesh?.info.boundaryLoops ?? 0) > 0;
   if (name === "prefill") return isOpen || free !== null || fixed !== null;
+  // Two words for one thing.
+  if (name === "tau" || name === "dt") return (dt === null) === (name === "tau");
   return name !== "boundary" || isOpen;
 }
 

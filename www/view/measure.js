@@ -84,7 +84,7 @@ function readings() {
     pressure != null && row("pressure", formatNumber(pressure, 4)),
     extras?.jump && row("jump", formatNumber(extras.jump.relative, 3)),
   ];
-  return html`${table(say("readings"), rows)}${isCircle ? html`<p class="hint">${say("what-w-says")}</p>` : nothing}`;
+  return table(say("readings"), rows);
 }
 
 /** Of what is shown: it stays while the display moves from one true step to the next. */
@@ -160,8 +160,11 @@ function allSteps() {
 
 export function measure() {
   page.player.tick.value;
-  const isFlips = !!page.state.value.reading?.flips;
-  return html`${figure()}${readings()}${spread()}
+  const { reading, section: open } = page.state.value;
+  const isFlips = !!reading?.flips;
+  // What is looked at closely takes the place of what is seen at a glance.
+  const isClose = open !== null && !["bins", "notes"].includes(open);
+  return html`${isClose ? nothing : figure()}${readings()}${isClose ? nothing : spread()}
     ${isFlips ? section("conjecture", say("conjecture"), conjecture) : nothing}
     ${isFlips ? section("lab", say("lab"), lab) : nothing}
     ${section("vertex", say("look-at-vertex"), vertex)}

@@ -101,6 +101,6 @@ export function study() {
     ...(source?.kind === "sample" ? [{ id: "shape", label: say("study-sample") }] : []),
     { id: "surface", label: say("study-surface") },
   ];
-  return html`${select(say("study-of"), choices, subject.value, into(subject))}${turn(say("study-run"))}
+  return html`<div class="row">${select(say("study-of"), choices, subject.value, into(subject))}${turn(say("study-run"))}</div>
     <p class="hint" role="note">${said.value}</p>${result.value ? shown(result.value) : nothing}`;
 }

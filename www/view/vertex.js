@@ -91,7 +91,7 @@ export function vertex() {
   return html`<div class="row">${button(say("tool-pick"), pick, "small", { pressed: mode === "pick" })}
       ${shortNumber(say("vertex-number"), shown, go, { min: 0, step: 1 })}${leave}</div>
     ${look?.probe ? probed(look.probe) : probe === null ? nothing : missing}
-    ${toggle(say("circles"), circles, (on) => inspect({ circles: on }), circlesText(look))}
-    ${toggle(say("directions"), directions, (on) => inspect({ directions: on }), directionsText(look))}
+    ${toggle(say("circles"), circles, (on) => inspect({ circles: on }))}<p class="hint">${circlesText(look)}</p>
+    ${toggle(say("directions"), directions, (on) => inspect({ directions: on }))}<p class="hint">${directionsText(look)}</p>
     ${directions ? html`<p class="hint">${key(3, "κ₁")} ${key(4, "κ₂")}</p>` : nothing}`;
 }

@@ -187,12 +187,16 @@ unit = { $kind ->
     [flips] Flips
    *[other] { $unit }
 }
-applies = Änderungen gelten ab
+applies = Änderungen ab
 applies-start = Anfang
 applies-here = diesem Schritt
 flip-all = Alle Flips auf einmal
 advanced = Weiteres
 advanced-what = Schrittweite, Verfahren, Grenzen
+step-size-as = als { $other ->
+    [tau] τ
+   *[dt] dt
+}
 recommended = Empfohlene Einstellungen
 
 ## Farben und Zeichnung

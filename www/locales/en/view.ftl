@@ -193,6 +193,10 @@ applies-here = This step
 flip-all = All flips at once
 advanced = Advanced
 advanced-what = step size, method, limits
+step-size-as = as { $other ->
+    [tau] τ
+   *[dt] dt
+}
 recommended = Recommended settings
 
 ## Colours and drawing
