@@ -12,7 +12,6 @@ import { clause, statusText, surfaceLabel, symbol } from "../../www/status.js";
 import { initial } from "../../www/store.js";
 import { labelled, thinned } from "../../www/view/curve.js";
 import { isLogarithmic, ticksOf } from "../../www/view/plot.js";
-import { rim } from "../../www/view/stage.js";
 
 /** @param {any} [change] @returns {any} */
 const reading = (change) => ({
@@ -60,13 +59,13 @@ test("the status line says what is going on", () => {
 
 test("one clause follows: what to do, how far it is, or why it ended", () => {
   const of = (/** @type {any} */ change) => clause(page(), reading(change), false, 10);
-  assert.equal(of({}), "Press Play, or the space bar.");
+  assert.equal(of({}), "Press Play or the space bar.");
   assert.equal(of({ step: 3 }), "");
   const [cause, advice] = [{ id: "cause-fold" }, { id: "advice-finer-mesh" }];
   const message = { id: "reason-refused", values: { cause, advice } };
   assert.equal(
     of({ step: 1, status: "stalled", message }),
-    "every step tried was refused, the last because faces would fold over; a finer mesh helps",
+    "every step tried was refused, the last because faces would fold over. A finer mesh helps",
   );
   const limit = { id: "reason-step-limit", values: { steps: 10 } };
   assert.equal(
@@ -156,12 +155,6 @@ test("an axis has round ticks, and powers of ten where it falls far", () => {
   assert.equal(isLogarithmic("auto", [100, 1, 0]), true);
   assert.equal(isLogarithmic("auto", [100, 50]), false);
   assert.equal(isLogarithmic("linear", [100, 1]), false);
-});
-
-test("the rim of a region is where one end of an edge is in it", () => {
-  const edges = Uint32Array.from([0, 1, 1, 2, 2, 3, 3, 0]);
-  assert.deepEqual([...rim(Uint8Array.from([1, 1, 0, 0]), edges)], [1, 2, 3, 0]);
-  assert.equal(rim(Uint8Array.from([1, 1, 1, 1]), edges).length, 0);
 });
 
 test("every flow has a symbol for what it lowers, whatever was chosen for another", () => {

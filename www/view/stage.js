@@ -56,13 +56,6 @@ function paneName(name) {
   return flowLabel(name);
 }
 
-/** The edges between a set of vertices and its complement. @param {Uint8Array} set @param {Uint32Array} edges  two ends each */
-export function rim(set, edges) {
-  const isOf = (/** @type {number} */ _, /** @type {number} */ k) =>
-    set[edges[k & ~1]] !== set[edges[k | 1]];
-  return edges.filter(isOf);
-}
-
 /** @param {S} s @param {Pane} pane */
 function paneNote({ reading }, { name, state }) {
   if (state) return say("pane-step", { step: state.step });
@@ -98,19 +91,10 @@ export function createStage(root, { samples, effects }) {
   const range = signal(/** @type {readonly [number, number] | null} */ (null));
   /** What a brush is about to hold. @type {Uint8Array | null} */
   let brushed = null;
-  let ring = { set: /** @type {unknown} */ (null), found: none };
   /** Triangles that were turned to. @type {Uint32Array | null} */
   let faced = null;
   /** Changes with each picture. */
   const pictures = signal(0);
-
-  /** @param {S} s @param {Uint8Array | null} set */
-  function ringOf({ options, mesh }, set) {
-    const isChosen = options.free !== null || options.fixed !== null || brushed;
-    if (!set || !mesh || !isChosen) return none;
-    if (ring.set !== set) ring = { set, found: rim(set, mesh.wireEdges) };
-    return ring.found;
-  }
 
   /** @param {S} s @returns {Shown[]} */
   function panesOf(s) {
@@ -134,7 +118,7 @@ export function createStage(root, { samples, effects }) {
         drawable: ownPane ?? point?.drawable ?? mesh,
         ...(apart ? still(apart.positions, apart.field, s.range) : motionOf(s, lead)),
         marked: marks?.triangles ?? point?.marked ?? none,
-        highlight: marks?.edges ?? ownPane?.highlight ?? (isOfStart ? ringOf(s, set) : none),
+        highlight: marks?.edges ?? ownPane?.highlight ?? none,
         held: isOfStart ? set : null,
         title: isCompared ? flowLabel(options.flow) : title,
         note: noteOf(lead, page.shown(), options),

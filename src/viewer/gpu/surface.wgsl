@@ -138,6 +138,8 @@ fn openness_at(pixel: vec2f, depth: f32) -> f32 {
 }
 
 fn shaded(in: Varying, is_front: bool, facet: vec3f) -> vec3f {
+    // Half-way between what is held and what moves, so many pixels away.
+    let border = abs(in.attributes.y - 0.5) / max(fwidth(in.attributes.y), 1e-6);
     let along = clamp(in.attributes.x, 0.0, 1.0) * (255.0 / 256.0) + 0.5 / 256.0;
     let value = textureSampleLevel(colour_map, smooth_sampler, vec2f(along, 0.5), 0.0).rgb;
     let toward_eye = normalize(-in.position);
@@ -152,7 +154,8 @@ fn shaded(in: Varying, is_front: bool, facet: vec3f) -> vec3f {
     let bright = luminance(light.diffuse) + light.gloss;
     let shade = mix(0.7, 1.05, smoothstep(0.3, 1.1, bright));
     let coloured = frame.field_strength * (1.0 - in.attributes.z);
-    return mix(plain * light.diffuse + light.gloss, shade * value, coloured);
+    let surface = mix(plain * light.diffuse + light.gloss, shade * value, coloured);
+    return mix(surface, frame.wire.rgb, clamp(1.5 - border, 0.0, 1.0));
 }
 
 @fragment
