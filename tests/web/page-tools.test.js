@@ -28,9 +28,13 @@ test("opening a tab or a tool changes no vertex", async () => {
   const before = await where(page);
   for (const name of ["Surface", "Flow", "Measure", "Compare", "Share"]) await openTab(page, name);
   await openTab(page, "Surface");
-  for (const name of ["Paint", "Fill holes", "Subdivide", "Invert"]) {
+  await page.setViewportSize({ width: 1280, height: 720 });
+  for (const name of ["Paint", "Fill holes", "Subdivide", "Remesh", "Invert"]) {
     await button(page, name).click();
-    await page.getByRole("toolbar", { name }).waitFor();
+    const bar = page.getByRole("toolbar", { name });
+    await bar.waitFor();
+    const { height } = (await bar.boundingBox()) ?? { height: 0 };
+    assert.ok(height < 60, `${name}: ${height} px, more than a row`);
   }
   // The centre of an inversion begins well outside, and stays in reach.
   const handle = page.getByRole("button", { name: "Centre of the inversion" });
@@ -49,7 +53,10 @@ test("holes are filled and faired, and Undo brings the run of before back", asyn
   await button(page, "Fill…").click();
   const bar = page.getByRole("toolbar", { name: "Fill holes" });
   await bar.getByText("0 of 2 chosen").waitFor();
-  await bar.getByRole("button", { name: "1", exact: true }).click();
+  // They are counted from 1; none is chosen yet, and none is offered first.
+  assert.equal(await bar.getByRole("button", { name: "0", exact: true }).count(), 0);
+  assert.equal(await bar.locator(".primary").count(), 0);
+  await bar.getByRole("button", { name: "2", exact: true }).click();
   await bar.getByRole("button", { name: "Fill this one" }).click();
   await until(page, "Ready");
   await page
@@ -73,15 +80,17 @@ test("what is painted moves, and nothing else", async () => {
   const box = await canvas(page).boundingBox();
   assert.ok(box);
   const bar = page.getByRole("toolbar", { name: "Paint" });
+  const apply = bar.getByRole("button", { name: "Apply" });
+  assert.equal(await apply.getAttribute("aria-disabled"), "true", "nothing is painted yet");
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2 + 30, box.y + box.height / 2, { steps: 3 });
   await page.mouse.up();
   // What lies under the pointer where it stopped is painted a picture later.
-  const painted = bar.getByText(/^([6-9]|\d{2,3}) of 2562 vertices move/);
+  const painted = bar.getByText(/^([6-9]|\d{2,3}) of 2562 move/);
   const free = Number.parseInt((await painted.textContent()) ?? "", 10);
   await bar.getByRole("button", { name: "Grow" }).click();
-  await bar.getByRole("button", { name: "Apply" }).click();
+  await apply.click();
   await until(page, "Ready");
   await openTab(page, "Flow");
   const now =
@@ -101,7 +110,7 @@ test("subdivided, inverted, started from here, and back again", async () => {
   const faces = Number(await reading(page, "Faces"));
   await openTab(page, "Surface");
   await button(page, "Subdivide").click();
-  await button(page, "In place").click();
+  await button(page, "Split only").click();
   await page
     .getByText(/Subdivided into/)
     .first()
@@ -147,8 +156,8 @@ test("a surface is given other triangles, as many as wanted, and gets its own ba
   await button(page, "Remesh").click();
   await page.getByLabel("Vertices", { exact: true }).fill("1500");
   await page.getByLabel("Vertices", { exact: true }).press("Tab");
-  await button(page, "Smaller where it bends").click();
-  await page.getByText(/smallest angle .* before and .* now; Undo takes it back/).waitFor();
+  await button(page, "Remesh by curvature").click();
+  await page.getByText(/smallest angle .* before and .* now. Undo takes it back/).waitFor();
   const after = Number(await reading(page, "Vertices"));
   assert.ok(Math.abs(after - 1500) < 150, `${after} vertices`);
   assert.equal(/area (\S+)$/.exec(await surface(page))?.[1], area);
@@ -198,11 +207,11 @@ test("edges of the shape stay when it is remeshed, unless they are to be rounded
   const remesh = async (/** @type {boolean} */ rounds) => {
     await openTab(page, "Surface");
     await button(page, "Remesh").click();
-    if (rounds) await button(page, "Keep edges").click();
+    if (rounds) await page.getByLabel("Keep edges").uncheck();
     await page.getByLabel("Vertices", { exact: true }).fill("600");
     await page.getByLabel("Vertices", { exact: true }).press("Tab");
-    await button(page, "All alike").click();
-    await page.getByText(/smallest angle .* before and .* now; Undo takes it back/).waitFor();
+    await button(page, "Remesh evenly").click();
+    await page.getByText(/smallest angle .* before and .* now. Undo takes it back/).waitFor();
   };
   await remesh(false);
   assert.equal(Number(await reading(page, "Volume")), 1);

@@ -25,13 +25,10 @@ function findings({ info, repaired }) {
   const angle = page.shown()?.minAngleDegrees ?? info.minAngleDegrees;
   const isEven = angle >= EVEN;
   const fill = button(say("fill-start"), () => page.edit.mode("fill"), "small primary");
+  const count = { count: boundaryLoops };
   const rim =
     boundaryLoops > 0
-      ? finding(
-          say("found-holes", { count: boundaryLoops }),
-          say("found-holes.hint", { count: boundaryLoops }),
-          fill,
-        )
+      ? finding(say("found-holes", count), say("found-holes.hint", count), fill)
       : finding(say("found-closed"), say(oriented ? "found-two-sided" : "found-one-sided"));
   const even = isEven ? nothing : button(say("even-out"), page.edit.regularise, "small");
   const inside = say("found-angle", { angle: formatNumber(angle, 3) });

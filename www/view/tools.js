@@ -7,7 +7,7 @@ import { html, nothing } from "lit-html";
 import { formatNumber } from "../number.js";
 import { say } from "../words.js";
 import { page } from "./page.js";
-import { button, into, keycap, shortNumber, slider } from "./parts.js";
+import { button, into, keycap, shortNumber, slider, toggle } from "./parts.js";
 
 /** @import { LoopInfo, Loops, InversionReport } from "../generated/types.js" */
 /** @import { Mode } from "../store.js" */
@@ -27,30 +27,34 @@ const viewer = () => page.stage.first.viewer;
 // Paint.
 /** 1 where held. @type {Uint8Array} */
 let held = new Uint8Array();
-/** Until the first stroke, which begins a region, all may move. */
-let isUntouched = true;
 const frees = signal(true);
+/** Whether there is something to apply. */
+const isPainted = signal(false);
 const radius = signal(24);
 const free = signal(0);
 
-/** @param {Uint8Array} vertices @param {boolean} [isNew] */
-function hold(vertices, isNew = false) {
+/** @param {Uint8Array} vertices */
+function hold(vertices) {
   held = vertices;
-  isUntouched = isNew;
+  isPainted.value = true;
   free.value = held.reduce((sum, one) => sum + (one === 0 ? 1 : 0), 0);
   page.stage.brush(held);
 }
 function takeHeld() {
-  const { configured, options, mesh } = page.get();
+  const { configured, mesh } = page.get();
   const count = (mesh?.positions.length ?? 0) / 3;
   const known = configured?.heldVertices ?? new Uint8Array(count);
-  hold(Uint8Array.from(known), !options.free && !options.fixed);
+  hold(Uint8Array.from(known));
+  isPainted.value = false;
 }
 /** Paints with the button down that was pressed here: gestures hold the pointer then. @param {PointerEvent} event */
 function stroke(event) {
   const isDown = event.buttons & 1 && canvas.hasPointerCapture(event.pointerId);
-  if (page.get().mode !== "paint" || !event.isPrimary || !isDown) return;
-  const set = isUntouched && frees.peek() ? new Uint8Array(held.length).fill(1) : held;
+  const { mode, options } = page.get();
+  if (mode !== "paint" || !event.isPrimary || !isDown) return;
+  // The first stroke begins a region: until then all may move.
+  const isFirst = !isPainted.peek() && !options.free && !options.fixed;
+  const set = isFirst && frees.peek() ? new Uint8Array(held.length).fill(1) : held;
   const next = viewer()?.painted(event, set, radius.peek(), frees.peek() ? 0 : 1);
   if (next) hold(next);
 }
@@ -221,6 +225,10 @@ const budget = signal(/** @type {number | null} */ (null));
 /** Whether edges of the shape stay. */
 const keepsEdges = signal(true);
 
+/** @param {() => unknown} act @param {boolean} isReady  whether there is something to apply */
+const apply = (act, isReady) =>
+  button(say("apply"), act, isReady ? "small primary" : "small", { disabled: !isReady });
+
 /** @type {Record<Mode, () => unknown>} */
 const bars = {
   paint: () => html`
@@ -229,9 +237,9 @@ const bars = {
     ${slider(say("brush-size"), radius.value, 6, 80, into(radius))}
     ${button(say("grow"), () => spread(0), "small")}${button(say("shrink"), () => spread(1), "small")}
     ${(page.state.value.mesh?.info.boundaryLoops ?? 0) > 0 ? button(say("hold-boundary"), holdBoundary, "small") : nothing}
-    <span class="hint">${say("region-count", { free: free.value, all: held.length })}</span>
+    <span class="hint">${say("paint-count", { free: free.value, all: held.length })}</span>
     ${button(say("clear-paint"), () => applyPaint(true), "small")}
-    ${button(say("apply"), () => applyPaint(false), "small primary")}`,
+    ${apply(() => applyPaint(false), isPainted.value)}`,
   fill() {
     const count = chosen.value.length;
     const all = loops.value.length;
@@ -241,14 +249,14 @@ const bars = {
     const each = loops.value.map(({ edges, length }, n) => {
       const title = say("boundary-loop", { edges, length });
       const pressed = chosen.value.includes(n);
-      return button(String(n), () => turnLoop(n), "small", { pressed, title });
+      return button(String(n + 1), () => turnLoop(n), "small", { pressed, title });
     });
     return html`<span class="hint">${say("loops-chosen", { count, all })}</span>
       ${all <= 12 ? each : nothing}
       ${count > 0 ? button(say("fill-chosen", { count }), () => fill([...chosen.value]), "small primary") : nothing}
       ${count > 1 ? button(say("bridge"), () => fill([...chosen.value], true), "small") : nothing}
-      ${some ? button(say("fill-small", { count: holes }), () => fill("small"), count > 0 ? "small" : "small primary") : nothing}
-      ${button(say("fill-all", { count: all }), () => fill("all"), count > 0 || some ? "small" : "small primary")}
+      ${some ? button(say("fill-small", { count: holes }), () => fill("small"), "small") : nothing}
+      ${count < all ? button(say("fill-all", { count: all }), () => fill("all"), "small") : nothing}
       ${shortNumber(say("most-vertices"), most.value, into(most), { min: 1, step: 1, placeholder: say("automatic") })}`;
   },
   remesh() {
@@ -260,7 +268,7 @@ const bars = {
       });
     const placeholder = page.state.value.mesh?.info.vertices;
     return html`${shortNumber(say("remesh-number"), budget.value, into(budget), { min: 4, step: 1, placeholder })}
-      ${button(say("remesh-edges"), () => into(keepsEdges)(!keepsEdges.value), "small", { pressed: keepsEdges.value, title: say("remesh-edges.about") })}
+      ${toggle(say("remesh-edges"), keepsEdges.value, into(keepsEdges), say("remesh-edges.about"))}
       ${button(say("remesh-adaptive"), to("adaptive"), "small primary")}
       ${button(say("remesh-isotropic"), to("isotropic"), "small")}`;
   },
@@ -269,7 +277,6 @@ const bars = {
     ${button(say("subdivide-linear"), () => page.edit.subdivide("linear"), "small")}`,
   invert() {
     const { preview: shown } = page.state.value;
-    const disabled = refusal.value !== "" || !shown;
     /** @param {number} n @returns {(typed: number | null) => void} */
     const along = (n) => (typed) => {
       centre.value = centre.value.map((value, axis) => (axis === n ? (typed ?? value) : value));
@@ -277,18 +284,16 @@ const bars = {
     };
     return html`${["x", "y", "z"].map((axis, n) => shortNumber(axis, Number(centre.value[n].toFixed(4)), along(n)))}
       <span class="hint ${refusal.value ? "danger" : ""}" role="note">${refusal.value || (shown ? inversion(shown.report) : "")}</span>
-      ${button(say("apply"), () => page.edit.invert(centre.value), "small primary", { disabled })}`;
+      ${apply(() => page.edit.invert(centre.value), refusal.value === "" && shown !== null)}`;
   },
   pick: () => html`<span class="hint">${say("pick-hint")}</span>`,
 };
 
 /** What an inversion does to the numbers. @param {InversionReport} report */
 function inversion({ before, after }) {
-  const change = after.circle - before.circle;
   return say("inversion-numbers", {
     before: formatNumber(before.circle, 6),
     after: formatNumber(after.circle, 6),
-    change: change === 0 ? "0" : change.toExponential(1),
     bending: formatNumber(before.willmore, 5),
     bendingNow: formatNumber(after.willmore, 5),
   });
