@@ -111,7 +111,7 @@ test("on a phone targets are large, and with a sheet open there is still a surfa
       .filter(
         (one) =>
           one.checkVisibility() &&
-          one.closest("#top, #rail, .transport, .panel > header, [role=listbox]"),
+          one.closest("#top, #rail, .transport, .settings, .panel > header, [role=listbox]"),
       )
       .map((one) => ({
         box: one.getBoundingClientRect(),
@@ -149,6 +149,16 @@ test("on a phone targets are large, and with a sheet open there is still a surfa
   await page.keyboard.press("?");
   await dialog.getByRole("heading", { name: "Help" }).waitFor();
   assert.equal(await dialog.evaluate((element) => element.scrollTop), 0);
+  await page.keyboard.press("Escape");
+  // What has no room in the dock is in the list of commands, by touch too.
+  await button(page, "List of commands").tap();
+  const rows = dialog.getByRole("option");
+  await rows.first().waitFor();
+  for (const name of ["Faster", "Loop", "Back to the start, forgetting the steps"])
+    await dialog.getByRole("option", { name }).waitFor();
+  assert.ok(await rows.evaluateAll((all) => all.every((one) => one.clientHeight >= 44)));
+  await dialog.getByRole("option", { name: "Larger plot" }).tap();
+  await dialog.getByRole("heading", { name: "Larger plot" }).waitFor();
   await page.keyboard.press("Escape");
   // A message has the width of the page, below the status: the surface keeps its room.
   await page.getByRole("tab", { name: "Measure" }).tap();

@@ -18,6 +18,14 @@ test("a comparison begins with a difference, and both clips end together", async
   await button(page, "Flow").click();
   await others(page).waitFor();
   assert.match((await others(page).getAttribute("aria-label")) ?? "", /Mean curvature/);
+  const differs = page.locator(".panel .chip[aria-pressed=true]");
+  assert.deepEqual(await differs.allTextContents(), ["Flow"]);
+  // The legend is of both.
+  const [stage, legend] = await Promise.all(
+    ["#stage", ".legend"].map((one) => page.locator(one).boundingBox()),
+  );
+  assert.ok(stage && legend);
+  assert.ok(Math.abs(stage.x + stage.width / 2 - (legend.x + legend.width / 2)) < 2);
   // Their times have different units, and so time is not on offer.
   await page.getByText(/Their times cannot be compared/).waitFor();
   assert.equal(await page.getByRole("radio", { name: "Time" }).count(), 0);
@@ -25,6 +33,7 @@ test("a comparison begins with a difference, and both clips end together", async
   await button(page, "Play").click();
   await until(page, /^Stopped after 8 steps/);
   await page.getByRole("img", { name: /^Surface B:.*step 8/ }).waitFor();
+  assert.deepEqual(await page.locator(".curve .letter").allTextContents(), ["A", "B"]);
   // By step: the other stands where the first does.
   await page.getByRole("radio", { name: "Step", exact: true }).check();
   await page.keyboard.press(",");

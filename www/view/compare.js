@@ -55,9 +55,12 @@ export function compare() {
   if (!mesh) return nothing;
   const isOpen = rivals.length > 0;
   const agree = timeUnitsAgree([options, ...rivals.map((one) => optionsOf(options, one.change))]);
+  // The last of these that the second pane does otherwise: an exponent changes the flow too.
+  const differs = contrasts.findLast((what) => what in (rivals[0]?.change ?? {}));
+  const chosen = withStart ? "then" : differs;
   const more = say("add-pane", { name: letter(rivals.length + 1) });
   return html`<p class="hint">${say("compare-hint")}</p>
-    <div class="row">${contrasts.map((what) => button(say(`contrast-${what}`), () => page.compare.contrast(what), "chip"))}</div>
+    <div class="row">${contrasts.map((what) => button(say(`contrast-${what}`), () => page.compare.contrast(what), "chip", { pressed: what === chosen }))}</div>
     ${isOpen ? html`<p class="pane-name"><b class="pane-0">A</b> ${flowLabel(options.flow)}</p>` : nothing}
     ${rivals.map(form)}
     ${isOpen && rivals.length < MOST_PANES - 1 ? button(more, page.compare.add, "small") : nothing}

@@ -2,6 +2,7 @@
 // all their energies. It is the scrubber.
 
 import { html, nothing, svg } from "lit-html";
+import { letter } from "../comparison.js";
 import { formatNumber, formatShort } from "../number.js";
 import { say } from "../words.js";
 import { page } from "./page.js";
@@ -191,12 +192,19 @@ export function comparedCurve() {
   const percent = (/** @type {number} */ value, /** @type {number} */ digits) =>
     `${formatNumber(100 * value, digits)} %`;
   const axes = { kind: "compared", top: percent(most, 3), foot: percent(foot, 2) };
+  // A letter a curve, each elsewhere so that none hides another.
+  const letters = lines.map((line, n) => {
+    const [left, above] = at(
+      line[Math.floor((line.length * (n + 1)) / (lines.length + 1))] ?? [0, 1],
+    );
+    return html`<b class="letter pane-${n}" aria-hidden="true" .style=${`--x:${(100 * left) / WIDTH}%;--y:${above}%`}>${letter(n)}</b>`;
+  });
   return scrubber(
     { ...axes, range: [0, 100], now: Math.round(head) },
     lines.map((line, n) =>
       line.length < 2 ? nothing : svg`<path class="pane-${n}" d=${pathOf(line.map(at))} />`,
     ),
-    html`<i class="head line" .style=${`--x:${head}%;--y:0%`}></i>
+    html`${letters}<i class="head line" .style=${`--x:${head}%;--y:0%`}></i>
       ${label("first", 0, say("start"))}${label("last", 100, say(`axis-${lockstep}`))}`,
   );
 }

@@ -38,7 +38,7 @@ function scale() {
   return html`<div class="ramp" .style=${stops ? `background: linear-gradient(90deg, ${stops})` : ""}></div>
     ${hasBall ? html`<i class="ball" .style=${`--x:${place(ball)}%`}></i>` : nothing}
     <div class="ticks" aria-hidden="true">${tick(low, signed ? `≤ ${formatSigned(low)}` : formatShort(low), "first")}
-      ${signed ? tick(0, "0") : nothing}${hasBall ? tick(ball, say("round")) : nothing}
+      ${signed ? tick(0, "0") : nothing}${hasBall ? tick(ball, say("round"), "round") : nothing}
       ${tick(high, `≥ ${formatShort(high)}`, "last")}</div>
     <p class="held">${icon("lock")}${say("range-held")}</p>`;
 }

@@ -40,8 +40,7 @@ function energy() {
     const numbers = page.tracks().map(({ clip, u }, n) => {
       const [now, start] = [clip.points[clip.at(u).index], clip.points[0]];
       const text = formatBeside(now?.state.energy, start?.state.energy ?? 0);
-      const { options, comparison } = s;
-      const own = n === 0 ? options : optionsOf(options, comparison.rivals[n - 1].change);
+      const own = n === 0 ? s.options : optionsOf(s.options, s.comparison.rivals[n - 1].change);
       return html`<span class="pane-${n}"><b>${text}</b> ${letter(n)}, ${symbol({ options: own })}</span>`;
     });
     return html`<div class="energy pair">${numbers}</div>`;
@@ -63,6 +62,8 @@ function clock() {
       @click=${() => into(player.speed)(next)}>${player.speed.value}×</button>
     ${iconButton("loop", say("loop"), page.run.loop, { key: "L", pressed: player.loops.value })}
     ${iconButton("expand", say("larger-plot"), () => page.patch({ dialog: "plot" }), { key: "E" })}${branches()}
+    <button type="button" class="button quiet more-commands" aria-label=${say("command-commands")}
+      @click=${() => page.patch({ dialog: "commands" })}>⋯</button>
   </div>`;
 }
 
