@@ -112,8 +112,7 @@ export function present() {
   const clause = figure
     ? `${say(`paper-${figure.paper}.authors`)}, ${sayFigure(figure)}`
     : say(`flow-${s.options.flow}`);
-  const step = `${say("reading-step")} ${shown?.step ?? 0}`;
-  const more = html`<p class="present-details">${step}. ${shown?.message ? say(shown.message) : ""}</p>`;
+  const more = html`<p class="present-details">${say("reading-step")} ${shown?.step ?? 0}${shown?.message ? `. ${say(shown.message)}` : ""}</p>`;
   return html`<div class="present-number"><b>${formatBeside(shown?.energy, first)}</b><span>${symbol(s)}</span></div>
     <div class="present-caption"><h2 id="presented">${title}</h2><p>${clause}</p></div>${line()}
     ${isTrouble(shown) ? html`<i class="present-trouble"></i>` : nothing}${details.value && shown ? more : nothing}`;
