@@ -142,7 +142,12 @@ test("the curve opens large, against time, on a logarithmic axis", async () => {
   const { page, faults, close } = await site.open("sample=bumpy-sphere&step=8");
   await page.keyboard.press("e");
   const dialog = page.getByRole("dialog");
-  await dialog.getByRole("img", { name: "Energy over the run" }).waitFor();
+  const drawing = dialog.getByRole("img", { name: "Energy over the run" });
+  await drawing.waitFor();
+  // What the axes are of, and where it has come to.
+  assert.deepEqual(await drawing.locator(".name").allTextContents(), ["Step", "Willmore energy W"]);
+  const last = (await drawing.locator("text.pane-0").textContent()) ?? "";
+  assert.equal(last.trim(), await page.locator(".energy b").textContent());
   await dialog.getByRole("radio", { name: "Time" }).check();
   await dialog.getByRole("combobox", { name: "Quantity" }).selectOption({ label: "Area" });
   await dialog.getByRole("img", { name: "Area over the run" }).waitFor();

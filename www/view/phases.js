@@ -53,7 +53,7 @@ function diagram() {
     formatNumber(expected, 5),
   ]);
   const heads = [say("phase-of"), "v", "∫H²/4π", say("phase-expected")];
-  return html`${drawing(say("phases"), "group", branches.map(curve))}${grid(say("phases"), heads, rows)}`;
+  return html`${drawing(say("phases"), "group", branches.map(curve), ["v", "∫H²/4π"])}${grid(say("phases"), heads, rows)}`;
 }
 
 export function phases() {

@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals-core";
 import { html, nothing, svg } from "lit-html";
 import { letter } from "../comparison.js";
-import { formatShort } from "../number.js";
+import { formatBeside, formatShort } from "../number.js";
 import { named } from "../options.js";
 import { symbol } from "../status.js";
 import { say } from "../words.js";
@@ -68,18 +68,19 @@ export function ticksOf(low, high, isLog) {
  *   the two ends of each
  */
 export function axesOf({ size: [width, height], left, x: [from, to], y: [low, high], isLog }) {
-  const [gap, bottom] = [14, height - 40];
+  const [gap, end, bottom] = [30, width - 52, height - 44];
   const scaled = (/** @type {number} */ y) => (isLog ? Math.log(Math.max(y, low)) : y);
   const x = (/** @type {number} */ value) =>
-    left + ((width - left - gap) * (value - from)) / (to - from || 1);
+    left + ((end - left) * (value - from)) / (to - from || 1);
   const y = (/** @type {number} */ value) =>
     bottom - ((bottom - gap) * (scaled(value) - scaled(low))) / (scaled(high) - scaled(low) || 1);
-  /** @param {string} label @param {string} role @param {unknown} drawn */
-  const drawing = (label, role, drawn) =>
+  /** @param {string} label @param {string} role @param {unknown} drawn @param {readonly string[]} names  of what is along, and upright */
+  const drawing = (label, role, drawn, names) =>
     html`<svg class="large-plot" viewBox="0 0 ${width} ${height}" role=${role} aria-label=${label}>
-      ${ticksOf(low, high, isLog ?? false).map((tick) => svg`<line class="grid" x1=${left} x2=${width - gap} y1=${y(tick)} y2=${y(tick)} /><text x=${left - 8} y=${y(tick) + 4} text-anchor="end">${formatShort(tick)}</text>`)}
+      ${ticksOf(low, high, isLog ?? false).map((tick) => svg`<line class="grid" x1=${left} x2=${end} y1=${y(tick)} y2=${y(tick)} /><text x=${left - 8} y=${y(tick) + 4} text-anchor="end">${formatShort(tick)}</text>`)}
       ${ticksOf(from, to, false).map((tick) => svg`<text x=${x(tick)} y=${bottom + 20} text-anchor="middle">${formatShort(tick)}</text>`)}
-      <line class="axis" x1=${left} x2=${width - gap} y1=${bottom} y2=${bottom} />${drawn}</svg>`;
+      <line class="axis" x1=${left} x2=${end} y1=${bottom} y2=${bottom} />
+      <text class="name" x=${end} y=${bottom + 40} text-anchor="end">${names[0]}</text><text class="name" x="0" y="14">${names[1]}</text>${drawn}</svg>`;
   /** @param {number} value */
   const upright = (value) =>
     svg`<line class="here" x1=${x(value)} x2=${x(value)} y1=${gap} y2=${bottom} />`;
@@ -112,19 +113,20 @@ export function plot() {
   const curves = lines.map((list, n) => {
     const points = list.map(([a, b]) => [x(a), y(b)]);
     const [endX, endY] = points.at(-1) ?? [];
+    const last = formatBeside(list.at(-1)?.[1], list[0]?.[1] ?? 0);
     return points.length < 2
       ? nothing
-      : svg`<path class="pane-${n}" d=${pathOf(points)} /><text class="pane-${n}" x=${endX} y=${endY - 8} text-anchor="end">${lines.length > 1 ? letter(n) : ""}</text>`;
+      : svg`<path class="pane-${n}" d=${pathOf(points)} /><text class="pane-${n}" x=${endX + 6} y=${endY + 4}>${lines.length > 1 ? letter(n) : ""} ${last}</text>`;
   });
   const shown = page.shown();
-  const names = Object.keys(quantities).map((id) => ({
-    id,
-    label: id === "energy" ? symbol(s) : say(`quantity-${id}`),
-  }));
+  /** @param {string} id */
+  const nameOf = (id) => (id === "energy" ? symbol(s) : say(`quantity-${id}`));
+  const choices = Object.keys(quantities).map((id) => ({ id, label: nameOf(id) }));
+  const names = [say(`against-${abscissa.value}`), nameOf(quantity.value)];
   return html`<div class="row plot-options">
-      ${select(say("quantity"), names, quantity.value, into(quantity))}
+      ${select(say("quantity"), choices, quantity.value, into(quantity))}
       ${segmented(say("against"), named(["step", "time"], "against"), abscissa.value, into(abscissa))}
       ${segmented(say("scale"), named(["auto", "log", "linear"], "scale"), s.view.scale, (scale) => page.run.view({ scale }))}
     </div>
-    ${drawing(say("plot-label", { what: say(`quantity-${quantity.value}`) }), "img", [curves, shown ? upright(shown[abscissa.value]) : nothing])}`;
+    ${drawing(say("plot-label", { what: say(`quantity-${quantity.value}`) }), "img", [curves, shown ? upright(shown[abscissa.value]) : nothing], names)}`;
 }
