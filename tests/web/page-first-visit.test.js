@@ -54,10 +54,18 @@ test("a sentence says what will happen, twelve controls at most, and no number",
   for (let n = 1; n < rows.length; n += 1) assert.ok(rows[n][3] <= rows[n - 1][3] + 1e-12);
   assert.match((await page.locator(".energy b").textContent()) ?? "", /^0$/);
 
+  await button(page, "Why?").click();
+  await button(page, "Next: Vesicle").waitFor();
+
   // Later visits open without the card; the scene is in the address.
   await page.goto(`${site.url}?msaa=1`);
   await until(page, "Ready");
   assert.equal(await page.getByText("Watch a surface find its shape").count(), 0);
+  // What one may begin with is called as it is where it is open.
+  await page.keyboard.press("?");
+  await button(page, "Show the welcome again").click();
+  await page.getByRole("button", { name: /^Vesicle/ }).click();
+  await page.locator("#title").getByText("Vesicle", { exact: true }).waitFor();
   assert.deepEqual(faults, []);
   await close();
 });

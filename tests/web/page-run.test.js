@@ -51,7 +51,7 @@ test("steps forwards and backwards, each press one, and back to the start", asyn
   await button(page, "Reset").click();
   await until(page, "Ready");
   assert.equal(await energy(page), first);
-  assert.match(await surface(page), /^Surface: Subdivided coarse torus, step 0, energy/);
+  assert.match(await surface(page), /^Surface: Coarse torus, step 0, energy/);
   assert.deepEqual(faults, []);
   await close();
 });

@@ -39,7 +39,7 @@ test("a link brings the scene back: flow, step, camera and colours", async () =>
   const first = await energy(page);
   await openTab(page, "Share");
   await button(page, "Copy link").click();
-  await page.getByText("The link is copied.").first().waitFor();
+  await page.getByText("Link copied.").first().waitFor();
   const link = new URL(await copied(page));
   const second = await site.open(link.hash.slice(1));
   assert.equal(await energy(second.page), first);

@@ -22,7 +22,7 @@ function welcome() {
   /** @param {string} id @param {unknown} picture @param {() => unknown} act */
   const starter = (id, picture, act) =>
     html`<button type="button" class="starter" @click=${leave(act)}>
-      <span class="thumb">${picture}</span>${say(`starter-${id}`)}<small>${say(`starter-${id}.small`)}</small></button>`;
+      <span class="thumb">${picture}</span>${say(`sample-${id}`)}<small>${say(`sample-${id}.small`)}</small></button>`;
   const samples = Object.entries(ends).map(([id, address]) =>
     starter(id, html`<img src=${address} alt="" />`, () => page.open.sample(id)),
   );

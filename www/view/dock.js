@@ -45,8 +45,7 @@ function line() {
   if (s.isNew && s.mode === null && shown?.step === 0 && !s.running) return purpose();
   if (page.player.isWaiting.value) return html`<span class="text">${say("computing")}</span>`;
   const last = page.lead.clip.last?.state.step ?? 0;
-  const own = clause(s, shown, isPlaying, last);
-  const text = s.mode ? say(`mode-${s.mode}`) : rests ? sentence(own) : own;
+  const text = s.mode ? say(`mode-${s.mode}`) : sentence(clause(s, shown, isPlaying, last));
   return html`<span class="text">${text}</span>${rests ? why : nothing}`;
 }
 

@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit-html";
 import { figures } from "../generated/library.js";
+import { sampleName, sayFigure } from "../library.js";
 import { isOver } from "../session.js";
 import { statusText } from "../status.js";
 import { say } from "../words.js";
@@ -13,7 +14,7 @@ function onwards() {
   const { figure, source } = page.state.value;
   const sample = source?.kind === "sample" && source.id === "vesicle" ? "coarse-torus" : "vesicle";
   const next = figure && figures[figures.indexOf(figure) + 1];
-  const label = next ? say("next-figure") : say("next-sample", { name: say(`starter-${sample}`) });
+  const label = say("next", { name: next ? sayFigure(next, "title") : sampleName(sample) });
   const open = () => (next ? page.open.figure(next) : page.open.sample(sample));
   const explain = () => page.patch({ tab: "measure", section: "equation", why: null });
   return html`${button(label, open, "small primary")}${button(say("what-measures"), explain, "small")}`;

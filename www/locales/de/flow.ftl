@@ -44,7 +44,7 @@ warning-roughened = ∫H² stieg von { NUMBER($before, digits: 4) } auf { NUMBER
 warning-coarse = Bei Ecke { VERTEX($vertex) } sind die Kanten zu lang für die Krümmung: Nehmen Sie ein feineres Netz.
 warning-nearly-singular = Bei Ecke { VERTEX($vertex) } wird die Fläche gleich singulär, wie ein Hals, der sich abschnürt: Nehmen Sie ein feineres Netz.
 warning-large-face = Die größte Facette ist auf das { $times }-Fache des Mittels gewachsen: Ein Teil der Fläche bläht sich auf, und die gezeigte Energie ist zu klein. Ein feineres Netz hilft.
-warning-slivers = Das Netz entartet: Sein kleinster Winkel ist { NUMBER($degrees, digits: 2) }°, { NUMBER($before, digits: 2) }°, als diese Dreiecke neu waren; { $advice }.
+warning-slivers = Das Netz entartet: Sein kleinster Winkel ist { NUMBER($degrees, digits: 2) }°, { NUMBER($before, digits: 2) }°, als diese Dreiecke neu waren. { $advice }.
 warning-folded-faces = In diesem Schritt umgeklappt: { $count ->
     [one] { $count } Facette
    *[other] { $count } Facetten
@@ -65,7 +65,7 @@ warning-branch = Das Volumen ist, wo es hin sollte. Die Form ist { $shape ->
     [oblate] abgeplattet
    *[triaxial] dreiachsig
 }: Ihre Hauptlängen sind 1 : { $middle } : { $shortest }. Andere Formen in Ruhe mit diesem Flächeninhalt und Volumen haben vielleicht weniger Energie; durch eine Störung am Anfang verlässt eine symmetrische Form einen instabilen Zweig.
-warning-halved-step = I/dt + K war nicht positiv definit: Dieser Schritt wurde { $times }-mal halbiert.
+warning-halved-step = Der Schritt war zu groß, I/dt + K nicht positiv definit, und wurde { $times }-mal halbiert.
 warning-newton-failed = Das Newton-Verfahren ist in diesem Schritt nicht konvergiert.
 warning-near-sphere = Nahe einer Sphäre übernehmen wieder semi-implizite Schritte.
 warning-away-from-sphere = Fern von einer Sphäre werden die Winkel wieder geglättet.
@@ -80,14 +80,14 @@ warning-better-before = Eine Fläche unterwegs hatte weniger Energie als die let
 
 ## Was hilft, in einem halben Satz
 
-advice-finer-mesh = ein feineres Netz hilft
-advice-better-mesh = ein besseres Netz hilft, wie konforme Regularisierung es macht
-advice-regular-or-finer = konforme Regularisierung oder ein feineres Netz hilft
-advice-keep-volume = wo sie dünn wird, wird die Fläche singulär; das Volumen beizubehalten verhindert das
-advice-smooth-first = glätten Sie zuerst mit p = 2, oder nehmen Sie ein feineres Netz
-advice-p-willmore-zero = der p-Willmore-Fluss mit p = 0 behält ein besseres Netz
-advice-regular-or-p-willmore = konforme Regularisierung oder der p-Willmore-Fluss hilft
-advice-first-guess = ein glatter erster Ansatz, ein feineres Netz oder ein Fluss niedrigerer Ordnung hilft
+advice-finer-mesh = Ein feineres Netz hilft
+advice-better-mesh = Ein besseres Netz hilft, wie konforme Regularisierung es macht
+advice-regular-or-finer = Konforme Regularisierung oder ein feineres Netz hilft
+advice-keep-volume = Wo sie dünn wird, wird die Fläche singulär, und das Volumen beizubehalten verhindert das
+advice-smooth-first = Glätten Sie zuerst mit p = 2, oder nehmen Sie ein feineres Netz
+advice-p-willmore-zero = Der p-Willmore-Fluss mit p = 0 behält ein besseres Netz
+advice-regular-or-p-willmore = Konforme Regularisierung oder der p-Willmore-Fluss hilft
+advice-first-guess = Ein glatter erster Ansatz, ein feineres Netz oder ein Fluss niedrigerer Ordnung hilft
 
 ## Warum ein versuchter Schritt abgelehnt wurde: nach „weil“
 
@@ -120,24 +120,24 @@ reason-step-limit = die Grenze von { $steps ->
    *[other] { $steps } Schritten
 } ist erreicht
 reason-time-limit = die { $seconds } Sekunden Rechenzeit sind verbraucht, und die Fläche ist nicht in Ruhe
-reason-large-face = Facette { FACE($face) } ist { $times }-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf; ein feineres Netz hilft, oder Flächeninhalt und Volumen unter dem p-Willmore-Fluss beizubehalten
-reason-refused = jeder versuchte Schritt wurde abgelehnt, der letzte, weil { $cause }; { $advice }
+reason-large-face = Facette { FACE($face) } ist { $times }-mal so groß wie das Mittel, und das Netz löst die Fläche nicht mehr auf. Ein feineres Netz hilft, oder Flächeninhalt und Volumen unter dem p-Willmore-Fluss beizubehalten
+reason-refused = jeder versuchte Schritt wurde abgelehnt, der letzte, weil { $cause }. { $advice }
 reason-flat-face = { $count ->
     [one] Facette { FACE($face) } hat
    *[other] { $count } Facetten, zuerst Facette { FACE($face) }, haben
-} keinen Flächeninhalt, und von dort führt kein Schritt weiter; eine Reparatur nimmt solche Facetten heraus
-reason-creeping = nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist; { $advice }
+} keinen Flächeninhalt, und von dort führt kein Schritt weiter. Eine Reparatur nimmt solche Facetten heraus
+reason-creeping = nur immer kleinere Schritte senken die Energie, die nicht in Ruhe ist. { $advice }
 reason-grows-on = die Fläche ist auf das { $times }-fache ihres Inhalts gewachsen und wächst immer weiter: Ruhe gibt es nur, wenn Flächeninhalt oder Volumen beibehalten wird
-reason-rises = Schritte dieser Größe führen zu mehr Energie, dem { NUMBER($times, digits: 2) }-fachen dessen, was unterwegs war; eine kleinere Schrittweite hilft, oder das Verfahren, das sie selbst wählt
-reason-rises-on = die Energie ist auf das { NUMBER($times, digits: 2) }-fache dessen gestiegen, was sie unterwegs war; { $advice }
-reason-worse-rest = der Fluss endet mit mehr Energie, als er unterwegs hatte; { $advice }
-reason-below-bound = jeder weitere Schritt hat weniger Energie als jede glatte Fläche dieser Topologie: Diese Dreiecke zeigen keine mehr; ein feineres oder besseres Netz hilft
-reason-unresolved = die Krümmungen dieser Dreiecke haben zusammen weniger Energie als jede glatte Fläche dieser Topologie, sodass sich kein Schritt an ihnen messen lässt; die Fläche ist, wie sie war, und ein Netz aus gleichmäßigen Dreiecken hilft oder der p-Willmore-Fluss
-reason-vanishes = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf einen Punkt bei ({ $place }); das Volumen beizubehalten verhindert das
+reason-rises = Schritte dieser Größe führen zu mehr Energie, dem { NUMBER($times, digits: 2) }-fachen dessen, was unterwegs war. Eine kleinere Schrittweite hilft, oder das Verfahren, das sie selbst wählt
+reason-rises-on = die Energie ist auf das { NUMBER($times, digits: 2) }-fache dessen gestiegen, was sie unterwegs war. { $advice }
+reason-worse-rest = der Fluss endet mit mehr Energie, als er unterwegs hatte. { $advice }
+reason-below-bound = jeder weitere Schritt hat weniger Energie als jede glatte Fläche dieser Topologie: Diese Dreiecke zeigen keine mehr. Ein feineres oder besseres Netz hilft
+reason-unresolved = die Krümmungen dieser Dreiecke haben zusammen weniger Energie als jede glatte Fläche dieser Topologie, sodass sich kein Schritt an ihnen messen lässt. Die Fläche ist, wie sie war, und ein Netz aus gleichmäßigen Dreiecken hilft oder der p-Willmore-Fluss
+reason-vanishes = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf einen Punkt bei ({ $place }). Das Volumen beizubehalten verhindert das
 reason-part-vanishes = spätestens zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) ist ein Teil der Fläche zu einem Punkt nahe ({ $place }) geschrumpft
-reason-vanishes-to-curve = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf eine Kurve; das Volumen beizubehalten verhindert das
-reason-pinched-neck = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schnürt sich bei Ecke { VERTEX($vertex) }, nahe ({ $place }), ein Hals ab; darüber hinaus hat der Fluss keine Lösung; { $advice }
-reason-sharp-tip = die Fläche ist bei Ecke { VERTEX($vertex) }, nahe ({ $place }), stärker gekrümmt, als ihre Dreiecke zeigen; { $advice }
+reason-vanishes-to-curve = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schrumpft die Fläche auf eine Kurve. Das Volumen beizubehalten verhindert das
+reason-pinched-neck = ungefähr zur Zeit { NUMBER($time, digits: 2) } ({ $clock }) schnürt sich bei Ecke { VERTEX($vertex) }, nahe ({ $place }), ein Hals ab. Darüber hinaus hat der Fluss keine Lösung. { $advice }
+reason-sharp-tip = die Fläche ist bei Ecke { VERTEX($vertex) }, nahe ({ $place }), stärker gekrümmt, als ihre Dreiecke zeigen. { $advice }
 reason-no-flips = kein Flip senkt noch { $criterion ->
     [area] den Flächeninhalt
     [willmore] die Willmore-Energie

@@ -23,14 +23,12 @@ flow-flips = Kantenflips
 
 sample-icosahedron = Unterteiltes Ikosaeder
 sample-bumpy-sphere = Beulige Sphäre
-sample-coarse-torus = Unterteilter grober Torus
 sample-clifford-torus = Clifford-Torus
 sample-pipe = Rohr mit eingespannten Enden
 sample-six-sided-hole = Sechsseitiges Loch
 sample-scar = Narbe auf einem Stein
 sample-noisy-scan = Verrauschter Scan
 sample-trefoil = Kleeblattknoten
-sample-vesicle = Vesikel mit weniger Volumen
 sample-blob = Klumpen mit weniger Volumen
 sample-spheroid = Rotationsellipsoid mit Achsen 2, 1, 1
 sample-letter-c = Buchstabe C

@@ -45,7 +45,7 @@ filled = { $count ->
 } mit { $vertices ->
     [one] { $vertices } neuen Ecke
    *[other] { $vertices } neuen Ecken
-} gefüllt. „Start“ glättet sie mit dem Fluss { $flow }; „Rückgängig“ nimmt die Füllung zurück.
+} gefüllt. „Start“ glättet sie mit dem Fluss { $flow }. „Rückgängig“ nimmt die Füllung zurück.
 
 ## Wie ein Lauf endete
 

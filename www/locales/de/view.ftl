@@ -13,7 +13,7 @@ status-running-to = Läuft bis Schritt { $goal }
 status-paused = Angehalten bei Schritt { $step }
 clause-ready = Abspielen mit dem Knopf oder der Leertaste.
 clause-step = Schritt { $step }
-clause-film = Schritt { $step } der Hälfte, die rückwärts gezeigt wird; danach beginnt der Film
+clause-film = Schritt { $step } der Hälfte, die rückwärts gezeigt wird, danach beginnt der Film
 clause-step-of = Schritt { $step } von { $last }
 computing = Es wird gerechnet …
 stop-now = Jetzt abbrechen
@@ -142,13 +142,14 @@ edit-flips = die Kantenflips
 
 apply = Anwenden
 done = Fertig
-paint-free = Bewegen lassen
-paint-hold = Festhalten
+paint-free = Bewegen
+paint-hold = Halten
 brush-size = Größe
-grow = Wachsen
-shrink = Schrumpfen
-hold-boundary = Rand festhalten
-clear-paint = Farbe entfernen
+grow = Mehr
+shrink = Weniger
+hold-boundary = Rand halten
+clear-paint = Löschen
+paint-count = { $free }/{ $all } frei
 region-count = { $free } von { $all } Ecken bewegen sich.
 loops-chosen = { $count } von { $all } gewählt
 boundary-loop = { $edges } Kanten, Länge { NUMBER($length, digits: 3) }
@@ -165,16 +166,16 @@ fill-all = { $count ->
    *[other] Alle { $count } füllen
 }
 bridge = Verbinden
-most-vertices = Neue Ecken höchstens
+most-vertices = Neue Ecken ≤
 remesh-number = Ecken
 remesh-edges = Kanten behalten
     .about = Wo sich Flächen unter mehr als 60° treffen, oder ebene Seiten unter mehr als 40°
-remesh-adaptive = Kleiner, wo es sich krümmt
-remesh-isotropic = Alle gleich
-subdivide-loop = Glatt (Loop)
-subdivide-linear = An Ort und Stelle
+remesh-adaptive = Nach Krümmung vernetzen
+remesh-isotropic = Gleichmäßig vernetzen
+subdivide-loop = Teilen und glätten (Loop)
+subdivide-linear = Nur teilen
 inversion-centre = Mittelpunkt der Spiegelung
-inversion-numbers = W { $before } → { $after } (ändert sich um { $change }), ∫H² { $bending } → { $bendingNow }
+inversion-numbers = W { $before } → { $after }, ∫H² { $bending } → { $bendingNow }
 pick-hint = Ihre Zahlen stehen unter Messen.
 
 ## Fluss
@@ -319,7 +320,7 @@ pane-lost = Ein Bild daneben kann nicht weiter: { $reason }
 
 share-hint = Ein Link trägt die ganze Szene: Fläche, Fluss, Schritt, Kamera und Farben.
 copy-link = Link kopieren
-link-copied = Der Link ist kopiert.
+link-copied = Link kopiert.
 not-copied = Der Browser lässt die Seite nicht kopieren. Hier ist es:
 save-as = Sichern als
 download = Herunterladen
@@ -344,7 +345,7 @@ embed-iframe = Rahmen (iframe)
 embed-element = Element mit Skript
 embed-size = Größe
 copy-code = Code kopieren
-code-copied = Der Code ist kopiert.
+code-copied = Code kopiert.
 lack-editsTooLong = Die Bearbeitungen sind zu groß für einen Link: das heruntergeladene Netz oder ein Rezept mitschicken.
 lack-editsUnknown = Die Fläche wurde von Hand bearbeitet, was der Link nicht trägt: das heruntergeladene Netz mitschicken.
 lack-file = Der Link enthält Ihr Netz nicht: die Datei mitschicken.
@@ -462,22 +463,22 @@ command-contrast = Hoher Kontrast
 
 ## Was geschehen ist
 
-flips-adopted = Der Fluss beginnt mit dem Netz der getauschten Kanten; Zurücknehmen bringt das vorige wieder.
+flips-adopted = Der Fluss beginnt mit dem Netz der getauschten Kanten. Zurücknehmen bringt das vorige wieder.
 regular-already = { $pinned ->
     [0] Die Dreiecke sind so gleichmäßig wie möglich.
    *[other] Die Dreiecke sind so gleichmäßig wie möglich, solange { $pinned } Ecken auf Knicken bleiben; ein feineres Netz hat mehr zu bewegen.
 }
-remeshed = { $vertices } Ecken, kleinster Winkel { $angle }° vorher und { $angleNow }° jetzt; Zurücknehmen macht es rückgängig.
-subdivided = In { $count } Dreiecke unterteilt; Zurücknehmen macht es rückgängig.
-inverted = Die Fläche ist gespiegelt; W hat sich um { NUMBER($change, digits: 2) } geändert. Zurücknehmen bringt die vorige wieder.
+remeshed = { $vertices } Ecken, kleinster Winkel { $angle }° vorher und { $angleNow }° jetzt. Zurücknehmen macht es rückgängig.
+subdivided = In { $count } Dreiecke unterteilt. Zurücknehmen macht es rückgängig.
+inverted = Die Fläche ist gespiegelt, und W hat sich um { NUMBER($change, digits: 2) } geändert. Zurücknehmen bringt die vorige wieder.
 offer-fixed = Festen Rand verwenden
 offer-free = Freigeben, was der Fluss freigibt
-new-version = Eine neue Version ist bereit: zum Verwenden die Seite neu laden.
+new-version = Eine neue Version ist bereit. Zum Verwenden die Seite neu laden.
 no-picture = Es gibt kein Bild zu sichern.
     .hint = Das Netz sichern.
-solver-crashed = Der Löser ist unerwartet stehen geblieben ({ $reason }); ein neuer macht bei Schritt { $step } weiter.
+solver-crashed = Der Löser ist abgestürzt ({ $reason }). Ein neuer macht bei Schritt { $step } weiter.
     .hint = Wenn der Speicher knapp war: andere Tabs schließen oder ein Netz mit weniger Seiten nehmen.
-solver-ended = Die Rechnung wurde beendet; die Fläche ist wie nach Schritt { $step }.
+solver-ended = Die Rechnung wurde beendet. Die Fläche ist wie nach Schritt { $step }.
     .hint = Abspielen geht von dort weiter.
 
 ## Links und Rezepte

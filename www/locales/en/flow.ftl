@@ -44,7 +44,7 @@ warning-roughened = ∫H² rose from { NUMBER($before, digits: 4) } to { NUMBER(
 warning-coarse = At vertex { VERTEX($vertex) } edges are too long for the curvature: use a finer mesh.
 warning-nearly-singular = At vertex { VERTEX($vertex) } the surface is about to become singular, as a neck that pinches off: use a finer mesh.
 warning-large-face = The largest face has grown to { $times } times the mean: one part of the surface inflates, and the energy shown is too low. A finer mesh helps.
-warning-slivers = The mesh degenerates: its smallest angle is { NUMBER($degrees, digits: 2) }°, { NUMBER($before, digits: 2) }° when these triangles were new; { $advice }.
+warning-slivers = The mesh degenerates: its smallest angle is { NUMBER($degrees, digits: 2) }°, { NUMBER($before, digits: 2) }° when these triangles were new. { $advice }.
 warning-folded-faces = { $count ->
     [one] { $count } face
    *[other] { $count } faces
@@ -65,7 +65,7 @@ warning-branch = The volume is where it was to go. The shape is { $shape ->
     [oblate] oblate
    *[triaxial] of three different axes
 }: its principal lengths are 1 : { $middle } : { $shortest }. Others at rest with this area and volume may have less energy; a perturbation of the start lets a symmetric shape leave an unstable branch.
-warning-halved-step = I/dt + K was not positive definite: this step was halved { $times ->
+warning-halved-step = The step was too large, I/dt + K not positive definite, and was halved { $times ->
     [one] once
    *[other] { $times } times
 }.
@@ -83,14 +83,14 @@ warning-better-before = A surface on the way had less energy than the last: it i
 
 ## What helps, in half a sentence
 
-advice-finer-mesh = a finer mesh helps
-advice-better-mesh = a better mesh helps, as conformal regularisation makes it
-advice-regular-or-finer = conformal regularisation or a finer mesh helps
-advice-keep-volume = where it thins out the surface becomes singular; keeping the volume prevents that
-advice-smooth-first = smooth with p = 2 first, or use a finer mesh
-advice-p-willmore-zero = the p-Willmore flow with p = 0 keeps its mesh a better one
-advice-regular-or-p-willmore = conformal regularisation or the p-Willmore flow helps
-advice-first-guess = a smooth first guess, a finer mesh or a flow of lower order helps
+advice-finer-mesh = A finer mesh helps
+advice-better-mesh = A better mesh helps, as conformal regularisation makes it
+advice-regular-or-finer = Conformal regularisation or a finer mesh helps
+advice-keep-volume = Where it thins out the surface becomes singular, and keeping the volume prevents that
+advice-smooth-first = Smooth with p = 2 first, or use a finer mesh
+advice-p-willmore-zero = The p-Willmore flow with p = 0 keeps its mesh a better one
+advice-regular-or-p-willmore = Conformal regularisation or the p-Willmore flow helps
+advice-first-guess = A smooth first guess, a finer mesh or a flow of lower order helps
 
 ## Why a trial step was refused
 
@@ -123,24 +123,24 @@ reason-step-limit = the limit of { $steps ->
    *[other] { $steps } steps
 } is reached
 reason-time-limit = the { $seconds } seconds of computing are used up, and the surface is not at rest
-reason-large-face = face { FACE($face) } is { $times } times as large as the mean, and the mesh no longer resolves the surface; a finer mesh helps, or keeping area and volume under the p-Willmore flow
-reason-refused = every step tried was refused, the last because { $cause }; { $advice }
+reason-large-face = face { FACE($face) } is { $times } times as large as the mean, and the mesh no longer resolves the surface. A finer mesh helps, or keeping area and volume under the p-Willmore flow
+reason-refused = every step tried was refused, the last because { $cause }. { $advice }
 reason-flat-face = { $count ->
     [one] face { FACE($face) } has
    *[other] { $count } faces, the first of them face { FACE($face) }, have
-} no area, and no step leads on from there; a repair takes such faces out
-reason-creeping = only ever smaller steps lower the energy, which is not at rest; { $advice }
+} no area, and no step leads on from there. A repair takes such faces out
+reason-creeping = only ever smaller steps lower the energy, which is not at rest. { $advice }
 reason-grows-on = the surface has grown to { $times } times its area, and grows for ever: there is no rest unless area or volume is kept
-reason-rises = steps of this size lead to more energy, { NUMBER($times, digits: 2) } times what there was on the way; a smaller step size helps, or the scheme that chooses it
-reason-rises-on = the energy has risen to { NUMBER($times, digits: 2) } times what it was on the way; { $advice }
-reason-worse-rest = the flow ends with more energy than on the way; { $advice }
-reason-below-bound = any further step has less energy than every smooth surface of this topology: these triangles no longer show one; a finer or better mesh helps
-reason-unresolved = the curvatures of these triangles add up to less than every smooth surface of this topology has; the surface is as it was; even triangles help, or the p-Willmore flow
-reason-vanishes = at about time { NUMBER($time, digits: 2) } ({ $clock }) the surface shrinks to a point near ({ $place }); keeping the volume prevents that
+reason-rises = steps of this size lead to more energy, { NUMBER($times, digits: 2) } times what there was on the way. A smaller step size helps, or the scheme that chooses it
+reason-rises-on = the energy has risen to { NUMBER($times, digits: 2) } times what it was on the way. { $advice }
+reason-worse-rest = the flow ends with more energy than on the way. { $advice }
+reason-below-bound = any further step has less energy than every smooth surface of this topology: these triangles no longer show one. A finer or better mesh helps
+reason-unresolved = the curvatures of these triangles add up to less than every smooth surface of this topology has. The surface is as it was. Even triangles help, or the p-Willmore flow
+reason-vanishes = at about time { NUMBER($time, digits: 2) } ({ $clock }) the surface shrinks to a point near ({ $place }). Keeping the volume prevents that
 reason-part-vanishes = by time { NUMBER($time, digits: 2) } ({ $clock }) at the latest a part of the surface has shrunk to a point near ({ $place })
-reason-vanishes-to-curve = at about time { NUMBER($time, digits: 2) } ({ $clock }) the surface shrinks to a curve; keeping the volume prevents that
-reason-pinched-neck = at about time { NUMBER($time, digits: 2) } ({ $clock }) a neck pinches off at vertex { VERTEX($vertex) }, near ({ $place }); the flow has no solution beyond it; { $advice }
-reason-sharp-tip = the surface bends more at vertex { VERTEX($vertex) }, near ({ $place }), than its triangles show; { $advice }
+reason-vanishes-to-curve = at about time { NUMBER($time, digits: 2) } ({ $clock }) the surface shrinks to a curve. Keeping the volume prevents that
+reason-pinched-neck = at about time { NUMBER($time, digits: 2) } ({ $clock }) a neck pinches off at vertex { VERTEX($vertex) }, near ({ $place }). The flow has no solution beyond it. { $advice }
+reason-sharp-tip = the surface bends more at vertex { VERTEX($vertex) }, near ({ $place }), than its triangles show. { $advice }
 reason-no-flips = no flip lowers { $criterion ->
     [area] the area
     [willmore] the Willmore energy

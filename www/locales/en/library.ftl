@@ -23,14 +23,12 @@ flow-flips = Edge flips
 
 sample-icosahedron = Subdivided icosahedron
 sample-bumpy-sphere = Bumpy sphere
-sample-coarse-torus = Subdivided coarse torus
 sample-clifford-torus = Clifford torus
 sample-pipe = Pipe with clamped ends
 sample-six-sided-hole = Six-sided hole
 sample-scar = Scar on a stone
 sample-noisy-scan = Noisy scan
 sample-trefoil = Trefoil knot
-sample-vesicle = Vesicle, deflated
 sample-blob = Blob, deflated
 sample-spheroid = Spheroid of axes 2, 1, 1
 sample-letter-c = Letter C

@@ -45,7 +45,7 @@ filled = Filled { $count ->
 } with { $vertices ->
     [one] { $vertices } new vertex
    *[other] { $vertices } new vertices
-}. Play fairs them by the flow { $flow }; Undo takes the fill back.
+}. Play fairs them by the flow { $flow }. Undo takes the fill back.
 
 ## How a run ended
 

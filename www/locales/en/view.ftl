@@ -11,9 +11,9 @@ status-ready = Ready
 status-running = Running
 status-running-to = Running to step { $goal }
 status-paused = Paused at step { $step }
-clause-ready = Press Play, or the space bar.
+clause-ready = Press Play or the space bar.
 clause-step = step { $step }
-clause-film = step { $step } of the half that is shown backwards; then the film begins
+clause-film = step { $step } of the half shown backwards, then the film begins
 clause-step-of = step { $step } of { $last }
 computing = Computing…
 stop-now = Stop now
@@ -147,8 +147,9 @@ paint-hold = Hold
 brush-size = Size
 grow = Grow
 shrink = Shrink
-hold-boundary = Hold the boundary
+hold-boundary = Hold boundary
 clear-paint = Clear paint
+paint-count = { $free } of { $all } move
 region-count = { $free } of { $all } vertices move.
 loops-chosen = { $count } of { $all } chosen
 boundary-loop = { $edges } edges, length { NUMBER($length, digits: 3) }
@@ -165,16 +166,16 @@ fill-all = { $count ->
    *[other] Fill all { $count }
 }
 bridge = Bridge
-most-vertices = New vertices at most
+most-vertices = New vertices ≤
 remesh-number = Vertices
 remesh-edges = Keep edges
     .about = Where faces meet at more than 60°, or flat sides at more than 40°
-remesh-adaptive = Smaller where it bends
-remesh-isotropic = All alike
-subdivide-loop = Smoothly (Loop)
-subdivide-linear = In place
+remesh-adaptive = Remesh by curvature
+remesh-isotropic = Remesh evenly
+subdivide-loop = Split and smooth (Loop)
+subdivide-linear = Split only
 inversion-centre = Centre of the inversion
-inversion-numbers = W { $before } → { $after } (changes by { $change }), ∫H² { $bending } → { $bendingNow }
+inversion-numbers = W { $before } → { $after }, ∫H² { $bending } → { $bendingNow }
 pick-hint = Its numbers stand under Measure.
 
 ## Flow
@@ -319,7 +320,7 @@ pane-lost = A pane beside cannot go on: { $reason }
 
 share-hint = A link carries the whole scene: surface, flow, step, camera and colours.
 copy-link = Copy link
-link-copied = The link is copied.
+link-copied = Link copied.
 not-copied = The browser does not let the page copy. Here it is:
 save-as = Save as
 download = Download
@@ -344,7 +345,7 @@ embed-iframe = Frame (iframe)
 embed-element = Element with a script
 embed-size = Size
 copy-code = Copy the code
-code-copied = The code is copied.
+code-copied = Code copied.
 lack-editsTooLong = The edits are too large for a link: send the mesh along, saved with Download, or a recipe.
 lack-editsUnknown = The surface was edited by hand, which the link does not carry: send the mesh along, saved with Download.
 lack-file = The link does not hold your mesh: send the file too.
@@ -462,22 +463,22 @@ command-contrast = High contrast
 
 ## What has happened
 
-flips-adopted = The flow starts from the mesh with its edges flipped; Undo brings the one before back.
+flips-adopted = The flow starts from the mesh with its edges flipped. Undo brings the one before back.
 regular-already = { $pinned ->
     [0] The triangles are as even as they get.
    *[other] The triangles are as even as they get while vertices on creases stay, { $pinned } of them; a finer mesh has more to move.
 }
-remeshed = { $vertices } vertices, smallest angle { $angle }° before and { $angleNow }° now; Undo takes it back.
-subdivided = Subdivided into { $count } triangles; Undo takes it back.
-inverted = The surface is inverted; W has changed by { NUMBER($change, digits: 2) }. Undo brings the one before back.
+remeshed = { $vertices } vertices, smallest angle { $angle }° before and { $angleNow }° now. Undo takes it back.
+subdivided = Subdivided into { $count } triangles. Undo takes it back.
+inverted = The surface is inverted, and W has changed by { NUMBER($change, digits: 2) }. Undo brings the one before back.
 offer-fixed = Use a fixed boundary
 offer-free = Free what the flow frees
-new-version = A new version is ready: reload the page to use it.
+new-version = A new version is ready. Reload the page to use it.
 no-picture = There is no picture to save.
     .hint = Save the mesh.
-solver-crashed = The solver stopped unexpectedly ({ $reason }); a new one goes on from step { $step }.
+solver-crashed = The solver crashed ({ $reason }). A new one goes on from step { $step }.
     .hint = If it was short of memory, close other tabs or use a mesh with fewer faces.
-solver-ended = The computation was ended; the surface is as after step { $step }.
+solver-ended = The computation was ended. The surface is as after step { $step }.
     .hint = Play goes on from there.
 
 ## Links and recipes
