@@ -69,8 +69,7 @@ test("no drawer is higher than a window and a half, whatever is open, and pictur
     await openTab(page, tab);
     await look(tab);
     // The numbers and how they are spread over the surface are seen at once.
-    if (tab === "Measure")
-      assert.deepEqual(await hidden(page, "[data-reading], .histogram"), []);
+    if (tab === "Measure") assert.deepEqual(await hidden(page, "[data-reading], .histogram"), []);
     // What lies over what comes next: less room than it asks for.
     const squeezed = await body.evaluate((body) => {
       const boxes = [...body.children].map((child) => child.getBoundingClientRect());

@@ -71,11 +71,11 @@ function decades({ default: usual, range }, label, value, set) {
     @input=${show} @change=${(/** @type {any} */ event) => set(at(event))} />`;
 }
 
-/** Leads from a step size to the same in the other unit. @param {string} name @param {(change: any) => unknown} change */
-function twin(name, change) {
+/** Leads from a step size to the same in the other unit, as the flow of the page has it. @param {string} name @param {any} of @param {(change: any) => unknown} change */
+function twin(name, of, change) {
   const other = { tau: "dt", dt: "tau" }[name];
-  const { configured } = page.state.value;
-  if (!other || !configured) return nothing;
+  const { configured, options } = page.state.value;
+  if (!other || !configured || of !== options) return nothing;
   const swap = () => change({ [name]: null, [other]: /** @type {any} */ (configured)[other] });
   return html`<button type="button" class="link" @click=${swap}>${say("step-size-as", { other })}</button>`;
 }
@@ -111,9 +111,14 @@ export function field(row, options, change) {
   const min = range?.also === null ? range.low : undefined;
   const placeholder = isOptional ? automatic(name) : undefined;
   const take = (/** @type {number | null} */ typed) => (typed !== null || isOptional) && set(typed);
-  const input = number(label, shown, take, { min, max: range?.high, placeholder });
+  const input = number(label, shown, take, {
+    min,
+    max: range?.high,
+    step: range?.whole ? 1 : undefined,
+    placeholder,
+  });
   const unitOf = unit ? say("unit", { unit, kind: unit.split(" ")[0] }) : "";
-  const control = html`<span class="number">${input}${unit ? html`<span class="unit">${unitOf}</span>` : nothing}${twin(name, change)}</span>
+  const control = html`<span class="number">${input}${unit ? html`<span class="unit">${unitOf}</span>` : nothing}${twin(name, options, change)}</span>
     ${value === null ? nothing : decades(row, label, value, set)}`;
   return labelled(label, control, hint);
 }
@@ -143,14 +148,7 @@ function display() {
   const { arrangement, options, comparison } = page.state.value;
   if (comparison.rivals.length > 0) return nothing;
   const rows = schema.arrangement.filter(({ flows: some }) => some.includes(options.flow));
-  return rows.map((row) => {
-    if (!row.range || row.absent !== null) return field(row, arrangement, page.run.arrange);
-    const counts = Array.from({ length: row.range.high + 1 }, (_, n) => String(n));
-    const choices = counts.map((id) => ({ id, label: id }));
-    const now = String(/** @type {any} */ (arrangement)[row.name]);
-    const set = (/** @type {string} */ id) => page.run.arrange({ [row.name]: Number(id) });
-    return select(say(`option-${row.name}`), choices, now, set);
-  });
+  return rows.map((row) => field(row, arrangement, page.run.arrange));
 }
 
 export function flow() {

@@ -66,7 +66,7 @@ function zip() {
   const input = number(say("every"), every.value, choose(every), { min: 1, step: 1 });
   const save = () => saveSequence(page, as.value, every.value);
   return html`${select(say("each-step-as"), named(savedMeshes, "save-as"), as.value, choose(as))}
-    ${labelled(say("every"), html`<span class="number">${input}</span>`, size.value)}
+    ${labelled(say("every"), html`<span class="number">${input}</span>`)}<p class="hint">${size.value}</p>
     ${button(say("save-steps"), save, "", { icon: "share" })}`;
 }
 

@@ -9,7 +9,7 @@ import { say } from "../words.js";
 import { page } from "./page.js";
 import { button, grid, shortNumber, table, toggle } from "./parts.js";
 
-/** @import { Look, Probe } from "../generated/types.js" */
+/** @import { Probe } from "../generated/types.js" */
 
 /** @param {number} radians */
 const degrees = (radians) => `${formatNumber((180 / Math.PI) * radians, 5)}°`;
@@ -57,41 +57,29 @@ function probed(probe) {
     ${grid(say("vertex-edges"), [say("vertex-to"), say("vertex-length"), "β"], rows)}`;
 }
 
-/** @param {Look | null} look */
-function circlesText(look) {
-  const { circles } = look ?? {};
-  if (!circles) return "";
-  const some = String(circles.drawn + circles.leftOut < circles.total);
-  return say("circles-drawn", { ...circles, some });
-}
-
-/** @param {Look | null} look */
-function directionsText(look) {
-  const { directions, alignment } = look ?? {};
-  if (!directions || !alignment) return "";
-  const { aligned, edges } = alignment;
-  const share = edges > 0 ? ((100 * aligned) / edges).toFixed(1) : "–";
-  return say("directions-drawn", { ...directions, share });
-}
-
 export function vertex() {
   const s = page.state.value;
   const { mode, lookOptions } = s;
   const { probe, circles, directions } = lookOptions;
   const look = (s.preview ?? s.extras)?.look ?? null;
   const { inspect } = page.edit;
+  const { circles: drawn, directions: found, alignment } = look ?? {};
+  const some = drawn && String(drawn.drawn + drawn.leftOut < drawn.total);
+  const { aligned = 0, edges = 0 } = alignment ?? {};
+  const share = edges > 0 ? ((100 * aligned) / edges).toFixed(1) : "–";
+  const hint = (/** @type {string} */ text) => html`<p class="hint">${text}</p>`;
   const pick = () => page.edit.mode(mode === "pick" ? null : "pick");
   const shown = probe === null ? null : numberOf("vertices", probe);
   const go = (/** @type {number | null} */ to) =>
     inspect({ probe: to === null ? null : vertexOf(to) });
   const leave = probe === null ? nothing : button(say("vertex-leave"), () => go(null), "small");
-  const missing = html`<p class="hint">${say("vertex-missing", { vertex: probe })}</p>`;
+  const missing = hint(say("vertex-missing", { vertex: probe }));
   const key = (/** @type {number} */ kind, /** @type {string} */ text) =>
     html`<span class="key" .style=${`--kind:${colourOf(kind, isDark(s))}`}>${text}</span>`;
   return html`<div class="row">${button(say("tool-pick"), pick, "small", { pressed: mode === "pick" })}
       ${shortNumber(say("vertex-number"), shown, go, { min: 0, step: 1 })}${leave}</div>
     ${look?.probe ? probed(look.probe) : probe === null ? nothing : missing}
-    ${toggle(say("circles"), circles, (on) => inspect({ circles: on }))}<p class="hint">${circlesText(look)}</p>
-    ${toggle(say("directions"), directions, (on) => inspect({ directions: on }))}<p class="hint">${directionsText(look)}</p>
+    ${toggle(say("circles"), circles, (on) => inspect({ circles: on }))}${drawn ? hint(say("circles-drawn", { ...drawn, some })) : nothing}
+    ${toggle(say("directions"), directions, (on) => inspect({ directions: on }))}${found ? hint(say("directions-drawn", { ...found, share })) : nothing}
     ${directions ? html`<p class="hint">${key(3, "κ₁")} ${key(4, "κ₂")}</p>` : nothing}`;
 }
