@@ -32,7 +32,7 @@ test("a clicker plays, goes on to the next, and back", async () => {
   await untilDrawn(page);
   assert.equal(await page.locator("#presented").textContent(), "Coarse torus");
   assert.ok((await smallest(page)) >= 24, String(await smallest(page)));
-  // Marks of the legend stand apart on a phone too, and the curve below the surface.
+  // Marks of the legend stand apart, on a phone too.
   await page.keyboard.press("c");
   for (const [width, height] of [
     [390, 844],
