@@ -161,7 +161,7 @@ test("code for another page is copied", async () => {
   const { page, close } = await site.open("sample=pipe", clipboard);
   await openPart(page, "Share", "In another page");
   await button(page, "Copy the code").click();
-  await page.getByText("The code is copied.").first().waitFor();
+  await page.getByText("Code copied.").first().waitFor();
   assert.match(await copied(page), /^<iframe src="[^"]+\?embed#sample=pipe/);
   await close();
 });
