@@ -14,6 +14,8 @@ pub(super) struct Remade {
     /// What the file gave its vertices.
     pub(super) colours: Colours,
     pub(super) lineage: Rc<Lineage>,
+    /// Vertices that a pass aims at.
+    pub(super) budget: usize,
 }
 
 impl Remade {

@@ -4,21 +4,34 @@ use super::error::Repair;
 use super::sides::{Side, interior_edges};
 use crate::soup::PolygonSoup;
 use glam::DVec3;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// A part of a soup that hangs together.
 #[derive(Clone, Copy)]
 struct Part {
     is_closed: bool,
     volume: f64,
+    area: f64,
     low: DVec3,
     high: DVec3,
     /// A vertex of it.
     place: DVec3,
 }
 
-/// Turns closed parts outward whose volume is negative and which lie in no other; with them what
-/// lies in them, so that the wall of a cavity keeps its side. A part within another that is as it
+/// Share of the volume of the ball of the same area below which an immersed surface may be half-way
+/// from one side to the other.
+const HALF_WAY: f64 = 0.2;
+
+impl Part {
+    /// Whether the volume alone says which side is outside.
+    fn has_an_outside(&self) -> bool {
+        let ball = self.area.powf(1.5) / (6.0 * PI.sqrt());
+        self.volume.abs() >= HALF_WAY * ball
+    }
+}
+
+/// Turns closed parts outward whose volume is negative and which lie in no other, but for immersed
+/// ones that enclose next to nothing and show both sides; with them what lies in them, so that the wall of a cavity keeps its side. A part within another that is as it
 /// should be stays as it is given: as the wall of a cavity its volume is negative.
 ///
 /// `part` is that of each face, of `n_parts`; neighbours agree.
@@ -56,6 +69,7 @@ deferred! {
         };
         let inside_out: Vec<usize> = (0..n_parts)
             .filter(|&i| parts[i].is_closed && parts[i].volume < 0.0)
+            .filter(|&i| parts[i].has_an_outside() || shows_inside(soup, part, i as u32))
             .filter(|&i| (0..n_parts).all(|other| !is_in(i, other)))
             .collect();
         if inside_out.is_empty() {
@@ -87,6 +101,7 @@ fn parts(soup: &PolygonSoup, sides: &[Side], part: &[u32], n_parts: usize) -> Ve
     let empty = Part {
         is_closed: true,
         volume: 0.0,
+        area: 0.0,
         low: DVec3::INFINITY,
         high: DVec3::NEG_INFINITY,
         place: DVec3::ZERO,
@@ -100,6 +115,7 @@ fn parts(soup: &PolygonSoup, sides: &[Side], part: &[u32], n_parts: usize) -> Ve
             (part.low, part.high) = (part.low.min(x), part.high.max(x));
         }
         part.volume += cone(soup, face);
+        part.area += vector_area(soup, face).length();
     }
     // Sides of edges that no other face has.
     let mut open = vec![0_usize; n_parts];
@@ -113,6 +129,33 @@ fn parts(soup: &PolygonSoup, sides: &[Side], part: &[u32], n_parts: usize) -> Ve
         part.is_closed = open == 0;
     }
     parts
+}
+
+/// Whether a part shows its inside at the outermost vertex in each of six directions. A thin plate that
+/// is inside out does; the halfway surface of an eversion shows either side in some.
+fn shows_inside(soup: &PolygonSoup, part: &[u32], of: u32) -> bool {
+    let faces = || {
+        soup.faces()
+            .zip(part)
+            .filter(|(_, p)| **p == of)
+            .map(|(face, _)| face)
+    };
+    let directions = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
+    directions.into_iter().all(|direction| {
+        let reach = |v: &u32| soup.positions[*v as usize].dot(direction);
+        let outermost = faces()
+            .flatten()
+            .max_by(|a, b| reach(a).total_cmp(&reach(b)));
+        let there = faces().filter(|face| outermost.is_some_and(|v| face.contains(v)));
+        let normal: DVec3 = there.map(|face| vector_area(soup, face)).sum();
+        normal.dot(direction) < 0.0
+    })
+}
+
+/// Half the sum of the cross products around a face: along its normal, as long as its area.
+fn vector_area(soup: &PolygonSoup, face: &[u32]) -> DVec3 {
+    let triangles = fans(soup, face, soup.positions[face[0] as usize]);
+    triangles.map(|[_, b, c]| 0.5 * b.cross(c)).sum()
 }
 
 /// Signed volume of the cone from the first vertex over a face.

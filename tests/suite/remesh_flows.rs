@@ -2,6 +2,7 @@
 //! what theory says.
 
 use crate::p_willmore_energy::roughened;
+use crate::support::parts::{Ends, circle, prism};
 use crate::support::*;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -106,8 +107,12 @@ fn torus(radii: [f64; 2], counts: [f64; 2]) -> Surface {
 
 #[test]
 fn tori_come_to_rest_at_the_clifford_torus() {
-    let rough = roughened(torus([2f64.sqrt(), 1.0], [40.0, 20.0]), 0.25, 3);
-    for (what, s) in [("even", torus([2.0, 1.0], [36.0, 18.0])), ("rough", rough)] {
+    let radii = [2f64.sqrt(), 1.0];
+    let rough = roughened(torus(radii, [40.0, 20.0]), 0.25, 3);
+    // Folded over in a third of its vertices: no pass by curvature is one.
+    let crumpled = roughened(torus(radii, [60.0, 30.0]), 0.4, 3);
+    let even = torus([2.0, 1.0], [36.0, 18.0]);
+    for (what, s) in [("even", even), ("rough", rough), ("crumpled", crumpled)] {
         let end = run(&s, &[Kept::Area], Remeshing::Adaptive, 400);
         let ratio = end.energy / CLIFFORD;
         assert!((0.99..1.01).contains(&ratio), "{what}: {ratio}");
@@ -176,6 +181,25 @@ fn readings_of_a_mesh_that_wears_out_are_not_to_be_trusted_and_the_run_says_so()
         let end = run(s, &[Kept::Area], Remeshing::Adaptive, 60);
         assert!(end.is_sound);
         assert_eq!(end.warned, [false; 2]);
+    }
+}
+
+/// As drawing programs export them, with triangles as long as the part: it is meshed anew first.
+#[test]
+fn parts_of_machines_become_balls() {
+    let shaft = prism(&circle(96, 1.0), &[0.0, 4.0], Ends::Fan);
+    let disc = prism(&circle(120, 2.0), &[0.0, 0.25], Ends::Fan);
+    for (what, soup) in [("shaft", shaft), ("disc", disc)] {
+        let s = surface(&soup);
+        assert!(measure::min_angle_degrees(&s.mesh, &s.x) < 2.0, "{what}");
+        let end = run(&s, &[], Remeshing::Adaptive, 300);
+        assert_eq!(end.status, Status::Converged, "{what}");
+        let ratio = end.energy / (4.0 * PI);
+        assert!(
+            (ratio - 1.0).abs() < 1e-3 && end.is_sound,
+            "{what}: {ratio}"
+        );
+        assert!(end.passes > 0 && end.angle > 22.0, "{what}: {}", end.angle);
     }
 }
 

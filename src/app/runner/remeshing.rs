@@ -8,7 +8,8 @@
 //! Energies are hardly compared across a pass. That of a worn mesh is too low as often as too high,
 //! so a pass may raise it; refusing those that do would keep exactly the meshes that need one. But one
 //! that makes a multiple of it has crumpled the surface, as about a spike: then edges are made of one
-//! length, or there is no pass.
+//! length; or, as of a rough scan or a part of a machine with long thin triangles, all is meshed anew;
+//! or there is no pass.
 
 use super::Runner;
 use crate::app::colours::Colours;
@@ -38,6 +39,8 @@ const EVERY: usize = 10;
 const GAIN: f64 = 3.0;
 /// Times its ∫H² to which a pass may raise that of a worn mesh, where it began with less.
 const RISEN: f64 = 1.3;
+/// Vertices with which most shapes can be meshed well.
+const ENOUGH: usize = 1500;
 /// Steps after a pass before there can be another.
 const REST: usize = 3;
 
@@ -49,10 +52,27 @@ struct Made {
     is_settled: bool,
 }
 
+/// A way to another mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Way {
+    Pass(Kind),
+    /// Until the mesh is as good as it gets, with vertices enough for that.
+    Renewal,
+}
+
 deferred! {
-    fn made(runner: &Runner, kind: Kind, targets: Targets) -> Result<Made, RemeshError> {
-        let mesh = runner.triangles();
-        let made = adaptive::pass(mesh, &runner.x, kind, runner.budget(), targets)?;
+    fn made(runner: &Runner, way: Way, targets: Targets) -> Result<Made, RemeshError> {
+        let (mesh, x) = (runner.triangles(), &runner.x);
+        let (made, budget) = match way {
+            Way::Pass(kind) => {
+                let budget = runner.budget();
+                (adaptive::pass(mesh, x, kind, budget, targets)?, budget)
+            }
+            Way::Renewal => {
+                let budget = runner.budget().max(ENOUGH);
+                (adaptive::renewal(mesh, x, Kind::Isotropic, budget, targets)?, budget)
+            }
+        };
         let origins = &made.origins;
         Ok(Made {
             is_settled: made.is_settled(),
@@ -61,6 +81,7 @@ deferred! {
                 colours: runner.colours().interpolated(origins),
                 lineage: Lineage::after(runner.lineage(), origins, mesh),
                 mesh: Rc::new(made.mesh),
+                budget,
             },
             positions: made.positions,
         })
@@ -101,9 +122,10 @@ impl Runner {
         self.state.step - self.segment.from
     }
 
-    /// Vertices that a pass aims at: those of the start.
+    /// Vertices that a pass aims at: those of the start, or of what took its place.
     fn budget(&self) -> usize {
-        self.document.triangles.n_vertices()
+        let remade = self.segment.remade.as_ref();
+        remade.map_or(self.document.triangles.n_vertices(), |remade| remade.budget)
     }
 
     /// Whether the next step is to begin with a pass.
@@ -112,10 +134,18 @@ impl Runner {
         let steps = self.steps_since_pass();
         let mesh = self.triangles();
         let is_due = steps >= REST && adaptive::is_urgent(mesh, &self.x)
+            || self.is_unfit()
             || steps > 0
                 && steps.is_multiple_of(EVERY)
                 && adaptive::is_due(mesh, &self.x, kind, self.budget());
         is_due.then_some(kind)
+    }
+
+    /// Whether the mesh as it was given is one that no step does good to.
+    fn is_unfit(&self) -> bool {
+        self.steps_since_pass() == 0
+            && self.segment.remade.is_none()
+            && adaptive::is_unfit(self.triangles(), &self.x)
     }
 
     /// Whether a pass may help where the flow has come to an end of its own.
@@ -145,6 +175,18 @@ impl Runner {
         integrated_power(&made.remade.mesh, &made.positions, 2.0) / first.max(RISEN * before)
     }
 
+    /// Whether a mesh is one of the same surface, and good enough to begin with. The sharp edges of a
+    /// file's own mesh have the more ∫H² the finer they are.
+    fn is_good(&self, way: Way, made: &Made) -> bool {
+        let (mesh, x) = (&made.remade.mesh, &made.positions);
+        let is_even = || adaptive::alignment(mesh, x) > 0.0 && !adaptive::is_urgent(mesh, x);
+        let falls = self.rises(made) <= 1.0;
+        match way {
+            Way::Pass(_) => falls,
+            Way::Renewal => falls || self.segment.remade.is_none() && is_even(),
+        }
+    }
+
     /// Makes a pass, and tells its milliseconds; `None` where the surface would not have stayed the
     /// same, or the mesh would.
     ///
@@ -165,6 +207,29 @@ impl Runner {
         Ok(pass.map(|pass| (pass, 1e3 * seconds)))
     }
 
+    /// The first good mesh, of the ways in their order.
+    fn best_made(&self, kind: Kind, targets: Targets) -> Result<Option<Made>, Fault> {
+        let passes = match kind {
+            _ if self.is_unfit() => &[][..],
+            Kind::Adaptive => &[Way::Pass(Kind::Adaptive), Way::Pass(Kind::Isotropic)],
+            Kind::Isotropic => &[Way::Pass(Kind::Isotropic)],
+        };
+        for &way in passes.iter().chain(&[Way::Renewal]) {
+            // It takes longer, and is not tried before every step.
+            let steps = self.steps_since_pass();
+            if way == Way::Renewal && steps > REST && !steps.is_multiple_of(EVERY) {
+                continue;
+            }
+            let made = made(self, way, targets);
+            interrupt::check().map_err(FlowError::from)?;
+            let made = made.ok().filter(|made| self.is_good(way, made));
+            if made.is_some() {
+                return Ok(made);
+            }
+        }
+        Ok(None)
+    }
+
     fn attempt(&mut self, kind: Kind, snapshot: Option<Snapshot>) -> Result<Option<Pass>, Fault> {
         let keeps_volume = self.options().keep.contains(&Kept::Volume);
         let targets = Targets {
@@ -172,17 +237,7 @@ impl Runner {
             volume: self.state.volume.filter(|_| keeps_volume),
         };
         let before = measure::min_angle_degrees(self.triangles(), &self.x);
-        let mut made = made(self, kind, targets);
-        interrupt::check().map_err(FlowError::from)?;
-        if kind == Kind::Adaptive && made.as_ref().is_ok_and(|made| self.rises(made) > 1.0) {
-            // About a spike or a fold the fitted curvature is none.
-            let even = self::made(self, Kind::Isotropic, targets);
-            interrupt::check().map_err(FlowError::from)?;
-            if even.is_ok() {
-                made = even;
-            }
-        }
-        let Some(made) = made.ok().filter(|made| self.rises(made) <= 1.0) else {
+        let Some(made) = self.best_made(kind, targets)? else {
             return Ok(None);
         };
         // A mesh that is as good as it gets would be flipped to and fro, and the flow never rest.

@@ -100,6 +100,8 @@ impl Runner {
             start: Some(x.to_vec()),
             is_pass: mesh.is_some(),
             remade: mesh.map(|mesh| Remade {
+                // Passes before this one may have aimed at more than the document has.
+                budget: mesh.n_vertices().max(self.document.triangles.n_vertices()),
                 mesh: Rc::new(mesh),
                 colours: self.document.colours.dropped(),
                 lineage: Rc::default(),

@@ -24,7 +24,7 @@ mod size;
 mod soundness;
 mod split;
 
-pub use need::{is_due, is_urgent};
+pub use need::{is_due, is_unfit, is_urgent};
 pub use origin::Origin;
 pub use restore::Targets;
 pub use soundness::{Soundness, alignment};
@@ -178,36 +178,35 @@ pub fn remesh(
     creases: Creases,
 ) -> Result<Remeshed, RemeshError> {
     let start = checked(mesh, x, held, creases)?;
-    let mut draft = start.clone();
-    let mut counts = Counts::default();
-    let mut aim = vertices as f64;
-    let n_held = size::held(&draft);
-    let free = |count: usize| count.saturating_sub(n_held).max(1) as f64;
-    for _ in 0..=CORRECTIONS {
-        settle(&mut draft, kind, aim.round() as usize, &mut counts)?;
-        // Edges that are neither split nor collapsed may all be short, or all long.
-        let excess = free(draft.x.len()) / free(vertices);
-        if (excess - 1.0).abs() < MET {
-            break;
-        }
-        aim = n_held as f64 + (aim - n_held as f64).max(1.0) / excess;
-    }
-    counts.flips += flip::to_delaunay(&mut draft);
-    let area = measure::area(mesh, x);
-    let change = draft.areas().iter().sum::<f64>() / area - 1.0;
-    // Of folds that are smoothed away the area goes too.
-    let mut is_other = change.abs() > OTHER_AREA && alignment(mesh, x) > 0.0;
-    if let Some(volume) = measure::volume(mesh, x) {
-        let ball = area.powf(1.5) / (6.0 * std::f64::consts::PI.sqrt());
-        let size = volume.abs().max(LEAST_VOLUME * ball);
-        is_other |= (restore::volume(&draft) - volume).abs() > OTHER_VOLUME * size;
-    }
-    if is_other {
+    let (draft, counts) = settled(&start, kind, vertices)?;
+    if is_other(mesh, x, &draft) {
         return Err(RemeshError::Spoilt);
     }
+    let area = measure::area(mesh, x);
+    let change = draft.areas().iter().sum::<f64>() / area - 1.0;
     let is_same = change.abs() < SAME_AREA && !start.held.contains(&true);
     let targets = is_same.then_some(Targets { area, volume: None });
     finished(mesh, &start, draft, targets, counts)
+}
+
+/// The same between two steps of a flow, where a pass is not enough: edges of the shape stay, and
+/// the `targets` are brought back.
+///
+/// # Errors
+/// See [`RemeshError`]; any where the work is [given up](crate::interrupt).
+pub fn renewal(
+    mesh: &HalfedgeMesh,
+    x: &[DVec3],
+    kind: Kind,
+    vertices: usize,
+    targets: Targets,
+) -> Result<Remeshed, RemeshError> {
+    let start = checked(mesh, x, &vec![false; x.len()], Creases::Keep)?;
+    let (draft, counts) = settled(&start, kind, vertices)?;
+    if is_other(mesh, x, &draft) {
+        return Err(RemeshError::Spoilt);
+    }
+    finished(mesh, &start, draft, Some(targets), counts)
 }
 
 /// The number of vertices of a mesh with edges of a mean length, away from those that `held` marks and
@@ -248,6 +247,42 @@ fn checked(
         crease::mark(&mut draft);
     }
     Ok(draft)
+}
+
+/// Whether a draft is of another surface than it was made of.
+fn is_other(mesh: &HalfedgeMesh, x: &[DVec3], draft: &Draft) -> bool {
+    let area = measure::area(mesh, x);
+    let change = draft.areas().iter().sum::<f64>() / area - 1.0;
+    // Of folds that are smoothed away the area goes too.
+    if change.abs() > OTHER_AREA && alignment(mesh, x) > 0.0 {
+        return true;
+    }
+    measure::volume(mesh, x).is_some_and(|volume| {
+        let ball = area.powf(1.5) / (6.0 * std::f64::consts::PI.sqrt());
+        let size = volume.abs().max(LEAST_VOLUME * ball);
+        (restore::volume(draft) - volume).abs() > OTHER_VOLUME * size
+    })
+}
+
+/// Rounds until there is little to change and the number of vertices is met, with edges that are
+/// Delaunay.
+fn settled(start: &Draft, kind: Kind, vertices: usize) -> Result<(Draft, Counts), RemeshError> {
+    let mut draft = start.clone();
+    let mut counts = Counts::default();
+    let mut aim = vertices as f64;
+    let n_held = size::held(&draft);
+    let free = |count: usize| count.saturating_sub(n_held).max(1) as f64;
+    for _ in 0..=CORRECTIONS {
+        settle(&mut draft, kind, aim.round() as usize, &mut counts)?;
+        // Edges that are neither split nor collapsed may all be short, or all long.
+        let excess = free(draft.x.len()) / free(vertices);
+        if (excess - 1.0).abs() < MET {
+            break;
+        }
+        aim = n_held as f64 + (aim - n_held as f64).max(1.0) / excess;
+    }
+    counts.flips += flip::to_delaunay(&mut draft);
+    Ok((draft, counts))
 }
 
 /// Rounds until there is little to change.

@@ -10,6 +10,8 @@ use glam::DVec3;
 const SMALLEST: f64 = 22.0;
 /// … and below which it needs one at once.
 const URGENT: f64 = 15.0;
+/// Smallest angle below which a mesh is none for a flow to begin with.
+const THIN: f64 = 2.0;
 /// The angle that all but one in a hundred are above.
 const QUANTILE: f64 = 30.0;
 const QUANTILE_SHARE: usize = 100;
@@ -20,6 +22,12 @@ const LENGTHS_SHARE: usize = 100;
 /// Whether a pass cannot wait.
 pub fn is_urgent(mesh: &HalfedgeMesh, x: &[DVec3]) -> bool {
     min_angle_degrees(mesh, x) < URGENT
+}
+
+/// Whether a mesh has triangles too thin for a flow to begin with: those of many parts of machines, and
+/// of rough scans.
+pub fn is_unfit(mesh: &HalfedgeMesh, x: &[DVec3]) -> bool {
+    min_angle_degrees(mesh, x) < THIN
 }
 
 /// Whether a pass would do good, on a mesh that is to have so many vertices.

@@ -23,8 +23,8 @@ pub struct Targets {
 const ROUNDS: usize = 8;
 /// A volume is met to this share of that of the ball with the same area …
 const MET: f64 = 1e-12;
-/// … and a surface that misses by this share, or whose vertices had to move by this share of the
-/// mean edge, is another surface.
+/// … and a surface that misses by this share, or whose vertices had to move for it by this share of
+/// the mean edge, is another surface.
 const MISSED: f64 = 1e-6;
 const FARTHEST: f64 = 1.0;
 /// Averages over neighbours of the mean curvature.
@@ -68,19 +68,19 @@ fn areas(draft: &Draft, part_of: &[usize], count: usize) -> Vec<f64> {
 
 /// Brings area and volume of what was another draft back; whether the surface is still the one it was.
 pub(super) fn run(draft: &mut Draft, start: &Draft, mesh: &HalfedgeMesh, targets: Targets) -> bool {
-    let before = draft.x.clone();
     let parts = Parts::of(draft, start, mesh, targets.area);
     let ball = targets.area.powf(1.5) / (6.0 * std::f64::consts::PI.sqrt());
+    scale_to(draft, &parts);
+    let before = draft.x.clone();
     for _ in 0..ROUNDS {
-        scale_to(draft, &parts);
         let Some(volume) = targets.volume else { break };
         let missing = volume - self::volume(draft);
         if missing.abs() <= MET * ball {
             break;
         }
         correct(draft, missing);
+        scale_to(draft, &parts);
     }
-    scale_to(draft, &parts);
     let missed = targets
         .volume
         .map_or(0.0, |v| (self::volume(draft) - v).abs() / ball);
