@@ -148,7 +148,8 @@ impl Document {
                 .faces()
                 .filter(|&f| polygons.face_vertices(f).count() > 3)
                 .count();
-            let is_kept = larger == polygons.n_faces() && Elements::of(&polygons).is_some();
+            let is_kept =
+                larger == polygons.n_faces() && Elements::convex(&polygons, &start).is_some();
             let polygons = Notice::Polygons {
                 count: larger,
                 kept: if is_kept { "p-willmore" } else { "none" },

@@ -192,10 +192,10 @@ impl EnergyReadings {
     }
 }
 
-/// The integrals of a closed mesh of quadrilaterals, by the quadrature that flows use; `None`
+/// The integrals of a closed mesh of convex quadrilaterals, by the quadrature that flows use; `None`
 /// of any other mesh.
 fn quadrilateral_integrals(mesh: &Rc<HalfedgeMesh>, x: &[DVec3], p: f64) -> Option<Integrals> {
-    if !mesh.is_closed() || Elements::of(mesh)?.degree() != 4 {
+    if !mesh.is_closed() || Elements::convex(mesh, x)?.degree() != 4 {
         return None;
     }
     let functional = PWillmore::new(Rc::clone(mesh), x, p, Helfrich::default(), Mass::Lumped)?;

@@ -262,7 +262,7 @@ impl Runner {
         }
         let [triangles, polygons] = self.meshes();
         p_willmore::check_mesh(polygons)?;
-        let (mesh, elements) = match Elements::of(polygons) {
+        let (mesh, elements) = match Elements::convex(polygons, &self.x) {
             Some(elements) => (polygons, elements),
             None => {
                 let elements = Elements::of(triangles).ok_or(FlowError::MixedFaces)?;

@@ -66,7 +66,7 @@ impl Driver {
         options.check()?;
         let options = options.settled();
         let row = spec::of(options.flow);
-        let as_it_is = row.meshes.quads && Elements::of(polygons).is_some();
+        let as_it_is = row.meshes.quads && Elements::convex(polygons, x).is_some();
         let mesh = Rc::clone(if as_it_is { polygons } else { triangles });
         let flow: Box<dyn Flow> = match row.family {
             Family::Circle => Box::new(CircleFlow::new(&mesh, x, &options)?),

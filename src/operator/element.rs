@@ -103,6 +103,22 @@ impl Elements {
         })
     }
 
+    /// The same, where none is a concave quadrilateral: the bilinear map of one folds over, and its area
+    /// is too large.
+    pub fn convex(mesh: &HalfedgeMesh, x: &[DVec3]) -> Option<Self> {
+        let elements = Self::of(mesh)?;
+        let is_convex = |corners: &[u32; 4]| {
+            let [a, b, c, d] = corners.map(|v| x[v as usize]);
+            let normal = (c - a).cross(d - b);
+            let turns = [(d, a, b), (a, b, c), (b, c, d), (c, d, a)];
+            turns
+                .iter()
+                .all(|(p, q, r)| (*q - *p).cross(*r - *q).dot(normal) >= 0.0)
+        };
+        let is_fit = elements.degree == 3 || elements.corners.iter().all(is_convex);
+        is_fit.then_some(elements)
+    }
+
     /// Number of corners of an element: 3 or 4.
     pub fn degree(&self) -> usize {
         self.degree

@@ -2,12 +2,17 @@
 //! paper that do not hold.
 
 use crate::support::*;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 use std::rc::Rc;
+use umbilic::app::Session;
+use umbilic::energy::circle::Boundary;
 use umbilic::energy::p_willmore::{Evaluation, Helfrich, PWillmore, integrated_power};
 use umbilic::energy::total_curvature;
+use umbilic::flow::options::FlowOptions;
+use umbilic::flow::spec::FlowName;
 use umbilic::geometry::measure;
+use umbilic::io::{Format, write};
 use umbilic::mesh::shape;
 use umbilic::operator::{Elements, Mass};
 use umbilic::soup::PolygonSoup;
@@ -196,6 +201,44 @@ fn readings_are_two_to_the_minus_p_of_the_functional() {
         let expected = 2f64.powf(p) * integrated_power(&mesh, &x, p);
         assert!((found / expected - 1.0).abs() < 1e-12, "p = {p}");
     }
+}
+
+/// The prism over an arrowhead: a bilinear map of that end would fold over.
+#[test]
+fn concave_quadrilaterals_are_cut_inside_themselves() {
+    let outline = [[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [0.7, 1.0]].map(DVec2::from);
+    let mut soup = PolygonSoup::default();
+    for height in [0.0, 1.5] {
+        let corners = outline.iter().map(|p| p.extend(height));
+        soup.positions.extend(corners);
+    }
+    soup.push_face(&[3, 2, 1, 0]);
+    soup.push_face(&[4, 5, 6, 7]);
+    for i in 0..4 {
+        let j = (i + 1) % 4;
+        soup.push_face(&[i, j, j + 4, i + 4]);
+    }
+    let sides = || outline.iter().zip(outline.iter().cycle().skip(1));
+    let end: f64 = sides().map(|(p, q)| 0.5 * p.perp_dot(*q)).sum();
+    let around: f64 = sides().map(|(p, q)| p.distance(*q)).sum();
+    let area = 2.0 * end + 1.5 * around;
+    let mut session = Session::new();
+    let file = write(&soup, Format::Obj, "an arrowhead").expect("a file");
+    session.load(&file, "arrowhead.obj").expect("a mesh");
+    let options = FlowOptions {
+        flow: FlowName::PWillmore,
+        ..FlowOptions::default()
+    };
+    session.configure(options).expect("a flow");
+    let found = [
+        session.info().expect("a mesh").area,
+        session.energy(Boundary::Fixed, &[]).expect("a mesh").area,
+        session.state().expect("a state").area,
+    ];
+    assert!(
+        found.iter().all(|a| (a / area - 1.0).abs() < 1e-12),
+        "{found:?} {area}"
+    );
 }
 
 #[test]
