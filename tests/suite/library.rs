@@ -66,14 +66,14 @@ fn samples_and_figures_have_ids_of_their_own_and_options_that_can_be() {
     }
 }
 
-/// The English words of the library.
+/// The English words of the library, and of the first visit, which begins with some of its samples.
 struct Words(String);
 
 impl Words {
     fn read() -> Self {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let file = root.join("www/locales/en/library.ftl");
-        Self(std::fs::read_to_string(file).expect("words"))
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/locales/en");
+        let read = |name: &str| std::fs::read_to_string(folder.join(name)).expect("words");
+        Self(["library.ftl", "first.ftl"].map(read).concat())
     }
 
     /// A sentence and its parts, each on a line of its own.

@@ -19,17 +19,17 @@ function welcome() {
     page.patch({ welcome: false });
     act();
   };
-  /** @param {string} id @param {unknown} picture @param {() => unknown} act */
-  const starter = (id, picture, act) =>
+  /** @param {string} name  of its words @param {unknown} picture @param {() => unknown} act */
+  const starter = (name, picture, act) =>
     html`<button type="button" class="starter" @click=${leave(act)}>
-      <span class="thumb">${picture}</span>${say(`sample-${id}`)}<small>${say(`sample-${id}.small`)}</small></button>`;
+      <span class="thumb">${picture}</span>${say(name)}<small>${say(`${name}.small`)}</small></button>`;
   const samples = Object.entries(ends).map(([id, address]) =>
-    starter(id, html`<img src=${address} alt="" />`, () => page.open.sample(id)),
+    starter(`sample-${id}`, html`<img src=${address} alt="" />`, () => page.open.sample(id)),
   );
   return html`<section class="card welcome" aria-labelledby="welcome-heading">
     <h2 id="welcome-heading">${say("welcome")}</h2><p>${say("welcome-text")}</p>
     <button type="button" class="button primary go" aria-label=${say("watch.name")} @click=${leave(page.run.play)}>${icon("play")}${say("watch")}</button>
-    <div class="starters">${samples}${starter("own", icon("open"), page.chooseFile)}</div></section>`;
+    <div class="starters">${samples}${starter("own-mesh", icon("open"), page.chooseFile)}</div></section>`;
 }
 
 export function cards() {

@@ -34,8 +34,9 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub enum Weld {
-    /// Within 1e-6 of the diagonal of the bounding box or, of coordinates in single precision, four
-    /// units in the last place of the largest; no farther than a hundredth of the median edge.
+    /// Within 1e-6 of the diagonal of the bounding box or, of coordinates that were rounded to single
+    /// precision, some units in the last place of the largest; no farther than a hundredth of the median
+    /// edge.
     #[default]
     Auto,
     /// Not at all.
@@ -296,15 +297,49 @@ fn automatic(x: &[DVec3], mut lengths: Vec<f64>) -> Option<f64> {
     let (low, high) = bounds(x);
     let middle = lengths.len() / 2;
     let (_, median, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
-    // A corner that each face rounds on its own is off by half a unit in each coordinate.
+    // A corner that each face rounds on its own is off by half a unit in each coordinate. Moved near the
+    // origin, coordinates in single precision keep the units they had far from it.
     let is_single = |c: f64| f64::from(c as f32) == c;
-    let rounded = if x.iter().all(|p| p.to_array().into_iter().all(is_single)) {
+    let own = if x.iter().all(|p| p.to_array().into_iter().all(is_single)) {
         4.0 * f64::from(f32::EPSILON) * low.abs().max(high.abs()).max_element()
     } else {
         0.0
     };
+    let rounded = (0..3)
+        .map(|axis| 8.0 * unit_of(x, axis))
+        .fold(own, f64::max);
     let near = (1e-6 * low.distance(high)).max(rounded);
     Some(near.min(1e-2 * *median))
+}
+
+/// Units across a surface from which on they come of rounding, and not of a design.
+const ROUNDED: f64 = 1000.0;
+
+/// The power of two that all coordinates along an axis are multiples of; 0 where few go across.
+fn unit_of(x: &[DVec3], axis: usize) -> f64 {
+    // The lowest bit of a number that is set.
+    let lowest = |c: f64| {
+        let (bits, exponent) = (c.to_bits(), (c.to_bits() >> 52 & 0x7ff) as i32);
+        let zeros = (bits & ((1 << 52) - 1) | 1 << 52).trailing_zeros() as i32;
+        exponent + zeros - 1075
+    };
+    let (mut unit, mut low, mut high) = (i32::MAX, f64::INFINITY, f64::NEG_INFINITY);
+    for c in x.iter().map(|p| p[axis]) {
+        (low, high) = (low.min(c), high.max(c));
+        if c != 0.0 {
+            unit = unit.min(lowest(c));
+        }
+    }
+    let unit = if unit == i32::MAX {
+        0.0
+    } else {
+        2f64.powi(unit)
+    };
+    if ROUNDED * unit < high - low {
+        unit
+    } else {
+        0.0
+    }
 }
 
 /// Corners of the bounding box.

@@ -62,6 +62,43 @@ fn a_heap_of_triangles_is_welded_at_any_size_and_place() {
     }
 }
 
+/// As STL files have them: each corner of each face is rounded by itself, and the whole is moved near the
+/// origin when it is read.
+#[test]
+fn corners_that_were_rounded_far_from_the_origin_are_welded() {
+    for far in [10.0, 100.0, 1000.0] {
+        let mut soup = torn(&sphere(2.0), 1e-8 * far);
+        for p in &mut soup.positions {
+            let single = (*p + DVec3::splat(far)).as_vec3().as_dvec3();
+            *p = single - DVec3::splat(far);
+        }
+        assert!(is_sphere(&repair(&soup, Weld::Auto).soup), "{far}");
+    }
+    // A design may have few places along an axis, and a gap along another.
+    let strips = repair(&strips(1e-4), Weld::Auto).soup;
+    assert_eq!(strips.positions.len(), 2 * 18);
+}
+
+/// Two strips of squares, each on corners of its own, with a gap between them.
+fn strips(gap: f64) -> PolygonSoup {
+    let mut soup = PolygonSoup::default();
+    for side in [-1.0, 1.0] {
+        for i in 0..8_u32 {
+            let first = soup.positions.len() as u32;
+            for (u, v) in [(0, 0.5 * gap), (1, 0.5 * gap), (1, 1.0), (0, 1.0)] {
+                soup.positions
+                    .push(DVec3::new(f64::from(i + u), side * v, 0.0));
+            }
+            let mut square = [first, first + 1, first + 2, first + 3];
+            if side < 0.0 {
+                square.reverse();
+            }
+            soup.push_face(&square);
+        }
+    }
+    soup
+}
+
 #[test]
 fn a_slit_is_stitched_and_a_gap_is_left() {
     // The first ring of faces about a vertex, on vertices of its own.
