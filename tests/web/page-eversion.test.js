@@ -66,6 +66,8 @@ test("the film of the eversion: from a sphere over the halfway surface to the sp
   assert.ok(Math.abs(steps[turned]) < 15, `inside out from step ${steps[turned]} on`);
   // At rest at one end and at the other the solver is where the display stands.
   assert.equal(await reading(page, "Pairs of triangles that cross"), "0");
+  // The figure is read where the table was.
+  await button(page, "Table of all steps").click();
   const figure = page.locator("section.figure .measured");
   await figure.filter({ hasText: "least product of normals" }).waitFor();
   assert.match((await figure.getAttribute("class")) ?? "", /good/);

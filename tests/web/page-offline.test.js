@@ -134,7 +134,7 @@ test("without a connection the page opens, draws and steps; versions do not mix"
   await page.evaluate(async () => (await navigator.serviceWorker.ready).update());
   await page
     .locator(".status")
-    .getByText(/new version is ready: reload/)
+    .getByText(/new version is ready\. Reload/)
     .waitFor();
   assert.equal(await mark(page), "first");
   await server.close();

@@ -91,7 +91,7 @@ test("a trap in the middle of a run costs nothing but the step it was in", async
   const atStart = await energy(page);
   await button(page, "Play").click();
   const said = await firstError(page);
-  assert.match(said, /stopped unexpectedly.*goes on from step \d+/);
+  assert.match(said, /solver crashed.*goes on from step \d+/);
   assert.match(said, /memory/, "with what to do");
   const step = stepIn(said);
   assert.ok(step >= 1, `steps were shown, and it goes on from ${step}`);
