@@ -31,8 +31,9 @@ impl Part {
 }
 
 /// Turns closed parts outward whose volume is negative and which lie in no other, but for immersed
-/// ones that enclose next to nothing and show both sides; with them what lies in them, so that the wall of a cavity keeps its side. A part within another that is as it
-/// should be stays as it is given: as the wall of a cavity its volume is negative.
+/// ones that enclose next to nothing and show both sides; with them what lies in them, so that the
+/// wall of a cavity keeps its side. A part within another that is as it should be stays as it is given:
+/// as the wall of a cavity its volume is negative.
 ///
 /// `part` is that of each face, of `n_parts`; neighbours agree.
 pub(super) fn turn_outward(

@@ -180,11 +180,8 @@ impl Runner {
     fn is_good(&self, way: Way, made: &Made) -> bool {
         let (mesh, x) = (&made.remade.mesh, &made.positions);
         let is_even = || adaptive::alignment(mesh, x) > 0.0 && !adaptive::is_urgent(mesh, x);
-        let falls = self.rises(made) <= 1.0;
-        match way {
-            Way::Pass(_) => falls,
-            Way::Renewal => falls || self.segment.remade.is_none() && is_even(),
-        }
+        let is_first = self.segment.remade.is_none();
+        self.rises(made) <= 1.0 || way == Way::Renewal && is_first && is_even()
     }
 
     /// Makes a pass, and tells its milliseconds; `None` where the surface would not have stayed the

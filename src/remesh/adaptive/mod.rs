@@ -164,8 +164,8 @@ pub fn pass(
 }
 
 /// Rounds from any mesh until it is settled, towards so many vertices; those that `held` marks
-/// stay, and so do edges of the shape unless they are to become smooth. The area of a closed surface is brought back where nothing is held, unless the mesh has
-/// lost as much of it as only folds have.
+/// stay, and so do edges of the shape unless they are to become smooth. The area of a closed surface
+/// is brought back where nothing is held, unless the mesh has lost as much of it as only folds have.
 ///
 /// # Errors
 /// See [`RemeshError`]; any where the work is [given up](crate::interrupt).
@@ -178,10 +178,7 @@ pub fn remesh(
     creases: Creases,
 ) -> Result<Remeshed, RemeshError> {
     let start = checked(mesh, x, held, creases)?;
-    let (draft, counts) = settled(&start, kind, vertices)?;
-    if is_other(mesh, x, &draft) {
-        return Err(RemeshError::Spoilt);
-    }
+    let (draft, counts) = settled(mesh, x, &start, kind, vertices)?;
     let area = measure::area(mesh, x);
     let change = draft.areas().iter().sum::<f64>() / area - 1.0;
     let is_same = change.abs() < SAME_AREA && !start.held.contains(&true);
@@ -202,10 +199,7 @@ pub fn renewal(
     targets: Targets,
 ) -> Result<Remeshed, RemeshError> {
     let start = checked(mesh, x, &vec![false; x.len()], Creases::Keep)?;
-    let (draft, counts) = settled(&start, kind, vertices)?;
-    if is_other(mesh, x, &draft) {
-        return Err(RemeshError::Spoilt);
-    }
+    let (draft, counts) = settled(mesh, x, &start, kind, vertices)?;
     finished(mesh, &start, draft, Some(targets), counts)
 }
 
@@ -265,8 +259,14 @@ fn is_other(mesh: &HalfedgeMesh, x: &[DVec3], draft: &Draft) -> bool {
 }
 
 /// Rounds until there is little to change and the number of vertices is met, with edges that are
-/// Delaunay.
-fn settled(start: &Draft, kind: Kind, vertices: usize) -> Result<(Draft, Counts), RemeshError> {
+/// Delaunay; refused where the surface has become another.
+fn settled(
+    mesh: &HalfedgeMesh,
+    x: &[DVec3],
+    start: &Draft,
+    kind: Kind,
+    vertices: usize,
+) -> Result<(Draft, Counts), RemeshError> {
     let mut draft = start.clone();
     let mut counts = Counts::default();
     let mut aim = vertices as f64;
@@ -282,6 +282,9 @@ fn settled(start: &Draft, kind: Kind, vertices: usize) -> Result<(Draft, Counts)
         aim = n_held as f64 + (aim - n_held as f64).max(1.0) / excess;
     }
     counts.flips += flip::to_delaunay(&mut draft);
+    if is_other(mesh, x, &draft) {
+        return Err(RemeshError::Spoilt);
+    }
     Ok((draft, counts))
 }
 
